@@ -1,0 +1,33 @@
+# gloam_room(NAME SOURCES file... USES room... LIBRARIES target...)
+# A room of the house: static library gloam_NAME (interface library when it has no sources), alias gloam::NAME.
+# USES are rooms that its headers may include; LIBRARIES stay hidden behind its sources.
+function(gloam_room NAME)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  set(target gloam_${NAME})
+  list(TRANSFORM ROOM_USES PREPEND gloam_)
+  if(ROOM_SOURCES)
+    add_library(${target} STATIC ${ROOM_SOURCES})
+    target_link_libraries(${target} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_LIBRARIES} $<BUILD_INTERFACE:gloam_warnings>)
+    set(scope PUBLIC)
+  else()
+    add_library(${target} INTERFACE)
+    target_link_libraries(${target} INTERFACE ${ROOM_USES} ${ROOM_LIBRARIES})
+    set(scope INTERFACE)
+  endif()
+  add_library(gloam::${NAME} ALIAS ${target})
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/harness>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/gloam>)
+  target_compile_features(${target} ${scope} cxx_std_20)
+endfunction()
+
+# gloam_test(NAME SOURCES file... USES room... LIBRARIES target...): a GoogleTest program, its tests found by ctest.
+function(gloam_test NAME)
+  cmake_parse_arguments(TEST "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  list(TRANSFORM TEST_USES PREPEND gloam_)
+  add_executable(${NAME} ${TEST_SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${TEST_USES} ${TEST_LIBRARIES} gloam_glsl gloam_warnings GTest::gmock GTest::gtest_main)
+  target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300
+    ENVIRONMENT "GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
+endfunction()

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "gpu/buffer.hpp"
+#include "gpu/image.hpp"
+
+namespace gloam::gpu {
+
+enum class BindingKind { storage_buffer, storage_image };
+
+struct SpecializationConstant {
+    std::uint32_t id = 0;
+    std::uint32_t bits = 0;  // the 32-bit pattern of the bool, int, uint or float
+};
+
+// What a compute pipeline is made of. Entry point "main"; binding i of descriptor set 0 has kind bindings[i].
+struct ComputeProgram {
+    std::span<const std::uint32_t> spirv;
+    std::vector<BindingKind> bindings;
+    std::uint32_t push_constant_bytes = 0;
+    std::vector<SpecializationConstant> constants;
+};
+
+// A compiled compute pipeline. Throws std::runtime_error when the driver rejects it.
+class ComputePipeline {
+  public:
+    ComputePipeline(const Device& device, const ComputeProgram& program);
+    ~ComputePipeline();
+    ComputePipeline(ComputePipeline&&) noexcept;
+    ComputePipeline& operator=(ComputePipeline&&) noexcept;
+
+    struct Impl;
+    [[nodiscard]] Impl& impl() const { return *impl_; }
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
+using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>>;
+
+}  // namespace gloam::gpu

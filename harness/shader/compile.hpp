@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "shader/type.hpp"
+
+namespace gloam::shader {
+
+enum class Stage { compute, vertex, fragment };
+
+// Optimisation by SPIRV-Tools after the front end.
+enum class Optimization { none, performance, size };
+
+// GLSL text with the name that error messages give it. The text starts with its own #version line.
+struct Source {
+    std::string name;
+    std::string text;
+};
+
+struct CompileOptions {
+    Stage stage = Stage::compute;
+    std::vector<std::filesystem::path> include_roots;  // where #include "a/b.glsl" is looked for, after the includer's own folder
+    Optimization optimization = Optimization::none;
+};
+
+// The compiler rejected the text; what() has one line per message, each "file:line: message" with the file of the *include*.
+class CompileError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+using Spirv = std::vector<std::uint32_t>;
+
+// GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module. Throws CompileError; std::runtime_error for a missing include file.
+[[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options);
+
+// Every function that the text and its includes define or declare, in order of first appearance, as the compiler's own
+// syntax tree has it. Throws like compile().
+[[nodiscard]] std::vector<Function> functions(const Source& source, const CompileOptions& options);
+
+// Name and version of the compiler, the optimiser and the validator; part of every cache key.
+[[nodiscard]] std::string compiler_version();
+
+}  // namespace gloam::shader
