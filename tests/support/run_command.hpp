@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gloam::test {
+
+// What a finished program left behind.
+struct CommandResult {
+    int status = 0;  // its exit status; 128 + N when signal N ended it, as shells have it
+    std::string out;
+    std::string err;
+};
+
+struct CommandOptions {
+    std::vector<std::string> environment{};     // "NAME=value", on top of this process's own
+    std::filesystem::path working_directory{};  // empty: this process's own
+    std::chrono::seconds timeout{120};
+};
+
+// Runs `program` with `arguments`, no shell between, standard input empty. Throws std::runtime_error when it
+// cannot be started or is still running after the timeout (it is killed then).
+[[nodiscard]] CommandResult run_program(const std::filesystem::path& program,
+                                        const std::vector<std::string>& arguments,
+                                        const CommandOptions& options = {});
+
+// run_program() of the gloam binary: $GLOAM_BINARY, else the one this build makes.
+[[nodiscard]] CommandResult run_command(const std::vector<std::string>& arguments,
+                                        const CommandOptions& options = {});
+
+// A fresh directory, removed with all it holds at the end of the scope.
+class TemporaryDirectory {
+  public:
+    TemporaryDirectory();
+    ~TemporaryDirectory();
+    TemporaryDirectory(const TemporaryDirectory&) = delete;
+    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+// How many lines a message has; a last line without its newline counts.
+[[nodiscard]] int line_count(const std::string& text);
+
+}  // namespace gloam::test
