@@ -10,9 +10,9 @@
 
 namespace gloam::shader {
 
-// Compiled modules on disk, keyed by the text, every included file, the options and the compiler. A damaged, truncated or
-// foreign entry is recompiled and replaced without a word; files are written whole or not at all. An unwritable
-// directory costs only speed. Safe to share between processes.
+// Compiled modules on disk, keyed by the text, every included file, the options and the compiler. A damaged,
+// truncated or foreign entry is recompiled and replaced without a word; files are written whole or not at
+// all. An unwritable directory costs only speed. Safe to share between processes.
 class SpirvCache {
   public:
     // An empty directory keeps nothing.

@@ -24,22 +24,28 @@ struct Source {
 
 struct CompileOptions {
     Stage stage = Stage::compute;
-    std::vector<std::filesystem::path> include_roots;  // where #include "a/b.glsl" is looked for, after the includer's own folder
+    // Where #include "a/b.glsl" is looked for, after the includer's own folder. A Source has one when its
+    // name is a path with a folder in it.
+    std::vector<std::filesystem::path> include_roots;
     Optimization optimization = Optimization::none;
 };
 
-// The compiler rejected the text; what() has one line per message, each "file:line: message" with the file of the *include*.
+// The compiler rejected the text; what() has one line per message, each "file:line: message" with the file of
+// the *include*.
 class CompileError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 using Spirv = std::vector<std::uint32_t>;
 
-// GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module. Throws CompileError; std::runtime_error for a missing include file.
+// GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module; names are kept. #include needs no #extension line.
+// Functions that main does not reach may call prototypes without a body. Throws CompileError, also for an
+// include that is missing or that includes itself.
 [[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options);
 
-// Every function that the text and its includes define or declare, in order of first appearance, as the compiler's own
-// syntax tree has it. Throws like compile().
+// Every function that the text and its includes define, and every one that they only declare and call (a
+// declaration that nothing calls is not seen), in order of definition or first call, as the compiler's own
+// syntax tree has it. Overloads are separate entries. The text needs no main. Throws like compile().
 [[nodiscard]] std::vector<Function> functions(const Source& source, const CompileOptions& options);
 
 // Name and version of the compiler, the optimiser and the validator; part of every cache key.

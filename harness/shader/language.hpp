@@ -21,8 +21,9 @@ enum class Language { vulkan450, gl330, es300, es310 };
 // The lines that must come first: #version, and for ES the default precisions (highp).
 [[nodiscard]] std::string preamble(Language language);
 
-// Parses `body` (no #version line; includes allowed) behind the preamble, as a compute shader where the language has
-// them and a fragment shader elsewhere; adds an empty main. Throws CompileError.
-void check_compiles(const Source& body, Language language, const std::vector<std::filesystem::path>& include_roots);
+// Parses `body` (no #version line; includes allowed) behind the preamble, as a compute shader where the
+// language has them and a fragment shader elsewhere; adds an empty main. Throws CompileError.
+void check_compiles(const Source& body, Language language,
+                    const std::vector<std::filesystem::path>& include_roots);
 
 }  // namespace gloam::shader

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "shader/cache.hpp"
+
+#include <cstring>
+#include <optional>
+
+#include "shader/include.hpp"
+#include "shader/internal/entry.hpp"
+#include "shader/internal/function_codec.hpp"
+
+namespace gloam::shader {
+namespace {
+
+std::string encode(const Spirv& module) {
+    std::string bytes(module.size() * sizeof(Spirv::value_type), '\0');
+    std::memcpy(bytes.data(), module.data(), bytes.size());
+    return bytes;
+}
+
+std::optional<Spirv> decode_module(std::string_view bytes) {
+    if (bytes.empty() || bytes.size() % sizeof(Spirv::value_type) != 0) return std::nullopt;
+    Spirv module(bytes.size() / sizeof(Spirv::value_type));
+    std::memcpy(module.data(), bytes.data(), bytes.size());
+    return module;
+}
+
+// Of everything that the result depends on.
+internal::Hash key_of(std::string_view kind, const Source& source, const CompileOptions& options) {
+    internal::Fingerprint fingerprint;
+    fingerprint.add(kind);
+    fingerprint.add(compiler_version());
+    fingerprint.add(static_cast<std::uint64_t>(options.stage));
+    fingerprint.add(static_cast<std::uint64_t>(options.optimization));
+    fingerprint.add(source.name);
+    fingerprint.add(source.text);
+    const auto folder = std::filesystem::path(source.name).parent_path();
+    for (const IncludedFile& file : include_closure(source.text, options.include_roots, folder)) {
+        fingerprint.add(file.path.string());
+        fingerprint.add(file.text);
+    }
+    return fingerprint.hash();
+}
+
+// What the entry holds, or what `make` makes, which is then stored.
+template <class Decode, class Make, class Encode>
+auto stored_or_made(const std::filesystem::path& directory, std::string_view kind, const Source& source,
+                    const CompileOptions& options, Decode&& decode, Make&& make, Encode&& encode) {
+    if (directory.empty()) return make(source, options);
+    const internal::Hash key = key_of(kind, source, options);
+    const std::filesystem::path file = directory / (internal::to_hex(key) + "." + std::string(kind));
+    if (const auto payload = internal::read_entry(file, key))
+        if (auto stored = decode(*payload)) return std::move(*stored);
+    auto made = make(source, options);
+    // An include that changed meanwhile must not be stored under the key of its old text.
+    if (key_of(kind, source, options) == key) internal::write_entry(file, key, encode(made));
+    return made;
+}
+
+}  // namespace
+
+SpirvCache::SpirvCache(std::filesystem::path directory) : directory_(std::move(directory)) {}
+
+Spirv SpirvCache::compile(const Source& source, const CompileOptions& options) const {
+    return stored_or_made(directory_, "spv", source, options, decode_module, shader::compile, encode);
+}
+
+std::vector<Function> SpirvCache::functions(const Source& source, const CompileOptions& options) const {
+    return stored_or_made(directory_, "functions", source, options, internal::decode, shader::functions,
+                          internal::encode);
+}
+
+}  // namespace gloam::shader

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glslang/Public/ShaderLang.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shader/compile.hpp"
+
+namespace gloam::shader::internal {
+
+// The rules of which client the text is held to: SPIR-V for Vulkan 1.2, or those of the language alone.
+enum class Client { vulkan, none };
+
+// A text parsed by glslang; several pieces are read as one, each with its own name and line numbers.
+// The syntax tree lives as long as this object.
+class Parse {
+  public:
+    // `name` is for messages without a place. Throws CompileError.
+    Parse(Stage stage, Client client, std::string name, std::vector<Source> pieces,
+          const std::vector<std::filesystem::path>& roots);
+    Parse(const Parse&) = delete;
+    Parse& operator=(const Parse&) = delete;
+
+    // Before link(): with every function of the text. Valid while this object lives.
+    [[nodiscard]] const glslang::TIntermediate& tree() const { return *shader_.getIntermediate(); }
+
+    // Checks what concerns the whole program (bodies of reached functions, recursion) and drops unreached
+    // functions. Throws CompileError.
+    [[nodiscard]] const glslang::TIntermediate& link();
+
+  private:
+    EShLanguage language_;
+    EShMessages messages_;
+    std::string name_;
+    std::vector<Source> pieces_;
+    glslang::TShader shader_;
+    glslang::TProgram program_;  // after the shader: must be destroyed first
+};
+
+// glslang's log as "file:line: message" lines, errors only; messages without a place get `fallback` as their
+// file.
+[[nodiscard]] std::string error_lines(const std::string& log, const std::string& fallback);
+
+}  // namespace gloam::shader::internal

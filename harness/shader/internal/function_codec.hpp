@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shader/type.hpp"
+
+namespace gloam::shader::internal {
+
+// Function descriptions as bytes, and back; nothing when the bytes are not what encode() makes.
+[[nodiscard]] std::string encode(const std::vector<Function>& functions);
+[[nodiscard]] std::optional<std::vector<Function>> decode(std::string_view bytes);
+
+}  // namespace gloam::shader::internal

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace gloam::shader::internal {
+
+// A 128-bit XXH3 hash.
+using Hash = std::array<std::uint64_t, 2>;
+
+// What a hash is taken of: fields that cannot run into each other.
+class Fingerprint {
+  public:
+    void add(std::string_view field);
+    void add(std::uint64_t field);
+    [[nodiscard]] Hash hash() const;
+
+  private:
+    std::string bytes_;
+};
+
+[[nodiscard]] Hash hash_of(std::string_view bytes);
+// 32 hexadecimal digits.
+[[nodiscard]] std::string to_hex(const Hash& hash);
+
+}  // namespace gloam::shader::internal

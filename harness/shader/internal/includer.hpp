@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glslang/Public/ShaderLang.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gloam::shader::internal {
+
+// Serves #include from files. The name that it gives an include is its path, which error messages then carry.
+// glslang is built without exceptions: nothing may be thrown through it, so failures become messages.
+class Includer final : public glslang::TShader::Includer {
+  public:
+    explicit Includer(const std::vector<std::filesystem::path>& roots) : roots_(roots) {}
+
+    IncludeResult* includeLocal(const char* name, const char* includer, std::size_t depth) override;
+    IncludeResult* includeSystem(const char* name, const char* includer, std::size_t depth) override;
+    void releaseInclude(IncludeResult* result) override;
+
+  private:
+    struct Open {
+        std::filesystem::path path;
+        std::string text;
+        std::unique_ptr<IncludeResult> result;
+    };
+
+    IncludeResult* open(const char* name, const std::filesystem::path& from);
+    IncludeResult* fail(std::string message);
+    IncludeResult* hold(std::filesystem::path path, std::string text);
+    [[nodiscard]] std::string chain_to(const std::filesystem::path& path) const;
+
+    const std::vector<std::filesystem::path>& roots_;
+    std::vector<std::unique_ptr<Open>> open_;
+    std::optional<std::string> local_failure_;
+};
+
+}  // namespace gloam::shader::internal

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "shader/language.hpp"
+
+#include <array>
+
+#include "shader/internal/front_end.hpp"
+
+namespace gloam::shader {
+namespace {
+
+constexpr const char* es_precisions = "precision highp float;\nprecision highp int;\n";
+
+struct Entry {
+    Language language;
+    const char* name;
+    const char* version;
+    bool es;
+    Stage stage;
+    internal::Client client;
+};
+
+constexpr std::array entries{
+    Entry{Language::vulkan450, "450", "450", false, Stage::compute, internal::Client::vulkan},
+    Entry{Language::gl330, "330", "330 core", false, Stage::fragment, internal::Client::none},
+    Entry{Language::es300, "300es", "300 es", true, Stage::fragment, internal::Client::none},
+    Entry{Language::es310, "310es", "310 es", true, Stage::compute, internal::Client::none},
+};
+
+const Entry& entry_of(Language language) {
+    for (const Entry& entry : entries)
+        if (entry.language == language) return entry;
+    throw std::invalid_argument("language " + std::to_string(static_cast<int>(language)) +
+                                ": not one of 450, 330, 300es, 310es");
+}
+
+}  // namespace
+
+std::optional<Language> language_from(std::string_view name) {
+    for (const Entry& entry : entries)
+        if (name == entry.name) return entry.language;
+    return std::nullopt;
+}
+
+std::string to_string(Language language) {
+    return entry_of(language).name;
+}
+
+std::string preamble(Language language) {
+    const Entry& entry = entry_of(language);
+    return "#version " + std::string(entry.version) + "\n" + (entry.es ? es_precisions : "");
+}
+
+void check_compiles(const Source& body, Language language,
+                    const std::vector<std::filesystem::path>& include_roots) {
+    const Entry& entry = entry_of(language);
+    const std::string local_size = entry.stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
+    // The body keeps its own line numbers; it may end without a newline, in a comment.
+    std::vector<Source> pieces{
+        {"preamble", preamble(language)}, body, {"main", "\n" + local_size + "void main() {}\n"}};
+    internal::Parse parse(entry.stage, entry.client, body.name, std::move(pieces), include_roots);
+    static_cast<void>(parse.link());
+}
+
+}  // namespace gloam::shader
