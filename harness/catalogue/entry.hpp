@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/case.hpp"
+
+// How an equation enters the catalogue. One call of equation<Signature>() holds all that the tests, the
+// command line, the tables and the documentation know of it:
+//
+//     entries.push_back(equation<glm::vec2(float, float, float, float, float)>(
+//         {.id = "TSSAO-5",
+//          .function = "gloam_blend",
+//          .file = "gloam/temporal/blend.glsl",
+//          .title = "blend of the history with new samples",
+//          .formula = "AO + (C - AO) k / (w + k);  w' = min(w + k, w_max)",
+//          .source = "TSSAO (Mattausch et al.), eqs 4 and 5"},
+//         GLOAM_REFERENCE(gloam_blend),
+//         {.domain = {uniform(0, 1).and_special(), ...},     // one Values for each in or inout parameter
+//          .budget = {.ulp = 3},                             // measured; see check::Budget
+//          .codomain = {0, 1e9}}));                          // holds for every input whatever, NaN included
+//
+// `.promised = make_predicate<Signature>([](float x, ...) { return ...; })` limits where the budget is
+// promised; the codomain holds everywhere. `.scenarios` gives images to a function that reads some
+// (catalogue/scenarios.hpp); its reference then takes (const check::ImageSet&, arguments...).
+namespace gloam::catalogue {
+
+// What people read about an equation.
+struct Description {
+    std::string id;        // as in the paper or sheet, unique: "TSSAO-5", "TSSAO-14-uniform"
+    std::string function;  // GLSL, and C++ in gloam::reference
+    std::string file;      // as in #include "gloam/..."
+    std::string title;     // a few words
+    std::string formula;   // plain text mathematics
+    std::string source;    // paper, equation number
+};
+
+// How it is checked. Empty members mean what they mean in check::Case.
+struct Check {
+    check::Domain domain;
+    check::Budget budget;
+    check::Codomain codomain;
+    std::function<bool(std::span<const check::Word>)> promised;
+    std::vector<check::ImageScenario> scenarios;
+};
+
+struct Entry {
+    Description description;
+    check::Case check_case;
+};
+
+using Entries = std::vector<Entry>;
+
+template <class Signature, class Reference>
+[[nodiscard]] Entry equation(Description description, Reference reference, Check check) {
+    check::Case check_case{.file = description.file,
+                           .function = description.function,
+                           .signature = check::SignatureOf<Signature>::describe(),
+                           .domain = std::move(check.domain),
+                           .reference = check::make_reference<Signature>(std::move(reference)),
+                           .budget = check.budget,
+                           .codomain = check.codomain,
+                           .promised = std::move(check.promised),
+                           .scenarios = std::move(check.scenarios)};
+    return {.description = std::move(description), .check_case = std::move(check_case)};
+}
+
+}  // namespace gloam::catalogue
+
+// The reference function template of that name as a function object, for whichever number type it is called
+// with.
+#define GLOAM_REFERENCE(name)                                                             \
+    [](auto&&... arguments) -> decltype(::gloam::reference::name(                         \
+                                std::forward<decltype(arguments)>(arguments)...)) {       \
+        return ::gloam::reference::name(std::forward<decltype(arguments)>(arguments)...); \
+    }

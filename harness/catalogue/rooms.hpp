@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "catalogue/entry.hpp"
+
+// One function for each room of the shader library; each appends its equations.
+namespace gloam::catalogue {
+
+void append_sampling(Entries& entries);
+void append_geometry(Entries& entries);
+void append_occlusion(Entries& entries);
+void append_temporal(Entries& entries);
+void append_filter(Entries& entries);
+void append_shading(Entries& entries);
+
+}  // namespace gloam::catalogue

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "check/describe.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <ostream>
+
+#include "numeric/text.hpp"
+
+namespace gloam::check {
+namespace {
+
+using shader::Scalar;
+
+std::string scalar_text(Scalar scalar, Word word) {
+    switch (scalar) {
+        case Scalar::float_:
+            return numeric::to_text(from_word<float>(word));
+        case Scalar::int_:
+            return fmt::format("{}", from_word<int>(word));
+        case Scalar::bool_:
+            return word != 0U ? "true" : "false";
+        default:
+            return fmt::format("{} (0x{:08x})", word, word);
+    }
+}
+
+std::string words_text(const std::vector<Scalar>& scalars, const std::vector<Word>& words) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < words.size(); ++i) texts.push_back(scalar_text(scalars[i], words[i]));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string numbers_text(const std::vector<double>& numbers) {
+    std::vector<std::string> texts;
+    for (const double number : numbers) texts.push_back(numeric::to_text(number));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string sample_text(const Signature& signature, const Sample& sample) {
+    return fmt::format(
+        "input {} ({}{}{}): {}\n    got  {}\n    want {}\n    error {:.6g} ulp, {:.6g} absolute\n",
+        sample.index, name_of(sample.input_class), sample.scenario.empty() ? "" : ", images ",
+        sample.scenario, describe_inputs(signature, sample.inputs),
+        words_text(signature.output_scalars(), sample.got), numbers_text(sample.want), sample.ulp,
+        sample.absolute);
+}
+
+}  // namespace
+
+std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs) {
+    std::vector<std::string> texts;
+    std::size_t first = 0;
+    for (const shader::Parameter& p : signature.parameters) {
+        if (p.direction == shader::Direction::out) continue;
+        const std::vector<Scalar> scalars = scalars_of(p.type);
+        const std::vector<Word> words(inputs.begin() + static_cast<std::ptrdiff_t>(first),
+                                      inputs.begin() + static_cast<std::ptrdiff_t>(first + scalars.size()));
+        const std::string values = words_text(scalars, words);
+        texts.push_back(fmt::format(fmt::runtime(scalars.size() > 1 ? "{} ({})" : "{} {}"),
+                                    shader::to_glsl(p.type), values));
+        first += scalars.size();
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string describe(const Result& result) {
+    const Census& census = result.census;
+    std::string text = fmt::format("{} ({}): {} of {} inputs outside {}\n", result.function, result.file,
+                                   census.outside(), census.inputs(), to_text(result.budget));
+    if (result.fault) text += fmt::format("  {}\n", to_text(*result.fault));
+    for (std::size_t i = 0; i < input_class_count; ++i) {
+        const ClassCount& count = census.classes[i];
+        if (count.inputs == 0) continue;
+        text += fmt::format("  {:<10} {:>9} inputs {:>9} outside", name_of(static_cast<InputClass>(i)),
+                            count.inputs, count.outside);
+        if (count.recorded > 0) text += fmt::format(" {:>9} only recorded", count.recorded);
+        text += "\n";
+    }
+    if (census.worst) text += "  worst " + sample_text(result.signature, *census.worst);
+    for (const auto& first : census.first_outside) {
+        if (first && (!census.worst || first->index != census.worst->index)) {
+            text += "  first " + sample_text(result.signature, *first);
+        }
+    }
+    return text;
+}
+
+std::ostream& operator<<(std::ostream& stream, const Result& result) {
+    return stream << describe(result);
+}
+
+}  // namespace gloam::check

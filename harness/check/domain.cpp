@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "check/domain.hpp"
+
+#include <stdexcept>
+
+#include "numeric/ulp.hpp"
+
+namespace gloam::check {
+namespace {
+
+// Chances, in sixteenths, of an input of fixed values only and of one with a single fixed value.
+constexpr std::uint64_t all_fixed_chance = 2;
+constexpr std::uint64_t one_fixed_chance = 4;
+constexpr std::uint64_t tie_chance = 1;
+constexpr std::uint64_t chances = 16;
+
+}  // namespace
+
+// One input being drawn. `forced` names a parameter that takes a given fixed value.
+struct Domain::Row {
+    DrawContext& context;
+    Inputs& inputs;
+    std::size_t forced = SIZE_MAX;
+    std::size_t forced_value = 0;
+};
+
+Domain Domain::tied(std::size_t target, std::size_t source, double factor) const {
+    if (target >= parameters_.size() || source >= parameters_.size()) {
+        throw std::invalid_argument("Domain::tied: no such parameter");
+    }
+    Domain more = *this;
+    more.ties_.push_back({target, source, factor});
+    return more;
+}
+
+Domain Domain::adjusted(std::function<void(std::span<Word>)> adjust) const {
+    Domain more = *this;
+    more.adjustments_.push_back(std::move(adjust));
+    return more;
+}
+
+bool Domain::apply_tie(DrawContext& context, std::span<Word> row,
+                       const std::vector<std::size_t>& offsets) const {
+    if (ties_.empty() || context.random.below(chances) >= tie_chance) return false;
+    const Tie& tie = ties_[context.random.below(ties_.size())];
+    const auto source = static_cast<double>(from_word<float>(row[offsets[tie.source]]));
+    const int steps = static_cast<int>(context.random.below(3)) - 1;
+    row[offsets[tie.target]] = to_word(numeric::step(static_cast<float>(source * tie.factor), steps));
+    return true;
+}
+
+void Domain::append_row(Row& row) const {
+    const std::uint64_t lot = row.context.random.below(chances);
+    const bool all_fixed = lot < all_fixed_chance;
+    const bool one_fixed = !all_fixed && lot < all_fixed_chance + one_fixed_chance;
+    const std::uint64_t chosen =
+        one_fixed ? row.context.random.below(std::max<std::size_t>(parameters_.size(), 1)) : 0;
+    const bool forced_row = row.forced != SIZE_MAX;
+    std::vector<Word>& words = row.inputs.words;
+    const std::size_t first = words.size();
+    std::vector<std::size_t> offsets;
+    bool branch = false;
+    for (std::size_t p = 0; p < parameters_.size(); ++p) {
+        const Values& values = parameters_[p];
+        offsets.push_back(words.size() - first);
+        const bool forced = p == row.forced;
+        const bool fixed = forced || (!forced_row && (all_fixed || (one_fixed && p == chosen)));
+        if (fixed && !values.fixed.empty()) {
+            const std::size_t pick =
+                forced ? row.forced_value : row.context.random.below(values.fixed.size());
+            const Values::Fixed& value = values.fixed[pick];
+            words.insert(words.end(), value.words.begin(), value.words.end());
+            branch = branch || value.branch;
+        } else {
+            values.draw(row.context, words);
+        }
+    }
+    const std::span<Word> drawn = std::span(words).subspan(first);
+    branch = apply_tie(row.context, drawn, offsets) || branch;
+    for (const auto& adjust : adjustments_) adjust(drawn);
+    row.inputs.branch.push_back(branch);
+    row.inputs.width = drawn.size();
+}
+
+Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
+    numeric::Random random(seed);
+    DrawContext context{.random = random, .image_size = image_size};
+    Inputs inputs;
+    for (std::size_t p = 0; p < parameters_.size(); ++p) {
+        for (std::size_t value = 0; value < parameters_[p].fixed.size() && inputs.count() < count; ++value) {
+            Row row{.context = context, .inputs = inputs, .forced = p, .forced_value = value};
+            append_row(row);
+        }
+    }
+    while (inputs.count() < count) {
+        Row row{.context = context, .inputs = inputs};
+        append_row(row);
+    }
+    return inputs;
+}
+
+}  // namespace gloam::check

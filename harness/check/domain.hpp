@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+#include "check/values.hpp"
+
+namespace gloam::check {
+
+// The inputs of a check: one Values for each in and inout parameter, in order, and what ties them together.
+class Domain {
+  public:
+    Domain() = default;
+    Domain(std::initializer_list<Values> parameters) : parameters_(parameters) {}
+
+    // In one input of sixteen, float parameter `target` is set to float parameter `source` times `factor`, or
+    // to one of the floats one ULP beside it: branch points that depend on another parameter. Positions count
+    // parameters.
+    [[nodiscard]] Domain tied(std::size_t target, std::size_t source, double factor = 1.0) const;
+
+    // `adjust` may change the words of every input after it was drawn (to keep min <= max, for example).
+    [[nodiscard]] Domain adjusted(std::function<void(std::span<Word>)> adjust) const;
+
+    struct Inputs {
+        std::vector<Word> words;   // one input after the other
+        std::vector<bool> branch;  // input was placed at a branch point
+        std::size_t width = 0;     // words of one input
+
+        [[nodiscard]] std::size_t count() const { return branch.size(); }
+        [[nodiscard]] std::span<const Word> row(std::size_t i) const {
+            return std::span(words).subspan(i * width, width);
+        }
+    };
+
+    // `count` inputs from the seed, the same on every machine: every fixed value at least once (when count
+    // allows), then a mixture of all-random inputs, inputs with one fixed value, and inputs of fixed values
+    // only.
+    [[nodiscard]] Inputs draw(std::size_t count, std::uint64_t seed,
+                              glm::ivec2 image_size = glm::ivec2(1)) const;
+
+    [[nodiscard]] std::size_t parameter_count() const { return parameters_.size(); }
+
+  private:
+    struct Tie {
+        std::size_t target;
+        std::size_t source;
+        double factor;
+    };
+    struct Row;
+    void append_row(Row& row) const;
+    bool apply_tie(DrawContext& context, std::span<Word> row, const std::vector<std::size_t>& offsets) const;
+
+    std::vector<Values> parameters_;
+    std::vector<Tie> ties_;
+    std::vector<std::function<void(std::span<Word>)>> adjustments_;
+};
+
+}  // namespace gloam::check

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "check/scalars.hpp"
+
+namespace gloam::check {
+
+// What a fetch or store outside the image does: it is a fault of the shader (reported with its pixel), or it
+// reads the nearest pixel inside and drops the store.
+enum class Border { fault, clamp };
+
+// A small image that serves a prototype such as `float gloam_fetch_depth(ivec2 pixel);` (or takes the stores
+// of `void gloam_store_depth(ivec2 pixel, float depth);`). Row 0 is the top row. At least 1 x 1.
+struct Image {
+    shader::Type element;
+    glm::ivec2 size{0};
+    Border border = Border::fault;
+    std::vector<Word> words;  // row by row, each pixel's scalars in order
+
+    // The pixel at (x, y), clamped to the image; T must have the element's type.
+    template <class T>
+    [[nodiscard]] T at(glm::ivec2 pixel) const {
+        if (!(type_of<T>() == element)) {
+            throw std::invalid_argument("image pixels are " + shader::to_glsl(element) + ", asked for " +
+                                        shader::to_glsl(type_of<T>()));
+        }
+        pixel = glm::clamp(pixel, glm::ivec2(0), size - 1);
+        const std::size_t scalars = scalar_count<T>();
+        const std::size_t index = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) +
+                                  static_cast<std::size_t>(pixel.x);
+        std::span<const Word> rest = std::span(words).subspan(index * scalars, scalars);
+        return take_words<T>(rest);
+    }
+};
+
+// Images by the name of the prototype that they serve.
+using ImageSet = std::map<std::string, Image>;
+
+// An image whose pixel (x, y) is pixel(glm::ivec2(x, y)), of type T. Throws std::invalid_argument below 1
+// x 1.
+template <class T, std::invocable<glm::ivec2> Pixel>
+[[nodiscard]] Image make_image(glm::ivec2 size, Pixel&& pixel, Border border = Border::fault) {
+    if (size.x < 1 || size.y < 1) throw std::invalid_argument("an image has at least 1 x 1 pixels");
+    Image image{.element = type_of<T>(), .size = size, .border = border, .words = {}};
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) append_words(static_cast<T>(pixel(glm::ivec2(x, y))), image.words);
+    }
+    return image;
+}
+
+}  // namespace gloam::check

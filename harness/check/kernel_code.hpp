@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/image.hpp"
+#include "check/signature.hpp"
+#include "shader/compile.hpp"
+
+namespace gloam::check {
+
+// A prototype that a synthetic image serves.
+struct ImagePrototype {
+    std::string name;
+    shader::Type element;
+    bool stores = false;  // void name(ivec2 pixel, T value), else T name(ivec2 pixel)
+};
+
+// What the generated compute shader is about.
+struct KernelSource {
+    std::string file;           // as in #include "file"
+    shader::Function function;  // as the compiler saw it
+    std::vector<ImagePrototype> images;
+    bool preserve_nan =
+        false;  // declare SignedZeroInfNanPreserve: NaN, infinity and -0 then mean what they say
+};
+
+// Descriptor set 0 of every kernel; images follow in the order of KernelSource::images.
+struct KernelBinding {
+    static constexpr unsigned inputs = 0;
+    static constexpr unsigned outputs = 1;
+    static constexpr unsigned faults = 2;
+    static constexpr unsigned first_image = 3;
+};
+
+inline constexpr unsigned kernel_group_size = 64;
+
+// Push constants of every kernel.
+struct KernelRun {
+    Word count = 0;       // inputs
+    Word row_length = 0;  // invocations in one row of work groups
+    Word canary = 0;      // written, xor the position of the input, behind every output
+};
+
+// Words of the fault buffer: how many accesses fell outside their image, and the first that was recorded.
+struct KernelFaults {
+    Word count = 0;
+    Word image = 0;
+    Word x = 0;
+    Word y = 0;
+    Word input = 0;
+};
+
+// Words in front of an image's pixels: width, height, border.
+inline constexpr std::size_t image_header_words = 3;
+
+// The text of a compute shader that calls the function once for each input.
+[[nodiscard]] std::string kernel_code(const KernelSource& source);
+
+}  // namespace gloam::check

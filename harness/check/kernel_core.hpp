@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "check/kernel_code.hpp"
+#include "gpu/compute.hpp"
+#include "gpu/device.hpp"
+#include "shader/compile.hpp"
+
+namespace gloam::check {
+
+// A shader reached outside an image that serves one of its prototypes.
+struct ImageFault {
+    std::string image;  // the prototype's name
+    glm::ivec2 pixel{0};
+    glm::ivec2 size{0};
+    std::size_t count = 0;  // accesses outside, in all
+    std::size_t input = 0;  // one input that did it
+};
+
+// "gloam_fetch_depth: pixel (-1, 0) is outside the 3 x 3 image (5 times, at input 12)".
+[[nodiscard]] std::string to_text(const ImageFault& fault);
+
+// A dispatch whose outputs cannot be believed: the kernel did not run to its end for every input, or memory
+// behind its outputs changed.
+class KernelError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// A compiled kernel without its C++ types: words in, words out.
+class KernelCore {
+  public:
+    // `spirv` must follow the interface of kernel_code(); kept names are used in messages only.
+    KernelCore(const gpu::Device& device, const shader::Spirv& spirv, std::string name,
+               std::size_t input_words, std::size_t output_words, std::vector<ImagePrototype> images);
+
+    struct Result {
+        std::vector<Word> outputs;  // count x output_words
+        ImageSet stored;            // images that the shader may have stored to
+        std::optional<ImageFault> fault;
+    };
+
+    // Evaluates `count` inputs (count x input_words words) in one dispatch, or as few as the device's limits
+    // allow. Throws std::invalid_argument when a prototype has no image or one of another type; KernelError;
+    // gpu errors.
+    [[nodiscard]] Result run(std::span<const Word> inputs, std::size_t count,
+                             const ImageSet& images = {}) const;
+
+    [[nodiscard]] std::size_t input_words() const { return input_words_; }
+    [[nodiscard]] std::size_t output_words() const { return output_words_; }
+
+  private:
+    struct Batch;
+    void run_batch(Batch& batch) const;
+
+    const gpu::Device* device_;
+    gpu::ComputePipeline pipeline_;
+    std::string name_;
+    std::size_t input_words_;
+    std::size_t output_words_;
+    std::vector<ImagePrototype> images_;
+};
+
+}  // namespace gloam::check

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "check/lab.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace gloam::check {
+namespace {
+
+// The prototype as an image access: T f(ivec2), or void f(ivec2, T). Nothing for any other shape.
+std::optional<ImagePrototype> image_prototype(const shader::Function& function) {
+    const auto& p = function.parameters;
+    const bool by_pixel =
+        !p.empty() && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
+    const bool is_void = function.result.scalar == shader::Scalar::void_;
+    if (by_pixel && p.size() == 1 && !is_void) return ImagePrototype{function.name, function.result, false};
+    if (by_pixel && p.size() == 2 && is_void && p[1].direction == shader::Direction::in) {
+        return ImagePrototype{function.name, p[1].type, true};
+    }
+    return std::nullopt;
+}
+
+std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>& functions,
+                                             const std::string& file) {
+    std::vector<ImagePrototype> images;
+    for (const shader::Function& function : functions) {
+        if (function.defined) continue;
+        const auto image = image_prototype(function);
+        if (!image) {
+            throw std::invalid_argument(fmt::format(
+                "{}: cannot serve the prototype \"{}\": expected T name(ivec2) or void name(ivec2, T)", file,
+                shader::to_glsl(function)));
+        }
+        images.push_back(*image);
+    }
+    return images;
+}
+
+}  // namespace
+
+Lab::Lab(LabOptions options)
+    : options_(std::move(options)),
+      device_(std::make_unique<gpu::Device>(
+          gpu::DeviceOptions{.device = options_.device,
+                             .validation = options_.validation ? gpu::Validation::on : gpu::Validation::off,
+                             .cache_directory = options_.cache_directory})),
+      cache_(options_.cache_directory.empty() ? std::filesystem::path{}
+                                              : options_.cache_directory / "spirv") {}
+
+shader::CompileOptions Lab::compile_options() const {
+    return {.stage = shader::Stage::compute,
+            .include_roots = options_.include_roots,
+            .optimization = options_.optimization};
+}
+
+KernelSource Lab::find(const std::string& file, const std::string& function,
+                       const Signature& signature) const {
+    const shader::Source probe{.name = "signature of " + file,
+                               .text = fmt::format("#version 450\n#include \"{}\"\n", file)};
+    const std::vector<shader::Function> functions = cache_.functions(probe, compile_options());
+    std::vector<std::string> named;
+    for (const shader::Function& candidate : functions) {
+        if (candidate.name != function || !candidate.defined) continue;
+        if (matches(signature, candidate)) {
+            return {.file = file,
+                    .function = candidate,
+                    .images = image_prototypes(functions, file),
+                    .preserve_nan = device_->info().float32.preserves_signed_zero_inf_nan};
+        }
+        named.push_back(shader::to_glsl(candidate));
+    }
+    if (!named.empty()) {
+        throw std::invalid_argument(
+            fmt::format("{}: the signature of {} differs: C++ has \"{}\", GLSL has \"{}\"", file, function,
+                        to_glsl(signature, function), fmt::join(named, "\", \"")));
+    }
+    for (const shader::Function& candidate : functions) {
+        if (candidate.defined) named.push_back(candidate.name);
+    }
+    throw std::invalid_argument(
+        fmt::format("{}: no function {}; it defines: {}", file, function,
+                    named.empty() ? "none" : fmt::format("{}", fmt::join(named, ", "))));
+}
+
+std::string Lab::code(const std::string& file, const std::string& function,
+                      const Signature& signature) const {
+    return kernel_code(find(file, function, signature));
+}
+
+KernelCore Lab::kernel(const std::string& file, const std::string& function,
+                       const Signature& signature) const {
+    KernelSource source = find(file, function, signature);
+    const shader::Source text{.name = "kernel of " + function, .text = kernel_code(source)};
+    const shader::Spirv spirv = cache_.compile(text, compile_options());
+    return {*device_,
+            spirv,
+            function,
+            signature.input_words(),
+            signature.output_words(),
+            std::move(source.images)};
+}
+
+void Lab::require_silent_validation() const {
+    const std::vector<std::string> messages = device_->take_validation_messages();
+    if (!messages.empty())
+        throw std::runtime_error(fmt::format("Vulkan validation: {}", fmt::join(messages, " | ")));
+}
+
+}  // namespace gloam::check

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "check/kernel_core.hpp"
+#include "check/signature.hpp"
+#include "gpu/device.hpp"
+#include "shader/cache.hpp"
+
+namespace gloam::check {
+
+struct LabOptions {
+    std::string device;                                // see gpu::DeviceOptions
+    bool validation = false;                           // Vulkan validation layers on; any message is an error
+    std::vector<std::filesystem::path> include_roots;  // where GLSL files are looked for, first match wins
+    std::filesystem::path cache_directory;  // compiled shaders and pipelines; empty: nothing is kept
+    shader::Optimization optimization = shader::Optimization::none;
+};
+
+// A place to run shader functions: one device, the folders of their files, the caches.
+class Lab {
+  public:
+    explicit Lab(LabOptions options);
+
+    // The function of that name and signature in `file`, ready to run. Image prototypes that it declares are
+    // served at every run. Throws std::invalid_argument when the file has no such function (lists what it
+    // has) or its signature differs (prints both); shader::CompileError.
+    [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
+                                    const Signature& signature) const;
+
+    // The generated shader of such a kernel.
+    [[nodiscard]] std::string code(const std::string& file, const std::string& function,
+                                   const Signature& signature) const;
+
+    // Throws std::runtime_error with the validation messages since the last call, if there are any.
+    void require_silent_validation() const;
+
+    [[nodiscard]] const gpu::Device& device() const { return *device_; }
+    [[nodiscard]] const LabOptions& options() const { return options_; }
+
+  private:
+    [[nodiscard]] KernelSource find(const std::string& file, const std::string& function,
+                                    const Signature& signature) const;
+    [[nodiscard]] shader::CompileOptions compile_options() const;
+
+    LabOptions options_;
+    std::unique_ptr<gpu::Device> device_;
+    shader::SpirvCache cache_;
+};
+
+}  // namespace gloam::check

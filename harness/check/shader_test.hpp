@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Everything needed to test a GLSL function from C++:
+//   gloam::check::Lab lab({.include_roots = {"shaders"}});
+//   Kernel<float(float)> f(lab, "my.glsl", "my_function");       f(0.5F) runs it on the device
+//   compare<float(float)>(lab, "my.glsl", "my_function", reference, {uniform(0, 1)}, {.ulp = 1});   judges
+//   many inputs
+#include "check/case.hpp"
+#include "check/describe.hpp"
+#include "check/kernel.hpp"

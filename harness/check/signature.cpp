@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "check/signature.hpp"
+
+#include <algorithm>
+
+namespace gloam::check {
+
+using shader::Direction;
+using shader::Scalar;
+
+void append_scalars(const shader::Type& type, std::vector<Scalar>& scalars) {
+    if (type.scalar == Scalar::void_) return;
+    if (type.scalar == Scalar::structure) {
+        for (const shader::Member& member : type.members) append_scalars(member.type, scalars);
+        return;
+    }
+    scalars.insert(scalars.end(), static_cast<std::size_t>(type.columns * type.rows), type.scalar);
+}
+
+std::vector<Scalar> scalars_of(const shader::Type& type) {
+    std::vector<Scalar> scalars;
+    append_scalars(type, scalars);
+    return scalars;
+}
+
+std::vector<Scalar> Signature::input_scalars() const {
+    std::vector<Scalar> scalars;
+    for (const shader::Parameter& p : parameters) {
+        if (p.direction != Direction::out) append_scalars(p.type, scalars);
+    }
+    return scalars;
+}
+
+std::vector<Scalar> Signature::output_scalars() const {
+    std::vector<Scalar> scalars = scalars_of(result);
+    for (const shader::Parameter& p : parameters) {
+        if (p.direction != Direction::in) append_scalars(p.type, scalars);
+    }
+    return scalars;
+}
+
+std::size_t Signature::input_words() const {
+    return input_scalars().size();
+}
+
+std::size_t Signature::output_words() const {
+    return output_scalars().size();
+}
+
+namespace {
+
+void append_values(const shader::Type& type, std::vector<std::size_t>& values) {
+    if (type.scalar == Scalar::structure) {
+        for (const shader::Member& member : type.members) append_values(member.type, values);
+    } else if (type.scalar != Scalar::void_) {
+        values.push_back(static_cast<std::size_t>(type.columns * type.rows));
+    }
+}
+
+}  // namespace
+
+std::vector<std::size_t> Signature::output_values() const {
+    std::vector<std::size_t> values;
+    append_values(result, values);
+    for (const shader::Parameter& p : parameters) {
+        if (p.direction != Direction::in) append_values(p.type, values);
+    }
+    return values;
+}
+
+std::string to_glsl(const Signature& signature, const std::string& name) {
+    return shader::to_glsl(shader::Function{
+        .name = name, .result = signature.result, .parameters = signature.parameters, .defined = true});
+}
+
+bool matches(const Signature& signature, const shader::Function& function) {
+    return signature.result == function.result &&
+           std::ranges::equal(signature.parameters, function.parameters, [](const auto& a, const auto& b) {
+               return a.type == b.type && a.direction == b.direction;
+           });
+}
+
+}  // namespace gloam::check

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "check/scalars.hpp"
+#include "shader/type.hpp"
+
+namespace gloam::check {
+
+// Marks a GLSL `out` parameter in a C++ signature: float(glm::vec2, Out<float>). A reference, float&, is
+// `inout`.
+template <class T>
+struct Out {
+    using type = T;
+};
+
+// The number type a reference calculates in: float becomes double, everywhere inside; Struct<float> becomes
+// Struct<double>.
+template <class T>
+struct ExactOf {
+    using type = T;
+};
+template <>
+struct ExactOf<float> {
+    using type = double;
+};
+template <glm::length_t N>
+struct ExactOf<glm::vec<N, float>> {
+    using type = glm::vec<N, double>;
+};
+template <glm::length_t C, glm::length_t R>
+struct ExactOf<glm::mat<C, R, float>> {
+    using type = glm::mat<C, R, double>;
+};
+template <template <class> class Struct>
+struct ExactOf<Struct<float>> {
+    using type = Struct<double>;
+};
+template <class T>
+using Exact = typename ExactOf<T>::type;
+
+// One parameter type of a C++ signature.
+template <class P>
+struct ParameterOf {
+    using value = P;
+    static constexpr auto direction = shader::Direction::in;
+};
+template <class T>
+struct ParameterOf<T&> {
+    using value = T;
+    static constexpr auto direction = shader::Direction::inout;
+};
+template <class T>
+struct ParameterOf<Out<T>> {
+    using value = T;
+    static constexpr auto direction = shader::Direction::out;
+};
+template <class P>
+inline constexpr bool is_input = ParameterOf<P>::direction != shader::Direction::out;
+template <class P>
+inline constexpr bool is_output = ParameterOf<P>::direction != shader::Direction::in;
+
+// A signature without its C++ types: what the wrapper, the domain and the judge work from.
+struct Signature {
+    shader::Type result;
+    std::vector<shader::Parameter> parameters;
+
+    [[nodiscard]] std::size_t input_words() const;
+    // The result (unless void), then every out and inout parameter in order.
+    [[nodiscard]] std::size_t output_words() const;
+    [[nodiscard]] std::vector<shader::Scalar> input_scalars() const;
+    [[nodiscard]] std::vector<shader::Scalar> output_scalars() const;
+    // Output words that belong together: one entry for each value (vector, matrix, scalar), its word count.
+    [[nodiscard]] std::vector<std::size_t> output_values() const;
+};
+
+// "float f(vec2, out float)".
+[[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);
+
+// Whether a compiled function has this signature: same types (structures by layout) and directions.
+[[nodiscard]] bool matches(const Signature& signature, const shader::Function& function);
+
+namespace detail {
+
+template <class T>
+struct Wrap {
+    using type = std::tuple<T>;
+};
+template <>
+struct Wrap<void> {
+    using type = std::tuple<>;
+};
+template <bool Keep, class T>
+using KeepIf = std::conditional_t<Keep, std::tuple<T>, std::tuple<>>;
+
+}  // namespace detail
+
+template <class Function>
+struct SignatureOf;
+
+template <class R, class... P>
+struct SignatureOf<R(P...)> {
+    using Result = R;
+    // Values a call takes and gives: tuples of plain types.
+    using Inputs = decltype(std::tuple_cat(detail::KeepIf<is_input<P>, typename ParameterOf<P>::value>{}...));
+    using Outputs = decltype(std::tuple_cat(
+        typename detail::Wrap<R>::type{}, detail::KeepIf<is_output<P>, typename ParameterOf<P>::value>{}...));
+
+    [[nodiscard]] static Signature describe() {
+        return {.result = type_of<R>(),
+                .parameters = {shader::Parameter{.name = {},
+                                                 .type = type_of<typename ParameterOf<P>::value>(),
+                                                 .direction = ParameterOf<P>::direction}...}};
+    }
+};
+
+}  // namespace gloam::check

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "check/values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "numeric/special_values.hpp"
+#include "numeric/ulp.hpp"
+
+namespace gloam::check {
+namespace {
+
+using Words = std::vector<Word>;
+
+Values float_values(std::function<double(numeric::Random&)> make) {
+    Values values;
+    values.draw = [make = std::move(make)](DrawContext& context, Words& words) {
+        words.push_back(to_word(static_cast<float>(make(context.random))));
+    };
+    return values;
+}
+
+std::size_t words_of(const Values& values) {
+    numeric::Random random(0);
+    DrawContext context{.random = random};
+    Words words;
+    values.draw(context, words);
+    return words.size();
+}
+
+void require_order(double low, double high) {
+    if (!(low <= high)) throw std::invalid_argument("a range needs low <= high");
+}
+
+}  // namespace
+
+Values Values::and_special() const {
+    Values more = *this;
+    const std::size_t count = words_of(*this);
+    numeric::Random random(1);
+    for (const float special : numeric::special_floats) {
+        more.fixed.push_back({.words = Words(count, to_word(special)), .branch = false});
+        for (std::size_t i = 0; count > 1 && i < count; ++i) {
+            DrawContext context{.random = random};
+            Fixed one{.words = {}, .branch = false};
+            draw(context, one.words);
+            one.words[i] = to_word(special);
+            more.fixed.push_back(std::move(one));
+        }
+    }
+    return more;
+}
+
+Values Values::and_near(std::initializer_list<double> points) const {
+    Values more = *this;
+    for (const double point : points) {
+        for (const int steps : {-1, 0, 1}) {
+            const float value = numeric::step(static_cast<float>(point), steps);
+            more.fixed.push_back({.words = {to_word(value)}, .branch = true});
+        }
+    }
+    return more;
+}
+
+Values Values::and_near_integers(std::initializer_list<long> points) const {
+    Values more = *this;
+    for (const long point : points) {
+        for (const long offset : {-1L, 0L, 1L}) {
+            more.fixed.push_back({.words = {static_cast<Word>(point + offset)}, .branch = true});
+        }
+    }
+    return more;
+}
+
+Values uniform(double low, double high) {
+    require_order(low, high);
+    return float_values([low, high](numeric::Random& random) { return random.uniform(low, high); })
+        .and_value(static_cast<float>(low))
+        .and_value(static_cast<float>(high));
+}
+
+Values log_uniform(double low, double high) {
+    require_order(low, high);
+    if (!(low > 0.0)) throw std::invalid_argument("log_uniform needs 0 < low");
+    return float_values([low, high](numeric::Random& random) {
+               return std::clamp(std::exp(random.uniform(std::log(low), std::log(high))), low, high);
+           })
+        .and_value(static_cast<float>(low))
+        .and_value(static_cast<float>(high));
+}
+
+Values signed_log_uniform(double low, double high) {
+    const Values magnitude = log_uniform(low, high);
+    Values values;
+    values.draw = [magnitude](DrawContext& context, Words& words) {
+        magnitude.draw(context, words);
+        words.back() ^= context.random.below(2) == 0 ? 0U : 0x80000000U;
+    };
+    for (const double end : {low, high}) {
+        values = values.and_value(static_cast<float>(end)).and_value(static_cast<float>(-end));
+    }
+    return values;
+}
+
+Values any_float() {
+    Values values;
+    values.draw = [](DrawContext& context, Words& words) {
+        words.push_back(static_cast<Word>(context.random.bits()));
+    };
+    return values;
+}
+
+Values integers(long low, long high) {
+    require_order(static_cast<double>(low), static_cast<double>(high));
+    Values values;
+    values.draw = [low, high](DrawContext& context, Words& words) {
+        const auto count = static_cast<std::uint64_t>(high - low) + 1U;
+        words.push_back(static_cast<Word>(low + static_cast<long>(context.random.below(count))));
+    };
+    values.fixed = {{.words = {static_cast<Word>(low)}}, {.words = {static_cast<Word>(high)}}};
+    return values;
+}
+
+Values log_integers(long high) {
+    Values values;
+    values.draw = [high](DrawContext& context, Words& words) {
+        const double drawn = std::exp(context.random.uniform(0.0, std::log(static_cast<double>(high) + 1.0)));
+        words.push_back(static_cast<Word>(std::min(static_cast<long>(drawn), high)));
+    };
+    values.fixed = {{.words = {0U}}, {.words = {1U}}, {.words = {static_cast<Word>(high)}}};
+    return values;
+}
+
+Values booleans() {
+    return made_by<bool>([](numeric::Random& random) { return random.below(2) == 1; });
+}
+
+Values vector(int components, const Values& component) {
+    Values values = vector(std::vector<Values>(static_cast<std::size_t>(components), component));
+    for (const Values::Fixed& fixed : component.fixed) {
+        Values::Fixed all{.words = {}, .branch = fixed.branch};
+        for (int i = 0; i < components; ++i) {
+            all.words.insert(all.words.end(), fixed.words.begin(), fixed.words.end());
+        }
+        values.fixed.push_back(std::move(all));
+    }
+    return values;
+}
+
+Values vector(const std::vector<Values>& components) {
+    Values values;
+    values.draw = [components](DrawContext& context, Words& words) {
+        for (const Values& component : components) component.draw(context, words);
+    };
+    numeric::Random random(2);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        for (const Values::Fixed& fixed : components[i].fixed) {
+            DrawContext context{.random = random};
+            Values::Fixed one{.words = {}, .branch = fixed.branch};
+            values.draw(context, one.words);
+            one.words[i] = fixed.words.front();
+            values.fixed.push_back(std::move(one));
+        }
+    }
+    return values;
+}
+
+Values unit_vector(int components) {
+    if (components != 2 && components != 3) throw std::invalid_argument("unit_vector has 2 or 3 components");
+    Values values;
+    values.draw = [components](DrawContext& context, Words& words) {
+        const double angle = context.random.uniform(0.0, 2.0 * std::numbers::pi);
+        const double z = components == 3 ? context.random.uniform(-1.0, 1.0) : 0.0;
+        const double radius = std::sqrt(1.0 - z * z);
+        words.push_back(to_word(static_cast<float>(radius * std::cos(angle))));
+        words.push_back(to_word(static_cast<float>(radius * std::sin(angle))));
+        if (components == 3) words.push_back(to_word(static_cast<float>(z)));
+    };
+    for (int axis = 0; axis < components; ++axis) {
+        for (const float sign : {1.0F, -1.0F}) {
+            Values::Fixed fixed{.words = Words(static_cast<std::size_t>(components), to_word(0.0F))};
+            fixed.words[static_cast<std::size_t>(axis)] = to_word(sign);
+            values.fixed.push_back(std::move(fixed));
+        }
+    }
+    return values;
+}
+
+Values vector_of_length(int components, const Values& length) {
+    const Values direction = unit_vector(components);
+    Values values;
+    values.draw = [direction, length](DrawContext& context, Words& words) {
+        Words scale;
+        length.draw(context, scale);
+        const std::size_t first = words.size();
+        direction.draw(context, words);
+        for (std::size_t i = first; i < words.size(); ++i) {
+            words[i] = to_word(from_word<float>(words[i]) * from_word<float>(scale.front()));
+        }
+    };
+    return values;
+}
+
+Values image_pixel() {
+    Values values;
+    values.draw = [](DrawContext& context, Words& words) {
+        for (int axis = 0; axis < 2; ++axis) {
+            words.push_back(static_cast<Word>(
+                context.random.below(static_cast<std::uint64_t>(context.image_size[axis]))));
+        }
+    };
+    return values;
+}
+
+Values image_size() {
+    Values values;
+    values.draw = [](DrawContext& context, Words& words) { append_words(context.image_size, words); };
+    return values;
+}
+
+}  // namespace gloam::check

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "numeric/text.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+
+namespace gloam::numeric {
+
+std::string to_text(float x) {
+    return fmt::format("{} (0x{:08x})", x, std::bit_cast<std::uint32_t>(x));
+}
+
+std::string to_text(double x) {
+    return fmt::format("{:.9g} ({:a})", x, x);
+}
+
+}  // namespace gloam::numeric

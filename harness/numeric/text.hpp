@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace gloam::numeric {
+
+// Shortest decimal that reads back as the same value, and the exact bits: "0.1 (0x3dcccccd)".
+[[nodiscard]] std::string to_text(float x);
+// Decimal with 9 significant digits, and the exact hexadecimal value: "0.1 (0x1.999999999999ap-4)".
+[[nodiscard]] std::string to_text(double x);
+
+}  // namespace gloam::numeric
