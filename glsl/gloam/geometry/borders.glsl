@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_GEOMETRY_BORDERS_GLSL
+#define GLOAM_GEOMETRY_BORDERS_GLSL
+
+// What a kernel reads beyond the frame (TSSAO-BORDER): the nearest pixel of the edge, or a guard band, rendered around the frame
+// and cropped. A band is a whole number of pixels on each side, so the guard actually rendered is border / size, a little
+// different along x and y; the field of view and the texture coordinates must use that one (gloam_guard_band_guard), not the
+// guard asked for, or the cropped image is scaled.
+
+// Nearest pixel of the image.
+// pixel: integer pixel. size: image size in pixels; below 1 it is read as 1.
+// Returns the pixel with each coordinate taken into [0, size - 1]. Error: none.
+ivec2 gloam_clamp_to_edge(ivec2 pixel, ivec2 size) {
+    return clamp(pixel, ivec2(0), max(size, ivec2(1)) - 1);
+}
+
+// Width of the guard band in pixels: guard times size, rounded to the nearest integer, the same on opposite sides.
+// size: size of the cropped image in pixels, at most 2^22 a side; below 0 it is read as 0.
+// guard: part of the image added on each side, 0 to 1 (0.05 to 0.1 is usual); outside the nearer end, 0 for NaN.
+// Returns the pixels to add on the left and right (x), top and bottom (y). Error: none, but for products within rounding of 1/2.
+ivec2 gloam_guard_band_border(ivec2 size, float guard) {
+    float part = guard > 0.0 ? (guard < 1.0 ? guard : 1.0) : 0.0;
+    return ivec2(floor(part * vec2(max(size, ivec2(0))) + 0.5));
+}
+
+// Size of the image to render: size + 2 border, about (1 + 2 guard) size.
+// size: size of the cropped image in pixels, at most 2^22 a side; below 0 it is read as 0.
+// guard: part of the image added on each side, 0 to 1; outside the nearer end, 0 for NaN.
+// Returns the size in pixels; the crop starts at gloam_guard_band_border.
+ivec2 gloam_guard_band_size(ivec2 size, float guard) {
+    return max(size, ivec2(0)) + 2 * gloam_guard_band_border(size, guard);
+}
+
+// Guard actually rendered: border / size.
+// size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0 to 1.
+// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1.
+vec2 gloam_guard_band_guard(ivec2 size, float guard) {
+    return vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1)));
+}
+
+// Half field of view with the guard band: tan' = (1 + 2 g) tan.
+// tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of gloam_guard_band_guard, that axis.
+// Returns the tangent for the image with the band. NaN and infinity pass.
+float gloam_guard_band_tan_half_fov(float tan_half_fov, float guard) {
+    return tan_half_fov * (1.0 + 2.0 * guard);
+}
+
+// Texture coordinates in the cropped image of a point of the image with the band: (1 + 2 g) uv - g.
+// outer_uv: in [0, 1]^2 inside the image with the band. guard: g of gloam_guard_band_guard.
+// Returns coordinates, in [0, 1]^2 inside the crop. NaN and infinity pass.
+vec2 gloam_guard_band_inner_uv(vec2 outer_uv, vec2 guard) {
+    return outer_uv + guard * (2.0 * outer_uv - 1.0);
+}
+
+// Texture coordinates in the image with the band of a point of the cropped image: (uv + g) / (1 + 2 g).
+// inner_uv: in [0, 1]^2 inside the crop. guard: g of gloam_guard_band_guard, >= 0.
+// Returns coordinates, in [0, 1]^2 inside the image with the band. NaN and infinity pass.
+vec2 gloam_guard_band_outer_uv(vec2 inner_uv, vec2 guard) {
+    return (inner_uv + guard) / (1.0 + 2.0 * guard);
+}
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_GEOMETRY_FINITE_GLSL
+#define GLOAM_GEOMETRY_FINITE_GLSL
+
+// Whether a number is neither infinite nor NaN. A comparison, because compilers may take isnan() and isinf() for false.
+// x: any float. Error: none.
+bool gloam_is_finite(float x) {
+    return abs(x) <= 3.402823466e38;
+}
+
+// Whether both components are neither infinite nor NaN.
+// v: any vector. Error: none.
+bool gloam_is_finite2(vec2 v) {
+    return gloam_is_finite(v.x) && gloam_is_finite(v.y);
+}
+
+// Whether all three components are neither infinite nor NaN.
+// v: any vector. Error: none.
+bool gloam_is_finite3(vec3 v) {
+    return gloam_is_finite2(v.xy) && gloam_is_finite(v.z);
+}
+
+// Whether all four components are neither infinite nor NaN.
+// v: any vector. Error: none.
+bool gloam_is_finite4(vec4 v) {
+    return gloam_is_finite2(v.xy) && gloam_is_finite2(v.zw);
+}
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_GEOMETRY_LINEAR_DEPTH_GLSL
+#define GLOAM_GEOMETRY_LINEAR_DEPTH_GLSL
+
+#include "gloam/geometry/background.glsl"
+
+// A depth-buffer value b is the projection of the eye-linear depth d = -z. With the projection's elements P22 = P[2][2] and
+// P32 = P[3][2] (column-major), clip z is P22 z + P32 and clip w is -z (perspective) or 1 (orthographic). Solving for d gives one
+// formula for every choice of planes: standard, reversed, and infinite far plane differ only in the two elements. Where OpenGL's
+// range [-1, 1] brings in a 2 b - 1, the 1 joins the element that it nearly cancels, which keeps that difference exact.
+
+// The quotient of the formulas below, or the background depth +infinity where it is not a depth: zero, subnormal or huge
+// denominator (a far plane at infinity), result not positive, not finite, NaN.
+// numerator, denominator: any floats.
+// Returns numerator / denominator, or +infinity.
+float gloam_depth_quotient(float numerator, float denominator) {
+    if (!(abs(denominator) >= 1.175494351e-38 && abs(denominator) <= 8.507059173e37)) return gloam_background_depth();
+    float depth = numerator / denominator;
+    return gloam_is_background(depth) ? gloam_background_depth() : depth;
+}
+
+// Eye-linear depth, perspective, depth range [0, 1] (Vulkan, Direct3D): b = (P22 z + P32) / -z, so d = P32 / (b + P22).
+// b: depth-buffer value in [0, 1].
+// p22, p32: projection elements: far / (near - far), far near / (near - far); reversed near / (far - near),
+// far near / (far - near); reversed with infinite far plane 0, near.
+// Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive finite d.
+float gloam_linear_depth_perspective_vk(float b, float p22, float p32) {
+    return gloam_depth_quotient(p32, b + p22);
+}
+
+// Eye-linear depth, perspective, depth range [-1, 1] (OpenGL): 2 b - 1 = (P22 z + P32) / -z, so d = P32 / (2 b - 1 + P22).
+// b: depth-buffer value in [0, 1] (window depth).
+// p22, p32: projection elements: -(far + near) / (far - near), -2 far near / (far - near); both negated when reversed;
+// infinite far plane -1, -2 near.
+// Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive finite d.
+float gloam_linear_depth_perspective_gl(float b, float p22, float p32) {
+    float denominator = p22 < 0.0 ? (2.0 * b - 1.0) + p22 : 2.0 * b + (p22 - 1.0);
+    return gloam_depth_quotient(p32, denominator);
+}
+
+// Eye-linear depth, orthographic, depth range [0, 1] (Vulkan, Direct3D): b = P22 z + P32, so d = (P32 - b) / P22.
+// b: depth-buffer value in [0, 1].
+// p22, p32: projection elements: 1 / (near - far), near / (near - far); reversed 1 / (far - near), far / (far - near).
+// Returns d in world units; +infinity for the background: NaN, anything that gives no positive finite d.
+float gloam_linear_depth_orthographic_vk(float b, float p22, float p32) {
+    return gloam_depth_quotient(p32 - b, p22);
+}
+
+// Eye-linear depth, orthographic, depth range [-1, 1] (OpenGL): 2 b - 1 = P22 z + P32, so d = (P32 + 1 - 2 b) / P22.
+// b: depth-buffer value in [0, 1] (window depth).
+// p22, p32: projection elements: -2 / (far - near), -(far + near) / (far - near); both negated when reversed.
+// Returns d in world units; +infinity for the background: NaN, anything that gives no positive finite d.
+float gloam_linear_depth_orthographic_gl(float b, float p22, float p32) {
+    float numerator = p32 < 0.0 ? (p32 + 1.0) - 2.0 * b : (p32 - 1.0) + 2.0 * (1.0 - b);
+    return gloam_depth_quotient(numerator, p22);
+}
+
+#endif

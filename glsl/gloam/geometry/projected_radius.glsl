@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_GEOMETRY_PROJECTED_RADIUS_GLSL
+#define GLOAM_GEOMETRY_PROJECTED_RADIUS_GLSL
+
+#include "gloam/geometry/background.glsl"
+
+// How large a world length appears at a depth: half-axes of the image of a disc parallel to the screen. The factor 1/2 takes
+// normalised device coordinates, two units wide, to texture coordinates. Signs of the projection (y down) do not matter.
+
+// A length that is not positive counts as 0, and so does NaN; one too large for a float is the largest float.
+// x: any float. Returns a number in [0, FLT_MAX]. Error: none.
+float gloam_positive_length(float x) {
+    return x > 0.0 ? (x <= 3.402823466e38 ? x : 3.402823466e38) : 0.0;
+}
+
+// Projected radius in texture coordinates, perspective: R (|P00|, |P11|) / (2 d).
+// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection elements.
+// Returns the half-axes in texture coordinates, at most FLT_MAX; (0, 0) for background depth.
+vec2 gloam_projected_radius_uv(float radius, float depth, vec2 p00_p11) {
+    if (gloam_is_background(depth)) return vec2(0.0);
+    vec2 axes = 0.5 * abs(p00_p11) * (gloam_positive_length(radius) / depth);
+    return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
+}
+
+// Projected radius in pixels, perspective: R (|P00| width, |P11| height) / (2 d).
+// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection elements.
+// size: image size in pixels (negative counts as 0).
+// Returns the half-axes in pixels, at most FLT_MAX; (0, 0) for background depth.
+vec2 gloam_projected_radius_pixels(float radius, float depth, vec2 p00_p11, ivec2 size) {
+    vec2 axes = gloam_projected_radius_uv(radius, depth, p00_p11) * vec2(max(size, ivec2(0)));
+    return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
+}
+
+// Projected radius in texture coordinates, orthographic: R (|P00|, |P11|) / 2, whatever the depth.
+// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection elements.
+// Returns the half-axes in texture coordinates, at most FLT_MAX; (0, 0) for background depth.
+vec2 gloam_projected_radius_uv_orthographic(float radius, float depth, vec2 p00_p11) {
+    if (gloam_is_background(depth)) return vec2(0.0);
+    vec2 axes = 0.5 * abs(p00_p11) * gloam_positive_length(radius);
+    return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
+}
+
+// Projected radius in pixels, orthographic: R (|P00| width, |P11| height) / 2, whatever the depth.
+// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection elements.
+// size: image size in pixels (negative counts as 0).
+// Returns the half-axes in pixels, at most FLT_MAX; (0, 0) for background depth.
+vec2 gloam_projected_radius_pixels_orthographic(float radius, float depth, vec2 p00_p11, ivec2 size) {
+    vec2 axes = gloam_projected_radius_uv_orthographic(radius, depth, p00_p11) * vec2(max(size, ivec2(0)));
+    return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
+}
+
+#endif

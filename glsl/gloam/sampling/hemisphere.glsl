@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_SAMPLING_HEMISPHERE_GLSL
+#define GLOAM_SAMPLING_HEMISPHERE_GLSL
+
+#include "gloam/sampling/circle.glsl"
+
+// Point of the unit half ball, cosine-weighted direction, uniform radius (TSSAO-14, Ritschel kernel, its misprint mended):
+// r (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), sqrt(zeta_z)) with a = 2 pi zeta_x and r = zeta_y.
+// zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
+// Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density cos / pi, so an
+// average over samples carries no further cosine. zeta_y = 0 gives the zero vector, which has no direction: skip it.
+vec3 gloam_hemisphere_cosine(vec3 zeta) {
+    float radius = gloam_unit_interval(zeta.y);
+    float cosine_squared = gloam_unit_interval(zeta.z);
+    return radius * vec3(sqrt(1.0 - cosine_squared) * gloam_circle_point(zeta.x), sqrt(cosine_squared));
+}
+
+// Point of the unit half ball, uniform direction, uniform radius (variant of TSSAO-14):
+// r (cos a sqrt(1 - zeta_z^2), sin a sqrt(1 - zeta_z^2), zeta_z) with a = 2 pi zeta_x and r = zeta_y.
+// zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
+// Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density 1 / (2 pi), so an
+// average over samples carries the cosine and a factor 2. zeta_y = 0 gives the zero vector: skip it.
+vec3 gloam_hemisphere_uniform(vec3 zeta) {
+    float radius = gloam_unit_interval(zeta.y);
+    float cosine = gloam_unit_interval(zeta.z);
+    return radius * vec3(sqrt((1.0 - cosine) * (1.0 + cosine)) * gloam_circle_point(zeta.x), cosine);
+}
+
+#endif

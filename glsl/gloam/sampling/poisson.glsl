@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_SAMPLING_POISSON_GLSL
+#define GLOAM_SAMPLING_POISSON_GLSL
+
+#include "gloam/geometry/safe_normalize.glsl"
+
+// Poisson-disc condition between two samples: |candidate - other| > min_distance.
+// candidate, other: points of the unit disc (coordinates below 1e18).
+// min_distance: smallest allowed distance, in [0, 2]; a negative one is met by every pair of points.
+// Returns whether the candidate may stand beside the other point; false if anything is NaN. Differences below 1e-19 count as 0.
+bool gloam_poisson_accepts(vec2 candidate, vec2 other, float min_distance) {
+    vec2 offset = candidate - other;
+    float squared = dot(offset, offset);
+    return min_distance < 0.0 ? squared >= 0.0 : squared > min_distance * min_distance;
+}
+
+// Disc point lifted onto the hemisphere above it (Sourimant): (x, y, sqrt(1 - x^2 - y^2)).
+// disc: point of the unit disc; one outside is pulled to the rim.
+// Returns a unit vector in tangent space (z along the normal). Uniform disc points become cosine-weighted directions, so an
+// average over them carries no further cosine. The normal (0, 0, 1) for an infinite or NaN point.
+vec3 gloam_hemisphere_lift(vec2 disc) {
+    vec3 rim = gloam_safe_normalize(vec3(disc, 0.0), vec3(0.0, 0.0, 1.0));
+    if (!(dot(disc, disc) <= 1.5)) return rim;
+    // 1 - x^2 - y^2 cancels near the rim. With a 12-bit head h of each coordinate, 1 - h.x^2 - h.y^2 is exact, and
+    // x^2 = h.x^2 + (x - h.x) (x + h.x).
+    vec2 head = floor(disc * 4096.0) * 0.000244140625;
+    float height_squared = ((1.0 - head.x * head.x) - head.y * head.y) - dot(disc - head, disc + head);
+    return height_squared > 0.0 ? vec3(disc, sqrt(height_squared)) : vec3(rim.xy, 0.0);
+}
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_SAMPLING_RADICAL_INVERSE_GLSL
+#define GLOAM_SAMPLING_RADICAL_INVERSE_GLSL
+
+// Radical inverse in base 2 (HALTON): the digits a_m of the index mirrored at the point, sum of a_m 2^(-m-1).
+// index: number of the sample; only its 24 low bits count (index modulo 2^24).
+// Returns a multiple of 2^-24 in [0, 1). Error: none.
+float gloam_radical_inverse_base2(uint index) {
+    uint bits = (index << 16u) | (index >> 16u);
+    bits = ((bits & 0x00FF00FFu) << 8u) | ((bits >> 8u) & 0x00FF00FFu);
+    bits = ((bits & 0x0F0F0F0Fu) << 4u) | ((bits >> 4u) & 0x0F0F0F0Fu);
+    bits = ((bits & 0x33333333u) << 2u) | ((bits >> 2u) & 0x33333333u);
+    bits = ((bits & 0x55555555u) << 1u) | ((bits >> 1u) & 0x55555555u);
+    // 24 bits fit a float; all 32 would round up to 1.
+    return float(bits >> 8u) * 5.9604644775390625e-8;
+}
+
+// Radical inverse in any base (HALTON): the digits a_m of the index mirrored at the point, sum of a_m base^(-m-1).
+// index: number of the sample; only its 24 low bits count (index modulo 2^24).
+// base: 2 to 1625 (its powers above 2^24 still fit 32 bits); taken to the nearer end outside. The Halton bases are primes.
+// Returns a number in [0, 1). Digits are summed as integers and divided once, so no error builds up.
+float gloam_radical_inverse(uint index, uint base) {
+    uint radix = clamp(base, 2u, 1625u);
+    uint mirrored = 0u;
+    uint power = 1u;
+    for (uint rest = index & 0x00FFFFFFu; rest > 0u; rest /= radix) {
+        mirrored = mirrored * radix + rest % radix;
+        power *= radix;
+    }
+    // Rounding must not reach 1.
+    return min(float(mirrored) / float(power), 0.999999940395355);
+}
+
+#endif

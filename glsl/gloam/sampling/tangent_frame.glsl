@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_SAMPLING_TANGENT_FRAME_GLSL
+#define GLOAM_SAMPLING_TANGENT_FRAME_GLSL
+
+#include "gloam/geometry/safe_normalize.glsl"
+
+// Right-handed orthonormal frame around a normal, without branches that lose accuracy near any direction
+// (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"). The tangents jump where n.z changes its sign.
+// normal: direction in any space, of any length.
+// Returns the matrix of columns (t, b, n), t x b = n: it takes tangent space (z along the normal) to the space of the normal.
+// The identity for a zero, subnormal, infinite or NaN normal.
+mat3 gloam_tangent_frame(vec3 normal) {
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0, 0.0, 1.0));
+    float side = n.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (side + n.z);
+    float b = n.x * n.y * a;
+    vec3 tangent = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
+    vec3 bitangent = vec3(b, side + n.y * n.y * a, -n.y);
+    return mat3(tangent, bitangent, n);
+}
+
+#endif
