@@ -62,6 +62,12 @@ constexpr T float_max() {
     return T(static_cast<double>(std::numeric_limits<float>::max()));
 }
 
+// The smallest normal float32: the shaders read smaller magnitudes as zero where they say so.
+template <class T>
+constexpr T float_min() {
+    return T(static_cast<double>(std::numeric_limits<float>::min()));
+}
+
 // True for numbers that are neither infinite nor NaN.
 template <std::floating_point T>
 bool is_finite(T x) {
@@ -184,6 +190,12 @@ T fract(T x) {
 template <std::floating_point T>
 T mod(T x, T y) {
     return x - y * std::floor(x / y);
+}
+
+// The integer part. Other number types bring their own.
+template <std::floating_point T>
+int to_int(T x) {
+    return static_cast<int>(x);
 }
 
 // Vectors. (The qualifier is left at GLM's default on purpose: it makes these the better match over GLM's own

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reference/sampling/radical_inverse.hpp"
+
+namespace gloam::reference {
+
+template <class T = double>
+vec2<T> gloam_halton_2d(unsigned index) {
+    return vec2<T>(gloam_radical_inverse<T>(index, 2U), gloam_radical_inverse<T>(index, 3U));
+}
+
+template <class T = double>
+vec3<T> gloam_halton_3d(unsigned index) {
+    return vec3<T>(gloam_radical_inverse<T>(index, 2U), gloam_radical_inverse<T>(index, 3U),
+                   gloam_radical_inverse<T>(index, 5U));
+}
+
+}  // namespace gloam::reference

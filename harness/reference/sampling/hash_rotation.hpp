@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reference/math.hpp"
+
+namespace gloam::reference {
+
+// The part of a turn that 10 h radians leave, by halves of h so that double keeps eleven digits of it: the
+// constants are the fractional parts of 10 / (2 pi) and of 65536 times that.
+template <class T = double>
+T hash_turn(unsigned h) {
+    const T low = T(static_cast<double>(h % 65536U)) * T(0.59154943091895335769);
+    const T high = T(static_cast<double>(h / 65536U)) * T(0.78350470452724949566);
+    return fract(low + high);
+}
+
+template <class T = double>
+T gloam_hash_rotation(glm::ivec2 pixel) {
+    const auto x = static_cast<unsigned>(pixel.x);
+    const auto y = static_cast<unsigned>(pixel.y);
+    return T(2) * pi<T>() * hash_turn<T>((3U * x) ^ (y + x * y));
+}
+
+}  // namespace gloam::reference
