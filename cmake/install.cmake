@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# The package: find_package(gloam) gives gloam::shader_test (the generic test framework) and gloam::glsl (the shaders).
+include(CMakePackageConfigHelpers)
+
+set(package_rooms numeric gpu shader check)
+set(package_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gloam)
+
+add_library(gloam_shader_test INTERFACE)
+add_library(gloam::shader_test ALIAS gloam_shader_test)
+set_target_properties(gloam_shader_test PROPERTIES EXPORT_NAME shader_test)
+list(TRANSFORM package_rooms PREPEND gloam_ OUTPUT_VARIABLE package_targets)
+target_link_libraries(gloam_shader_test INTERFACE ${package_targets})
+
+foreach(room ${package_rooms})
+  set_target_properties(gloam_${room} PROPERTIES EXPORT_NAME ${room})
+endforeach()
+install(TARGETS gloam_shader_test gloam_glsl ${package_targets} EXPORT gloam-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT gloam-targets NAMESPACE gloam:: DESTINATION ${package_cmake_dir})
+
+# Public headers, as <gloam/ROOM/FILE.hpp>: what lies in a room itself. Its folder internal/ stays at home.
+set(header_stage ${CMAKE_BINARY_DIR}/package/include)
+install(CODE "
+  set(rooms ${package_rooms})
+  set(source \"${PROJECT_SOURCE_DIR}/harness\")
+  set(stage \"${header_stage}\")
+  include(\"${PROJECT_SOURCE_DIR}/cmake/stage_headers.cmake\")")
+install(DIRECTORY ${header_stage}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+install(DIRECTORY glsl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/glsl)
+install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+if(TARGET gloam)
+  install(TARGETS gloam RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+configure_package_config_file(cmake/gloam-config.cmake.in ${CMAKE_BINARY_DIR}/gloam-config.cmake
+  INSTALL_DESTINATION ${package_cmake_dir})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/gloam-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/gloam-config.cmake ${CMAKE_BINARY_DIR}/gloam-config-version.cmake
+  DESTINATION ${package_cmake_dir})

@@ -17,7 +17,7 @@ function(gloam_room NAME)
   add_library(gloam::${NAME} ALIAS ${target})
   target_include_directories(${target} ${scope}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/harness>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/gloam>)
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(${target} ${scope} cxx_std_20)
 endfunction()
 

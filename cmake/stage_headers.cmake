@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Copies the headers of `rooms` from `source` to stage/gloam/ROOM, each #include "ROOM/FILE" turned into
+# #include "gloam/ROOM/FILE": rooms have short names, and an installed header must not meet another project's "gpu/".
+file(REMOVE_RECURSE "${stage}")
+list(JOIN rooms "|" any_room)
+foreach(room ${rooms})
+  file(GLOB headers RELATIVE "${source}" "${source}/${room}/*.hpp")
+  foreach(header ${headers})
+    file(READ "${source}/${header}" text)
+    string(REGEX REPLACE "#include \"((${any_room})/[^\"]+)\"" "#include \"gloam/\\1\"" text "${text}")
+    file(WRITE "${stage}/gloam/${header}" "${text}")
+  endforeach()
+endforeach()
+file(WRITE "${stage}/gloam/shader_test.hpp" "// SPDX-License-Identifier: MIT
+#pragma once
+
+#include \"gloam/check/shader_test.hpp\"  // IWYU pragma: export
+")

@@ -1,0 +1,263 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""borders.py ROOT: the borders of the house, as rules over its sources.
+
+Prints one line per violation, "file:line: [rule] what is wrong", and exits 1 when there is one.
+"""
+import re
+import sys
+from pathlib import Path
+
+# Who may include whom. A room may always include itself.
+MAY_INCLUDE = {
+    "gpu": set(),
+    "shader": set(),
+    "numeric": set(),
+    "check": {"gpu", "shader", "numeric"},
+    "reference": {"numeric"},
+    "catalogue": {"check", "reference", "numeric"},
+    "scene": {"gpu", "shader", "numeric"},
+    "effect": {"scene", "shader", "gpu", "numeric"},
+    "report": {"check", "numeric"},
+    "tools": {"report", "effect", "scene", "catalogue", "check", "gpu", "shader", "numeric"},
+}
+
+# Libraries that belong to one room, by what their headers are called.
+LIBRARY_HOME = {
+    "vulkan": (re.compile(r"(vulkan|vk_\w+\.h)"), "gpu"),
+    "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_]|StandAlone)"), "shader"),
+    "assimp": (re.compile(r"assimp/"), "scene"),
+    "embree": (re.compile(r"embree"), "scene"),
+    "stb": (re.compile(r"(stb/|stb_)"), "report"),
+}
+
+MAX_LINES = 400
+AREAS = (".ci", "cmake", "docs", "glsl", "harness", "tests", "tools")
+CODE = {".cpp", ".hpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".in"}
+TEXT = CODE | {".txt", ".md", ".json", ".supp", ""}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+MACHINE_PATH = re.compile(r"(?<![\w./}-])/(home|root|work|tmp|Users|mnt|media)/\w")
+
+
+class Source:
+    """A text file of the house: its path from the root, its lines, and the room it stands in."""
+
+    def __init__(self, root, path):
+        self.path = path.relative_to(root)
+        self.text = path.read_text(encoding="utf-8", errors="replace")
+        self.lines = self.text.splitlines()
+        parts = self.path.parts
+        self.area = parts[0] if len(parts) > 1 else ""
+        self.room = parts[1] if self.area in ("harness", "tests") and len(parts) > 2 else self.area
+        self.internal = "internal" in parts[2:-1]
+        self.is_shader_library = parts[:2] == ("glsl", "gloam")
+
+    def includes(self):
+        """(line number, opening delimiter, name) of each #include directive."""
+        for number, line in enumerate(self.lines, 1):
+            match = INCLUDE.match(line)
+            if match:
+                yield number, match.group(1), match.group(2)
+
+    def has_shebang(self):
+        return self.text.startswith("#!")
+
+
+def blank_comments(text):
+    """The text with every comment replaced by spaces: lines and columns stay where they are."""
+    return re.sub(r"//[^\n]*|/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m.group()), text, flags=re.S)
+
+
+def blank_code(text):
+    """blank_comments(), with preprocessor lines blanked too."""
+    return re.sub(r"^[ \t]*#[^\n]*", lambda m: " " * len(m.group()), blank_comments(text), flags=re.M)
+
+
+def file_scope_statements(code):
+    """(position, head, has a body) of each statement at file scope; the head ends before ';' or '{'."""
+    start, depth, body = 0, 0, False
+    for position, char in enumerate(code):
+        if char == "{":
+            if depth == 0:
+                head, body = code[start:position], True
+            depth += 1
+        elif char == "}":
+            depth -= 1
+        ends = char == ";" or (char == "}" and body and head.rstrip().endswith(")"))  # a function body takes no ';'
+        if depth == 0 and ends:
+            text = head if body else code[start:position]
+            if text.strip():
+                yield start + len(text) - len(text.lstrip()), text.strip(), body
+            start, body = position + 1, False
+
+
+FUNCTION_HEAD = re.compile(r"^[\w\s\[\]]*?\b(\w+)\s*\([^()]*\)$", re.S)
+
+
+def line_of(text, position):
+    return text.count("\n", 0, position) + 1
+
+
+# Each rule: (source) -> (line, message) pairs. Its name is the function's name.
+
+
+def room_include(source):
+    """A room includes only the rooms it may use, and only their public headers."""
+    if source.area not in ("harness", "tools"):
+        return
+    allowed = MAY_INCLUDE.get(source.room, set()) | {source.room}
+    for number, _, name in source.includes():
+        room = name.split("/")[0]
+        if room in MAY_INCLUDE and room not in allowed:
+            yield number, f"{source.room} may not include {name}"
+
+
+def internal_include(source):
+    """What lies in ROOM/internal is for that room and its tests."""
+    for number, _, name in source.includes():
+        parts = name.split("/")
+        if "internal" in parts[1:-1] and parts[0] in MAY_INCLUDE and parts[0] != source.room:
+            yield number, f"{name} is internal to {parts[0]}"
+
+
+def include_style(source):
+    """Our headers are named from the root, "room/file.hpp": no way around the rules above."""
+    if source.area not in ("harness", "tools", "tests") or source.path.suffix not in (".cpp", ".hpp"):
+        return
+    for number, delimiter, name in source.includes():
+        room = name.split("/")[0]
+        if ".." in name.split("/"):
+            yield number, f"{name}: name the header from the root"
+        elif delimiter == "<" and room in MAY_INCLUDE and "/" in name:
+            yield number, f'{name}: ours are included as "{name}"'
+        elif delimiter == '"' and source.area == "harness" and (room not in MAY_INCLUDE or "/" not in name):
+            yield number, f'{name}: include it as "room/file.hpp", or as <{name}> when it is not ours'
+
+
+def library_home(source):
+    """A library's headers are included in its own room only, and there not in a public header."""
+    for number, _, name in source.includes():
+        for library, (pattern, home) in LIBRARY_HOME.items():
+            if not pattern.match(name):
+                continue
+            if source.room != home:
+                yield number, f"{name}: {library} headers belong in harness/{home}"
+            elif source.area == "harness" and source.path.suffix == ".hpp" and not source.internal:
+                yield number, f"{name}: {library} shows in a public header of {home}"
+
+
+def shader_bindings(source):
+    """glsl/gloam holds no bindings, no main and no globals: those belong to passes and engines."""
+    if not source.is_shader_library:
+        return
+    code = blank_code(source.text)
+    for position, head, body in file_scope_statements(code):
+        line = line_of(code, position)
+        function = FUNCTION_HEAD.match(head)
+        if function and function.group(1) == "main":
+            yield line, "main() belongs in glsl/passes"
+        elif re.search(r"\b(layout|uniform|buffer|shared)\b", head.split("(")[0] if function else head):
+            yield line, f"a binding belongs in glsl/passes: {head.splitlines()[0]}"
+        elif not function and not re.match(r"(struct\b|const\s+\w+\s+GLOAM_\w+)", head):
+            yield line, f"file scope holds functions, structs and GLOAM_ constants only: {head.splitlines()[0]}"
+
+
+def shader_comment(source):
+    """Every function of glsl/gloam has a comment directly above it."""
+    if not source.is_shader_library:
+        return
+    code = blank_code(source.text)
+    for position, head, _ in file_scope_statements(code):
+        function = FUNCTION_HEAD.match(head)
+        line = line_of(code, position)
+        if function and not source.lines[line - 2].startswith("//"):
+            yield line, f"{function.group(1)} has no comment directly above it"
+
+
+def shader_name(source):
+    """Functions of glsl/gloam are called gloam_snake_case."""
+    if not source.is_shader_library:
+        return
+    code = blank_code(source.text)
+    for position, head, _ in file_scope_statements(code):
+        function = FUNCTION_HEAD.match(head)
+        if function and function.group(1) != "main" and not re.fullmatch(r"gloam_[a-z0-9_]+", function.group(1)):
+            yield line_of(code, position), f"{function.group(1)}: functions are called gloam_snake_case"
+
+
+def shader_include(source):
+    """glsl/gloam includes only itself, named from the root."""
+    if not source.is_shader_library:
+        return
+    for number, _, name in source.includes():
+        if not re.fullmatch(r"gloam/\w+/\w+\.glsl", name):
+            yield number, f'{name}: include "gloam/room/file.glsl"'
+
+
+def guard(source):
+    """A header is read once: #pragma once in C++, GLOAM_ROOM_FILE_GLSL in the shader library."""
+    lines = [line for line in blank_comments(source.text).splitlines() if line.strip()]
+    if source.path.suffix == ".hpp" and lines[:1] != ["#pragma once"]:
+        yield 1, "#pragma once must come before everything but comments"
+    if source.is_shader_library:
+        name = re.sub(r"\W", "_", "/".join(source.path.parts[1:])).upper()
+        if lines[:2] != [f"#ifndef {name}", f"#define {name}"] or lines[-1] != "#endif":
+            yield 1, f"the guard {name} must enclose the file"
+
+
+def spdx(source):
+    """Every source says its licence in its first line (the second after #!)."""
+    named = source.path.name in ("CMakeLists.txt", "packages.txt") or source.has_shebang()
+    if source.path.suffix not in CODE and not named:
+        return
+    first = source.lines[1:2] if source.has_shebang() else source.lines[:1]
+    if not first or not re.fullmatch(r"(//|#) SPDX-License-Identifier: MIT", first[0]):
+        yield 1, "the first line must be SPDX-License-Identifier: MIT in a comment"
+
+
+def length(source):
+    """A file that does one thing is short."""
+    if source.path.suffix in CODE and len(source.lines) > MAX_LINES:
+        yield len(source.lines), f"{len(source.lines)} lines; at most {MAX_LINES}"
+
+
+def machine_path(source):
+    """Nothing refers to a place on somebody's machine."""
+    for number, line in enumerate(source.lines, 1):
+        match = MACHINE_PATH.search(line)
+        if match:
+            yield number, f"a path of one machine: {line[match.start():match.start() + 40]}"
+
+
+RULES = (room_include, internal_include, include_style, library_home, shader_bindings, shader_comment, shader_name,
+         shader_include, guard, spdx, length, machine_path)
+
+
+def sources(root):
+    """Every text file of the house, in order."""
+    files = [path for path in root.iterdir() if path.suffix]
+    for area in AREAS:
+        files += (root / area).rglob("*")
+    for path in sorted(files):
+        if path.is_file() and path.suffix in TEXT and "__pycache__" not in path.parts:
+            yield Source(root, path)
+
+
+def violations(root):
+    """(path, line, rule, message) of everything that breaks a rule below `root`."""
+    return [(source.path.as_posix(), line, rule.__name__, message)
+            for source in sources(Path(root)) for rule in RULES for line, message in rule(source)]
+
+
+def main(arguments):
+    if len(arguments) != 2 or not (Path(arguments[1]) / "harness").is_dir():
+        print("borders.py ROOT: the folder that holds harness/ and glsl/", file=sys.stderr)
+        return 2
+    found = violations(arguments[1])
+    for path, line, rule, message in found:
+        print(f"{path}:{line}: [{rule}] {message}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Every rule of borders.py finds what is planted for it in a clean house, on its line, and nothing else."""
+import contextlib
+import io
+import tempfile
+import unittest
+from pathlib import Path
+
+import borders
+
+SPDX = "// SPDX-License-Identifier: MIT\n"
+HPP = SPDX + "#pragma once\n\n"
+FOLDER = "/" + "home/somebody"  # in two pieces: the rule reads this file too
+
+
+def shader(body, guard="GLOAM_OCCLUSION_SHADE_GLSL"):
+    """A file of the shader library; the body starts at line 5."""
+    return f"{SPDX}#ifndef {guard}\n#define {guard}\n\n{body}\n\n#endif\n"
+
+
+CLEAN = {
+    "README.md": "A house.\n",
+    "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(house)\n",
+    "tools/run": "#!/usr/bin/env bash\n# SPDX-License-Identifier: MIT\n",
+    "tools/main.cpp": SPDX + '#include "report/table.hpp"\n#include "catalogue/catalogue.hpp"\n',
+    "harness/gpu/device.hpp": HPP + "#include <memory>\n",
+    "harness/gpu/device.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include <vulkan/vulkan.hpp>\n',
+    "harness/gpu/internal/vulkan.hpp": HPP + "#include <vulkan/vulkan_raii.hpp>\n",
+    "harness/shader/compile.cpp": SPDX + "#include <glslang/Public/ShaderLang.h>\n",
+    "harness/check/lab.hpp": HPP + '#include "gpu/device.hpp"\n#include "shader/compile.hpp"\n',
+    "harness/scene/mesh.cpp": SPDX + "#include <assimp/Importer.hpp>\n",
+    "harness/report/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
+    "tests/gpu/device_test.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include "shader/compile.hpp"\n',
+    "glsl/passes/shade.comp": SPDX + "layout(binding = 0) uniform Block { float x; };\nvoid main() {}\n",
+    "glsl/gloam/occlusion/shade.glsl": shader(
+        '#include "gloam/geometry/depth.glsl"\n'
+        "/* layout(binding = 0) uniform Commented { float main(); }; */\n"
+        "const float GLOAM_LIMITS[2] = float[2](0.0, 1.0);\n"
+        "// Two numbers.\nstruct GloamPair {\n    float a;\n    vec2 b;\n};\n"
+        "// Asked of the user.\nfloat gloam_fetch_depth(ivec2 pixel);\n"
+        "// Shades.\nfloat gloam_shade(float buffer_size,\n                  int i) { if (i > 0) { return 1.0; } return 0.0; }"),
+}
+
+# rule: (file, its whole text, line) for each way to break it
+PLANTED = {
+    "room_include": [
+        ("harness/gpu/wrong.cpp", SPDX + '#include "check/lab.hpp"\n', 2),
+        ("harness/numeric/wrong.hpp", HPP + '#include "gpu/device.hpp"\n', 4),
+        ("harness/report/wrong.cpp", SPDX + '#  include "scene/mesh.hpp"\n', 2),
+        ("harness/reference/wrong.hpp", HPP + '#include "check/lab.hpp"\n', 4),
+        ("tools/wrong.cpp", SPDX + '#include "reference/math.hpp"\n', 2),
+    ],
+    "internal_include": [
+        ("harness/check/wrong.cpp", SPDX + '#include "gpu/internal/vulkan.hpp"\n', 2),
+        ("tests/check/wrong_test.cpp", SPDX + '#include "gpu/internal/vulkan.hpp"\n', 2),
+    ],
+    "include_style": [
+        ("harness/gpu/wrong.cpp", SPDX + '#include "device.hpp"\n', 2),
+        ("harness/gpu/wrong.cpp", SPDX + '#include "../check/lab.hpp"\n', 2),
+        ("harness/check/wrong.cpp", SPDX + "#include <gpu/device.hpp>\n", 2),
+    ],
+    "library_home": [
+        ("harness/check/wrong.cpp", SPDX + "#include <vulkan/vulkan.h>\n", 2),
+        ("harness/gpu/wrong.hpp", HPP + "#include <vulkan/vulkan.h>\n", 4),
+        ("tests/effect/wrong_test.cpp", SPDX + "#include <vulkan/vulkan.hpp>\n", 2),
+        ("harness/gpu/wrong.cpp", SPDX + "#include <glslang/Public/ShaderLang.h>\n", 2),
+        ("harness/gpu/wrong.cpp", SPDX + "#include <spirv-tools/libspirv.hpp>\n", 2),
+        ("harness/report/wrong.cpp", SPDX + "#include <assimp/scene.h>\n", 2),
+        ("harness/effect/wrong.cpp", SPDX + "#include <embree4/rtcore.h>\n", 2),
+        ("harness/scene/wrong.cpp", SPDX + "#include <stb/stb_image.h>\n", 2),
+    ],
+    "shader_bindings": [
+        ("glsl/gloam/occlusion/shade.glsl", shader("layout(binding = 0) uniform sampler2D depth;"), 5),
+        ("glsl/gloam/occlusion/shade.glsl", shader("layout(set = 0,\n       location = 1) in vec2 uv;"), 5),
+        ("glsl/gloam/occlusion/shade.glsl", shader("uniform Block {\n    float x;\n};"), 5),
+        ("glsl/gloam/occlusion/shade.glsl", shader("buffer Block { float x[]; } block;"), 5),
+        ("glsl/gloam/occlusion/shade.glsl", shader("// Runs.\nvoid main() {}"), 6),
+        ("glsl/gloam/occlusion/shade.glsl", shader("float state = 0.0;"), 5),
+        ("glsl/gloam/occlusion/shade.glsl", shader("const float unnamed = 0.0;"), 5),
+    ],
+    "shader_comment": [
+        ("glsl/gloam/occlusion/shade.glsl", shader("float gloam_shade() { return 1.0; }"), 5),
+        ("glsl/gloam/occlusion/shade.glsl", shader("// Far away.\n\nfloat gloam_shade() {\n    return 1.0;\n}"), 7),
+        ("glsl/gloam/occlusion/shade.glsl", shader("// One.\nfloat gloam_a() { return 1.0; }\n"
+                                                   "float gloam_b() { return 1.0; }"), 7),
+        ("glsl/gloam/occlusion/shade.glsl", shader("float gloam_fetch_depth(ivec2 pixel);"), 5),
+    ],
+    "shader_name": [("glsl/gloam/occlusion/shade.glsl", shader("// Shades.\nfloat shade() { return 1.0; }"), 6)],
+    "shader_include": [
+        ("glsl/gloam/occlusion/shade.glsl", shader('#include "depth.glsl"'), 5),
+        ("glsl/gloam/occlusion/shade.glsl", shader('#include "passes/shade.comp"'), 5),
+    ],
+    "guard": [
+        ("harness/gpu/wrong.hpp", SPDX + "#include <memory>\n", 1),
+        ("glsl/gloam/occlusion/shade.glsl", SPDX + "// Shades.\nfloat gloam_shade() { return 1.0; }\n", 1),
+        ("glsl/gloam/occlusion/shade.glsl", shader("", guard="GLOAM_OCCLUSION_OTHER_GLSL"), 1),
+        ("glsl/gloam/occlusion/shade.glsl", shader("") + "#define GLOAM_AFTER\n", 1),
+    ],
+    "spdx": [
+        ("harness/gpu/wrong.cpp", "int x = 0;\n", 1),
+        ("harness/gpu/wrong.cpp", "// SPDX-License-Identifier: GPL-3.0-only\n", 1),
+        ("harness/gpu/wrong.cpp", "\n" + SPDX, 1),
+        ("glsl/passes/wrong.comp", "void main() {}\n", 1),
+        ("harness/gpu/CMakeLists.txt", "gloam_room(gpu)\n", 1),
+        ("cmake/wrong.cmake", "", 1),
+        ("tests/house/wrong.py", "import sys\n", 1),
+        ("tools/wrong", "#!/usr/bin/env bash\nset -e\n", 1),
+    ],
+    "length": [("harness/gpu/wrong.cpp", SPDX + "\n" * 400, 401)],
+    "machine_path": [
+        ("harness/gpu/wrong.cpp", f'{SPDX}const char* file = "{FOLDER}/x.obj";\n', 2),
+        ("README.md", f"See `{FOLDER}`.\n", 1),
+        ("CMakePresets.json", f'{{"binaryDir": "{FOLDER}"}}\n', 1),
+    ],
+}
+
+
+@contextlib.contextmanager
+def house(changes):
+    """A temporary tree: the clean house with some files replaced or added."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in {**CLEAN, **changes}.items():
+            path = Path(folder, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        yield folder
+
+
+def run_main(*arguments):
+    output = io.StringIO()
+    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
+        status = borders.main(["borders.py", *arguments])
+    return status, output.getvalue()
+
+
+class Borders(unittest.TestCase):
+    def test_a_clean_house_breaks_no_rule(self):
+        with house({}) as folder:
+            self.assertEqual(borders.violations(folder), [])
+            self.assertEqual(run_main(folder), (0, ""))
+
+    def test_every_rule_finds_what_is_planted(self):
+        for rule, plants in PLANTED.items():
+            for path, text, line in plants:
+                with self.subTest(rule=rule, text=text), house({path: text}) as folder:
+                    self.assertEqual([found[:3] for found in borders.violations(folder)], [(path, line, rule)])
+
+    def test_no_rule_is_without_a_planted_violation(self):
+        self.assertEqual({rule.__name__ for rule in borders.RULES}, set(PLANTED))
+
+    def test_a_violation_is_printed_and_fails(self):
+        path, text, line = PLANTED["room_include"][0]
+        with house({path: text}) as folder:
+            status, output = run_main(folder)
+        self.assertEqual((status, output), (1, f"{path}:{line}: [room_include] gpu may not include check/lab.hpp\n"))
+
+    def test_a_folder_that_is_no_house_is_an_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run_main(folder)[0], 2)
+
+    def test_a_file_of_exactly_the_limit_is_short_enough(self):
+        with house({"harness/gpu/long.cpp": SPDX + "\n" * (borders.MAX_LINES - 1)}) as folder:
+            self.assertEqual(borders.violations(folder), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

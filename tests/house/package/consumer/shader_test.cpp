@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <gloam/shader_test.hpp>
+
+#include <cmath>
+
+using namespace gloam::check;
+
+TEST(Tone, MatchesReinhard) {
+    const Lab lab({.validation = true, .include_roots = {SHADER_DIR}});
+    const auto reinhard = [](double x) { return x / (1.0 + x); };
+    const Result result = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard,
+                                                {log_uniform(1e-6, 1e6)}, {.ulp = 4});
+    EXPECT_TRUE(result.passed()) << result;
+}
+
+TEST(Fog, CallsTheShaderLibraryOfThePackage) {
+    const Lab lab({.validation = true, .include_roots = {SHADER_DIR, GLOAM_GLSL_DIR}});
+    const Kernel<float(float)> fog_weight(lab, "fog.glsl", "fog_weight");
+    EXPECT_EQ(fog_weight(1.0F), 0.5F);
+    EXPECT_EQ(fog_weight(INFINITY), 1.0F);
+}
