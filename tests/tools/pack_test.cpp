@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <fstream>
+#include <iterator>
+
+#include "tools/expect.hpp"
+
+namespace gloam::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* halton = "gloam/sampling/halton.glsl";
+
+std::string read(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Pack, OneSelfContainedTextInEachVersion) {
+    for (const auto& [version, first_line] :
+         {std::pair("450", "#version 450"), std::pair("330", "#version 330"),
+          std::pair("300es", "#version 300 es"), std::pair("310es", "#version 310 es")}) {
+        const CommandResult result = run_command({"pack", halton, "--version", version});
+        expect_success(result);
+        EXPECT_THAT(result.out, StartsWith(first_line));
+        EXPECT_THAT(result.out, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        EXPECT_THAT(result.out, Not(HasSubstr("#include")));
+    }
+}
+
+TEST(Pack, WritesTheFileItIsTold) {
+    const TemporaryDirectory folder;
+    const std::filesystem::path out = folder.path() / "packed.glsl";
+    expect_success(run_command({"pack", halton, "--out", out.string()}));
+    EXPECT_EQ(read(out), run_command({"pack", halton}).out);
+}
+
+TEST(Pack, TakesOnesOwnFile) {
+    const TemporaryDirectory folder;
+    const std::filesystem::path own = folder.path() / "own.glsl";
+    std::ofstream(own) << "#include \"" << halton
+                       << "\"\nfloat own() { return gloam_radical_inverse_base2(1u); }\n";
+    const CommandResult result = run_command({"pack", own.string()});
+    expect_success(result);
+    EXPECT_THAT(result.out, HasSubstr("float own()"));
+}
+
+TEST(Pack, BadInputIsNamed) {
+    expect_could_not_run(run_command({"pack", "gloam/no/such.glsl"}), "gloam/no/such.glsl");
+    expect_could_not_run(run_command({"pack", halton, "--version", "110"}), "110");
+    expect_could_not_run(run_command({"pack", halton, "--out", "/no/such/folder/file"}),
+                         "/no/such/folder/file");
+    expect_could_not_run(run_command({"pack", halton, "--out", "/dev/full"}), "/dev/full");
+}
+
+TEST(Pack, TextThatDoesNotCompileNamesFileAndLine) {
+    const TemporaryDirectory folder;
+    const std::filesystem::path own = folder.path() / "own.glsl";
+    std::ofstream(own) << "float own() {\n    return no_such_variable;\n}\n";
+    expect_could_not_run(run_command({"pack", own.string()}), "no_such_variable");
+}
+
+}  // namespace
+}  // namespace gloam::test
