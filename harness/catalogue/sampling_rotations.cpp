@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "catalogue/inputs.hpp"
+#include "catalogue/sampling_parts.hpp"
+#include "reference/sampling/hash_rotation.hpp"
+#include "reference/sampling/hemisphere_flip.hpp"
+#include "reference/sampling/reflect.hpp"
+#include "reference/sampling/rotation.hpp"
+#include "reference/sampling/tangent_frame.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+
+Values kernel_points(int components) {
+    return either(vector_of_length(components, uniform(0, 1)), unit_vector(components)).and_special();
+}
+
+Values angles() {
+    return either(uniform(-7, 7), signed_log_uniform(1e-6, 65536))
+        .and_near({3.14159265, -3.14159265, 6.28318531, 65536.0, -65536.0})
+        .and_special();
+}
+
+// The unit vectors about an axis, shifted by little: where a normal or its square cancels.
+Values normals() {
+    return either(unit_vector(3), vector_of_length(3, log_uniform(1e-37, 1e38)))
+        .and_value(glm::vec3(1.0F, 0.0F, -1e-30F), true)
+        .and_value(glm::vec3(0.6F, 0.8F, 1e-8F), true)
+        .and_value(glm::vec3(0.6F, 0.8F, -1e-8F), true)
+        .and_value(glm::vec3(1e-7F, 2e-7F, -1.0F))
+        .and_value(glm::vec3(-1e-4F, 1e-4F, -1.0F))
+        .and_special();
+}
+
+void append_rotation(Entries& entries) {
+    entries.push_back(equation<float(float)>({.id = "ANGLE",
+                                              .function = "gloam_wrap_angle",
+                                              .file = "gloam/sampling/rotation.glsl",
+                                              .title = "angle modulo 2 pi, in [-pi, pi]",
+                                              .formula = "a - 2 pi floor(a / (2 pi) + 1/2)",
+                                              .source = "Cody and Waite 1980"},
+                                             GLOAM_REFERENCE(gloam_wrap_angle),
+                                             {.domain = {angles()},
+                                              .budget = {.ulp = 2, .absolute = 1e-6, .backward_ulp = 1},
+                                              .codomain = {-3.1415926, 3.1415926}}));
+    entries.push_back(equation<glm::vec2(glm::vec2, float)>({.id = "TSSAO-ROT-disc",
+                                                             .function = "gloam_rotate_disc",
+                                                             .file = "gloam/sampling/rotation.glsl",
+                                                             .title = "disc sample rotated about the centre",
+                                                             .formula = "(c x - s y, s x + c y)",
+                                                             .source = "TSSAO (Mattausch et al.), random rotation"},
+                                                            GLOAM_REFERENCE(gloam_rotate_disc),
+                                                            {.domain = {kernel_points(2), angles()},
+                                                             .budget = {.ulp = 8, .of_largest_component = true},
+                                                             .codomain = {-2e19, 2e19}}));
+    entries.push_back(equation<glm::vec3(glm::vec3, float)>(
+        {.id = "TSSAO-ROT-hemisphere",
+         .function = "gloam_rotate_hemisphere",
+         .file = "gloam/sampling/rotation.glsl",
+         .title = "hemisphere sample rotated about the normal",
+         .formula = "(c x - s y, s x + c y, z)",
+         .source = "TSSAO (Mattausch et al.), random rotation"},
+        GLOAM_REFERENCE(gloam_rotate_hemisphere),
+        {.domain = {kernel_points(3), angles()},
+         .budget = {.ulp = 8, .of_largest_component = true},
+         .codomain = {-2e19, 2e19}}));
+    const Values coordinate = either(integers(0, 8191), integers(-2147483648L, 2147483647L));
+    entries.push_back(equation<float(glm::ivec2)>(
+        {.id = "HASH-ROT",
+         .function = "gloam_hash_rotation",
+         .file = "gloam/sampling/hash_rotation.glsl",
+         .title = "rotation angle of a pixel by a hash",
+         .formula = "10 ((3 x) XOR (y + x y)) modulo 2 pi",
+         .source = "McGuire et al., Alchemy and Scalable Ambient Obscurance shaders"},
+        GLOAM_REFERENCE(gloam_hash_rotation),
+        {.domain = {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))},
+         .budget = {.ulp = 2, .absolute = 4e-9},
+         .codomain = {0, 6.2831853}}));
+}
+
+}  // namespace
+
+void append_sample_rotations(Entries& entries) {
+    entries.push_back(equation<glm::mat3(glm::vec3)>({.id = "FRAME",
+                                                      .function = "gloam_tangent_frame",
+                                                      .file = "gloam/sampling/tangent_frame.glsl",
+                                                      .title = "orthonormal frame around a normal",
+                                                      .formula = "columns t, b, n: z turned onto n the shortest way",
+                                                      .source = "Duff et al. 2017"},
+                                                     GLOAM_REFERENCE(gloam_tangent_frame),
+                                                     {.domain = {normals()},
+                                                      .budget = {.absolute = 1e-6},
+                                                      .codomain = {-1.000001, 1.000001}}));
+    append_rotation(entries);
+    const Values texel = vector(3, uniform(0, 1).and_near({0.5}))
+                             .and_value(glm::vec3(0.5F))
+                             .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
+                             .and_special();
+    entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
+        {.id = "REFLECT",
+         .function = "gloam_reflect_sample",
+         .file = "gloam/sampling/reflect.glsl",
+         .title = "sample reflected at a random plane",
+         .formula = "s - 2 (s . n) n, n = normalize(2 t - 1)",
+         .source = "Mittring 2007"},
+        GLOAM_REFERENCE(gloam_reflect_sample),
+        {.domain = {kernel_points(3), texel},
+         .budget = {.ulp = 16, .of_largest_component = true},
+         .codomain = {-4e19, 4e19}}));
+    entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
+        {.id = "FLIP",
+         .function = "gloam_hemisphere_flip",
+         .file = "gloam/sampling/hemisphere_flip.glsl",
+         .title = "sample brought into the hemisphere of a normal",
+         .formula = "s if s . n > 0, else -s",
+         .source = "Filion and McNaughton 2008"},
+        GLOAM_REFERENCE(gloam_hemisphere_flip),
+        {.domain = {kernel_points(3), normals()}, .budget = {.backward_ulp = 2}, .codomain = {-1e19, 1e19}}));
+}
+
+}  // namespace gloam::catalogue

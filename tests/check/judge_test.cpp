@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Every kind of failure that the judge can report, from a shader broken on purpose.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/lab.hpp"
+
+namespace gloam::check {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+double exact_weight(double distance, double radius) {
+    if (!(std::abs(distance) < radius)) return 0.0;
+    const double x = distance / radius;
+    return 1.0 - x * x;
+}
+
+class JudgeTest : public testing::Test {
+  protected:
+    Lab lab = test::make_lab(FIXTURES);
+    const Domain domain = Domain{signed_log_uniform(1e-3, 10).and_special(), uniform(0.5, 8)}.tied(0, 1);
+    const Budget budget{.ulp = 2, .absolute = 4e-7};
+
+    Result weight(const std::string& function, const RunOptions& options = {}) {
+        return compare<float(float, float)>(lab, "wrong.glsl", function, exact_weight, domain, budget,
+                                            options);
+    }
+
+    static const ClassCount& count(const Result& result, InputClass input_class) {
+        return result.census.classes.at(static_cast<std::size_t>(input_class));
+    }
+};
+
+TEST_F(JudgeTest, ARightFunctionPasses) {
+    const Result result = weight("weight");
+    EXPECT_TRUE(result.passed()) << result;
+    EXPECT_EQ(result.census.inputs(), 65'536U);
+    EXPECT_GT(count(result, InputClass::branch).inputs, 1000U);
+    EXPECT_GT(count(result, InputClass::nan).inputs, 10U);
+    EXPECT_GT(count(result, InputClass::subnormal).inputs, 10U);
+}
+
+TEST_F(JudgeTest, AWrongConstantFails) {
+    const Result result = weight("weight_wrong_constant");
+    EXPECT_FALSE(result.passed());
+    EXPECT_GT(count(result, InputClass::ordinary).outside, 1000U);
+    EXPECT_NEAR(result.census.max_absolute, 1e-4, 1e-6);
+}
+
+TEST_F(JudgeTest, SwappedArgumentsFail) {
+    EXPECT_FALSE(weight("weight_swapped").passed());
+}
+
+TEST_F(JudgeTest, ANaNPassedThroughFailsInItsOwnClass) {
+    if (!lab.device().info().float32.preserves_signed_zero_inf_nan)
+        GTEST_SKIP() << "the device does not keep NaN";
+    const Result result = weight("weight_poisoned");
+    EXPECT_FALSE(result.passed());
+    EXPECT_EQ(count(result, InputClass::nan).outside, count(result, InputClass::nan).inputs);
+    EXPECT_EQ(count(result, InputClass::ordinary).outside, 0U);
+    EXPECT_THAT(describe(result), AllOf(HasSubstr("nan"), HasSubstr("0x7fc00000")));
+}
+
+TEST_F(JudgeTest, AFailureAtABranchIsCountedThere) {
+    const Result result = weight("weight_wrong_at_branch");
+    EXPECT_FALSE(result.passed());
+    EXPECT_GT(count(result, InputClass::branch).outside, 0U);
+    EXPECT_EQ(count(result, InputClass::ordinary).outside, 0U);
+}
+
+TEST_F(JudgeTest, OneUlpTooMuchFailsAndOneUlpAllowedPasses) {
+    const auto check = [&](double ulp) {
+        return compare<float(float)>(lab, "wrong.glsl", "identity_one_up", [](double x) { return x; },
+                                     {uniform(1.0, 1.9)}, {.ulp = ulp});
+    };
+    EXPECT_TRUE(check(1.0).passed());
+    const Result strict = check(0.999);
+    EXPECT_EQ(strict.census.outside(), strict.census.inputs());
+    EXPECT_EQ(strict.census.max_ulp, 1.0);
+}
+
+TEST_F(JudgeTest, DiscreteResultsMustBeEqualOrMeetTheBackwardBudget) {
+    const auto above = [](double x, double limit) { return x > limit; };
+    const Domain at_limit = Domain{uniform(0, 1), uniform(0, 1)}.tied(0, 1);
+    const auto check = [&](int backward_ulp) {
+        return compare<bool(float, float)>(lab, "wrong.glsl", "at_least", above, at_limit,
+                                           {.backward_ulp = backward_ulp});
+    };
+    EXPECT_FALSE(check(0).passed()) << "x >= limit differs from x > limit where they are equal";
+    EXPECT_TRUE(check(1).passed()) << "and meets it one ULP beside";
+    EXPECT_FALSE(compare<int(float)>(lab, "wrong.glsl", "off_by_one",
+                                     [](double x) { return int(std::floor(x)); }, {uniform(-5, 5)},
+                                     {.backward_ulp = 4})
+                     .passed());
+}
+
+TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
+    Case check_case{.file = "wrong.glsl",
+                    .function = "identity_one_up",
+                    .signature = SignatureOf<float(float)>::describe(),
+                    .domain = {uniform(0, 2)},
+                    .reference = make_reference<float(float)>([](double x) { return x; }),
+                    .promised = make_predicate<float(float)>([](float) { return false; })};
+    EXPECT_TRUE(run(lab, check_case).passed());
+    check_case.codomain = {0, 1};
+    EXPECT_FALSE(run(lab, check_case).passed());
+}
+
+TEST_F(JudgeTest, TheSameSeedGivesTheSameVerdict) {
+    const Result a = weight("weight_wrong_constant", {.inputs = 1000, .seed = 3});
+    const Result b = weight("weight_wrong_constant", {.inputs = 1000, .seed = 3});
+    const Result c = weight("weight_wrong_constant", {.inputs = 1000, .seed = 4});
+    EXPECT_EQ(describe(a), describe(b));
+    EXPECT_NE(describe(a), describe(c));
+}
+
+TEST_F(JudgeTest, TheWorstInputIsPrintedInDecimalAndHexadecimal) {
+    const Result result =
+        compare<float(float)>(lab, "wrong.glsl", "identity_one_up", [](double x) { return x; },
+                              {uniform(0.5, 0.5)}, {}, {.inputs = 4});
+    EXPECT_THAT(describe(result), AllOf(HasSubstr("0.5 (0x3f000000)"), HasSubstr("0.50000006 (0x3f000001)")));
+}
+
+TEST_F(JudgeTest, ADomainThatDoesNotFitTheFunctionIsRefused) {
+    EXPECT_THROW(
+        (void)compare<float(float, float)>(lab, "wrong.glsl", "weight", exact_weight, {uniform(0, 1)}),
+        std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gloam::check

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gloam::cli {
+
+// What `gloam check` was asked.
+struct CheckOptions {
+    std::vector<std::string> equations;  // IDs, functions or globs; empty: all
+    std::string device;                  // name, index or "all"; empty: the default
+    std::string variant = "shipped";     // see variants(), or "all"
+    std::size_t inputs = 65'536;
+    std::uint64_t seed = 1;
+    bool validation = false;
+    std::filesystem::path json;
+    std::filesystem::path junit;
+};
+
+// Runs the checks, prints a line for each and the story of each failure. Returns the exit status: 0 or 1.
+[[nodiscard]] int run_check(const CheckOptions& options);
+
+// Adds the subcommand; `status` receives what it returns.
+void add_check(CLI::App& app, int& status);
+
+}  // namespace gloam::cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "cli/devices.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "gpu/device.hpp"
+
+namespace gloam::cli {
+namespace {
+
+void print_device(const gpu::DeviceInfo& device) {
+    const auto yes = [](bool value) { return value ? "yes" : "no"; };
+    fmt::print("{}: {}\n", device.index, device.name);
+    fmt::print("   type {}, driver {}, Vulkan {}\n", device.type, device.driver, device.api_version);
+    fmt::print("   largest image {}, largest buffer {} MiB, subgroup {}, timestamps {}\n",
+               device.max_image_size, device.max_buffer_bytes >> 20, device.subgroup_size,
+               yes(device.timestamp_period_ns > 0.0));
+    fmt::print(
+        "   float32: keeps NaN, infinity and -0: {}; keeps subnormals: {}; can flush subnormals: {}; "
+        "can round to nearest even: {}; can round to zero: {}\n",
+        yes(device.float32.preserves_signed_zero_inf_nan), yes(device.float32.preserves_denormals),
+        yes(device.float32.flushes_denormals), yes(device.float32.rounds_to_even),
+        yes(device.float32.rounds_to_zero));
+}
+
+nlohmann::ordered_json to_json(const gpu::DeviceInfo& device) {
+    return {{"index", device.index},
+            {"name", device.name},
+            {"type", device.type},
+            {"driver", device.driver},
+            {"api_version", device.api_version},
+            {"max_image_size", device.max_image_size},
+            {"max_buffer_bytes", device.max_buffer_bytes},
+            {"subgroup_size", device.subgroup_size},
+            {"timestamp_period_ns", device.timestamp_period_ns},
+            {"float32",
+             {{"signed_zero_inf_nan_preserve", device.float32.preserves_signed_zero_inf_nan},
+              {"denorm_preserve", device.float32.preserves_denormals},
+              {"denorm_flush_to_zero", device.float32.flushes_denormals},
+              {"rounding_mode_rte", device.float32.rounds_to_even},
+              {"rounding_mode_rtz", device.float32.rounds_to_zero}}}};
+}
+
+void run_devices(bool json) {
+    const auto devices = gpu::list_devices();
+    if (devices.empty()) {
+        throw std::runtime_error(
+            "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers");
+    }
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const gpu::DeviceInfo& device : devices) {
+        if (json) {
+            all.push_back(to_json(device));
+        } else {
+            print_device(device);
+        }
+    }
+    if (json) fmt::print("{}\n", all.dump(2));
+}
+
+}  // namespace
+
+void add_devices(CLI::App& app) {
+    auto json = std::make_shared<bool>(false);
+    CLI::App* command =
+        app.add_subcommand("devices", "the Vulkan devices here, and what their float controls report");
+    command->add_flag("--json", *json, "as JSON");
+    command->callback([json] { run_devices(*json); });
+}
+
+}  // namespace gloam::cli

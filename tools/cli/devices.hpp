@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace gloam::cli {
+
+// `gloam devices`: the Vulkan devices here and what they report of their float arithmetic.
+void add_devices(CLI::App& app);
+
+}  // namespace gloam::cli
