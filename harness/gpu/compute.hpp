@@ -30,7 +30,9 @@ struct ComputeProgram {
     std::vector<SpecializationConstant> constants;
 };
 
-// A compiled compute pipeline. Throws std::runtime_error when the driver rejects it.
+// A compiled compute pipeline. Throws std::runtime_error when the driver rejects it; std::invalid_argument
+// when the words are no SPIR-V module, or the bindings or push constants (a multiple of 4 bytes) are more
+// than the device allows. The module must agree with the bindings: only the validation layer checks that.
 class ComputePipeline {
   public:
     ComputePipeline(const Device& device, const ComputeProgram& program);
@@ -45,6 +47,7 @@ class ComputePipeline {
     std::unique_ptr<Impl> impl_;
 };
 
+// What a binding is given: a storage buffer (all of it) or a storage image. Shaders may write to either.
 using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>>;
 
 }  // namespace gloam::gpu

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,15 +45,26 @@ struct DeviceInfo {
 enum class Validation { off, on };
 
 struct DeviceOptions {
-    std::string device;                   // index, or part of the name in any case; empty: the first GPU, else the first CPU device
+    std::string
+        device;  // index, or part of the name in any case; empty: the first GPU, else the first CPU device
     Validation validation = Validation::off;
-    std::filesystem::path cache_directory;  // where compiled pipelines are kept; empty: nowhere
-    std::chrono::milliseconds timeout{60'000};  // longest wait for one submission
+    std::filesystem::path cache_directory;      // where compiled pipelines are kept; empty: nowhere
+    std::chrono::milliseconds timeout{60'000};  // longest wait for one submission; positive
+    // Called with each validation message as it comes, also with those of closing the device, when nobody can
+    // ask for them any more. May be called from any thread, never from two at once; must not throw nor call
+    // back into the device.
+    std::function<void(const std::string&)> on_validation_message;
 };
 
-// An open Vulkan device with one queue. Everything made from it must die before it.
-// Throws std::runtime_error: no device, no device of that name (the message lists those there are),
-// validation asked for and its layer not installed.
+// An open Vulkan device with one queue, for use from one thread at a time. Everything made from it must die
+// before it. Throws std::runtime_error: no device, no device of that name (the message lists those there
+// are), validation asked for and its layer not installed; std::invalid_argument: a timeout that is not
+// positive.
+//
+// While a submission that timed out still runs, further submissions throw, and objects of this device that
+// die are leaked on purpose, the device included: Vulkan forbids destroying what may be in use, and waiting
+// might never end. Once it has finished, all is as before. Pipelines are written to the cache when the device
+// closes.
 class Device {
   public:
     explicit Device(const DeviceOptions& options = {});
@@ -62,7 +74,8 @@ class Device {
 
     [[nodiscard]] const DeviceInfo& info() const;
 
-    // Messages of the validation layers (warnings and errors) since the last call, oldest first.
+    // Messages of the validation layers (warnings and errors, one line each) since the last call, oldest
+    // first.
     [[nodiscard]] std::vector<std::string> take_validation_messages();
 
     struct Impl;  // Vulkan handles; defined inside this room only

@@ -13,7 +13,7 @@ namespace gloam::gpu {
 // Formats that every Vulkan device can store to and render to, plus the depth attachment.
 enum class Format { r32f, rgba32f, rgba16f, depth32f };
 
-// Floats per texel as uploaded and downloaded (rgba16f is converted on the device side of the copy by the caller).
+// Floats per texel as uploaded and downloaded.
 [[nodiscard]] int channels(Format format);
 
 struct Extent {
@@ -22,8 +22,9 @@ struct Extent {
     friend bool operator==(const Extent&, const Extent&) = default;
 };
 
-// A 2-D image in device memory: storage image, colour or depth attachment, and copy source and target.
-// Row 0 is the top row. Throws std::runtime_error when a side is 0 or larger than the device allows.
+// A 2-D image in device memory, row 0 at the top: storage image and colour attachment, or (depth32f) depth
+// attachment only. Contents start undefined. Throws std::runtime_error when a side is 0 or larger than the
+// device allows, the device has no such images, or memory is short.
 class Image {
   public:
     Image(const Device& device, Extent extent, Format format);
@@ -35,7 +36,8 @@ class Image {
     [[nodiscard]] Format format() const;
 
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
-    // rgba16f is converted from and to float32 (round to nearest even).
+    // rgba16f is converted from and to float32 (round to nearest even). Throws std::invalid_argument on
+    // another count, std::runtime_error like Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 

@@ -14,18 +14,22 @@
 
 namespace gloam::gpu {
 
-// A triangle-list pipeline that renders to colour images and one depth image (cleared first, nearest wins: the depth test is
-// LESS with standard z and GREATER when reversed_z). No culling. Vertices: `vertex_floats` float32 values
-// each, read as consecutive attributes of the given sizes (location i has attribute_sizes[i] floats).
+// What a triangle-list pipeline is made of that renders to colour images and one depth image. Entry points
+// "main"; fragment output i goes to colour image i. Nearest wins: the depth test is LESS with standard z and
+// GREATER when reversed_z. No culling, no blending. A vertex is float32 values, read as consecutive
+// attributes: location i has attribute_sizes[i] floats. Clip space is Vulkan's: y down (NDC -1 is the top
+// row), z from 0 to 1.
 struct RasterProgram {
     std::span<const std::uint32_t> vertex_spirv;
     std::span<const std::uint32_t> fragment_spirv;
-    std::vector<int> attribute_sizes;      // 1 to 4 floats each
+    std::vector<int> attribute_sizes;  // 1 to 4 floats each
     std::vector<Format> color_formats;
     std::uint32_t push_constant_bytes = 0;  // visible to both stages
     bool reversed_z = false;
 };
 
+// A compiled graphics pipeline. Throws std::runtime_error when the driver rejects it; std::invalid_argument
+// when the words are no SPIR-V module, or a count, size or format is not possible.
 class RasterPipeline {
   public:
     RasterPipeline(const Device& device, const RasterProgram& program);
@@ -43,13 +47,16 @@ class RasterPipeline {
 struct Draw {
     std::reference_wrapper<const Buffer> vertices;
     std::reference_wrapper<const Buffer> indices;  // uint32
-    std::uint32_t index_count = 0;
-    std::span<const std::byte> push_constants;
+    std::uint32_t index_count = 0;                 // three a triangle; the first is at the start of `indices`
+    std::span<const std::byte> push_constants;     // copied when render() is called
 };
 
-// Renders all draws in one pass: attachments cleared to clear_color (each channel) and the far depth, then drawn in
-// order, then left readable by later commands. All images have the same extent.
-void render(Commands& commands, const RasterPipeline& pipeline, std::span<const std::reference_wrapper<const Image>> colors,
-            const Image& depth, float clear_color, std::span<const Draw> draws);
+// Renders all draws in one pass: attachments cleared to clear_color (each channel) and the far depth, then
+// drawn in order, then left readable by later commands. All images have the same extent. Throws
+// std::invalid_argument when images, push constants or index counts do not fit the pipeline or each other.
+// Indices must be within the vertices.
+void render(Commands& commands, const RasterPipeline& pipeline,
+            std::span<const std::reference_wrapper<const Image>> colors, const Image& depth,
+            float clear_color, std::span<const Draw> draws);
 
 }  // namespace gloam::gpu

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/compute.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "gpu/internal/compute_impl.hpp"
+#include "gpu/internal/shader_module.hpp"
+
+namespace gloam::gpu {
+namespace {
+
+void check_count(const Context& context, const ComputeProgram& program, BindingKind kind,
+                 std::uint32_t limit) {
+    const auto count = std::ranges::count(program.bindings, kind);
+    if (count > limit) {
+        throw std::invalid_argument(
+            fmt::format("compute pipeline with {} {} bindings: device \"{}\" allows {}", count, name_of(kind),
+                        context.physical.info.name, limit));
+    }
+}
+
+vk::raii::DescriptorSetLayout make_set_layout(const Context& context, const ComputeProgram& program) {
+    const auto& limits = context.physical.properties.limits;
+    check_count(context, program, BindingKind::storage_buffer, limits.maxPerStageDescriptorStorageBuffers);
+    check_count(context, program, BindingKind::storage_image, limits.maxPerStageDescriptorStorageImages);
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const auto kind : program.bindings) {
+        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
+                            .descriptorType = descriptor_type(kind),
+                            .descriptorCount = 1,
+                            .stageFlags = vk::ShaderStageFlagBits::eCompute});
+    }
+    return {context.device,
+            vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
+                                              .pBindings = bindings.data()}};
+}
+
+vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
+                                     std::uint32_t push_constant_bytes) {
+    check_push_constant_size(context, push_constant_bytes);
+    const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
+                                      .size = push_constant_bytes};
+    return {context.device,
+            vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
+                                         .pSetLayouts = &*set_layout,
+                                         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
+                                         .pPushConstantRanges = &range}};
+}
+
+vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::PipelineLayout& layout,
+                                 const ComputeProgram& program) {
+    const auto module = make_module(context, program.spirv);
+    const auto& constants = program.constants;
+    std::vector<vk::SpecializationMapEntry> entries;
+    for (const auto& constant : constants) {
+        const auto offset = entries.size() * sizeof constant + offsetof(SpecializationConstant, bits);
+        entries.push_back({.constantID = constant.id,
+                           .offset = static_cast<std::uint32_t>(offset),
+                           .size = sizeof constant.bits});
+    }
+    const vk::SpecializationInfo specialization{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+                                                .pMapEntries = entries.data(),
+                                                .dataSize = constants.size() * sizeof(SpecializationConstant),
+                                                .pData = constants.data()};
+    const vk::ComputePipelineCreateInfo info{.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
+                                                       .module = *module,
+                                                       .pName = "main",
+                                                       .pSpecializationInfo = &specialization},
+                                             .layout = *layout};
+    return {context.device, context.cache.handle(), info};
+}
+
+ComputeHandles create(const Context& context, const ComputeProgram& program) {
+    auto set_layout = make_set_layout(context, program);
+    auto layout = make_layout(context, set_layout, program.push_constant_bytes);
+    auto pipeline = make_pipeline(context, layout, program);
+    return {std::move(set_layout), std::move(layout), std::move(pipeline)};
+}
+
+}  // namespace
+
+vk::DescriptorType descriptor_type(BindingKind kind) {
+    return kind == BindingKind::storage_buffer ? vk::DescriptorType::eStorageBuffer
+                                               : vk::DescriptorType::eStorageImage;
+}
+
+const char* name_of(BindingKind kind) {
+    return kind == BindingKind::storage_buffer ? "storage buffer" : "storage image";
+}
+
+ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& program)
+    : context(owner),
+      bindings(program.bindings),
+      push_constant_bytes(program.push_constant_bytes),
+      handles(owner, create(owner, program)) {}
+
+ComputePipeline::ComputePipeline(const Device& device, const ComputeProgram& program)
+    : impl_(std::make_unique<Impl>(device.impl(), program)) {}
+ComputePipeline::~ComputePipeline() = default;
+ComputePipeline::ComputePipeline(ComputePipeline&&) noexcept = default;
+ComputePipeline& ComputePipeline::operator=(ComputePipeline&&) noexcept = default;
+
+}  // namespace gloam::gpu

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/internal/format.hpp"
+
+#include <stdexcept>
+
+namespace gloam::gpu {
+
+const FormatTraits& traits(Format format) {
+    using Aspect = vk::ImageAspectFlagBits;
+    using Usage = vk::ImageUsageFlagBits;
+    static constexpr auto color = Usage::eStorage | Usage::eColorAttachment;
+    static constexpr FormatTraits r32f{"r32f", vk::Format::eR32Sfloat, 1, 4, Aspect::eColor, color};
+    static constexpr FormatTraits rgba32f{"rgba32f", vk::Format::eR32G32B32A32Sfloat, 4, 16, Aspect::eColor,
+                                          color};
+    static constexpr FormatTraits rgba16f{"rgba16f", vk::Format::eR16G16B16A16Sfloat, 4, 8, Aspect::eColor,
+                                          color};
+    static constexpr FormatTraits depth32f{"depth32f",     vk::Format::eD32Sfloat,        1, 4,
+                                           Aspect::eDepth, Usage::eDepthStencilAttachment};
+    switch (format) {
+        case Format::r32f:
+            return r32f;
+        case Format::rgba32f:
+            return rgba32f;
+        case Format::rgba16f:
+            return rgba16f;
+        case Format::depth32f:
+            return depth32f;
+    }
+    throw std::invalid_argument(fmt::format("unknown image format {}", static_cast<int>(format)));
+}
+
+int channels(Format format) {
+    return traits(format).channels;
+}
+
+}  // namespace gloam::gpu

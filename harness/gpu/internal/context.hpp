@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "gpu/device.hpp"
+#include "gpu/internal/instance.hpp"
+#include "gpu/internal/pipeline_cache.hpp"
+#include "gpu/internal/vulkan.hpp"
+
+namespace gloam::gpu {
+
+// The physical device that a selector means, and what is asked of it again and again.
+struct Physical {
+    Physical(vk::raii::PhysicalDevice device, DeviceInfo description);
+
+    vk::raii::PhysicalDevice handle;
+    DeviceInfo info;
+    vk::PhysicalDeviceProperties properties;
+    vk::PhysicalDeviceMemoryProperties memory;
+    std::uint32_t queue_family = 0;
+    std::uint64_t timestamp_mask = 0;  // the valid bits of a reading; 0: no timestamps
+};
+
+// The open device: what every other object of this room borrows.
+struct Device::Impl {
+    explicit Impl(const DeviceOptions& options);
+    ~Impl();
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    // Records commands, runs them and waits.
+    void run_once(const std::function<void(const vk::raii::CommandBuffer&)>& record);
+
+    // Submits and waits. Throws std::runtime_error on a lost device, after the timeout, and while an earlier
+    // submission that timed out still runs.
+    void run(const vk::raii::CommandBuffer& commands);
+
+    // False while a submission that timed out still runs: nothing may be destroyed then.
+    [[nodiscard]] bool idle() noexcept;
+
+    // Declared so that destruction goes from the last to the first.
+    MessageLog log;
+    vk::raii::Context loader;
+    vk::raii::Instance instance;
+    std::optional<vk::raii::DebugUtilsMessengerEXT> messenger;
+    Physical physical;
+    vk::raii::Device device;
+    vk::raii::Queue queue;
+    vk::raii::CommandPool command_pool;
+    vk::raii::Fence fence;
+    PipelineCache cache;
+    std::chrono::milliseconds timeout;
+
+  private:
+    [[nodiscard]] vk::Result wait() const;
+    bool busy_ = false;
+};
+
+using Context = Device::Impl;
+
+}  // namespace gloam::gpu
