@@ -1,8 +1,142 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "catalogue/geometry_parts.hpp"
+#include "catalogue/inputs.hpp"
 #include "catalogue/rooms.hpp"
+#include "reference/geometry/background.hpp"
+#include "reference/geometry/finite.hpp"
+#include "reference/geometry/linear_depth.hpp"
 
 namespace gloam::catalogue {
+namespace {
 
-void append_geometry(Entries&) {}
+using namespace check;
+
+using DepthSignature = float(float, float, float);
+
+Values buffer_depths() {
+    return either(uniform(0, 1), either(log_uniform(1e-9, 1), uniform(0.999, 1)))
+        .and_near({0.5, 1.0})
+        .and_special();
+}
+
+// Puts the elements (p22, p32) of a projection in place of (near, far / near), of one kind in four: standard
+// and reversed, finite and infinite far plane. `elements` gives them for (near, far). Special values stay as
+// drawn.
+template <class Elements>
+auto projection_elements(Elements elements) {
+    return [elements](std::span<Word> words) {
+        const auto near = from_word<double>(words[1]);
+        const double far = near * from_word<double>(words[2]);
+        if (!(near >= 0.01 && near <= 10.0 && far > near && far <= 1e6)) return;
+        const glm::dvec2 p = elements(near, far, words[1] % 4U);
+        words[1] = to_word(p.x);
+        words[2] = to_word(p.y);
+    };
+}
+
+glm::dvec2 perspective_vk(double near, double far, unsigned kind) {
+    const bool infinite = kind % 2U == 1U;
+    const glm::dvec2 standard = infinite ? glm::dvec2(-1, -near) : glm::dvec2(far, far * near) / (near - far);
+    return kind < 2U ? standard : glm::dvec2(-1 - standard.x, -standard.y);
+}
+
+glm::dvec2 perspective_gl(double near, double far, unsigned kind) {
+    const bool infinite = kind % 2U == 1U;
+    const glm::dvec2 standard =
+        infinite ? glm::dvec2(-1, -2 * near) : glm::dvec2(far + near, 2 * far * near) / (near - far);
+    return kind < 2U ? standard : -standard;
+}
+
+glm::dvec2 orthographic_vk(double near, double far, unsigned kind) {
+    const glm::dvec2 standard = glm::dvec2(1, near) / (near - far);
+    return kind < 2U ? standard : glm::dvec2(-standard.x, 1 - standard.y);
+}
+
+glm::dvec2 orthographic_gl(double near, double far, unsigned kind) {
+    const glm::dvec2 standard = glm::dvec2(2, far + near) / (near - far);
+    return kind < 2U ? standard : -standard;
+}
+
+template <class Elements, class Reference>
+void append_depth(Entries& entries, Description description, Reference reference, Elements elements,
+                  Check check) {
+    description.file = "gloam/geometry/linear_depth.glsl";
+    description.source = "the projection solved for depth";
+    check.domain =
+        Domain{buffer_depths(), log_uniform(0.01, 10).and_special(), log_uniform(1.1, 1e5).and_special()}
+            .adjusted(projection_elements(elements));
+    check.codomain = {0x1p-126, std::numeric_limits<double>::infinity()};
+    entries.push_back(equation<DepthSignature>(std::move(description), reference, std::move(check)));
+}
+
+// The 1 of OpenGL's range cancels against an element of a true projection, of magnitude 1 or more.
+template <std::size_t I>
+auto cancels_in() {
+    return make_predicate<DepthSignature>([](double b, double p22, double p32) {
+        const double element = I == 1 ? p22 : p32;
+        return !(std::abs(element) < 1.0) && !(std::abs(b) > 2.0);
+    });
+}
+
+void append_background(Entries& entries) {
+    const Values depth = any_float().and_special().and_near({0x1p-126, 3.402823466e38});
+    const auto test = [&](std::string id, std::string function, std::string file, std::string title,
+                          std::string formula, auto reference) {
+        entries.push_back(equation<bool(float)>({.id = std::move(id),
+                                                 .function = std::move(function),
+                                                 .file = std::move(file),
+                                                 .title = std::move(title),
+                                                 .formula = std::move(formula),
+                                                 .source = "convention"},
+                                                reference, {.domain = {depth}}));
+    };
+    test("FINITE", "gloam_is_finite", "gloam/geometry/finite.glsl", "number that is neither infinite nor NaN",
+         "|x| <= FLT_MAX", GLOAM_REFERENCE(gloam_is_finite));
+    test("BACKGROUND", "gloam_is_background", "gloam/geometry/background.glsl",
+         "depth that stands for no geometry", "not (0 < d < infinity)", GLOAM_REFERENCE(gloam_is_background));
+}
+
+}  // namespace
+
+void append_depths(Entries& entries) {
+    append_background(entries);
+    append_depth(entries,
+                 {.id = "DEPTH-perspective-vk",
+                  .function = "gloam_linear_depth_perspective_vk",
+                  .title = "eye-linear depth, perspective, depth range [0, 1]",
+                  .formula = "d = P32 / (b + P22)"},
+                 GLOAM_REFERENCE(gloam_linear_depth_perspective_vk), perspective_vk, {.budget = {.ulp = 4}});
+    append_depth(entries,
+                 {.id = "DEPTH-perspective-gl",
+                  .function = "gloam_linear_depth_perspective_gl",
+                  .title = "eye-linear depth, perspective, depth range [-1, 1]",
+                  .formula = "d = P32 / (2 b - 1 + P22)"},
+                 GLOAM_REFERENCE(gloam_linear_depth_perspective_gl), perspective_gl,
+                 {.budget = {.ulp = 4}, .promised = cancels_in<1>()});
+    append_depth(entries,
+                 {.id = "DEPTH-orthographic-vk",
+                  .function = "gloam_linear_depth_orthographic_vk",
+                  .title = "eye-linear depth, orthographic, depth range [0, 1]",
+                  .formula = "d = (P32 - b) / P22"},
+                 GLOAM_REFERENCE(gloam_linear_depth_orthographic_vk), orthographic_vk,
+                 {.budget = {.ulp = 4}});
+    append_depth(entries,
+                 {.id = "DEPTH-orthographic-gl",
+                  .function = "gloam_linear_depth_orthographic_gl",
+                  .title = "eye-linear depth, orthographic, depth range [-1, 1]",
+                  .formula = "d = (P32 + 1 - 2 b) / P22"},
+                 GLOAM_REFERENCE(gloam_linear_depth_orthographic_gl), orthographic_gl,
+                 {.budget = {.ulp = 4}, .promised = cancels_in<2>()});
+}
+
+void append_geometry(Entries& entries) {
+    append_depths(entries);
+    append_positions(entries);
+    append_normals(entries);
+    append_reprojections(entries);
+    append_pixels(entries);
+}
 
 }  // namespace gloam::catalogue

@@ -9,18 +9,21 @@ namespace gloam::catalogue {
 // Drawn from either with equal chance; the fixed values of both.
 [[nodiscard]] check::Values either(const check::Values& a, const check::Values& b);
 
-// mat4: turns and shifts, world units up to `extent` from the origin (a view or model matrix, or its inverse).
+// mat4: turns and shifts, world units up to `extent` from the origin (a view or model matrix, or its
+// inverse).
 [[nodiscard]] check::Values rigid_matrices(double extent);
 
-// mat4: perspective projections with clip y down and depth in [0, 1], near plane 0.1 to 1, half of them with the far plane
-// at infinity, half reversed.
+// mat4: perspective projections with clip y down and depth in [0, 1], near plane 0.1 to 1, half of them with
+// the far plane at infinity, half reversed.
 [[nodiscard]] check::Values projection_matrices();
 // Their inverses.
 [[nodiscard]] check::Values inverse_projection_matrices();
-// mat4: from the current frame's clip space to the previous one's, for cameras up to a metre and half a radian apart.
+// mat4: from the current frame's clip space to the previous one's, for cameras up to a metre and half a
+// radian apart.
 [[nodiscard]] check::Values reprojection_matrices();
 
-// vec4: clip-space points inside or a little outside the frustum, (ndc, 1) or homogeneous with w from 0.1 to 100.
+// vec4: clip-space points inside or a little outside the frustum, (ndc, 1) or homogeneous with w from 0.1 to
+// 100.
 [[nodiscard]] check::Values clip_points();
 
 // vec2: the elements (P00, P11) of a projection, either sign of y.

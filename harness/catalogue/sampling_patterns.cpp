@@ -63,24 +63,24 @@ void append_sample_patterns(Entries& entries) {
          .formula = "a = (i + 1/2) / n; a (cos(2 pi a turns + phase), sin(2 pi a turns + phase))",
          .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance)"},
         GLOAM_REFERENCE(gloam_spiral_tap),
-        {.domain = {log_integers(32768).and_near_integers({0, 32768, 2147483647}),
-                    log_integers(32768).and_near_integers({0, 32768, 2147483647}),
-                    either(integers(-64, 64), integers(-2147483648L, 2147483647L))
-                        .and_near_integers({2147483647}),
-                    uniform(-7, 7).and_near({65536.0}).and_special()},
+        {.domain =
+             {log_integers(32768).and_near_integers({0, 32768, 2147483647}),
+              log_integers(32768).and_near_integers({0, 32768, 2147483647}),
+              either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647}),
+              uniform(-7, 7).and_near({65536.0}).and_special()},
          .budget = {.absolute = 1.5e-6},
          .codomain = {-1.000001, 1.000001}}));
     append_poisson(entries);
-    entries.push_back(equation<glm::vec2(glm::vec2, int)>({.id = "PAIRS",
-                                                           .function = "gloam_paired_sample",
-                                                           .file = "gloam/sampling/pairs.glsl",
-                                                           .title = "sample of a kernel of opposite pairs",
-                                                           .formula = "s_(2m) = s, s_(2m+1) = -s",
-                                                           .source = "Loos and Sloan 2010"},
-                                                          GLOAM_REFERENCE(gloam_paired_sample),
-                                                          {.domain = {vector_of_length(2, uniform(0, 1)).and_special(),
-                                                                      integers(-8, 64)},
-                                                           .codomain = {-3.5e38, 3.5e38}}));
+    entries.push_back(equation<glm::vec2(glm::vec2, int)>(
+        {.id = "PAIRS",
+         .function = "gloam_paired_sample",
+         .file = "gloam/sampling/pairs.glsl",
+         .title = "sample of a kernel of opposite pairs",
+         .formula = "s_(2m) = s, s_(2m+1) = -s",
+         .source = "Loos and Sloan 2010"},
+        GLOAM_REFERENCE(gloam_paired_sample),
+        {.domain = {vector_of_length(2, uniform(0, 1)).and_special(), integers(-8, 64)},
+         .codomain = {-3.5e38, 3.5e38}}));
 }
 
 }  // namespace gloam::catalogue

@@ -44,27 +44,28 @@ void append_rotation(Entries& entries) {
                                              {.domain = {angles()},
                                               .budget = {.ulp = 2, .absolute = 1e-6, .backward_ulp = 1},
                                               .codomain = {-3.1415926, 3.1415926}}));
-    entries.push_back(equation<glm::vec2(glm::vec2, float)>({.id = "TSSAO-ROT-disc",
-                                                             .function = "gloam_rotate_disc",
-                                                             .file = "gloam/sampling/rotation.glsl",
-                                                             .title = "disc sample rotated about the centre",
-                                                             .formula = "(c x - s y, s x + c y)",
-                                                             .source = "TSSAO (Mattausch et al.), random rotation"},
-                                                            GLOAM_REFERENCE(gloam_rotate_disc),
-                                                            {.domain = {kernel_points(2), angles()},
-                                                             .budget = {.ulp = 8, .of_largest_component = true},
-                                                             .codomain = {-2e19, 2e19}}));
-    entries.push_back(equation<glm::vec3(glm::vec3, float)>(
-        {.id = "TSSAO-ROT-hemisphere",
-         .function = "gloam_rotate_hemisphere",
-         .file = "gloam/sampling/rotation.glsl",
-         .title = "hemisphere sample rotated about the normal",
-         .formula = "(c x - s y, s x + c y, z)",
-         .source = "TSSAO (Mattausch et al.), random rotation"},
-        GLOAM_REFERENCE(gloam_rotate_hemisphere),
-        {.domain = {kernel_points(3), angles()},
-         .budget = {.ulp = 8, .of_largest_component = true},
-         .codomain = {-2e19, 2e19}}));
+    entries.push_back(
+        equation<glm::vec2(glm::vec2, float)>({.id = "TSSAO-ROT-disc",
+                                               .function = "gloam_rotate_disc",
+                                               .file = "gloam/sampling/rotation.glsl",
+                                               .title = "disc sample rotated about the centre",
+                                               .formula = "(c x - s y, s x + c y)",
+                                               .source = "TSSAO (Mattausch et al.), random rotation"},
+                                              GLOAM_REFERENCE(gloam_rotate_disc),
+                                              {.domain = {kernel_points(2), angles()},
+                                               .budget = {.ulp = 8, .of_largest_component = true},
+                                               .codomain = {-2e19, 2e19}}));
+    entries.push_back(
+        equation<glm::vec3(glm::vec3, float)>({.id = "TSSAO-ROT-hemisphere",
+                                               .function = "gloam_rotate_hemisphere",
+                                               .file = "gloam/sampling/rotation.glsl",
+                                               .title = "hemisphere sample rotated about the normal",
+                                               .formula = "(c x - s y, s x + c y, z)",
+                                               .source = "TSSAO (Mattausch et al.), random rotation"},
+                                              GLOAM_REFERENCE(gloam_rotate_hemisphere),
+                                              {.domain = {kernel_points(3), angles()},
+                                               .budget = {.ulp = 8, .of_largest_component = true},
+                                               .codomain = {-2e19, 2e19}}));
     const Values coordinate = either(integers(0, 8191), integers(-2147483648L, 2147483647L));
     entries.push_back(equation<float(glm::ivec2)>(
         {.id = "HASH-ROT",
@@ -82,32 +83,31 @@ void append_rotation(Entries& entries) {
 }  // namespace
 
 void append_sample_rotations(Entries& entries) {
-    entries.push_back(equation<glm::mat3(glm::vec3)>({.id = "FRAME",
-                                                      .function = "gloam_tangent_frame",
-                                                      .file = "gloam/sampling/tangent_frame.glsl",
-                                                      .title = "orthonormal frame around a normal",
-                                                      .formula = "columns t, b, n: z turned onto n the shortest way",
-                                                      .source = "Duff et al. 2017"},
-                                                     GLOAM_REFERENCE(gloam_tangent_frame),
-                                                     {.domain = {normals()},
-                                                      .budget = {.absolute = 1e-6},
-                                                      .codomain = {-1.000001, 1.000001}}));
+    entries.push_back(equation<glm::mat3(glm::vec3)>(
+        {.id = "FRAME",
+         .function = "gloam_tangent_frame",
+         .file = "gloam/sampling/tangent_frame.glsl",
+         .title = "orthonormal frame around a normal",
+         .formula = "columns t, b, n: z turned onto n the shortest way",
+         .source = "Duff et al. 2017"},
+        GLOAM_REFERENCE(gloam_tangent_frame),
+        {.domain = {normals()}, .budget = {.absolute = 1e-6}, .codomain = {-1.000001, 1.000001}}));
     append_rotation(entries);
     const Values texel = vector(3, uniform(0, 1).and_near({0.5}))
                              .and_value(glm::vec3(0.5F))
                              .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
                              .and_special();
-    entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
-        {.id = "REFLECT",
-         .function = "gloam_reflect_sample",
-         .file = "gloam/sampling/reflect.glsl",
-         .title = "sample reflected at a random plane",
-         .formula = "s - 2 (s . n) n, n = normalize(2 t - 1)",
-         .source = "Mittring 2007"},
-        GLOAM_REFERENCE(gloam_reflect_sample),
-        {.domain = {kernel_points(3), texel},
-         .budget = {.ulp = 16, .of_largest_component = true},
-         .codomain = {-4e19, 4e19}}));
+    entries.push_back(
+        equation<glm::vec3(glm::vec3, glm::vec3)>({.id = "REFLECT",
+                                                   .function = "gloam_reflect_sample",
+                                                   .file = "gloam/sampling/reflect.glsl",
+                                                   .title = "sample reflected at a random plane",
+                                                   .formula = "s - 2 (s . n) n, n = normalize(2 t - 1)",
+                                                   .source = "Mittring 2007"},
+                                                  GLOAM_REFERENCE(gloam_reflect_sample),
+                                                  {.domain = {kernel_points(3), texel},
+                                                   .budget = {.ulp = 16, .of_largest_component = true},
+                                                   .codomain = {-4e19, 4e19}}));
     entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
         {.id = "FLIP",
          .function = "gloam_hemisphere_flip",

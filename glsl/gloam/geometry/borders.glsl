@@ -2,6 +2,8 @@
 #ifndef GLOAM_GEOMETRY_BORDERS_GLSL
 #define GLOAM_GEOMETRY_BORDERS_GLSL
 
+#include "gloam/geometry/finite.glsl"
+
 // What a kernel reads beyond the frame (TSSAO-BORDER): the nearest pixel of the edge, or a guard band, rendered around the frame
 // and cropped. A band is a whole number of pixels on each side, so the guard actually rendered is border / size, a little
 // different along x and y; the field of view and the texture coordinates must use that one (gloam_guard_band_guard), not the
@@ -40,23 +42,26 @@ vec2 gloam_guard_band_guard(ivec2 size, float guard) {
 
 // Half field of view with the guard band: tan' = (1 + 2 g) tan.
 // tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of gloam_guard_band_guard, that axis.
-// Returns the tangent for the image with the band. NaN and infinity pass.
+// Returns the tangent for the image with the band; 0 where it is not finite.
 float gloam_guard_band_tan_half_fov(float tan_half_fov, float guard) {
-    return tan_half_fov * (1.0 + 2.0 * guard);
+    float wider = tan_half_fov * (1.0 + 2.0 * guard);
+    return gloam_is_finite(wider) ? wider : 0.0;
 }
 
 // Texture coordinates in the cropped image of a point of the image with the band: (1 + 2 g) uv - g.
-// outer_uv: in [0, 1]^2 inside the image with the band. guard: g of gloam_guard_band_guard.
-// Returns coordinates, in [0, 1]^2 inside the crop. NaN and infinity pass.
+// outer_uv: in [0, 1]^2 inside the image with the band. guard: g of gloam_guard_band_guard, in [0, 1].
+// Returns coordinates, in [0, 1]^2 inside the crop; (2, 2), a point outside every image, where they are not finite.
 vec2 gloam_guard_band_inner_uv(vec2 outer_uv, vec2 guard) {
-    return outer_uv + guard * (2.0 * outer_uv - 1.0);
+    vec2 uv = outer_uv + guard * (2.0 * outer_uv - 1.0);
+    return gloam_is_finite2(uv) ? uv : vec2(2.0);
 }
 
 // Texture coordinates in the image with the band of a point of the cropped image: (uv + g) / (1 + 2 g).
-// inner_uv: in [0, 1]^2 inside the crop. guard: g of gloam_guard_band_guard, >= 0.
-// Returns coordinates, in [0, 1]^2 inside the image with the band. NaN and infinity pass.
+// inner_uv: in [0, 1]^2 inside the crop. guard: g of gloam_guard_band_guard, in [0, 1].
+// Returns coordinates, in [0, 1]^2 inside the image with the band; (2, 2), a point outside every image, where they are not finite.
 vec2 gloam_guard_band_outer_uv(vec2 inner_uv, vec2 guard) {
-    return (inner_uv + guard) / (1.0 + 2.0 * guard);
+    vec2 uv = (inner_uv + guard) / (1.0 + 2.0 * guard);
+    return gloam_is_finite2(uv) ? uv : vec2(2.0);
 }
 
 #endif

@@ -21,9 +21,9 @@ vec2 gloam_ndc_from_pixel(ivec2 pixel, ivec2 size) {
 
 // Texture coordinates of normalised device coordinates: ndc / 2 + 1/2.
 // ndc: in [-1, 1]^2 inside the image.
-// Returns coordinates in [0, 1]^2 inside the image; an infinite or NaN coordinate passes unchanged (gloam_inside_unit rejects it).
+// Returns coordinates in [0, 1]^2 inside the image; (2, 2), a point outside every image, where ndc is infinite or NaN.
 vec2 gloam_uv_from_ndc(vec2 ndc) {
-    return 0.5 * ndc + 0.5;
+    return gloam_is_finite2(ndc) ? 0.5 * ndc + 0.5 : vec2(2.0);
 }
 
 // View-space position under a pixel, perspective: (ndc.x / P00, ndc.y / P11, -1) d.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/math.hpp"
+#include "reference/geometry/finite.hpp"
 
 namespace gloam::reference {
 
@@ -38,19 +38,25 @@ vec2<T> gloam_guard_band_guard(glm::ivec2 size, T guard) {
 
 template <class T>
 T gloam_guard_band_tan_half_fov(T tan_half_fov, T guard) {
-    return (T(1) + T(2) * guard) * tan_half_fov;
+    const T wider = (T(1) + T(2) * guard) * tan_half_fov;
+    if (gloam_is_finite(wider)) return wider;
+    return T(0);
 }
 
 template <class T>
 vec2<T> gloam_guard_band_inner_uv(vec2<T> outer_uv, vec2<T> guard) {
     const auto axis = [](T uv, T g) { return uv * (T(1) + T(2) * g) - g; };
-    return vec2<T>(axis(outer_uv.x, guard.x), axis(outer_uv.y, guard.y));
+    const vec2<T> uv(axis(outer_uv.x, guard.x), axis(outer_uv.y, guard.y));
+    if (gloam_is_finite2(uv)) return uv;
+    return vec2<T>(T(2), T(2));
 }
 
 template <class T>
 vec2<T> gloam_guard_band_outer_uv(vec2<T> inner_uv, vec2<T> guard) {
     const auto axis = [](T uv, T g) { return (uv + g) / (T(1) + T(2) * g); };
-    return vec2<T>(axis(inner_uv.x, guard.x), axis(inner_uv.y, guard.y));
+    const vec2<T> uv(axis(inner_uv.x, guard.x), axis(inner_uv.y, guard.y));
+    if (gloam_is_finite2(uv)) return uv;
+    return vec2<T>(T(2), T(2));
 }
 
 }  // namespace gloam::reference

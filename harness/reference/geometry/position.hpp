@@ -16,6 +16,7 @@ vec2<T> gloam_ndc_from_pixel(glm::ivec2 pixel, glm::ivec2 size) {
 
 template <class T>
 vec2<T> gloam_uv_from_ndc(vec2<T> ndc) {
+    if (!gloam_is_finite2(ndc)) return vec2<T>(T(2), T(2));
     return (ndc + vec2<T>(T(1), T(1))) / T(2);
 }
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "catalogue/geometry_parts.hpp"
+#include "catalogue/inputs.hpp"
+#include "catalogue/scenarios.hpp"
+#include "reference/geometry/normal_from_depth.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+
+using NeighborSignature = glm::vec3(glm::vec3, glm::vec3, glm::vec3, glm::vec3, glm::vec3);
+
+// A position in front of the eye.
+Values centers() {
+    return vector({uniform(-5, 5), uniform(-5, 5), either(uniform(-20, -1), uniform(-2, -1))}).and_special();
+}
+// What a neighbour adds to the centre: a step along the image and a change of depth, some of them beyond a
+// silhouette.
+Values steps(bool along_x) {
+    const Values step = uniform(0.02, 0.2);
+    const Values slack = uniform(-0.01, 0.01);
+    const Values depth = either(uniform(-0.2, 0.2), uniform(-4, 0.9));
+    return along_x ? vector({step, slack, depth}).and_special() : vector({slack, step, depth}).and_special();
+}
+
+// The neighbours are drawn as steps from the centre; left and down point the other way.
+void place_neighbors(std::span<Word> words) {
+    constexpr double signs[] = {-1.0, 1.0, 1.0, -1.0};
+    for (std::size_t neighbor = 0; neighbor < 4; ++neighbor) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Word& word = words[3 * (neighbor + 1) + axis];
+            const double step = from_word<double>(word) * (axis == 2 ? 1.0 : signs[neighbor]);
+            word = to_word(from_word<double>(words[axis]) + step);
+        }
+    }
+}
+
+// The cross product is worth its digits where the directions are not nearly parallel; its sign, where it is
+// not seen edge-on.
+template <class Viewer>
+bool well_conditioned(glm::dvec3 center, glm::dvec3 x, glm::dvec3 y, Viewer viewer) {
+    if (!glm::all(glm::lessThan(glm::abs(center), glm::dvec3(1e6)))) return true;
+    const glm::dvec3 product = glm::cross(x, y);
+    const double sine = glm::length(product);
+    if (!(sine > 0.0)) return true;
+    return sine > 0.02 && std::abs(glm::dot(glm::normalize(product), glm::normalize(viewer))) > 1e-3;
+}
+
+template <bool orthographic>
+bool promised_normal(glm::dvec3 center, glm::dvec3 left, glm::dvec3 right, glm::dvec3 up, glm::dvec3 down) {
+    const glm::dvec3 x = reference::gloam_neighbor_direction(center, left, right);
+    const glm::dvec3 y = reference::gloam_neighbor_direction(center, down, up);
+    return well_conditioned(center, x, y, orthographic ? glm::dvec3(0, 0, 1) : -center);
+}
+
+template <bool orthographic, class Reference>
+void append_neighbors(Entries& entries, Description description, Reference reference) {
+    description.file = "gloam/geometry/normal.glsl";
+    description.title = "normal from a position and its four neighbours";
+    entries.push_back(equation<NeighborSignature>(
+        std::move(description), reference,
+        {.domain = Domain{centers(), steps(true), steps(true), steps(false), steps(false)}.adjusted(
+             place_neighbors),
+         .budget = {.absolute = 1e-5, .backward_ulp = 1},
+         .codomain = {-1.000001, 1.000001},
+         .promised = make_predicate<NeighborSignature>(promised_normal<orthographic>)}));
+}
+
+void append_safe_normalize(Entries& entries) {
+    const Values any = either(vector_of_length(3, log_uniform(1e-37, 3e38)), vector(3, any_float()));
+    entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
+        {.id = "NORMALIZE",
+         .function = "gloam_safe_normalize",
+         .file = "gloam/geometry/safe_normalize.glsl",
+         .title = "unit vector along any vector that has a direction",
+         .formula = "v / |v|; the fallback where v is zero, infinite or NaN",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_safe_normalize),
+        {.domain = {any.and_special(), unit_vector(3).and_value(glm::vec3(0.0F))},
+         .budget = {.ulp = 4, .absolute = 1e-18},
+         .codomain = {-1.000001, 1.000001}}));
+}
+
+void append_normal_from_depth(Entries& entries) {
+    const auto reference = [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, glm::dvec2 scale) {
+        const auto fetch = [&images](glm::ivec2 at) {
+            return static_cast<double>(images.at("gloam_fetch_depth").at<float>(at));
+        };
+        return reference::gloam_normal_from_depth(pixel, size, scale, fetch);
+    };
+    entries.push_back(equation<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)>(
+        {.id = "NORMAL-depth",
+         .function = "gloam_normal_from_depth",
+         .file = "gloam/geometry/normal_from_depth.glsl",
+         .title = "normal reconstructed from the depth image",
+         .formula = "NORMAL of the positions under the pixel and its neighbours",
+         .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
+        reference,
+        {.domain = {either(image_pixel(), vector(2, integers(-2, 66))), image_size(), projection_scales()},
+         .budget = {.absolute = 1e-5},
+         .codomain = {-1.000001, 1.000001},
+         .scenarios = depth_scenarios("gloam_fetch_depth")}));
+}
+
+}  // namespace
+
+void append_normals(Entries& entries) {
+    append_safe_normalize(entries);
+    append_neighbors<false>(
+        entries,
+        {.id = "NORMAL",
+         .function = "gloam_normal_from_neighbors",
+         .formula = "cross product of the one-sided differences of smaller |dz|; n . center <= 0",
+         .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
+        GLOAM_REFERENCE(gloam_normal_from_neighbors));
+    append_neighbors<true>(entries,
+                           {.id = "NORMAL-orthographic",
+                            .function = "gloam_normal_from_neighbors_orthographic",
+                            .formula = "cross product of the one-sided differences of smaller |dz|; n.z >= 0",
+                            .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
+                           GLOAM_REFERENCE(gloam_normal_from_neighbors_orthographic));
+    append_normal_from_depth(entries);
+}
+
+}  // namespace gloam::catalogue

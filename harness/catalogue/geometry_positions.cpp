@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "catalogue/geometry_parts.hpp"
+#include "catalogue/inputs.hpp"
+#include "reference/geometry/position.hpp"
+#include "reference/geometry/projected_radius.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+
+constexpr double huge = 3.5e38;
+constexpr const char* file = "gloam/geometry/position.glsl";
+
+Values depths() {
+    return log_uniform(1e-3, 1e6).and_special().and_near({0x1p-126});
+}
+Values ndcs() {
+    return vector(2, uniform(-1.1, 1.1)).and_special();
+}
+Values scales() {
+    return projection_scales().and_special();
+}
+
+// Whether products and quotients of the number with others of its kind stay clear of under- and overflow;
+// what is zero, infinite or NaN is judged as well.
+bool moderate(double x) {
+    const double magnitude = std::abs(x);
+    return !(magnitude > 0 && magnitude < 1e-12) && !(magnitude > 1e12 && std::isfinite(magnitude));
+}
+bool moderate(glm::dvec2 v) {
+    return moderate(v.x) && moderate(v.y);
+}
+bool moderate(glm::dvec3 v) {
+    return moderate(v.x) && moderate(v.y) && moderate(v.z);
+}
+
+using PositionSignature = glm::vec3(glm::vec2, float, glm::vec2);
+using NdcSignature = glm::vec2(glm::vec3, glm::vec2);
+
+Check position_check() {
+    return {.domain = {ndcs(), depths(), scales()},
+            .budget = {.ulp = 4},
+            .codomain = {-huge, huge},
+            .promised = make_predicate<PositionSignature>([](glm::dvec2 ndc, double depth, glm::dvec2 scale) {
+                return moderate(ndc) && moderate(depth) && moderate(scale);
+            })};
+}
+
+Check ndc_check() {
+    const Values position =
+        vector({signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e4)});
+    return {.domain = {position.and_special(), scales()},
+            .budget = {.ulp = 4},
+            .codomain = {-huge, huge},
+            .promised = make_predicate<NdcSignature>(
+                [](glm::dvec3 at, glm::dvec2 scale) { return moderate(at) && moderate(scale); })};
+}
+
+void append_unprojection(Entries& entries) {
+    entries.push_back(equation<PositionSignature>({.id = "POSITION-perspective",
+                                                   .function = "gloam_view_position_perspective",
+                                                   .file = file,
+                                                   .title = "view-space position under a pixel, perspective",
+                                                   .formula = "(ndc.x / P00, ndc.y / P11, -1) d",
+                                                   .source = "inverse of the projection"},
+                                                  GLOAM_REFERENCE(gloam_view_position_perspective),
+                                                  position_check()));
+    entries.push_back(equation<PositionSignature>({.id = "POSITION-orthographic",
+                                                   .function = "gloam_view_position_orthographic",
+                                                   .file = file,
+                                                   .title = "view-space position under a pixel, orthographic",
+                                                   .formula = "(ndc.x / P00, ndc.y / P11, -d)",
+                                                   .source = "inverse of the projection"},
+                                                  GLOAM_REFERENCE(gloam_view_position_orthographic),
+                                                  position_check()));
+}
+
+void append_projection(Entries& entries) {
+    entries.push_back(
+        equation<NdcSignature>({.id = "NDC-perspective",
+                                .function = "gloam_ndc_perspective",
+                                .file = file,
+                                .title = "normalised device coordinates of a position, perspective",
+                                .formula = "(P00 x, P11 y) / -z",
+                                .source = "the projection"},
+                               GLOAM_REFERENCE(gloam_ndc_perspective), ndc_check()));
+    entries.push_back(
+        equation<NdcSignature>({.id = "NDC-orthographic",
+                                .function = "gloam_ndc_orthographic",
+                                .file = file,
+                                .title = "normalised device coordinates of a position, orthographic",
+                                .formula = "(P00 x, P11 y)",
+                                .source = "the projection"},
+                               GLOAM_REFERENCE(gloam_ndc_orthographic), ndc_check()));
+}
+
+using UvRadius = glm::vec2(float, float, glm::vec2);
+using PixelRadius = glm::vec2(float, float, glm::vec2, glm::ivec2);
+
+template <class Signature, class Reference>
+void append_radius(Entries& entries, std::string id, std::string function, std::string formula,
+                   Reference reference) {
+    Domain domain{log_uniform(1e-3, 1e2).and_special(), depths(), scales()};
+    std::function<bool(std::span<const Word>)> promised;
+    const auto usual = [](double radius, double depth, glm::dvec2 scale) {
+        return moderate(radius) && moderate(depth) && moderate(scale);
+    };
+    if constexpr (std::is_same_v<Signature, PixelRadius>) {
+        domain = Domain{log_uniform(1e-3, 1e2).and_special(), depths(), scales(),
+                        vector(2, log_integers(16384).and_near_integers({0}))};
+        promised = make_predicate<Signature>([usual](double radius, double depth, glm::dvec2 scale,
+                                                     glm::ivec2) { return usual(radius, depth, scale); });
+    } else {
+        promised = make_predicate<Signature>(usual);
+    }
+    entries.push_back(equation<Signature>(
+        {.id = std::move(id),
+         .function = std::move(function),
+         .file = "gloam/geometry/projected_radius.glsl",
+         .title = "projected radius of a world length",
+         .formula = std::move(formula),
+         .source = "the projection"},
+        reference, {.domain = domain, .budget = {.ulp = 4}, .codomain = {0, huge}, .promised = promised}));
+}
+
+}  // namespace
+
+void append_positions(Entries& entries) {
+    const Values coordinate = either(integers(-16, 8192), integers(-2147483648L, 2147483647L));
+    entries.push_back(equation<glm::vec2(glm::ivec2, glm::ivec2)>(
+        {.id = "NDC-pixel",
+         .function = "gloam_ndc_from_pixel",
+         .file = file,
+         .title = "normalised device coordinates of a pixel's centre",
+         .formula = "(2 x + 1 - width) / width",
+         .source = "definition of the pixel centre"},
+        GLOAM_REFERENCE(gloam_ndc_from_pixel),
+        {.domain = {vector(2, coordinate),
+                    vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
+         .budget = {.ulp = 2},
+         .codomain = {-1e10, 1e10},
+         .promised = make_predicate<glm::vec2(glm::ivec2, glm::ivec2)>([](glm::ivec2 pixel, glm::ivec2) {
+             return std::abs(static_cast<double>(pixel.x)) <= 4194304 &&
+                    std::abs(static_cast<double>(pixel.y)) <= 4194304;
+         })}));
+    entries.push_back(equation<glm::vec2(glm::vec2)>(
+        {.id = "UV-ndc",
+         .function = "gloam_uv_from_ndc",
+         .file = file,
+         .title = "texture coordinates of normalised device coordinates",
+         .formula = "ndc / 2 + 1/2",
+         .source = "convention"},
+        GLOAM_REFERENCE(gloam_uv_from_ndc), {.domain = {ndcs()}, .budget = {.ulp = 1}}));
+    append_unprojection(entries);
+    append_projection(entries);
+    append_radius<UvRadius>(entries, "RADIUS-uv", "gloam_projected_radius_uv", "R (|P00|, |P11|) / (2 d)",
+                            GLOAM_REFERENCE(gloam_projected_radius_uv));
+    append_radius<PixelRadius>(entries, "RADIUS-px", "gloam_projected_radius_pixels",
+                               "R (|P00| W, |P11| H) / (2 d)",
+                               GLOAM_REFERENCE(gloam_projected_radius_pixels));
+    append_radius<UvRadius>(entries, "RADIUS-uv-orthographic", "gloam_projected_radius_uv_orthographic",
+                            "R (|P00|, |P11|) / 2", GLOAM_REFERENCE(gloam_projected_radius_uv_orthographic));
+    append_radius<PixelRadius>(entries, "RADIUS-px-orthographic",
+                               "gloam_projected_radius_pixels_orthographic", "R (|P00| W, |P11| H) / 2",
+                               GLOAM_REFERENCE(gloam_projected_radius_pixels_orthographic));
+}
+
+}  // namespace gloam::catalogue

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "catalogue/geometry_parts.hpp"
+#include "catalogue/inputs.hpp"
+#include "reference/geometry/camera_centered.hpp"
+#include "reference/geometry/reprojection.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+
+constexpr double huge = 3.5e38;
+constexpr const char* file = "gloam/geometry/reprojection.glsl";
+constexpr const char* source = "TSSAO (Mattausch et al.), reprojection";
+
+using StaticSignature = glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4);
+using MovingSignature = glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4,
+                                  glm::mat4);
+
+// The errors of matrix products are relative to their largest terms: the budgets hold for entries of ordinary
+// size, and for those that are not finite.
+template <class... M>
+bool moderate(const M&... values) {
+    bool all = true;
+    const auto look = [&all](const auto& scalar) {
+        all = all && !(std::isfinite(scalar) && std::abs(scalar) > 1e4);
+    };
+    (visit_scalars(values, look), ...);
+    return all;
+}
+
+void append_uv(Entries& entries) {
+    entries.push_back(equation<bool(glm::vec4, Out<glm::vec2>)>(
+        {.id = "TSSAO-RP-uv",
+         .function = "gloam_uv_from_clip",
+         .file = file,
+         .title = "texture coordinates of a clip-space point",
+         .formula = "xy / (2 w) + 1/2, inside where |x|, |y| <= w",
+         .source = source},
+        GLOAM_REFERENCE(gloam_uv_from_clip),
+        {.domain = {either(clip_points(), vector(4, signed_log_uniform(1e-30, 1e30))).and_special()},
+         .budget = {.ulp = 4},
+         .codomain = {0, 1}}));
+    entries.push_back(equation<bool(glm::vec4, glm::mat4, Out<glm::vec2>)>(
+        {.id = "TSSAO-RP",
+         .function = "gloam_reproject_clip",
+         .file = file,
+         .title = "previous texture coordinates, static scene",
+         .formula = "t' = P' V' V^-1 P^-1 t",
+         .source = source},
+        GLOAM_REFERENCE(gloam_reproject_clip),
+        {.domain = {clip_points().and_special(), reprojection_matrices().and_special()},
+         .budget = {.absolute = 1e-5, .backward_ulp = 4},
+         .codomain = {0, 1},
+         .promised = make_predicate<bool(glm::vec4, glm::mat4, Out<glm::vec2>)>(
+             [](const glm::dvec4& clip, const glm::dmat4& matrix) {
+                 const double w = (matrix * clip).w;
+                 return moderate(clip, matrix) && !(std::abs(w) < 0.05);
+             })}));
+}
+
+void append_clip(Entries& entries) {
+    entries.push_back(equation<StaticSignature>(
+        {.id = "TSSAO-RP-static",
+         .function = "gloam_previous_clip_static",
+         .file = file,
+         .title = "previous clip-space point of a static surface point",
+         .formula = "P' V' V^-1 P^-1 t",
+         .source = source},
+        GLOAM_REFERENCE(gloam_previous_clip_static),
+        {.domain = {clip_points().and_special(), inverse_projection_matrices().and_special(),
+                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
+                    projection_matrices().and_special()},
+         .budget = {.absolute = 1e-3},
+         .codomain = {-huge, huge},
+         .promised =
+             make_predicate<StaticSignature>([](const auto&... values) { return moderate(values...); })}));
+    entries.push_back(equation<MovingSignature>(
+        {.id = "TSSAO-RP-moving",
+         .function = "gloam_previous_clip_moving",
+         .file = file,
+         .title = "previous clip-space point of a point of a moving object",
+         .formula = "P' V' M' M^-1 V^-1 P^-1 t",
+         .source = source},
+        GLOAM_REFERENCE(gloam_previous_clip_moving),
+        {.domain = {clip_points().and_special(), inverse_projection_matrices().and_special(),
+                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
+                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
+                    projection_matrices().and_special()},
+         .budget = {.absolute = 1e-3},
+         .codomain = {-huge, huge},
+         .promised =
+             make_predicate<MovingSignature>([](const auto&... values) { return moderate(values...); })}));
+}
+
+}  // namespace
+
+void append_reprojections(Entries& entries) {
+    const Values position = vector(3, uniform(-100, 100)).and_special();
+    append_uv(entries);
+    append_clip(entries);
+    entries.push_back(equation<glm::vec3(glm::vec3, glm::mat4, glm::mat4)>(
+        {.id = "TSSAO-RP-world",
+         .function = "gloam_previous_world",
+         .file = file,
+         .title = "previous world position of a point of a moving object",
+         .formula = "M' M^-1 x",
+         .source = source},
+        GLOAM_REFERENCE(gloam_previous_world),
+        {.domain = {position, rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
+         .budget = {.absolute = 1e-4},
+         .codomain = {-huge, huge},
+         .promised = make_predicate<glm::vec3(glm::vec3, glm::mat4, glm::mat4)>(
+             [](const auto&... values) { return moderate(values...); })}));
+    entries.push_back(equation<float(glm::vec3, glm::mat4)>(
+        {.id = "TSSAO-RP-depth",
+         .function = "gloam_previous_depth",
+         .file = file,
+         .title = "depth of a point in the previous camera",
+         .formula = "d' = -(V' x').z",
+         .source = source},
+        GLOAM_REFERENCE(gloam_previous_depth),
+        {.domain = {position, rigid_matrices(10).and_special()},
+         .budget = {.absolute = 1e-4},
+         .codomain = {-huge, huge},
+         .promised = make_predicate<float(glm::vec3, glm::mat4)>(
+             [](const auto&... values) { return moderate(values...); })}));
+    entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
+        {.id = "TSSAO-PREC",
+         .function = "gloam_camera_centered_previous",
+         .file = "gloam/geometry/camera_centered.glsl",
+         .title = "position relative to the previous eye",
+         .formula = "q' = q + (eye - eye')",
+         .source = "TSSAO (Mattausch et al.), precision of positions"},
+        GLOAM_REFERENCE(gloam_camera_centered_previous),
+        {.domain = {position, vector(3, signed_log_uniform(1e-6, 10)).and_special()},
+         .budget = {.ulp = 1},
+         .codomain = {-huge, huge}}));
+}
+
+}  // namespace gloam::catalogue
