@@ -5,6 +5,7 @@
 #include <spirv-tools/libspirv.h>
 
 #include "shader/internal/front_end.hpp"
+#include "shader/internal/version_line.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::shader {
@@ -25,6 +26,7 @@ Spirv generate(const glslang::TIntermediate& tree, const std::string& name) {
 }  // namespace
 
 Spirv compile(const Source& source, const CompileOptions& options) {
+    internal::require_vulkan_version(source);
     internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
                           options.include_roots);
     const Spirv module = generate(parse.link(), source.name);

@@ -16,7 +16,8 @@ enum class Stage { compute, vertex, fragment };
 // Optimisation by SPIRV-Tools after the front end.
 enum class Optimization { none, performance, size };
 
-// GLSL text with the name that error messages give it. The text starts with its own #version line.
+// GLSL text with the name that error messages give it. The text starts with its own #version line: 430 to 460
+// (core), 310 es or 320 es.
 struct Source {
     std::string name;
     std::string text;

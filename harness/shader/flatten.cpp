@@ -42,10 +42,17 @@ std::optional<std::size_t> matching_endif(const std::vector<Line>& lines, std::s
     return std::nullopt;
 }
 
+// A #version or an #extension may stand before the guard.
+bool is_guardable(const Line& line) {
+    const auto directive = internal::directive_of(line);
+    return !internal::is_blank(line) &&
+           !(directive && is_one_of(directive->keyword, {"version", "extension"}));
+}
+
 std::optional<Guard> guard_of(const std::vector<Line>& lines) {
     std::vector<std::size_t> code;
     for (std::size_t i = 0; i < lines.size(); ++i)
-        if (!internal::is_blank(lines[i])) code.push_back(i);
+        if (is_guardable(lines[i])) code.push_back(i);
     if (code.size() < 3) return std::nullopt;
     const auto opening = internal::directive_of(lines[code[0]]);
     const auto define = internal::directive_of(lines[code[1]]);
@@ -138,7 +145,9 @@ class Flattener {
 
     // Of a dropped line stays only a block comment that it shares with its neighbours.
     static void drop(const Line& line, Pending& pending) {
-        if (line.crosses) pending.text += internal::comments_of(line);
+        if (!line.crosses) return;
+        const std::string comments = internal::comments_of(line);
+        pending.text.append(comments, 0, comments.find_last_not_of(" \t\r\n") + 1).append("\n");
     }
 
     void lift(std::string line) {
@@ -153,7 +162,8 @@ class Flattener {
         const auto line = text.rfind('\n', first);
         const auto begin = line == std::string::npos ? 0 : line + 1;
         const auto end = text.find_last_not_of(" \t\r\n") + 1;
-        body_ += (body_.empty() ? "" : "\n") + text.substr(begin, end - begin) + "\n";
+        if (!body_.empty()) body_ += "\n";
+        body_.append(text, begin, end - begin).append("\n");
     }
 
     std::string chain(std::vector<Path>::const_iterator from) const {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <glslang/MachineIndependent/localintermediate.h>
 
+#include <algorithm>
 #include <set>
 
 #include "shader/compile.hpp"
 #include "shader/internal/front_end.hpp"
+#include "shader/internal/version_line.hpp"
 
 namespace gloam::shader {
 namespace {
@@ -40,7 +42,7 @@ std::string array_sizes(const glslang::TType& type) {
     std::string text;
     for (int i = 0; i < type.getArraySizes()->getNumDims(); ++i) {
         const unsigned size = type.getArraySizes()->getDimSize(i);
-        text += size == 0 ? "[]" : "[" + std::to_string(size) + "]";
+        text.append("[").append(size == 0 ? "" : std::to_string(size)).append("]");
     }
     return text;
 }
@@ -54,7 +56,8 @@ std::string unsupported_text(const glslang::TType& type) {
         return (plain.scalar == Scalar::structure ? plain.name : to_glsl(plain)) + array_sizes(type);
     }
     if (type.getBasicType() == glslang::EbtSampler) return std::string(view(type.getSampler().getString()));
-    return std::string(view(type.getCompleteString(true, false, false)));
+    const glslang::TString text = type.getCompleteString(true, false, false);
+    return std::string(view(text).substr(std::min(text.find_first_not_of(' '), text.size())));
 }
 
 Type type_of(const glslang::TType& type) {
@@ -136,6 +139,7 @@ class Collector final : public glslang::TIntermTraverser {
 }  // namespace
 
 std::vector<Function> functions(const Source& source, const CompileOptions& options) {
+    internal::require_vulkan_version(source);
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
                                 options.include_roots);
     Collector collector;

@@ -78,7 +78,7 @@ Path resolve_include(std::string_view name, const Path& from, const std::vector<
     std::string message = "cannot find include \"" + std::string(name) + "\"";
     if (files.empty()) throw std::runtime_error(message + ": no folder to look in");
     message += "; looked for";
-    for (const Path& file : files) message += " " + file.string();
+    for (const Path& file : files) message.append(" ").append(file.string());
     throw std::runtime_error(message);
 }
 

@@ -63,13 +63,13 @@ std::string to_glsl(const Type& type) {
     if (type.scalar == Scalar::structure) {
         std::string text = type.name + " {";
         for (const Member& member : type.members)
-            text += " " + short_name(member.type) + " " + member.name + ";";
+            text.append(" ").append(short_name(member.type)).append(" ").append(member.name).append(";");
         return text + " }";
     }
     const std::string rows = std::to_string(type.rows);
     if (type.columns > 1) {
-        const std::string columns = std::to_string(type.columns);
-        return "mat" + (type.columns == type.rows ? rows : columns + "x" + rows);
+        std::string text = "mat" + std::to_string(type.columns);
+        return type.columns == type.rows ? text : text.append("x").append(rows);
     }
     return type.rows > 1 ? vector_prefix(type.scalar) + "vec" + rows : scalar_name(type.scalar);
 }

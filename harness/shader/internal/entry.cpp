@@ -33,7 +33,7 @@ std::filesystem::path temporary_beside(const std::filesystem::path& file) {
     std::random_device random;
     const Hash tag{(std::uint64_t{random()} << 32) | random(), (std::uint64_t{random()} << 32) | random()};
     std::filesystem::path temporary = file;
-    temporary += "." + to_hex(tag) + ".tmp";
+    temporary.concat(".").concat(to_hex(tag)).concat(".tmp");
     return temporary;
 }
 

@@ -3,10 +3,8 @@
 
 #include <glslang/Public/ResourceLimits.h>
 
-#include <algorithm>
-#include <sstream>
-
 #include "shader/internal/includer.hpp"
+#include "shader/internal/messages.hpp"
 
 namespace gloam::shader::internal {
 namespace {
@@ -34,9 +32,10 @@ EShLanguage language_of(Stage stage) {
     return EShLangCompute;
 }
 
+// Without cascading errors, glslang ends with a made-up syntax error wherever the first error leaves it.
 EShMessages messages_of(Client client) {
-    return client == Client::vulkan ? static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules)
-                                    : EShMsgDefault;
+    const int rules = client == Client::vulkan ? EShMsgSpvRules | EShMsgVulkanRules : EShMsgDefault;
+    return static_cast<EShMessages>(rules | EShMsgCascadingErrors);
 }
 
 void set_client(glslang::TShader& shader, EShLanguage language) {
@@ -45,51 +44,7 @@ void set_client(glslang::TShader& shader, EShLanguage language) {
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
 }
 
-// "'#include' : reason for header name: x" reads better as its reason.
-std::string tidied(std::string message) {
-    constexpr std::string_view start = "'#include' : ";
-    const auto at = message.find(start);
-    const auto end = message.rfind(" for header name: ");
-    if (at == std::string::npos || end == std::string::npos || end < at) return message;
-    return message.substr(0, at) + message.substr(at + start.size(), end - at - start.size());
-}
-
-// Messages that say only that there were others.
-bool is_summary(std::string_view message) {
-    return message.ends_with("No code generated.") || message.ends_with("compilation terminated ") ||
-           message.ends_with("compilation terminated");
-}
-
 }  // namespace
-
-std::string error_lines(const std::string& log, const std::string& fallback) {
-    constexpr std::string_view marks[] = {"ERROR: ", "INTERNAL ERROR: ", "UNIMPLEMENTED: "};
-    std::vector<std::string> errors;
-    std::istringstream stream(log);
-    bool in_error = false;
-    for (std::string line; std::getline(stream, line);) {
-        const auto mark =
-            std::find_if(std::begin(marks), std::end(marks), [&](auto m) { return line.starts_with(m); });
-        const auto text = line.find_first_not_of(' ');
-        if (mark != std::end(marks)) {
-            const std::string message = tidied(line.substr(mark->size()));
-            in_error = !is_summary(message);
-            if (in_error)
-                errors.push_back(message.starts_with("Linking ") ? fallback + ": " + message : message);
-        } else if (in_error && text != std::string::npos && !line.starts_with("WARNING: ")) {
-            errors.back() += " " + line.substr(text);  // the rest of a message of several lines
-        } else {
-            in_error = false;
-        }
-    }
-    if (errors.empty()) return fallback + ": the compiler gave no reason";
-    std::string text;
-    for (std::string& error : errors) {
-        error.erase(error.find_last_not_of(' ') + 1);
-        text += (text.empty() ? "" : "\n") + error;
-    }
-    return text;
-}
 
 Parse::Parse(Stage stage, Client client, std::string name, std::vector<Source> pieces,
              const std::vector<std::filesystem::path>& roots)

@@ -40,8 +40,4 @@ class Parse {
     glslang::TProgram program_;  // after the shader: must be destroyed first
 };
 
-// glslang's log as "file:line: message" lines, errors only; messages without a place get `fallback` as their
-// file.
-[[nodiscard]] std::string error_lines(const std::string& log, const std::string& fallback);
-
 }  // namespace gloam::shader::internal
