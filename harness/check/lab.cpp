@@ -70,7 +70,7 @@ KernelSource Lab::find(const std::string& file, const std::string& function,
                     .images = image_prototypes(functions, file),
                     .preserve_nan = device_->info().float32.preserves_signed_zero_inf_nan};
         }
-        named.push_back(shader::to_glsl(candidate));
+        named.push_back(to_glsl_with_layouts(candidate));
     }
     if (!named.empty()) {
         throw std::invalid_argument(

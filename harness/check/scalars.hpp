@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -78,10 +79,12 @@ template <class T>
         type.rows = T::col_type::length();
         return type;
     } else {
-        Type type{.scalar = Scalar::structure};
+        Type type{.scalar = Scalar::structure, .name = "struct"};
         T value{};
         for_each_field(value, [&type](auto& field) {
-            type.members.push_back({.name = {}, .type = type_of<std::remove_cvref_t<decltype(field)>>()});
+            // C++ does not tell the members' names; GLSL's are used where they matter.
+            type.members.push_back({.name = "member" + std::to_string(type.members.size()),
+                                    .type = type_of<std::remove_cvref_t<decltype(field)>>()});
         });
         return type;
     }

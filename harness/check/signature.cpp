@@ -69,8 +69,17 @@ std::vector<std::size_t> Signature::output_values() const {
 }
 
 std::string to_glsl(const Signature& signature, const std::string& name) {
-    return shader::to_glsl(shader::Function{
-        .name = name, .result = signature.result, .parameters = signature.parameters, .defined = true});
+    return to_glsl_with_layouts(
+        {.name = name, .result = signature.result, .parameters = signature.parameters, .defined = true});
+}
+
+std::string to_glsl_with_layouts(shader::Function function) {
+    const auto spell_out = [](shader::Type& type) {
+        if (type.scalar == Scalar::structure) type.name = shader::to_glsl(type);
+    };
+    spell_out(function.result);
+    for (shader::Parameter& p : function.parameters) spell_out(p.type);
+    return shader::to_glsl(function);
 }
 
 bool matches(const Signature& signature, const shader::Function& function) {

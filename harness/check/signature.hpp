@@ -79,8 +79,11 @@ struct Signature {
     [[nodiscard]] std::vector<std::size_t> output_values() const;
 };
 
-// "float f(vec2, out float)".
+// "float f(vec2, out float)", structures spelled out.
 [[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);
+
+// The same of a compiled function, its structures spelled out member by member.
+[[nodiscard]] std::string to_glsl_with_layouts(shader::Function function);
 
 // Whether a compiled function has this signature: same types (structures by layout) and directions.
 [[nodiscard]] bool matches(const Signature& signature, const shader::Function& function);

@@ -75,7 +75,7 @@ TEST_F(JudgeTest, AFailureAtABranchIsCountedThere) {
 TEST_F(JudgeTest, OneUlpTooMuchFailsAndOneUlpAllowedPasses) {
     const auto check = [&](double ulp) {
         return compare<float(float)>(lab, "wrong.glsl", "identity_one_up", [](double x) { return x; },
-                                     {uniform(1.0, 1.9)}, {.ulp = ulp});
+                                     {uniform(1.1, 1.9)}, {.ulp = ulp});
     };
     EXPECT_TRUE(check(1.0).passed());
     const Result strict = check(0.999);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "catalogue/catalogue.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "catalogue/document.hpp"
+#include "shader/compile.hpp"
+#include "shader/include.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::vector<fs::path> library_files() {
+    std::vector<fs::path> files;
+    for (const auto& file : fs::recursive_directory_iterator(fs::path(GLOAM_GLSL_DIR) / "gloam")) {
+        if (file.path().extension() == ".glsl") files.push_back(file.path());
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+// Functions that a file defines itself, not through its includes: their names stand in its own text before a
+// brace.
+std::set<std::string> functions_of(const fs::path& file) {
+    const std::string name = fs::relative(file, GLOAM_GLSL_DIR).string();
+    const std::string own = shader::read_text(file);
+    std::set<std::string> names;
+    for (const shader::Function& f :
+         shader::functions({.name = name, .text = "#version 450\n#include \"" + name + "\"\n"},
+                           {.include_roots = {GLOAM_GLSL_DIR}})) {
+        if (f.defined && own.find(" " + f.name + "(") != std::string::npos) names.insert(f.name);
+    }
+    return names;
+}
+
+TEST(Catalogue, EveryPublicFunctionOfTheLibraryHasAnEntry) {
+    std::set<std::string> known;
+    for (const Entry& entry : all_entries()) known.insert(entry.description.function);
+    for (const fs::path& file : library_files()) {
+        for (const std::string& function : functions_of(file)) {
+            EXPECT_TRUE(known.contains(function)) << function << " of " << file << " is not in the catalogue";
+        }
+    }
+}
+
+TEST(Catalogue, EveryEntryIsDescribed) {
+    for (const Entry& entry : all_entries()) {
+        const Description& d = entry.description;
+        EXPECT_FALSE(d.id.empty() || d.title.empty() || d.formula.empty() || d.source.empty()) << d.function;
+        EXPECT_TRUE(fs::exists(fs::path(GLOAM_GLSL_DIR) / d.file)) << d.file;
+        EXPECT_EQ(d.id.find(' '), std::string::npos) << d.id;
+    }
+}
+
+TEST(Catalogue, GlobsSelectByIdAndFunctionInAnyCase) {
+    const Entries entries = all_entries();
+    EXPECT_EQ(select(entries, {}).size(), entries.size());
+    EXPECT_EQ(select(entries, {"tssao-5"}).size(), 1U);
+    EXPECT_EQ(select(entries, {"gloam_blend"}).size(), 1U);
+    EXPECT_GT(select(entries, {"TSSAO-*"}).size(), 10U);
+    EXPECT_EQ(select(entries, {"tssao-5", "TSSAO-5"}).size(), 1U);
+    EXPECT_THAT(
+        [&] {
+            (void)select(entries, {"TSSAO-5", "NO-SUCH"});
+        },
+        testing::ThrowsMessage<std::invalid_argument>(HasSubstr("NO-SUCH")));
+}
+
+TEST(Catalogue, Globs) {
+    EXPECT_TRUE(matches_glob("HALTON-2D", "halton*"));
+    EXPECT_TRUE(matches_glob("HALTON-2D", "*-?d"));
+    EXPECT_TRUE(matches_glob("", "*"));
+    EXPECT_FALSE(matches_glob("HALTON", "halton-*"));
+    EXPECT_FALSE(matches_glob("HALTON", "halto"));
+}
+
+TEST(Catalogue, TheDocumentIsThatOfTheCatalogue) {
+    EXPECT_EQ(shader::read_text(fs::path(DOCS) / "equations.md"), to_markdown(all_entries()))
+        << "regenerate: gloam list equations --markdown > docs/equations.md";
+}
+
+}  // namespace
+}  // namespace gloam::catalogue
