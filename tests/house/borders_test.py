@@ -20,7 +20,9 @@ def shader(body, guard="GLOAM_OCCLUSION_SHADE_GLSL"):
 
 
 CLEAN = {
-    "README.md": "A house.\n",
+    "README.md": "See `tools/run`, gloam/occlusion/shade.glsl and harness/ROOM/CMakeLists.txt.\n"
+                 "```cpp\n#include \"gpu/internal/vulkan.hpp\"\n\n    #include <vulkan/vulkan.hpp>\n```\n",
+    "tests/shader/fixtures/odd.glsl": "no licence\n",
     "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(house)\n",
     "tools/run": "#!/usr/bin/env bash\n# SPDX-License-Identifier: MIT\n",
     "tools/main.cpp": SPDX + '#include "report/table.hpp"\n#include "catalogue/catalogue.hpp"\n',
@@ -106,6 +108,14 @@ PLANTED = {
         ("cmake/wrong.cmake", "", 1),
         ("tests/house/wrong.py", "import sys\n", 1),
         ("tools/wrong", "#!/usr/bin/env bash\nset -e\n", 1),
+    ],
+    "paper_path": [
+        ("README.md", "A house.\nSee `tools/no_such`.\n", 2),
+        ("docs/page.md", "`#include \"gloam/occlusion/no_such.glsl\"`\n", 1),
+    ],
+    "paper_code": [
+        ("README.md", "A house.\n\n```cpp\n#include <memory>\n#include <no_such>\n```\n", 3),
+        ("docs/page.md", "```glsl\nfloat no_such();\n```\n", 1),
     ],
     "length": [("harness/gpu/wrong.cpp", SPDX + "\n" * 400, 401)],
     "machine_path": [

@@ -47,6 +47,17 @@ TEST(Pack, TakesOnesOwnFile) {
     EXPECT_THAT(result.out, HasSubstr("float own()"));
 }
 
+// As docs/integration.md shows it: the engine defines what the library asks for.
+TEST(Pack, AnEnginesOwnImagesServeThePrototypes) {
+    const std::string folder = GLOAM_TOOLS_FIXTURES;
+    const CommandResult vulkan = run_command({"pack", folder + "/engine_vulkan.glsl"});
+    expect_success(vulkan);
+    EXPECT_THAT(vulkan.out, HasSubstr("vec3 gloam_normal_from_depth("));
+    for (const char* version : {"330", "300es", "310es"}) {
+        expect_success(run_command({"pack", folder + "/engine_gl.glsl", "--version", version}));
+    }
+}
+
 TEST(Pack, BadInputIsNamed) {
     expect_could_not_run(run_command({"pack", "gloam/no/such.glsl"}), "gloam/no/such.glsl");
     expect_could_not_run(run_command({"pack", halton, "--version", "110"}), "110");
