@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # gloam_room(NAME SOURCES file... USES room... LIBRARIES target...)
 # A room of the house: static library gloam_NAME (interface library when it has no sources), alias gloam::NAME.
 # USES are rooms that its headers may include; LIBRARIES stay hidden behind its sources.
