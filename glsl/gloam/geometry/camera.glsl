@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_GEOMETRY_CAMERA_GLSL
+#define GLOAM_GEOMETRY_CAMERA_GLSL
+
+#include "gloam/geometry/pixel_center.glsl"
+#include "gloam/geometry/position.glsl"
+#include "gloam/geometry/projected_radius.glsl"
+
+// What takes view space to the pixels of an image and back, for either kind of projection.
+struct GloamCamera {
+    vec2 p00_p11;       // elements (P[0][0], P[1][1]) of the projection; P11 is negative where device y points down
+    ivec2 size;         // of the image in pixels
+    bool orthographic;  // else perspective
+};
+
+// Texture coordinates of a view-space position.
+// view_position: world units.
+// Returns coordinates in [0, 1]^2 inside the image; (1.5, 1.5), outside every image, for a position not in front of the eye and
+// wherever the coordinates would not be finite.
+vec2 gloam_camera_uv(vec3 view_position, GloamCamera camera) {
+    return gloam_uv_from_ndc(camera.orthographic ? gloam_ndc_orthographic(view_position, camera.p00_p11)
+                                                 : gloam_ndc_perspective(view_position, camera.p00_p11));
+}
+
+// View-space position of the surface under a pixel's centre.
+// pixel: integer pixel. depth: eye-linear depth there, world units.
+// Returns the position in world units; the zero vector for background depth and wherever it would not be finite.
+vec3 gloam_camera_position(ivec2 pixel, float depth, GloamCamera camera) {
+    vec2 ndc = gloam_ndc_from_pixel(pixel, camera.size);
+    return camera.orthographic ? gloam_view_position_orthographic(ndc, depth, camera.p00_p11)
+                               : gloam_view_position_perspective(ndc, depth, camera.p00_p11);
+}
+
+// Half-axes in texture coordinates of a disc parallel to the screen.
+// radius: world units, >= 0. depth: eye-linear, world units.
+// Returns the half-axes, (0, 0) for background depth.
+vec2 gloam_camera_radius(float radius, float depth, GloamCamera camera) {
+    return camera.orthographic ? gloam_projected_radius_uv_orthographic(radius, depth, camera.p00_p11)
+                               : gloam_projected_radius_uv(radius, depth, camera.p00_p11);
+}
+
+#endif

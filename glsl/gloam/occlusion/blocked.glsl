@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_BLOCKED_GLSL
+#define GLOAM_OCCLUSION_BLOCKED_GLSL
+
+#include "gloam/geometry/background.glsl"
+
+// Whether the depth buffer blocks a sample point (V of TSSAO-3): the surface at its pixel is nearer to the eye than the sample by more
+// than the bias, and not by more than the range (what is far in front is another object, with open space behind it).
+// sample_depth: eye-linear depth of the sample, world units. buffer_depth: eye-linear depth at its pixel, world units.
+// bias: world units, about 1e-3 of the depth: hides the rounding of positions and depths.
+// range: world units, about the kernel radius; infinity switches the check off, a range not above the bias blocks nothing.
+// Returns 1 if bias < sample_depth - buffer_depth <= range, else 0: also for background in the buffer, for a sample at or behind
+// the eye, and for NaN. The difference is exact within a factor 2 of depth.
+float gloam_sample_blocked(float sample_depth, float buffer_depth, float bias, float range) {
+    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
+    float in_front = sample_depth - buffer_depth;
+    return in_front > bias && in_front <= range ? 1.0 : 0.0;
+}
+
+#endif

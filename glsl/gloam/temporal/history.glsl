@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_TEMPORAL_HISTORY_GLSL
+#define GLOAM_TEMPORAL_HISTORY_GLSL
+
+#include "gloam/geometry/background.glsl"
+
+// What a pixel remembers from frame to frame (TSSAO-BUF). Occlusion and weight may be fetched with interpolation; the index and the
+// depth must not (TSSAO-7).
+struct GloamHistory {
+    float occlusion;  // blended occlusion, 1 = blocked
+    float weight;     // accumulated samples
+    uint index;       // j, samples of the sequence already used
+    float depth;      // eye-linear depth, world units; +infinity for background
+};
+
+// The largest table of samples: indices below it are exact in a float.
+const uint GLOAM_LARGEST_TABLE = 16777216u;
+
+// History of a pixel that has none: occlusion 0, weight 0, index 0.
+// depth: eye-linear depth, world units; every background depth becomes +infinity.
+// Error: none.
+GloamHistory gloam_history_empty(float depth) {
+    return GloamHistory(0.0, 0.0, 0u, gloam_is_background(depth) ? gloam_background_depth() : depth);
+}
+
+// History made safe to use: one whose occlusion is outside [0, 1] or NaN, whose weight is not positive and finite, or whose pixel is
+// background becomes the empty history of its depth, index 0 included so that a fresh start is always the same. The index is
+// taken modulo 2^24.
+// h: any history. Error: none.
+GloamHistory gloam_history_sanitize(GloamHistory h) {
+    bool usable = h.occlusion >= 0.0 && h.occlusion <= 1.0 && h.weight > 0.0 && h.weight <= 3.402823466e38;
+    if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
+    return GloamHistory(h.occlusion, h.weight, h.index % GLOAM_LARGEST_TABLE, h.depth);
+}
+
+// Texel of the history buffer: (occlusion, weight, index, depth), each as a float, sanitized first. 32 bits a channel hold everything
+// exactly; 16 bits hold integers to 2048 only (index and weight) and make the depth too coarse for TSSAO-9.
+// h: any history. Error: none.
+vec4 gloam_history_pack(GloamHistory h) {
+    GloamHistory s = gloam_history_sanitize(h);
+    return vec4(s.occlusion, s.weight, float(s.index), s.depth);
+}
+
+// History from a texel, sanitized; whatever the texel holds, the result is usable.
+// texel: (occlusion, weight, index, depth). An index that is negative, 2^24 or more or NaN is read as 0, a fraction is dropped.
+// Error: none.
+GloamHistory gloam_history_unpack(vec4 texel) {
+    uint index = texel.z >= 1.0 && texel.z < 16777216.0 ? uint(texel.z) : 0u;
+    return gloam_history_sanitize(GloamHistory(texel.x, texel.y, index, texel.w));
+}
+
+// Start index of the next frame: (j + k) mod N (TSSAO-BUF).
+// index: j. k: samples taken. table_size: N, samples until the sequence starts over, at most 2^24; 0 and more than that count as 2^24
+// (at most 2048 for a 16-bit buffer).
+// Returns an index in [0, N - 1], without overflow. Error: none.
+uint gloam_next_index(uint index, uint k, uint table_size) {
+    uint size = table_size > 0u && table_size < GLOAM_LARGEST_TABLE ? table_size : GLOAM_LARGEST_TABLE;
+    return (index % size + k % size) % size;
+}
+
+#endif
