@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reference/math.hpp"
+
+namespace gloam::reference {
+
+template <class T>
+T gloam_shrink(T convergence, T c_adaptive) {
+    if (!(c_adaptive >= float_min<T>()) || convergence >= c_adaptive) return T(0);
+    if (!(convergence > T(0))) return T(1);
+    if (c_adaptive > float_max<T>()) return T(1);
+    return max(c_adaptive - convergence, T(0)) / c_adaptive;
+}
+
+}  // namespace gloam::reference

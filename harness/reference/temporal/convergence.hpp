@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reference/math.hpp"
+
+namespace gloam::reference {
+
+template <class T>
+T gloam_convergence(T weight, T weight_max) {
+    if (!(weight_max >= float_min<T>())) return T(1);
+    if (!(weight > T(0))) return T(0);
+    if (weight >= weight_max) return T(1);
+    return weight / weight_max;
+}
+
+}  // namespace gloam::reference

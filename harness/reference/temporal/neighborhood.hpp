@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reference/geometry/finite.hpp"
+
+namespace gloam::reference {
+
+template <class T>
+T gloam_neighborhood_change(vec3<T> sample_position, vec3<T> position, vec3<T> previous_sample,
+                            vec3<T> previous_position) {
+    const vec3<T> a = sample_position - position;
+    const vec3<T> b = previous_sample - previous_position;
+    if (!gloam_is_finite3(a) || !gloam_is_finite3(b)) return float_max<T>();
+    return min(abs(length(a) - length(b)), float_max<T>());
+}
+
+template <class T>
+bool gloam_neighborhood_unchanged(T change, T epsilon) {
+    return change < epsilon;
+}
+
+template <class T>
+bool gloam_probe_useful(vec3<T> offset, vec3<T> normal) {
+    return gloam_is_finite3(offset) && dot(offset, normal) > T(0);
+}
+
+}  // namespace gloam::reference
