@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+namespace gloam::scene {
+
+enum class Projection { perspective, orthographic };
+
+// A camera as people place it. View space is right-handed and looks down -z.
+struct Camera {
+    glm::dvec3 eye{0, 0, 0};
+    glm::dvec3 target{0, 0, -1};
+    glm::dvec3 up{0, 1, 0};
+    Projection projection = Projection::perspective;
+    double fovy_rad = 0.9;         // perspective: full vertical angle
+    double view_height = 2.0;      // orthographic: world units from bottom to top
+    double near = 0.1;             // world units, > 0
+    double far = 100.0;            // world units, > near; +infinity allowed for perspective
+    bool reversed_z = false;       // the near plane at depth-buffer value 1
+};
+
+// The matrices of one frame (GLM: column-major), single precision as a shader has them.
+struct CameraFrame {
+    glm::mat4 view{1};     // world to view
+    glm::mat4 proj_vk{1};  // view to clip: y down, z in [0, 1]
+    std::optional<glm::mat4> previous_view;  // world to view of the frame before
+
+    // Elements [0][0] and [1][1] of proj_vk: what the shaders call p00_p11.
+    [[nodiscard]] glm::vec2 p00_p11() const { return {proj_vk[0][0], proj_vk[1][1]}; }
+    [[nodiscard]] bool orthographic() const { return proj_vk[2][3] == 0.0F; }
+};
+
+// The matrices for an image of the given width over height, calculated in double. Throws std::invalid_argument for a
+// camera without a direction, a field of view outside (0, pi), or planes that are not 0 < near < far.
+[[nodiscard]] CameraFrame make_frame(const Camera& camera, double aspect);
+
+}  // namespace gloam::scene
