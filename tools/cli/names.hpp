@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gloam::cli {
+
+// A name that the command line takes, and what it stands for.
+struct Named {
+    std::string name;
+    std::string description;
+};
+
+// What `gloam render` can be asked for.
+[[nodiscard]] std::vector<Named> method_names();
+[[nodiscard]] std::vector<Named> preset_names();
+[[nodiscard]] std::vector<Named> scene_names();
+
+}  // namespace gloam::cli
