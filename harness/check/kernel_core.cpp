@@ -13,8 +13,8 @@
 namespace gloam::check {
 namespace {
 
-// What the output memory holds before the dispatch, and behind it for ever.
-constexpr Word poison = 0xdeadbeefU;
+// What the memory behind the outputs holds before the dispatch and must hold after it.
+constexpr Word guard_pattern = 0xdeadbeefU;
 constexpr std::size_t guard_words = 64;
 constexpr std::size_t fault_words = sizeof(KernelFaults) / sizeof(Word);
 
@@ -135,7 +135,7 @@ void KernelCore::run_batch(Batch& batch) const {
     gpu::Buffer outputs = make_buffer(*device_, batch.count * row + guard_words);
     gpu::Buffer fault_buffer = make_buffer(*device_, fault_words);
     std::ranges::copy(batch.inputs, inputs.as<Word>().begin());
-    std::ranges::fill(outputs.as<Word>(), poison);
+    std::ranges::fill(outputs.as<Word>().subspan(batch.count * row), guard_pattern);
     std::ranges::fill(fault_buffer.as<Word>(), 0U);
 
     const std::size_t groups = (batch.count + kernel_group_size - 1) / kernel_group_size;
@@ -151,25 +151,38 @@ void KernelCore::run_batch(Batch& batch) const {
                       std::as_bytes(std::span(&run, 1)));
     commands.submit();
 
-    const std::span<const Word> words = outputs.as<Word>();
+    collect_outputs(batch, run, outputs.as<Word>());
+    collect_fault(batch, fault_buffer.as<Word>());
+}
+
+// Takes the outputs of every input, once its canary and the guard behind them are found in order.
+void KernelCore::collect_outputs(Batch& batch, const KernelRun& run, std::span<const Word> words) const {
+    const std::size_t row = output_words_ + 1;
+    std::vector<Word>& outputs = batch.result.outputs;
+    const std::size_t first = outputs.size();
+    outputs.resize(first + batch.count * output_words_);
     for (std::size_t i = 0; i < batch.count; ++i) {
-        const auto begin = words.begin() + static_cast<std::ptrdiff_t>(i * row);
-        const auto end = begin + static_cast<std::ptrdiff_t>(output_words_);
-        if (*end != (run.canary ^ static_cast<Word>(i))) {
-            throw KernelError(fmt::format(
-                "{}: the kernel did not finish for input {} of {}: expected the canary 0x{:08x}, found "
-                "0x{:08x}",
-                name_, batch.first + i, batch.first + batch.count, run.canary ^ static_cast<Word>(i), *end));
+        const auto values = words.subspan(i * row, output_words_);
+        const Word canary = words[i * row + output_words_];
+        const Word expected = run.canary ^ static_cast<Word>(i);
+        if (canary != expected) {
+            throw KernelError(
+                fmt::format("{}: the kernel did not finish for input {} of {}: expected the canary 0x{:08x}, "
+                            "found 0x{:08x}",
+                            name_, batch.first + i, batch.first + batch.count, expected, canary));
         }
-        batch.result.outputs.insert(batch.result.outputs.end(), begin, end);
+        std::ranges::copy(values, outputs.begin() + static_cast<std::ptrdiff_t>(first + i * output_words_));
     }
     const auto guard = words.subspan(batch.count * row);
-    if (std::ranges::any_of(guard, [](Word word) { return word != poison; })) {
+    if (std::ranges::any_of(guard, [](Word word) { return word != guard_pattern; })) {
         throw KernelError(fmt::format("{}: the kernel wrote outside its outputs, behind input {}", name_,
                                       batch.first + batch.count - 1));
     }
+}
+
+void KernelCore::collect_fault(Batch& batch, std::span<const Word> words) const {
     KernelFaults faults;
-    std::memcpy(&faults, fault_buffer.bytes().data(), sizeof faults);
+    std::memcpy(&faults, words.data(), sizeof faults);
     if (faults.count == 0) return;
     const ImagePrototype& image = images_.at(faults.image);
     const std::size_t earlier = batch.result.fault ? batch.result.fault->count : 0;

@@ -58,6 +58,8 @@ class KernelCore {
   private:
     struct Batch;
     void run_batch(Batch& batch) const;
+    void collect_outputs(Batch& batch, const KernelRun& run, std::span<const Word> words) const;
+    void collect_fault(Batch& batch, std::span<const Word> words) const;
 
     const gpu::Device* device_;
     gpu::ComputePipeline pipeline_;
