@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <random>
 
 #include "gpu/buffer.hpp"
@@ -181,8 +180,7 @@ void KernelCore::collect_outputs(Batch& batch, const KernelRun& run, std::span<c
 }
 
 void KernelCore::collect_fault(Batch& batch, std::span<const Word> words) const {
-    KernelFaults faults;
-    std::memcpy(&faults, words.data(), sizeof faults);
+    const KernelFaults faults{words[0], words[1], words[2], words[3], words[4]};
     if (faults.count == 0) return;
     const ImagePrototype& image = images_.at(faults.image);
     const std::size_t earlier = batch.result.fault ? batch.result.fault->count : 0;
