@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <regex>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -33,20 +32,35 @@ std::string without_include_token(std::string message) {
     return message.erase(end).erase(begin, token.size());
 }
 
-// "f(vi2;f1;" as "f()", single blanks.
+// The compiler's key of an overload, "f(vi2;f1;" or "g(", as "f()".
+std::string without_keys(std::string message) {
+    constexpr std::string_view key_letters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-[];";
+    for (auto at = message.find('('); at != std::string::npos; at = message.find('(', at + 1)) {
+        const auto end = std::min(message.find_first_not_of(key_letters, at + 1), message.size());
+        const bool closes = end < message.size() && message[end] == ')';
+        if (!closes && (end == at + 1 || message[end - 1] == ';'))
+            message.erase(at + 1, end - at - 1).insert(at + 1, 1, ')');
+    }
+    return message;
+}
+
 std::string tidied(const std::string& message) {
-    static const std::regex mangled("([A-Za-z_][A-Za-z_0-9]*)\\(([A-Za-z_0-9\\[\\]-]+;)+");
-    static const std::regex blanks(" +");
     std::string text = without_include_token(message);
-    if (text.find("Linking ") != std::string::npos) text = std::regex_replace(text, mangled, "$1()");
-    text = std::regex_replace(text, blanks, " ");
+    if (text.find("Linking ") != std::string::npos) text = without_keys(text);
+    const auto two_blanks = [](char a, char b) { return a == ' ' && b == ' '; };
+    text.erase(std::unique(text.begin(), text.end(), two_blanks), text.end());
     text.erase(text.find_last_not_of(' ') + 1);
     return text;
 }
 
-bool has_place(const std::string& message) {
-    static const std::regex place(".:[0-9]+: ");
-    return std::regex_search(message, place);
+// Has the ":line: " that follows a file.
+bool has_place(std::string_view message) {
+    for (auto at = message.find(':'); at != std::string_view::npos; at = message.find(':', at + 1)) {
+        const auto end = message.find_first_not_of("0123456789", at + 1);
+        if (end != std::string_view::npos && end > at + 1 && message.substr(end, 2) == ": ") return true;
+    }
+    return false;
 }
 
 }  // namespace
