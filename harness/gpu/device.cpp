@@ -132,6 +132,7 @@ bool Device::Impl::idle() noexcept {
     } catch (...) {
         busy_ = false;  // lost
     }
+    if (!busy_) kept_.clear();
     return !busy_;
 }
 
@@ -139,7 +140,7 @@ Device::Device(const DeviceOptions& options) : impl_(std::make_unique<Impl>(opti
 
 Device::~Device() {
     if (!impl_->idle())
-        static_cast<void>(impl_.release());  // see Guarded: leaked, for it may not be destroyed
+        static_cast<void>(impl_.release());  // leaked: it may not be destroyed, nor what it keeps
 }
 
 const DeviceInfo& Device::info() const {

@@ -61,10 +61,10 @@ struct DeviceOptions {
 // are), validation asked for and its layer not installed; std::invalid_argument: a timeout that is not
 // positive.
 //
-// While a submission that timed out still runs, further submissions throw, and objects of this device that
-// die are leaked on purpose, the device included: Vulkan forbids destroying what may be in use, and waiting
-// might never end. Once it has finished, all is as before. Pipelines are written to the cache when the device
-// closes.
+// While a submission that timed out still runs, further submissions throw, and what is destroyed is only put
+// aside, for Vulkan forbids destroying what may be in use: once the work has finished, all is as before. A
+// device that is closed before that does not wait, since that might be for ever: it is leaked, on purpose,
+// with all that was put aside. Otherwise, closing writes the compiled pipelines to the cache directory.
 class Device {
   public:
     explicit Device(const DeviceOptions& options = {});

@@ -4,7 +4,10 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "gpu/device.hpp"
 #include "gpu/internal/instance.hpp"
@@ -42,6 +45,9 @@ struct Device::Impl {
     // False while a submission that timed out still runs: nothing may be destroyed then.
     [[nodiscard]] bool idle() noexcept;
 
+    // Takes over what must not be destroyed until the device is idle.
+    void keep(std::shared_ptr<void> handles) { kept_.push_back(std::move(handles)); }
+
     // Declared so that destruction goes from the last to the first.
     MessageLog log;
     vk::raii::Context loader;
@@ -58,6 +64,7 @@ struct Device::Impl {
   private:
     [[nodiscard]] vk::Result wait() const;
     bool busy_ = false;
+    std::vector<std::shared_ptr<void>> kept_;
 };
 
 using Context = Device::Impl;

@@ -16,7 +16,7 @@ class Guarded {
     Guarded(Context& context, Handles handles)
         : context_(context), handles_(std::make_unique<Handles>(std::move(handles))) {}
     ~Guarded() {
-        if (!context_.idle()) static_cast<void>(handles_.release());
+        if (!context_.idle()) context_.keep(std::move(handles_));
     }
     Guarded(const Guarded&) = delete;
     Guarded& operator=(const Guarded&) = delete;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// The pipeline cache on disk: the file format by itself, then a device that finds the file in every state.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include "gpu/gpu_test.hpp"
+#include "gpu/internal/cache_file.hpp"
+#include "shaders/fill_comp.h"
+
+namespace gloam::gpu::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An empty folder, gone with the test.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        auto pattern = (fs::temp_directory_path() / "gloam-gpu-XXXXXX").string();
+        if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder " + pattern);
+        path_ = pattern;
+    }
+    ~TemporaryFolder() { fs::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+std::string read_all(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_all(const fs::path& file, const std::string& content) {
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
+}
+
+std::vector<std::byte> some_bytes(std::size_t count) {
+    std::vector<std::byte> bytes(count);
+    for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<std::byte>(i * 7);
+    return bytes;
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+    return {fs::directory_iterator(folder), fs::directory_iterator()};
+}
+
+TEST(CacheFile, ComesBackAsItWas) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "made" / "on the way" / "cache";
+    for (const std::size_t size : {0u, 1u, 1000u}) {
+        ASSERT_TRUE(write_cache_file(file, some_bytes(size)));
+        EXPECT_EQ(read_cache_file(file), some_bytes(size));
+    }
+    EXPECT_EQ(files_in(file.parent_path()).size(), 1u) << "a temporary file was left behind";
+}
+
+TEST(CacheFile, MissingIsEmpty) {
+    EXPECT_TRUE(read_cache_file("/nonexistent/cache").empty());
+}
+
+TEST(CacheFile, AnyFlippedBitShows) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "cache";
+    ASSERT_TRUE(write_cache_file(file, some_bytes(40)));
+    const auto good = read_all(file);
+    for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
+        auto bad = good;
+        bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << bit % 8));
+        write_all(file, bad);
+        ASSERT_TRUE(read_cache_file(file).empty()) << "bit " << bit;
+    }
+}
+
+TEST(CacheFile, AnyOtherLengthShows) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "cache";
+    ASSERT_TRUE(write_cache_file(file, some_bytes(40)));
+    const auto good = read_all(file);
+    for (std::size_t length = 0; length < good.size(); ++length) {
+        write_all(file, good.substr(0, length));
+        ASSERT_TRUE(read_cache_file(file).empty()) << length << " bytes";
+    }
+    write_all(file, good + '\0');
+    EXPECT_TRUE(read_cache_file(file).empty());
+}
+
+TEST(CacheFile, AFolderThatCannotBeWrittenIsNoError) {
+    const TemporaryFolder folder;
+    write_all(folder.path() / "file", "");
+    EXPECT_FALSE(write_cache_file(folder.path() / "file" / "cache", some_bytes(4)));
+    fs::create_directory(folder.path() / "taken");
+    write_all(folder.path() / "taken" / "x", "");
+    EXPECT_FALSE(write_cache_file(folder.path() / "taken", some_bytes(4)));
+    EXPECT_EQ(files_in(folder.path()).size(), 2u) << "a temporary file was left behind";
+}
+
+class PipelineCacheTest : public GpuTest {
+  protected:
+    // Opens the device with the folder, computes something, and closes it.
+    void use(const fs::path& folder) {
+        open({.cache_directory = folder});
+        identity_ = device().info().identity;
+        {
+            const ComputePipeline fill(
+                device(),
+                {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+            Buffer buffer(device(), 12);
+            run(device(), fill, {buffer}, {1, 1, 1}, bytes_of(std::array{4.0f, 2.0f}));
+            EXPECT_EQ(buffer.as<float>()[2], 8.0f);
+        }
+        close();
+    }
+
+    fs::path file(const fs::path& folder) const { return folder / ("pipelines-" + identity_ + ".bin"); }
+
+    // Spoils a good file, and expects the next use to put it right.
+    void expect_repaired(const std::function<void(const fs::path&)>& spoil) {
+        const TemporaryFolder folder;
+        use(folder.path());
+        const auto good = read_cache_file(file(folder.path()));
+        ASSERT_FALSE(good.empty());
+        spoil(file(folder.path()));
+        ASSERT_NE(read_cache_file(file(folder.path())), good);
+        use(folder.path());
+        EXPECT_EQ(read_cache_file(file(folder.path())), good);
+        EXPECT_EQ(files_in(folder.path()).size(), 1u);
+    }
+
+  private:
+    std::string identity_;
+};
+
+TEST_F(PipelineCacheTest, IsOneFileNamedAfterTheDevice) {
+    const TemporaryFolder folder;
+    use(folder.path() / "new");
+    EXPECT_EQ(files_in(folder.path() / "new"), std::vector{file(folder.path() / "new")});
+}
+
+TEST_F(PipelineCacheTest, IsNotWrittenAgainWithoutNeed) {
+    const TemporaryFolder folder;
+    use(folder.path());
+    const auto written = fs::last_write_time(file(folder.path()));
+    const auto long_ago = written - std::chrono::hours(1);
+    fs::last_write_time(file(folder.path()), long_ago);
+    use(folder.path());
+    EXPECT_EQ(fs::last_write_time(file(folder.path())), long_ago);
+}
+
+TEST_F(PipelineCacheTest, IsRebuiltWhenCutShort) {
+    expect_repaired([](const fs::path& cache) { fs::resize_file(cache, fs::file_size(cache) / 2); });
+    expect_repaired([](const fs::path& cache) { fs::resize_file(cache, 0); });
+}
+
+TEST_F(PipelineCacheTest, IsRebuiltWhenABitFlips) {
+    expect_repaired([](const fs::path& cache) {
+        auto content = read_all(cache);
+        content.back() = static_cast<char>(content.back() ^ 1);
+        write_all(cache, content);
+    });
+}
+
+// Whole and consistent by our own header, yet of another driver by Vulkan's (its UUID is at byte 16).
+TEST_F(PipelineCacheTest, IsRebuiltWhenItIsOfAnotherDriver) {
+    expect_repaired([](const fs::path& cache) {
+        auto content = read_cache_file(cache);
+        content.at(16) ^= std::byte{0xff};
+        ASSERT_TRUE(write_cache_file(cache, content));
+    });
+    expect_repaired([](const fs::path& cache) { ASSERT_TRUE(write_cache_file(cache, some_bytes(10))); });
+}
+
+TEST_F(PipelineCacheTest, CannotBeWrittenIsNoError) {
+    const TemporaryFolder folder;
+    write_all(folder.path() / "file", "");
+    use(folder.path() / "file" / "below");
+    EXPECT_EQ(files_in(folder.path()).size(), 1u);
+}
+
+}  // namespace
+}  // namespace gloam::gpu::test
