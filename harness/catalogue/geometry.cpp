@@ -71,13 +71,17 @@ void append_depth(Entries& entries, Description description, Reference reference
     entries.push_back(equation<DepthSignature>(std::move(description), reference, std::move(check)));
 }
 
+// Elements and depths between which nothing under- or overflows.
+bool ordinary_projection(double b, double p22, double p32) {
+    return moderate(1e-30, 1e30, b, p22, p32);
+}
+
 // The 1 of OpenGL's range cancels against an element of a true projection, of magnitude 1 or more.
-template <std::size_t I>
-auto cancels_in() {
-    return make_predicate<DepthSignature>([](double b, double p22, double p32) {
-        const double element = I == 1 ? p22 : p32;
-        return !(std::abs(element) < 1.0) && !(std::abs(b) > 2.0);
-    });
+bool true_perspective_gl(double b, double p22, double p32) {
+    return ordinary_projection(b, p22, p32) && !(std::abs(p22) < 1.0);
+}
+bool true_orthographic_gl(double b, double p22, double p32) {
+    return ordinary_projection(b, p22, p32) && !(std::abs(p32) < 1.0);
 }
 
 void append_background(Entries& entries) {
@@ -107,28 +111,29 @@ void append_depths(Entries& entries) {
                   .function = "gloam_linear_depth_perspective_vk",
                   .title = "eye-linear depth, perspective, depth range [0, 1]",
                   .formula = "d = P32 / (b + P22)"},
-                 GLOAM_REFERENCE(gloam_linear_depth_perspective_vk), perspective_vk, {.budget = {.ulp = 4}});
+                 GLOAM_REFERENCE(gloam_linear_depth_perspective_vk), perspective_vk,
+                 {.budget = {.ulp = 3}, .promised = make_predicate<DepthSignature>(ordinary_projection)});
     append_depth(entries,
                  {.id = "DEPTH-perspective-gl",
                   .function = "gloam_linear_depth_perspective_gl",
                   .title = "eye-linear depth, perspective, depth range [-1, 1]",
                   .formula = "d = P32 / (2 b - 1 + P22)"},
                  GLOAM_REFERENCE(gloam_linear_depth_perspective_gl), perspective_gl,
-                 {.budget = {.ulp = 4}, .promised = cancels_in<1>()});
+                 {.budget = {.ulp = 3.5}, .promised = make_predicate<DepthSignature>(true_perspective_gl)});
     append_depth(entries,
                  {.id = "DEPTH-orthographic-vk",
                   .function = "gloam_linear_depth_orthographic_vk",
                   .title = "eye-linear depth, orthographic, depth range [0, 1]",
                   .formula = "d = (P32 - b) / P22"},
                  GLOAM_REFERENCE(gloam_linear_depth_orthographic_vk), orthographic_vk,
-                 {.budget = {.ulp = 4}});
+                 {.budget = {.ulp = 3}, .promised = make_predicate<DepthSignature>(ordinary_projection)});
     append_depth(entries,
                  {.id = "DEPTH-orthographic-gl",
                   .function = "gloam_linear_depth_orthographic_gl",
                   .title = "eye-linear depth, orthographic, depth range [-1, 1]",
                   .formula = "d = (P32 + 1 - 2 b) / P22"},
                  GLOAM_REFERENCE(gloam_linear_depth_orthographic_gl), orthographic_gl,
-                 {.budget = {.ulp = 4}, .promised = cancels_in<2>()});
+                 {.budget = {.ulp = 4}, .promised = make_predicate<DepthSignature>(true_orthographic_gl)});
 }
 
 void append_geometry(Entries& entries) {

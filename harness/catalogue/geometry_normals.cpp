@@ -64,7 +64,7 @@ void append_neighbors(Entries& entries, Description description, Reference refer
         std::move(description), reference,
         {.domain = Domain{centers(), steps(true), steps(true), steps(false), steps(false)}.adjusted(
              place_neighbors),
-         .budget = {.absolute = 1e-5, .backward_ulp = 1},
+         .budget = {.absolute = 2e-6, .backward_ulp = 1},
          .codomain = {-1.000001, 1.000001},
          .promised = make_predicate<NeighborSignature>(promised_normal<orthographic>)}));
 }
@@ -80,7 +80,7 @@ void append_safe_normalize(Entries& entries) {
          .source = "definition"},
         GLOAM_REFERENCE(gloam_safe_normalize),
         {.domain = {any.and_special(), unit_vector(3).and_value(glm::vec3(0.0F))},
-         .budget = {.ulp = 4, .absolute = 1e-18},
+         .budget = {.ulp = 5, .absolute = 1e-18},
          .codomain = {-1.000001, 1.000001}}));
 }
 
@@ -100,7 +100,7 @@ void append_normal_from_depth(Entries& entries) {
          .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
         reference,
         {.domain = {either(image_pixel(), vector(2, integers(-2, 66))), image_size(), projection_scales()},
-         .budget = {.absolute = 1e-5},
+         .budget = {.absolute = 2e-5},
          .codomain = {-1.000001, 1.000001},
          .scenarios = depth_scenarios("gloam_fetch_depth")}));
 }

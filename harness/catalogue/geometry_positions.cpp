@@ -24,39 +24,30 @@ Values scales() {
     return projection_scales().and_special();
 }
 
-// Whether products and quotients of the number with others of its kind stay clear of under- and overflow;
-// what is zero, infinite or NaN is judged as well.
-bool moderate(double x) {
-    const double magnitude = std::abs(x);
-    return !(magnitude > 0 && magnitude < 1e-12) && !(magnitude > 1e12 && std::isfinite(magnitude));
-}
-bool moderate(glm::dvec2 v) {
-    return moderate(v.x) && moderate(v.y);
-}
-bool moderate(glm::dvec3 v) {
-    return moderate(v.x) && moderate(v.y) && moderate(v.z);
-}
+// Between these no product or quotient of the formulas under- or overflows.
+constexpr double smallest = 1e-12;
+constexpr double largest = 1e12;
 
 using PositionSignature = glm::vec3(glm::vec2, float, glm::vec2);
 using NdcSignature = glm::vec2(glm::vec3, glm::vec2);
 
-Check position_check() {
+Check position_check(double ulp) {
     return {.domain = {ndcs(), depths(), scales()},
-            .budget = {.ulp = 4},
+            .budget = {.ulp = ulp},
             .codomain = {-huge, huge},
             .promised = make_predicate<PositionSignature>([](glm::dvec2 ndc, double depth, glm::dvec2 scale) {
-                return moderate(ndc) && moderate(depth) && moderate(scale);
+                return moderate(smallest, largest, ndc, depth, scale);
             })};
 }
 
-Check ndc_check() {
+Check ndc_check(double ulp) {
     const Values position =
         vector({signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e4)});
     return {.domain = {position.and_special(), scales()},
-            .budget = {.ulp = 4},
+            .budget = {.ulp = ulp},
             .codomain = {-huge, huge},
             .promised = make_predicate<NdcSignature>(
-                [](glm::dvec3 at, glm::dvec2 scale) { return moderate(at) && moderate(scale); })};
+                [](glm::dvec3 at, glm::dvec2 scale) { return moderate(smallest, largest, at, scale); })};
 }
 
 void append_unprojection(Entries& entries) {
@@ -67,7 +58,7 @@ void append_unprojection(Entries& entries) {
                                                    .formula = "(ndc.x / P00, ndc.y / P11, -1) d",
                                                    .source = "inverse of the projection"},
                                                   GLOAM_REFERENCE(gloam_view_position_perspective),
-                                                  position_check()));
+                                                  position_check(3)));
     entries.push_back(equation<PositionSignature>({.id = "POSITION-orthographic",
                                                    .function = "gloam_view_position_orthographic",
                                                    .file = file,
@@ -75,7 +66,7 @@ void append_unprojection(Entries& entries) {
                                                    .formula = "(ndc.x / P00, ndc.y / P11, -d)",
                                                    .source = "inverse of the projection"},
                                                   GLOAM_REFERENCE(gloam_view_position_orthographic),
-                                                  position_check()));
+                                                  position_check(1)));
 }
 
 void append_projection(Entries& entries) {
@@ -86,7 +77,7 @@ void append_projection(Entries& entries) {
                                 .title = "normalised device coordinates of a position, perspective",
                                 .formula = "(P00 x, P11 y) / -z",
                                 .source = "the projection"},
-                               GLOAM_REFERENCE(gloam_ndc_perspective), ndc_check()));
+                               GLOAM_REFERENCE(gloam_ndc_perspective), ndc_check(3)));
     entries.push_back(
         equation<NdcSignature>({.id = "NDC-orthographic",
                                 .function = "gloam_ndc_orthographic",
@@ -94,7 +85,7 @@ void append_projection(Entries& entries) {
                                 .title = "normalised device coordinates of a position, orthographic",
                                 .formula = "(P00 x, P11 y)",
                                 .source = "the projection"},
-                               GLOAM_REFERENCE(gloam_ndc_orthographic), ndc_check()));
+                               GLOAM_REFERENCE(gloam_ndc_orthographic), ndc_check(1)));
 }
 
 using UvRadius = glm::vec2(float, float, glm::vec2);
@@ -102,11 +93,11 @@ using PixelRadius = glm::vec2(float, float, glm::vec2, glm::ivec2);
 
 template <class Signature, class Reference>
 void append_radius(Entries& entries, std::string id, std::string function, std::string formula,
-                   Reference reference) {
+                   Reference reference, double ulp) {
     Domain domain{log_uniform(1e-3, 1e2).and_special(), depths(), scales()};
     std::function<bool(std::span<const Word>)> promised;
     const auto usual = [](double radius, double depth, glm::dvec2 scale) {
-        return moderate(radius) && moderate(depth) && moderate(scale);
+        return moderate(smallest, largest, radius, depth, scale) && !std::isinf(radius);
     };
     if constexpr (std::is_same_v<Signature, PixelRadius>) {
         domain = Domain{log_uniform(1e-3, 1e2).and_special(), depths(), scales(),
@@ -123,7 +114,7 @@ void append_radius(Entries& entries, std::string id, std::string function, std::
          .title = "projected radius of a world length",
          .formula = std::move(formula),
          .source = "the projection"},
-        reference, {.domain = domain, .budget = {.ulp = 4}, .codomain = {0, huge}, .promised = promised}));
+        reference, {.domain = domain, .budget = {.ulp = ulp}, .codomain = {0, huge}, .promised = promised}));
 }
 
 }  // namespace
@@ -140,7 +131,7 @@ void append_positions(Entries& entries) {
         GLOAM_REFERENCE(gloam_ndc_from_pixel),
         {.domain = {vector(2, coordinate),
                     vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
-         .budget = {.ulp = 2},
+         .budget = {.ulp = 1},
          .codomain = {-1e10, 1e10},
          .promised = make_predicate<glm::vec2(glm::ivec2, glm::ivec2)>([](glm::ivec2 pixel, glm::ivec2) {
              return std::abs(static_cast<double>(pixel.x)) <= 4194304 &&
@@ -157,15 +148,16 @@ void append_positions(Entries& entries) {
     append_unprojection(entries);
     append_projection(entries);
     append_radius<UvRadius>(entries, "RADIUS-uv", "gloam_projected_radius_uv", "R (|P00|, |P11|) / (2 d)",
-                            GLOAM_REFERENCE(gloam_projected_radius_uv));
+                            GLOAM_REFERENCE(gloam_projected_radius_uv), 3);
     append_radius<PixelRadius>(entries, "RADIUS-px", "gloam_projected_radius_pixels",
-                               "R (|P00| W, |P11| H) / (2 d)",
-                               GLOAM_REFERENCE(gloam_projected_radius_pixels));
+                               "R (|P00| W, |P11| H) / (2 d)", GLOAM_REFERENCE(gloam_projected_radius_pixels),
+                               4.5);
     append_radius<UvRadius>(entries, "RADIUS-uv-orthographic", "gloam_projected_radius_uv_orthographic",
-                            "R (|P00|, |P11|) / 2", GLOAM_REFERENCE(gloam_projected_radius_uv_orthographic));
+                            "R (|P00|, |P11|) / 2", GLOAM_REFERENCE(gloam_projected_radius_uv_orthographic),
+                            1);
     append_radius<PixelRadius>(entries, "RADIUS-px-orthographic",
                                "gloam_projected_radius_pixels_orthographic", "R (|P00| W, |P11| H) / 2",
-                               GLOAM_REFERENCE(gloam_projected_radius_pixels_orthographic));
+                               GLOAM_REFERENCE(gloam_projected_radius_pixels_orthographic), 3);
 }
 
 }  // namespace gloam::catalogue

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "check/values.hpp"
 
 // Values that several entries draw from.
 namespace gloam::catalogue {
+
+// Whether every scalar of the values has a magnitude in [low, high], so that products and quotients of a few
+// of them neither under- nor overflow. Zero, infinity and NaN count as moderate: what comes of them is
+// judged.
+template <class... V>
+[[nodiscard]] bool moderate(double low, double high, const V&... values) {
+    bool all = true;
+    const auto look = [&](const auto& scalar) {
+        const double magnitude = std::abs(static_cast<double>(scalar));
+        all = all && !(magnitude > 0.0 && magnitude < low) && !(magnitude > high && std::isfinite(magnitude));
+    };
+    (check::visit_scalars(values, look), ...);
+    return all;
+}
 
 // Drawn from either with equal chance; the fixed values of both.
 [[nodiscard]] check::Values either(const check::Values& a, const check::Values& b);
@@ -23,7 +39,7 @@ namespace gloam::catalogue {
 [[nodiscard]] check::Values reprojection_matrices();
 
 // vec4: clip-space points inside or a little outside the frustum, (ndc, 1) or homogeneous with w from 0.1 to
-// 100.
+// 10.
 [[nodiscard]] check::Values clip_points();
 
 // vec2: the elements (P00, P11) of a projection, either sign of y.

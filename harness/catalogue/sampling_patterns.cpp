@@ -45,10 +45,11 @@ void append_poisson(Entries& entries) {
          .formula = "(x, y, sqrt(1 - x^2 - y^2))",
          .source = "Sourimant et al. 2011"},
         GLOAM_REFERENCE(gloam_hemisphere_lift),
-        {.domain = {either(vector_of_length(2, either(uniform(0, 1), uniform(0.9999, 1.0001))),
+        {.domain = {either(vector_of_length(2, either(uniform(0, 1), either(uniform(0.9999, 1.0001),
+                                                                            uniform(0.9999995, 1.0000005)))),
                            vector_of_length(2, log_uniform(1e-37, 1e38)))
                         .and_special()},
-         .budget = {.absolute = 1e-5},
+         .budget = {.absolute = 5e-6},
          .codomain = {-1.000001, 1.000001}}));
 }
 
@@ -68,7 +69,7 @@ void append_sample_patterns(Entries& entries) {
               log_integers(32768).and_near_integers({0, 32768, 2147483647}),
               either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647}),
               uniform(-7, 7).and_near({65536.0}).and_special()},
-         .budget = {.absolute = 1.5e-6},
+         .budget = {.absolute = 1e-6},
          .codomain = {-1.000001, 1.000001}}));
     append_poisson(entries);
     entries.push_back(equation<glm::vec2(glm::vec2, int)>(

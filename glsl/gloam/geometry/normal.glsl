@@ -9,7 +9,7 @@
 // which does not reach across a silhouette. The difference to the neighbour ahead where both change alike.
 // center, behind, ahead: view-space positions in world units; a neighbour that is not in front of the eye (z not negative: the zero
 // vector of a background pixel) is not used.
-// Returns a unit vector; the zero vector without a usable neighbour, or with one at the centre itself.
+// Returns a unit vector; the zero vector without a usable neighbour, or with one at the centre itself. Error: at most 6 ulp.
 vec3 gloam_neighbor_direction(vec3 center, vec3 behind, vec3 ahead) {
     bool has_behind = !gloam_is_background(-behind.z);
     bool has_ahead = !gloam_is_background(-ahead.z);
@@ -22,6 +22,7 @@ vec3 gloam_neighbor_direction(vec3 center, vec3 behind, vec3 ahead) {
 // View-space normal of the surface spanned by two directions, turned towards the viewer.
 // along_x, along_y: unit vectors in the surface, or zero. toward_viewer: direction of the viewer, of any length.
 // Returns a unit vector; (0, 0, 1), straight at the viewer, where the directions are zero or within 1e-5 radians of parallel.
+// Error: about 1e-7 over the sine of the angle between the directions.
 vec3 gloam_facing_normal(vec3 along_x, vec3 along_y, vec3 toward_viewer) {
     vec3 normal = cross(along_x, along_y);
     if (!(dot(normal, normal) >= 1e-10)) return vec3(0.0, 0.0, 1.0);
@@ -34,7 +35,7 @@ vec3 gloam_facing_normal(vec3 along_x, vec3 along_y, vec3 toward_viewer) {
 // center, left, right, up, down: view-space positions in world units, the zero vector (or any z that is not negative) where a
 // neighbour is background or outside the image.
 // Returns a unit vector n with n . center <= 0; (0, 0, 1) where too few neighbours are usable or the differences are parallel; the zero
-// vector where the centre is background.
+// vector where the centre is background. Error: 2e-6 for differences at 0.02 radians or more to each other.
 vec3 gloam_normal_from_neighbors(vec3 center, vec3 left, vec3 right, vec3 up, vec3 down) {
     if (gloam_is_background(-center.z)) return vec3(0.0);
     return gloam_facing_normal(gloam_neighbor_direction(center, left, right), gloam_neighbor_direction(center, down, up), -center);
@@ -43,7 +44,7 @@ vec3 gloam_normal_from_neighbors(vec3 center, vec3 left, vec3 right, vec3 up, ve
 // The same for an orthographic view, in which every surface is seen along -z: the normal is turned to n.z >= 0.
 // center, left, right, up, down: as for gloam_normal_from_neighbors.
 // Returns a unit vector n with n.z >= 0; (0, 0, 1) where too few neighbours are usable or the differences are parallel; the zero
-// vector where the centre is background.
+// vector where the centre is background. Error: 2e-6 for differences at 0.02 radians or more to each other.
 vec3 gloam_normal_from_neighbors_orthographic(vec3 center, vec3 left, vec3 right, vec3 up, vec3 down) {
     if (gloam_is_background(-center.z)) return vec3(0.0);
     return gloam_facing_normal(gloam_neighbor_direction(center, left, right), gloam_neighbor_direction(center, down, up),

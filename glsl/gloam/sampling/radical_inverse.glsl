@@ -17,18 +17,20 @@ float gloam_radical_inverse_base2(uint index) {
 
 // Radical inverse in any base (HALTON): the digits a_m of the index mirrored at the point, sum of a_m base^(-m-1).
 // index: number of the sample; only its 24 low bits count (index modulo 2^24).
-// base: 2 to 1625 (its powers above 2^24 still fit 32 bits); taken to the nearer end outside. The Halton bases are primes.
-// Returns a number in [0, 1). Digits are summed as integers and divided once, so no error builds up.
+// base: 2 to 2^24, taken to the nearer end outside; the Halton bases are primes.
+// Returns a number in [0, 1). Error: at most 2 ulp.
 float gloam_radical_inverse(uint index, uint base) {
-    uint radix = clamp(base, 2u, 1625u);
+    uint radix = clamp(base, 2u, 0x01000000u);
+    uint rest = index & 0x00FFFFFFu;
     uint mirrored = 0u;
     uint power = 1u;
-    for (uint rest = index & 0x00FFFFFFu; rest > 0u; rest /= radix) {
+    // All digits but the last are summed as integers that a float holds exactly, so that no error builds up.
+    for (; rest >= radix; rest /= radix) {
         mirrored = mirrored * radix + rest % radix;
         power *= radix;
     }
-    // Rounding must not reach 1.
-    return min(float(mirrored) / float(power), 0.999999940395355);
+    float inverse = (float(mirrored) + float(rest) / float(radix)) / float(power);
+    return min(inverse, 0.999999940395355);  // rounding must not reach 1
 }
 
 #endif

@@ -24,7 +24,7 @@ T gloam_linear_depth_perspective_vk(T b, T p22, T p32) {
 // From 2 b - 1 = (p22 z + p32) / -z with z = -d.
 template <class T>
 T gloam_linear_depth_perspective_gl(T b, T p22, T p32) {
-    return gloam_depth_quotient(p32, T(2) * b - T(1) + p22);
+    return gloam_depth_quotient(p32, T(2) * b + (p22 - T(1)));
 }
 
 // From b = p22 z + p32 with z = -d.
@@ -36,7 +36,7 @@ T gloam_linear_depth_orthographic_vk(T b, T p22, T p32) {
 // From 2 b - 1 = p22 z + p32 with z = -d.
 template <class T>
 T gloam_linear_depth_orthographic_gl(T b, T p22, T p32) {
-    return gloam_depth_quotient(p32 - (T(2) * b - T(1)), p22);
+    return gloam_depth_quotient((p32 + T(1)) - T(2) * b, p22);
 }
 
 }  // namespace gloam::reference

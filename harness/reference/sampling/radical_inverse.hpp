@@ -28,7 +28,7 @@ T gloam_radical_inverse_base2(unsigned index) {
 
 template <class T = double>
 T gloam_radical_inverse(unsigned index, unsigned base) {
-    return detail::mirrored_digits<T>(index, base < 2U ? 2U : (base > 1625U ? 1625U : base));
+    return detail::mirrored_digits<T>(index, base < 2U ? 2U : (base > 16777216U ? 16777216U : base));
 }
 
 }  // namespace gloam::reference
