@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Normals from depth, for engines that keep none: one invocation a pixel, from the four neighbours.
+//
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  r32f     eye-linear depth, world units; background 0 or not finite
+//   1  rgba32f  written: unit view-space normal facing the eye in xyz, 0 at the background; w is 0
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 1, rgba32f) uniform writeonly image2D normal_image;
+
+layout(push_constant) uniform Parameters {
+    vec2 p00_p11;       // elements [0][0] and [1][1] of the projection, y down
+    ivec2 size;         // of the images, pixels
+    uint orthographic;  // 1, or 0 for perspective
+} parameters;
+
+#include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/normal.glsl"
+
+vec3 position_at(ivec2 pixel, GloamCamera camera) {
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= camera.size.x || pixel.y >= camera.size.y) return vec3(0.0);
+    return gloam_camera_position(pixel, imageLoad(depth_image, pixel).x, camera);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
+    vec3 center = position_at(pixel, camera);
+    vec3 left = position_at(pixel - ivec2(1, 0), camera);
+    vec3 right = position_at(pixel + ivec2(1, 0), camera);
+    vec3 up = position_at(pixel - ivec2(0, 1), camera);
+    vec3 down = position_at(pixel + ivec2(0, 1), camera);
+    vec3 normal = camera.orthographic ? gloam_normal_from_neighbors_orthographic(center, left, right, up, down)
+                                      : gloam_normal_from_neighbors(center, left, right, up, down);
+    imageStore(normal_image, pixel, vec4(normal, 0.0));
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "gpu/device.hpp"
+#include "gpu/image.hpp"
+#include "scene/gbuffer.hpp"
+#include "shader/cache.hpp"
+
+namespace gloam::effect {
+
+// How long a pass took on the device, in milliseconds: the median over the runs of a frame. NaN where the
+// device has no clock.
+struct PassTime {
+    std::string pass;
+    double ms = 0.0;
+};
+
+// What a frame took and what it left out, counted on the device. Tiles are the passes' groups, 8 x 8 pixels.
+struct Work {
+    std::uint64_t pixels = 0;
+    std::uint64_t background = 0;    // pixels skipped: no geometry
+    std::uint64_t below_radius = 0;  // pixels skipped: projected radius below Settings::least_radius
+    std::uint64_t converged = 0;     // pixels that the filter left as they were, background not included
+    std::uint64_t samples = 0;       // that entered a mean
+    std::uint64_t tiles = 0;
+    std::uint64_t tiles_background = 0;  // without any geometry
+    std::uint64_t tiles_skipped = 0;     // without any pixel to sample, those without geometry included
+};
+
+// One frame, rows from the top. Occlusion is 1 where blocked, 0 at the background, always in [0, 1].
+struct Frame {
+    std::vector<float> occlusion;    // the accumulated estimate
+    std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
+    std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background
+    std::vector<PassTime> times;     // in the order they ran
+    Work work;
+};
+
+// The ambient-occlusion passes for images of one size, with their history.
+class AmbientOcclusion {
+  public:
+    // `glsl` is the folder that holds gloam/ and passes/. The device must outlive this. Throws
+    // std::runtime_error for a size of 0 or beyond the device's limit, and when a shader does not compile.
+    AmbientOcclusion(const gpu::Device& device, std::filesystem::path glsl, shader::SpirvCache cache,
+                     gpu::Extent extent);
+    ~AmbientOcclusion();
+    AmbientOcclusion(AmbientOcclusion&&) noexcept;
+    AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
+
+    // Takes a view and forgets the history. Normals that are missing are reconstructed from depth; the next
+    // frame's times include that pass. Throws std::invalid_argument for a size that disagrees and for
+    // settings out of range.
+    void begin(const scene::GBuffer& view, const Settings& settings);
+
+    // The next frame of that view: `repeat` (>= 1) identical runs, of which the times are the median; the
+    // history advances once. Throws std::logic_error before begin(), std::runtime_error like
+    // gpu::Commands::submit().
+    [[nodiscard]] Frame next(int repeat = 1);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gloam::effect

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "effect/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace gloam::effect {
+namespace {
+
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+void require_same_size(const char* what, std::size_t found, std::size_t expected) {
+    if (found == expected) return;
+    throw std::invalid_argument(fmt::format("{}: {} pixels, expected {}", what, found, expected));
+}
+
+// Reconstructs and projects in double, independently of the shaders.
+class Projector {
+  public:
+    explicit Projector(const scene::GBuffer& view)
+        : p_(view.camera.p00_p11()),
+          size_(view.extent.width, view.extent.height),
+          world_from_view_(glm::inverse(glm::dmat4(view.camera.view))),
+          orthographic_(view.camera.orthographic()) {}
+
+    [[nodiscard]] glm::dvec3 view_position(std::size_t x, std::size_t y, double depth) const {
+        const glm::dvec2 pixel(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
+        const glm::dvec2 ndc = 2.0 * pixel / size_ - 1.0;
+        return {ndc / p_ * (orthographic_ ? 1.0 : depth), -depth};
+    }
+
+    [[nodiscard]] glm::dvec3 world(const glm::dvec3& at) const {
+        return glm::dvec3(world_from_view_ * glm::dvec4(at, 1.0));
+    }
+
+    // Whether the ball around a point projects into the image, a pixel from its border. The ball is inside
+    // when it is in front of the four planes through the eye and the border.
+    [[nodiscard]] bool ball_inside(const glm::dvec3& center, double radius) const {
+        const glm::dvec2 slope =
+            (1.0 - 2.0 / size_) / glm::abs(p_);  // tangents of half the angles; half sides
+        for (int axis = 0; axis < 2; ++axis) {
+            const double limit = orthographic_ ? slope[axis] : -center.z * slope[axis];
+            const double scale = orthographic_ ? 1.0 : std::sqrt(1.0 + slope[axis] * slope[axis]);
+            if (!(limit - std::abs(center[axis]) > radius * scale)) return false;
+        }
+        return orthographic_ || -center.z > radius;
+    }
+
+  private:
+    glm::dvec2 p_;
+    glm::dvec2 size_;
+    glm::dmat4 world_from_view_;
+    bool orthographic_;
+};
+
+}  // namespace
+
+Errors compare(std::span<const float> occlusion, std::span<const float> truth) {
+    require_same_size("truth", truth.size(), occlusion.size());
+    std::vector<double> magnitudes;
+    Errors errors;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        if (!std::isfinite(truth[i])) continue;
+        const double difference = double{occlusion[i]} - double{truth[i]};
+        magnitudes.push_back(std::abs(difference));
+        squares += difference * difference;
+        errors.bias += difference;
+        errors.mean += std::abs(difference);
+    }
+    if (magnitudes.empty()) return errors;
+    errors.compared = magnitudes.size();
+    const auto count = static_cast<double>(errors.compared);
+    errors.rmse = std::sqrt(squares / count);
+    errors.mean /= count;
+    errors.bias /= count;
+    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.99 * count)) - 1;
+    std::nth_element(magnitudes.begin(), magnitudes.begin() + rank, magnitudes.end());
+    errors.percentile_99 = magnitudes[static_cast<std::size_t>(rank)];
+    errors.max = *std::max_element(magnitudes.begin(), magnitudes.end());
+    return errors;
+}
+
+Truth truth_of(const scene::GBuffer& view, double radius, const TrueOcclusion& true_occlusion) {
+    const Projector projector(view);
+    Truth truth(view.depth.size(), unknown);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        if (!std::isfinite(view.depth[i])) continue;
+        const glm::dvec3 at =
+            projector.view_position(i % view.extent.width, i / view.extent.width, double{view.depth[i]});
+        if (!projector.ball_inside(at, radius)) continue;
+        truth[i] = static_cast<float>(true_occlusion(projector.world(at), radius));
+    }
+    return truth;
+}
+
+Truth truth_from(const scene::GBuffer& view, std::span<const float> reference) {
+    require_same_size("reference", reference.size(), view.depth.size());
+    Truth truth(reference.begin(), reference.end());
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        if (!std::isfinite(view.depth[i])) truth[i] = unknown;
+    }
+    return truth;
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "gpu/compute.hpp"
+#include "scene/camera.hpp"
+#include "shader/cache.hpp"
+
+namespace gloam::effect {
+
+constexpr std::uint32_t tile_side = 8;
+
+// Push constants, each laid out as its pass declares them.
+struct NormalParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    std::uint32_t orthographic;
+};
+
+struct OcclusionParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    float radius;
+    float bias;
+    float range;
+    float epsilon;
+    std::uint32_t samples;
+    std::uint32_t table_size;
+    float weight_max;
+    float c_rot;
+    float least_radius;
+    std::uint32_t orthographic;
+    std::uint32_t skip_background;
+};
+
+struct FilterParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    glm::ivec2 axis;
+    std::uint32_t orthographic;
+    std::int32_t half_width;
+    float c_adaptive;
+    float weight_max;
+    float sigma_pixels;
+};
+
+// What stays the same from frame to frame of a view.
+struct View {
+    scene::CameraFrame camera;
+    gpu::Extent extent;
+};
+
+[[nodiscard]] NormalParameters normal_parameters(const View& view);
+[[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
+[[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis);
+
+// Compiles the passes of glsl/passes.
+class PassLibrary {
+  public:
+    PassLibrary(const gpu::Device& device, std::filesystem::path glsl, shader::SpirvCache cache);
+
+    [[nodiscard]] gpu::ComputePipeline normals_from_depth() const;
+    [[nodiscard]] gpu::ComputePipeline ambient_occlusion(Method method) const;  // counts its work
+    [[nodiscard]] gpu::ComputePipeline convergence_filter() const;
+
+  private:
+    [[nodiscard]] gpu::ComputePipeline make(const std::string& name, gpu::ComputeProgram program) const;
+
+    const gpu::Device* device_;
+    std::filesystem::path glsl_;
+    shader::SpirvCache cache_;
+};
+
+// Groups of 8 x 8 invocations that cover an image.
+[[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);
+
+}  // namespace gloam::effect

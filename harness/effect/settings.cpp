@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "effect/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace gloam::effect {
+namespace {
+
+constexpr float largest = 1e18F;  // squares stay finite
+constexpr float exact_integers = 8'388'608.0F;
+
+// Written so that NaN fails.
+void require(bool holds, const char* name, double value, const char* expected) {
+    if (!holds) throw std::invalid_argument(fmt::format("{} {:g}: expected {}", name, value, expected));
+}
+
+void require_length(float value, const char* name) {
+    require(value > 1e-18F && value <= largest, name, value, "a length from 1e-18 to 1e18");
+}
+
+}  // namespace
+
+Settings with_radius(Settings settings, float radius) {
+    require_length(radius, "radius");
+    const float scale = radius / settings.radius;
+    settings.radius = radius;
+    settings.bias *= scale;
+    settings.range *= scale;
+    settings.epsilon *= scale;
+    return settings;
+}
+
+void validate(const Settings& s) {
+    require_length(s.radius, "radius");
+    require_length(s.range, "range");
+    require_length(s.epsilon, "epsilon");
+    require(s.bias >= 0.0F && s.bias <= largest, "bias", s.bias, "a length from 0 to 1e18");
+    require(s.samples >= 1 && s.samples <= 65'536, "samples", s.samples, "1 to 65536");
+    require(s.table_size >= 1 && s.table_size <= 1U << 24U, "table size", s.table_size, "1 to 16777216");
+    require(s.weight_max >= 1.0F && s.weight_max <= exact_integers, "largest weight", s.weight_max,
+            "1 to 8388608");
+    require(s.c_rot >= 0.0F, "c_rot", s.c_rot, "0 or more");
+    require(s.c_adaptive >= 0.0F, "c_adaptive", s.c_adaptive, "0 or more");
+    require(s.filter_half_width >= 0 && s.filter_half_width <= 64, "filter half width", s.filter_half_width,
+            "0 to 64");
+    require(s.least_radius >= 0.0F, "least radius", s.least_radius, "0 or more");
+}
+
+}  // namespace gloam::effect

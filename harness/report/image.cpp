@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "report/image.hpp"
+
+#include <stb_image_write.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace gloam::report {
+namespace {
+
+void require_texels(std::size_t found, std::uint32_t width, std::uint32_t height, int channels) {
+    const std::size_t expected = std::size_t{width} * height * static_cast<std::size_t>(channels);
+    if (found == expected && expected > 0) return;
+    throw std::invalid_argument("image of " + std::to_string(width) + " x " + std::to_string(height) + " x " +
+                                std::to_string(channels) + ": " + std::to_string(found) + " values");
+}
+
+void append_bytes(void* out, void* data, int size) {
+    static_cast<std::string*>(out)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
+void append_little_endian(std::string& out, float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    for (unsigned shift = 0; shift < 32; shift += 8) out += static_cast<char>(bits >> shift & 0xFFU);
+}
+
+std::uint8_t visibility_byte(float occlusion) {
+    if (!(occlusion > 0.0F)) return 255;
+    return static_cast<std::uint8_t>(std::lround(255.0F * (1.0F - std::fmin(occlusion, 1.0F))));
+}
+
+}  // namespace
+
+std::string to_pfm(std::span<const float> texels, std::uint32_t width, std::uint32_t height, int channels) {
+    if (channels != 1 && channels != 3) {
+        throw std::invalid_argument("a PFM has 1 or 3 channels, not " + std::to_string(channels));
+    }
+    require_texels(texels.size(), width, height, channels);
+    std::string file = channels == 1 ? "Pf\n" : "PF\n";
+    file += std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n";
+    const std::size_t row = std::size_t{width} * static_cast<std::size_t>(channels);
+    file.reserve(file.size() + 4 * texels.size());
+    for (std::size_t y = height; y-- > 0;) {
+        for (const float value : texels.subspan(y * row, row)) append_little_endian(file, value);
+    }
+    return file;
+}
+
+std::string to_png(std::span<const std::uint8_t> grey, std::uint32_t width, std::uint32_t height) {
+    require_texels(grey.size(), width, height, 1);
+    constexpr auto largest = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
+    if (width > largest || height > largest) throw std::invalid_argument("image too large for a PNG");
+    std::string file;
+    const int made =
+        stbi_write_png_to_func(append_bytes, &file, static_cast<int>(width), static_cast<int>(height), 1,
+                               grey.data(), static_cast<int>(width));
+    if (made == 0) throw std::runtime_error("cannot compress a PNG: out of memory");
+    return file;
+}
+
+std::string to_visibility_png(std::span<const float> occlusion, std::uint32_t width, std::uint32_t height) {
+    std::vector<std::uint8_t> grey;
+    grey.reserve(occlusion.size());
+    for (const float value : occlusion) grey.push_back(visibility_byte(value));
+    return to_png(grey, width, height);
+}
+
+}  // namespace gloam::report
