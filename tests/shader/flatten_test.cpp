@@ -63,7 +63,6 @@ TEST(Flatten, CompilesInEveryLanguage) {
 
 TEST(Flatten, KeepsWhatIsNotScaffolding) {
     EXPECT_EQ(flat({"pack/odd.glsl"}),
-              "// SPDX-License-Identifier: Apache-2.0\n"
               "// SPDX-License-Identifier: MIT\n"
               "\n"
               "/* This comment stays,\n"
@@ -112,6 +111,16 @@ TEST(Flatten, OtherExtensionsMoveToTheTop) {
     const auto second = dir.write("b.glsl", "# extension GL_X : enable // why\n#version 450\nfloat b;\n");
     EXPECT_EQ(flatten({first, second}, {}),
               "// SPDX-License-Identifier: MIT\n#extension GL_X : enable\n\nfloat a;\n\nfloat b;\n");
+}
+
+TEST(Flatten, EveryLicenceStaysOnce) {
+    const TempDir dir;
+    const auto mit = dir.write("a.glsl", "// SPDX-License-Identifier: MIT\nfloat a;\n");
+    const auto other = dir.write("b.glsl", "// SPDX-License-Identifier: Apache-2.0\r\nfloat b;\r\n");
+    const auto again = dir.write("c.glsl", "// SPDX-License-Identifier: MIT \nfloat c;\n");
+    EXPECT_EQ(flatten({mit, other, again}, {}),
+              "// SPDX-License-Identifier: MIT\n// SPDX-License-Identifier: Apache-2.0\n\n"
+              "float a;\n\nfloat b;\n\nfloat c;\n");
 }
 
 TEST(Flatten, NothingMakesNothing) {
