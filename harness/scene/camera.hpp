@@ -14,17 +14,17 @@ struct Camera {
     glm::dvec3 target{0, 0, -1};
     glm::dvec3 up{0, 1, 0};
     Projection projection = Projection::perspective;
-    double fovy_rad = 0.9;         // perspective: full vertical angle
-    double view_height = 2.0;      // orthographic: world units from bottom to top
-    double near = 0.1;             // world units, > 0
-    double far = 100.0;            // world units, > near; +infinity allowed for perspective
-    bool reversed_z = false;       // the near plane at depth-buffer value 1
+    double fovy_rad = 0.9;     // perspective: full vertical angle
+    double view_height = 2.0;  // orthographic: world units from bottom to top
+    double near = 0.1;         // world units, > 0
+    double far = 100.0;        // world units, > near; +infinity allowed for perspective
+    bool reversed_z = false;   // the near plane at depth-buffer value 1
 };
 
 // The matrices of one frame (GLM: column-major), single precision as a shader has them.
 struct CameraFrame {
-    glm::mat4 view{1};     // world to view
-    glm::mat4 proj_vk{1};  // view to clip: y down, z in [0, 1]
+    glm::mat4 view{1};                       // world to view
+    glm::mat4 proj_vk{1};                    // view to clip: y down, z in [0, 1]
     std::optional<glm::mat4> previous_view;  // world to view of the frame before
 
     // Elements [0][0] and [1][1] of proj_vk: what the shaders call p00_p11.
@@ -32,8 +32,21 @@ struct CameraFrame {
     [[nodiscard]] bool orthographic() const { return proj_vk[2][3] == 0.0F; }
 };
 
-// The matrices for an image of the given width over height, calculated in double. Throws std::invalid_argument for a
-// camera without a direction, a field of view outside (0, pi), or planes that are not 0 < near < far.
+// The matrices for an image of the given width over height, calculated in double. Throws
+// std::invalid_argument for a camera without a direction, a field of view outside (0, pi), or planes that are
+// not 0 < near < far.
 [[nodiscard]] CameraFrame make_frame(const Camera& camera, double aspect);
+
+// The same projection for OpenGL (clip y up, z in [-1, 1]), and back.
+[[nodiscard]] glm::dmat4 gl_from_vk(const glm::dmat4& proj_vk);
+[[nodiscard]] glm::dmat4 vk_from_gl(const glm::dmat4& proj_gl);
+
+// Depths of the two ends of a projection's depth range, nearest first; +infinity for an infinite far plane.
+struct Planes {
+    double near = 0.0;
+    double far = 0.0;
+    bool reversed_z = false;
+};
+[[nodiscard]] Planes planes_of(const glm::mat4& proj_vk);
 
 }  // namespace gloam::scene

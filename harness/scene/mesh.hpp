@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -17,8 +18,24 @@ struct Mesh {
     [[nodiscard]] std::size_t triangle_count() const { return indices.size() / 3; }
 };
 
-// Reads any file that assimp reads, all its meshes in one, with smooth normals where it has none. Throws
-// std::runtime_error that names the file: unreadable, without a triangle, or with a vertex that is NaN or infinite.
+// Smallest box along the axes that holds all positions.
+struct Bounds {
+    glm::dvec3 low{0};
+    glm::dvec3 high{0};
+};
+
+// Throws std::invalid_argument for a mesh without positions.
+[[nodiscard]] Bounds bounds_of(const Mesh& mesh);
+
+// Adds the triangles of `other`.
+void append(Mesh& mesh, const Mesh& other);
+
+// The mesh scaled about the origin, then moved.
+[[nodiscard]] Mesh placed(Mesh mesh, double scale, const glm::dvec3& translation);
+
+// Reads any file that assimp reads, all its meshes in one, with smooth normals where it has none. Lines and
+// points are left out. Throws std::runtime_error that names the file: unreadable, without a triangle, or with
+// a vertex that is NaN or infinite.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
 
 }  // namespace gloam::scene

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,13 +23,15 @@ struct SceneInfo {
     std::string description;
 };
 
-// The built-in scenes: "columns" (a deep column hall), "corner" (a floor and two walls: occlusion known in closed form).
+// The built-in scenes: "columns" (a deep column hall), "corner" (a floor and two walls: occlusion known in
+// closed form).
 [[nodiscard]] std::vector<SceneInfo> built_in_scenes();
 
 // A built-in scene by name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] Scene make_scene(std::string_view name);
 
-// A mesh scaled to a height of 1 and stood on a ground plane, with a camera that sees all of it.
+// A mesh scaled to a largest side of 1 and stood on a ground plane (y up), with a camera that sees all of it.
+// Throws std::invalid_argument for a mesh without extent.
 [[nodiscard]] Scene mesh_on_ground(Mesh mesh, std::string name);
 
 }  // namespace gloam::scene

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "scene/camera.hpp"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace gloam::scene {
+namespace {
+
+void require(bool condition, const std::string& message) {
+    if (!condition) throw std::invalid_argument("camera: " + message);
+}
+
+void check(const Camera& camera, double aspect) {
+    const glm::dvec3 side = glm::cross(camera.target - camera.eye, camera.up);
+    require(glm::length(side) > 0.0, "the eye and its target coincide, or `up` points along the view");
+    require(aspect > 0.0 && std::isfinite(aspect), "expected a positive aspect ratio");
+    require(camera.near > 0.0 && camera.near < camera.far, "expected 0 < near < far");
+    if (camera.projection == Projection::perspective) {
+        require(camera.fovy_rad > 0.0 && camera.fovy_rad < std::numbers::pi,
+                "expected a field of view in (0, pi)");
+    } else {
+        require(std::isfinite(camera.far), "an orthographic far plane must be finite");
+        require(camera.view_height > 0.0 && std::isfinite(camera.view_height),
+                "expected a positive view height");
+    }
+}
+
+// Elements [2][2] and [3][2]: b = 0 at `zero`, b = 1 at `one`.
+glm::dvec2 perspective_depth(double zero, double one) {
+    if (std::isinf(one)) return {-1.0, -zero};
+    if (std::isinf(zero)) return {0.0, one};
+    return {one / (zero - one), one * zero / (zero - one)};
+}
+
+glm::dmat4 projection_of(const Camera& camera, double aspect) {
+    const double zero = camera.reversed_z ? camera.far : camera.near;
+    const double one = camera.reversed_z ? camera.near : camera.far;
+    glm::dmat4 projection(0.0);
+    if (camera.projection == Projection::perspective) {
+        const double scale = 1.0 / std::tan(0.5 * camera.fovy_rad);
+        const glm::dvec2 depth = perspective_depth(zero, one);
+        projection[0][0] = scale / aspect;
+        projection[1][1] = -scale;
+        projection[2][2] = depth.x;
+        projection[3][2] = depth.y;
+        projection[2][3] = -1.0;
+    } else {
+        const double scale = 2.0 / camera.view_height;
+        projection[0][0] = scale / aspect;
+        projection[1][1] = -scale;
+        projection[2][2] = 1.0 / (zero - one);
+        projection[3][2] = zero / (zero - one);
+        projection[3][3] = 1.0;
+    }
+    return projection;
+}
+
+// OpenGL's clip coordinates from Vulkan's: y up, z from 2 z - w.
+const glm::dmat4& clip_gl_from_vk() {
+    static const glm::dmat4 matrix{{1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 2, 0}, {0, 0, -1, 1}};
+    return matrix;
+}
+
+}  // namespace
+
+CameraFrame make_frame(const Camera& camera, double aspect) {
+    check(camera, aspect);
+    return {.view = glm::mat4(glm::lookAt(camera.eye, camera.target, camera.up)),
+            .proj_vk = glm::mat4(projection_of(camera, aspect))};
+}
+
+glm::dmat4 gl_from_vk(const glm::dmat4& proj_vk) {
+    return clip_gl_from_vk() * proj_vk;
+}
+
+glm::dmat4 vk_from_gl(const glm::dmat4& proj_gl) {
+    return glm::inverse(clip_gl_from_vk()) * proj_gl;
+}
+
+Planes planes_of(const glm::mat4& proj_vk) {
+    const double p22 = proj_vk[2][2];
+    const double p32 = proj_vk[3][2];
+    const bool orthographic = proj_vk[2][3] == 0.0F;
+    const auto depth_at = [&](double b) {
+        const double numerator = orthographic ? p32 - b : p32;
+        const double denominator = orthographic ? p22 : b + p22;
+        return denominator == 0.0 ? std::numeric_limits<double>::infinity() : numerator / denominator;
+    };
+    const double zero = depth_at(0.0);
+    const double one = depth_at(1.0);
+    const bool reversed = zero > one;
+    return {.near = reversed ? one : zero, .far = reversed ? zero : one, .reversed_z = reversed};
+}
+
+}  // namespace gloam::scene

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "scene/internal/frame_json.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "scene/read_gbuffer.hpp"
+
+namespace gloam::scene {
+namespace {
+
+using nlohmann::json;
+
+// Thrown below without the file's name, which read_frame_json adds.
+[[noreturn]] void fail(const std::string& what) {
+    throw std::runtime_error(what);
+}
+
+bool is_given(const json& object, const char* key) {
+    return object.contains(key) && !object[key].is_null();
+}
+
+double number(const json& object, const char* key) {
+    if (!is_given(object, key)) fail(std::string("\"") + key + "\" is missing, expected a number");
+    if (!object[key].is_number())
+        fail(std::string("\"") + key + "\": expected a number, found " + object[key].dump());
+    return object[key].get<double>();
+}
+
+std::uint32_t side(const json& object, const char* key) {
+    const double value = number(object, key);
+    if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value))) {
+        fail(std::string("\"") + key + "\": expected whole pixels from 1 to 65536, found " +
+             object[key].dump());
+    }
+    return static_cast<std::uint32_t>(value);
+}
+
+// Sixteen numbers, column after column, of a matrix that has an inverse.
+glm::dmat4 matrix(const json& object, const char* key) {
+    const std::string name = std::string("\"") + key + "\"";
+    const json& values = object[key];
+    if (!values.is_array() || values.size() != 16) fail(name + ": expected an array of 16 numbers");
+    glm::dmat4 result(0.0);
+    for (int i = 0; i < 16; ++i) {
+        const json& value = values[static_cast<std::size_t>(i)];
+        if (!value.is_number()) fail(name + ": expected 16 numbers, found " + value.dump());
+        result[i / 4][i % 4] = value.get<double>();
+    }
+    const double determinant = glm::determinant(result);
+    if (!(std::isfinite(determinant) && determinant != 0.0)) fail(name + ": the matrix cannot be inverted");
+    return result;
+}
+
+glm::mat4 projection_from_planes(const json& camera) {
+    const bool infinite = !is_given(camera, "far");
+    const Camera lens{.fovy_rad = number(camera, "fovy_rad"),
+                      .near = number(camera, "near"),
+                      .far = infinite ? std::numeric_limits<double>::infinity() : number(camera, "far")};
+    return make_frame(lens, number(camera, "aspect")).proj_vk;
+}
+
+// The library's functions know symmetric projections: the axis may miss the image's centre by a pixel
+// (jitter).
+void require_symmetric(const glm::mat4& projection, gpu::Extent extent) {
+    const bool orthographic = projection[2][3] == 0.0F;
+    const glm::vec4& offset = projection[orthographic ? 3 : 2];
+    const bool skewed = projection[0][1] != 0.0F || projection[1][0] != 0.0F;
+    const bool shape = projection[0][0] != 0.0F && projection[1][1] != 0.0F && !skewed;
+    const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F;
+    if (!shape || !kind) fail("\"camera\": expected a perspective or orthographic projection without skew");
+    if (std::abs(offset.x) * static_cast<float>(extent.width) > 2.0F ||
+        std::abs(offset.y) * static_cast<float>(extent.height) > 2.0F) {
+        fail("\"camera\": the projection is off centre by more than a pixel, expected a symmetric one");
+    }
+}
+
+CameraFrame camera_of(const json& camera, gpu::Extent extent) {
+    if (!camera.is_object()) fail("\"camera\": expected an object");
+    if (!is_given(camera, "view")) fail("\"view\" is missing, expected an array of 16 numbers");
+    CameraFrame frame{.view = glm::mat4(matrix(camera, "view"))};
+    if (is_given(camera, "proj_vk")) {
+        frame.proj_vk = glm::mat4(matrix(camera, "proj_vk"));
+    } else if (is_given(camera, "proj_gl")) {
+        frame.proj_vk = glm::mat4(vk_from_gl(matrix(camera, "proj_gl")));
+    } else {
+        frame.proj_vk = projection_from_planes(camera);
+    }
+    require_symmetric(frame.proj_vk, extent);
+    if (is_given(camera, "prev_view")) frame.previous_view = glm::mat4(matrix(camera, "prev_view"));
+    return frame;
+}
+
+FrameDescription parse(std::ifstream& stream) {
+    const json root = json::parse(stream);
+    if (!root.is_object() || !is_given(root, "camera")) fail("expected an object with \"camera\" in it");
+    FrameDescription frame{.extent = {side(root, "width"), side(root, "height")}};
+    frame.camera = camera_of(root["camera"], frame.extent);
+    if (is_given(root, "ao_radius")) {
+        frame.ao_radius = number(root, "ao_radius");
+        if (!(*frame.ao_radius > 0.0))
+            fail("\"ao_radius\": expected a length > 0, found " + root["ao_radius"].dump());
+    }
+    return frame;
+}
+
+json to_json(const glm::dmat4& matrix) {
+    json values = json::array();
+    for (int i = 0; i < 16; ++i) values.push_back(matrix[i / 4][i % 4]);
+    return values;
+}
+
+json finite_or_null(double value) {
+    return std::isfinite(value) ? json(value) : json(nullptr);
+}
+
+}  // namespace
+
+FrameDescription read_frame_json(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
+    try {
+        return parse(stream);
+    } catch (const json::exception& error) {
+        throw std::runtime_error(file.string() + ": malformed JSON: " + error.what());
+    } catch (const std::exception& error) {
+        throw std::runtime_error(file.string() + ": " + error.what());
+    }
+}
+
+std::string frame_json(const GBuffer& gbuffer, int frame) {
+    const CameraFrame& camera = gbuffer.camera;
+    const Planes planes = planes_of(camera.proj_vk);
+    const glm::dvec2 scale = glm::abs(glm::dvec2(camera.p00_p11()));
+    nlohmann::ordered_json root{
+        {"width", gbuffer.extent.width}, {"height", gbuffer.extent.height}, {"frame", frame}};
+    if (gbuffer.ao_radius) root["ao_radius"] = *gbuffer.ao_radius;
+    root["camera"] = {{"near", finite_or_null(planes.near)}, {"far", finite_or_null(planes.far)}};
+    if (!camera.orthographic()) root["camera"]["fovy_rad"] = 2.0 * std::atan(1.0 / scale.y);
+    root["camera"]["aspect"] = scale.y / scale.x;
+    root["camera"]["view"] = to_json(camera.view);
+    root["camera"]["proj_vk"] = to_json(camera.proj_vk);
+    root["camera"]["proj_gl"] = to_json(gl_from_vk(camera.proj_vk));
+    root["camera"]["prev_view"] = camera.previous_view ? to_json(*camera.previous_view) : json(nullptr);
+    return root.dump(2) + "\n";
+}
+
+}  // namespace gloam::scene

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "scene/mesh.hpp"
+
+namespace gloam::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& file, const std::string& what) {
+    throw std::runtime_error("mesh " + file.string() + ": " + what);
+}
+
+glm::vec3 to_vec3(const aiVector3D& v) {
+    return {v.x, v.y, v.z};
+}
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Mesh convert(const aiMesh& source) {
+    Mesh mesh;
+    for (unsigned i = 0; i < source.mNumVertices; ++i) {
+        mesh.positions.push_back(to_vec3(source.mVertices[i]));
+        mesh.normals.push_back(source.HasNormals() ? to_vec3(source.mNormals[i]) : glm::vec3(0));
+    }
+    for (unsigned i = 0; i < source.mNumFaces; ++i) {
+        const aiFace& face = source.mFaces[i];
+        if (face.mNumIndices != 3) continue;
+        mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
+    }
+    return mesh;
+}
+
+void check_finite(const fs::path& file, const Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3& p = mesh.positions[i];
+        if (is_finite(p)) continue;
+        fail(file, "vertex " + std::to_string(i) + " is (" + std::to_string(p.x) + ", " +
+                       std::to_string(p.y) + ", " + std::to_string(p.z) + "), expected finite numbers");
+    }
+}
+
+// What assimp could not give a normal (vertices of degenerate triangles only) gets one of its triangles', or
+// up.
+void mend_normals(Mesh& mesh) {
+    const auto usable = [](const glm::vec3& n) { return is_finite(n) && glm::dot(n, n) > 1e-12F; };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::uint32_t* corner = &mesh.indices[i];
+        const glm::vec3 origin = mesh.positions[corner[0]];
+        const glm::vec3 normal =
+            glm::cross(mesh.positions[corner[1]] - origin, mesh.positions[corner[2]] - origin);
+        if (!usable(normal)) continue;
+        for (int k = 0; k < 3; ++k) {
+            if (!usable(mesh.normals[corner[k]])) mesh.normals[corner[k]] = normal;
+        }
+    }
+    for (glm::vec3& normal : mesh.normals)
+        normal = usable(normal) ? glm::normalize(normal) : glm::vec3(0, 1, 0);
+}
+
+}  // namespace
+
+Mesh load_mesh(const fs::path& file) {
+    std::error_code none;
+    if (!fs::is_regular_file(file, none)) fail(file, "no such file");
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    const aiScene* const scene = importer.ReadFile(
+        file.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_GenSmoothNormals |
+                           aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
+    if (scene == nullptr) fail(file, importer.GetErrorString());
+    Mesh mesh;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(mesh, convert(*scene->mMeshes[i]));
+    check_finite(file, mesh);
+    if (mesh.triangle_count() == 0) fail(file, "no triangles in it");
+    mend_normals(mesh);
+    return mesh;
+}
+
+}  // namespace gloam::scene

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "scene/pass_library.hpp"
+
+#include <stdexcept>
+
+#include "shader/include.hpp"
+
+namespace gloam::scene {
+namespace {
+
+shader::Stage stage_of(const std::filesystem::path& file) {
+    const std::string suffix = file.extension().string();
+    if (suffix == ".comp") return shader::Stage::compute;
+    if (suffix == ".vert") return shader::Stage::vertex;
+    if (suffix == ".frag") return shader::Stage::fragment;
+    throw std::invalid_argument("pass " + file.string() + ": expected the suffix .comp, .vert or .frag");
+}
+
+// Behind the #version line, which must stay the first.
+std::string with_defines(const std::string& text, const std::vector<std::string>& defines) {
+    if (defines.empty()) return text;
+    const std::size_t version = text.find("#version");
+    const std::size_t end = version == std::string::npos ? std::string::npos : text.find('\n', version);
+    if (end == std::string::npos) throw std::invalid_argument("a pass without a #version line");
+    std::string lines;
+    for (const std::string& name : defines) lines += "#define " + name + "\n";
+    return text.substr(0, end + 1) + lines + text.substr(end + 1);
+}
+
+}  // namespace
+
+PassLibrary::PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache)
+    : glsl_(std::move(glsl)), cache_(cache) {}
+
+shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines) const {
+    const std::filesystem::path file = glsl_ / "passes" / name;
+    return cache_.compile({.name = file.string(), .text = with_defines(shader::read_text(file), defines)},
+                          {.stage = stage_of(file),
+                           .include_roots = {glsl_},
+                           .optimization = shader::Optimization::performance});
+}
+
+}  // namespace gloam::scene

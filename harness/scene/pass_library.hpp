@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shader/cache.hpp"
+
+namespace gloam::scene {
+
+// The passes of glsl/passes, compiled when asked for.
+class PassLibrary {
+  public:
+    // glsl: the folder that holds gloam/ and passes/. cache: where compiled passes are kept; empty: nowhere.
+    explicit PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache = {});
+
+    // The pass in passes/NAME, whose suffix (.comp, .vert, .frag) says its stage, optimised for speed. Each
+    // of `defines` is defined before the first line. Throws std::runtime_error for a missing file,
+    // shader::CompileError for one that does not compile.
+    [[nodiscard]] shader::Spirv compile(const std::string& name,
+                                        const std::vector<std::string>& defines = {}) const;
+
+  private:
+    std::filesystem::path glsl_;
+    shader::SpirvCache cache_;
+};
+
+}  // namespace gloam::scene

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "scene/primitives.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+namespace gloam::scene {
+namespace {
+
+struct Vertex {
+    glm::dvec3 position;
+    glm::dvec3 normal;
+};
+
+// The image of a grid of columns x rows cells; `at` takes the cell corners (0..columns, 0..rows). Triangles
+// wind counter-clockwise seen from the side of d/dx x d/dy.
+Mesh make_grid(int columns, int rows, const std::function<Vertex(int, int)>& at) {
+    Mesh mesh;
+    for (int y = 0; y <= rows; ++y) {
+        for (int x = 0; x <= columns; ++x) {
+            const Vertex vertex = at(x, y);
+            mesh.positions.emplace_back(vertex.position);
+            mesh.normals.emplace_back(vertex.normal);
+        }
+    }
+    const auto stride = static_cast<std::uint32_t>(columns + 1);
+    for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(rows); ++y) {
+        for (std::uint32_t x = 0; x < static_cast<std::uint32_t>(columns); ++x) {
+            const std::uint32_t corner = y * stride + x;
+            mesh.indices.insert(mesh.indices.end(), {corner, corner + 1, corner + stride + 1, corner,
+                                                     corner + stride + 1, corner + stride});
+        }
+    }
+    return mesh;
+}
+
+void require(bool condition, const char* message) {
+    if (!condition) throw std::invalid_argument(message);
+}
+
+double turn(int part, int whole) {
+    return 2.0 * std::numbers::pi * part / whole;
+}
+
+}  // namespace
+
+Mesh make_parallelogram(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, double cell) {
+    const glm::dvec3 area = glm::cross(u, v);
+    require(glm::length(area) > 0.0, "parallelogram: its edges are parallel");
+    require(cell > 0.0, "parallelogram: expected a cell size > 0");
+    const int columns = std::max(1, static_cast<int>(std::ceil(glm::length(u) / cell)));
+    const int rows = std::max(1, static_cast<int>(std::ceil(glm::length(v) / cell)));
+    return make_grid(columns, rows, [&](int x, int y) -> Vertex {
+        return {corner + u * (static_cast<double>(x) / columns) + v * (static_cast<double>(y) / rows),
+                glm::normalize(area)};
+    });
+}
+
+Mesh make_box(const glm::dvec3& low, const glm::dvec3& high, double cell) {
+    const glm::dvec3 x{high.x - low.x, 0, 0};
+    const glm::dvec3 y{0, high.y - low.y, 0};
+    const glm::dvec3 z{0, 0, high.z - low.z};
+    Mesh box = make_parallelogram(low, y, x, cell);
+    append(box, make_parallelogram(low, z, y, cell));
+    append(box, make_parallelogram(low, x, z, cell));
+    append(box, make_parallelogram(high, -x, -y, cell));
+    append(box, make_parallelogram(high, -y, -z, cell));
+    append(box, make_parallelogram(high, -z, -x, cell));
+    return box;
+}
+
+Mesh make_cylinder(const glm::dvec3& base_center, double radius, double height, int segments) {
+    require(radius > 0.0 && height > 0.0 && segments >= 3,
+            "cylinder: expected radius and height > 0, segments >= 3");
+    return make_grid(segments, 1, [&](int x, int y) -> Vertex {
+        const double angle = turn(x, segments);
+        const glm::dvec3 out{std::sin(angle), 0.0, std::cos(angle)};
+        return {base_center + radius * out + glm::dvec3(0.0, y * height, 0.0), out};
+    });
+}
+
+Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segments) {
+    require(radius > 0.0 && rings >= 2 && segments >= 3,
+            "sphere: expected radius > 0, rings >= 2, segments >= 3");
+    return make_grid(segments, rings, [&](int x, int y) -> Vertex {
+        const double around = turn(x, segments);
+        const double polar = std::numbers::pi * y / rings;
+        const glm::dvec3 out{std::sin(around) * std::sin(polar), -std::cos(polar),
+                             std::cos(around) * std::sin(polar)};
+        return {center + radius * out, out};
+    });
+}
+
+}  // namespace gloam::scene

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/mesh.hpp"
+
+namespace gloam::scene {
+
+// A parallelogram from `corner` along `u` and `v`, cut into cells of at most `cell` world units a side (large
+// triangles cost depth precision). Its normal is u x v. Throws std::invalid_argument for parallel edges or a
+// cell that is not positive.
+[[nodiscard]] Mesh make_parallelogram(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
+                                      double cell);
+
+// A box along the axes, its faces cut into cells, normals outwards.
+[[nodiscard]] Mesh make_box(const glm::dvec3& low, const glm::dvec3& high, double cell);
+
+// The side of an upright cylinder (along y) without its ends, smooth normals outwards; from 3 segments
+// around.
+[[nodiscard]] Mesh make_cylinder(const glm::dvec3& base_center, double radius, double height, int segments);
+
+// A sphere of latitude rings (from 2) and segments around (from 3), smooth normals outwards.
+[[nodiscard]] Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segments);
+
+}  // namespace gloam::scene

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "scene/read_gbuffer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <regex>
+#include <stdexcept>
+
+#include "scene/internal/exr.hpp"
+#include "scene/internal/frame_json.hpp"
+#include "scene/pfm.hpp"
+
+namespace gloam::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& file, const std::string& what) {
+    throw std::runtime_error(file.string() + ": " + what);
+}
+
+std::string size_text(gpu::Extent extent, int channels) {
+    return std::to_string(extent.width) + "x" + std::to_string(extent.height) + " with " +
+           std::to_string(channels) + (channels == 1 ? " channel" : " channels");
+}
+
+// The image of that stem, PFM or EXR; without texels when neither is there.
+FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channels) {
+    const fs::path pfm = stem.string() + ".pfm";
+    const fs::path exr = stem.string() + ".exr";
+    std::error_code none;
+    const bool has_pfm = fs::exists(pfm, none);
+    const bool has_exr = fs::exists(exr, none);
+    if (has_pfm && has_exr)
+        fail(pfm, "there is " + exr.filename().string() + " as well, expected one of them");
+    if (!has_pfm && !has_exr) return {};
+    const fs::path& file = has_pfm ? pfm : exr;
+    FloatImage image = has_pfm ? read_pfm(pfm) : read_exr(exr, channels);
+    if (image.extent != extent || image.channels != channels) {
+        fail(file,
+             "is " + size_text(image.extent, image.channels) + ", expected " + size_text(extent, channels));
+    }
+    return image;
+}
+
+std::vector<glm::vec3> to_vectors(const FloatImage& image) {
+    std::vector<glm::vec3> vectors(image.texels.size() / 3);
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        vectors[i] = {image.texels[3 * i], image.texels[3 * i + 1], image.texels[3 * i + 2]};
+    return vectors;
+}
+
+std::vector<float> with_background_at_infinity(std::vector<float> depth) {
+    for (float& d : depth) {
+        if (!(d > 0.0F && std::isfinite(d))) d = std::numeric_limits<float>::infinity();
+    }
+    return depth;
+}
+
+}  // namespace
+
+std::string frame_prefix(int frame) {
+    const std::string digits = std::to_string(frame);
+    return "f" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+}
+
+std::vector<int> frames_of(const fs::path& directory) {
+    static const std::regex name("f([0-9]{4})\\.json");
+    std::error_code error;
+    std::vector<int> frames;
+    for (fs::directory_iterator i(directory, error), end; !error && i != end; i.increment(error)) {
+        std::smatch match;
+        const std::string file = i->path().filename().string();
+        if (std::regex_match(file, match, name)) frames.push_back(std::stoi(match[1]));
+    }
+    if (error) fail(directory, "cannot be read: " + error.message());
+    if (frames.empty()) fail(directory, "no frames in it, expected f0000.json and so on");
+    std::ranges::sort(frames);
+    return frames;
+}
+
+GBuffer read_gbuffer(const fs::path& directory, int frame) {
+    const fs::path stem = directory / frame_prefix(frame);
+    const FrameDescription description = read_frame_json(stem.string() + ".json");
+    const auto read = [&](const char* name, int channels) {
+        return read_image(stem.string() + name, description.extent, channels);
+    };
+    GBuffer gbuffer{.extent = description.extent,
+                    .depth = with_background_at_infinity(read("_depth", 1).texels),
+                    .normal = to_vectors(read("_normal", 3)),
+                    .motion = to_vectors(read("_motion", 3)),
+                    .camera = description.camera,
+                    .ao_radius = description.ao_radius};
+    if (gbuffer.depth.empty()) fail(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
+    return gbuffer;
+}
+
+}  // namespace gloam::scene
