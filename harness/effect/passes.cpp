@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/passes.hpp"
 
-#include <utility>
-
-#include "shader/include.hpp"
-
 namespace gloam::effect {
 namespace {
 
@@ -51,33 +47,30 @@ FilterParameters filter_parameters(const View& view, const Settings& settings, g
             .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1)};
 }
 
-PassLibrary::PassLibrary(const gpu::Device& device, std::filesystem::path glsl, shader::SpirvCache cache)
-    : device_(&device), glsl_(std::move(glsl)), cache_(std::move(cache)) {}
-
-gpu::ComputePipeline PassLibrary::make(const std::string& name, gpu::ComputeProgram program) const {
-    const std::filesystem::path file = glsl_ / "passes" / (name + ".comp");
-    const shader::Spirv spirv =
-        cache_.compile({.name = file.string(), .text = shader::read_text(file)},
-                       {.include_roots = {glsl_}, .optimization = shader::Optimization::performance});
-    program.spirv = spirv;
-    return {*device_, program};
+gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::PassLibrary& library) {
+    const shader::Spirv spirv = library.compile("normals_from_depth.comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_image},
+             .push_constant_bytes = sizeof(NormalParameters)}};
 }
 
-gpu::ComputePipeline PassLibrary::normals_from_depth() const {
-    return make("normals_from_depth", {.bindings = {storage_image, storage_image},
-                                       .push_constant_bytes = sizeof(NormalParameters)});
+gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::PassLibrary& library,
+                                       Method method) {
+    const shader::Spirv spirv = library.compile("ambient_occlusion.comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
+             .push_constant_bytes = sizeof(OcclusionParameters),
+             .constants = {{.id = 0, .bits = flag(method == Method::disc)}, {.id = 1, .bits = 1}}}};
 }
 
-gpu::ComputePipeline PassLibrary::ambient_occlusion(Method method) const {
-    return make("ambient_occlusion",
-                {.bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
-                 .push_constant_bytes = sizeof(OcclusionParameters),
-                 .constants = {{.id = 0, .bits = flag(method == Method::disc)}, {.id = 1, .bits = 1}}});
-}
-
-gpu::ComputePipeline PassLibrary::convergence_filter() const {
-    return make("convergence_filter", {.bindings = {storage_image, storage_image, storage_image},
-                                       .push_constant_bytes = sizeof(FilterParameters)});
+gpu::ComputePipeline convergence_filter(const gpu::Device& device, const scene::PassLibrary& library) {
+    const shader::Spirv spirv = library.compile("convergence_filter.comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_image, storage_image},
+             .push_constant_bytes = sizeof(FilterParameters)}};
 }
 
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {

@@ -3,15 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "effect/settings.hpp"
 #include "gpu/compute.hpp"
 #include "scene/camera.hpp"
-#include "shader/cache.hpp"
+#include "scene/pass_library.hpp"
 
 namespace gloam::effect {
 
@@ -61,22 +57,14 @@ struct View {
 [[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
 [[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis);
 
-// Compiles the passes of glsl/passes.
-class PassLibrary {
-  public:
-    PassLibrary(const gpu::Device& device, std::filesystem::path glsl, shader::SpirvCache cache);
-
-    [[nodiscard]] gpu::ComputePipeline normals_from_depth() const;
-    [[nodiscard]] gpu::ComputePipeline ambient_occlusion(Method method) const;  // counts its work
-    [[nodiscard]] gpu::ComputePipeline convergence_filter() const;
-
-  private:
-    [[nodiscard]] gpu::ComputePipeline make(const std::string& name, gpu::ComputeProgram program) const;
-
-    const gpu::Device* device_;
-    std::filesystem::path glsl_;
-    shader::SpirvCache cache_;
-};
+// The pipelines of glsl/passes.
+[[nodiscard]] gpu::ComputePipeline normals_from_depth(const gpu::Device& device,
+                                                      const scene::PassLibrary& library);
+[[nodiscard]] gpu::ComputePipeline ambient_occlusion(const gpu::Device& device,
+                                                     const scene::PassLibrary& library,
+                                                     Method method);  // counts its work
+[[nodiscard]] gpu::ComputePipeline convergence_filter(const gpu::Device& device,
+                                                      const scene::PassLibrary& library);
 
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace gloam::cli {
+
+// What `gloam render` was asked.
+struct RenderOptions {
+    std::string source;             // a scene's name or a mesh file; empty with gbuffer
+    std::filesystem::path gbuffer;  // folder of an engine's frames
+    std::string method = "hemisphere";
+    std::string preset = "paper";
+    std::optional<std::uint32_t> samples;
+    std::optional<int> frames;
+    std::string size = "640x360";
+    std::optional<float> radius;  // world units; otherwise the view's own
+    std::optional<float> bias;    // world units; otherwise a part of the radius
+    bool no_filter = false;
+    int repeat = 1;
+    std::string device;
+    bool validation = false;
+    std::filesystem::path truth;          // PFM
+    std::filesystem::path write_gbuffer;  // folder
+    std::filesystem::path out = "gloam-out";
+};
+
+// Renders, writes the images and render.json, then prints what it did. Returns the exit status: 0, or 1 when
+// the validation layers had something to say.
+[[nodiscard]] int run_render(const RenderOptions& options);
+
+// Adds the subcommand; `status` receives what it returns.
+void add_render(CLI::App& app, int& status);
+
+}  // namespace gloam::cli

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_input.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/names.hpp"
+#include "scene/corner.hpp"
+#include "scene/rasterize.hpp"
+#include "scene/read_gbuffer.hpp"
+
+namespace gloam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_scene(const std::string& name) {
+    for (const Named& scene : scene_names()) {
+        if (scene.name == name) return true;
+    }
+    return false;
+}
+
+std::string scene_list() {
+    std::string names;
+    for (const Named& scene : scene_names()) names += (names.empty() ? "" : ", ") + scene.name;
+    return names;
+}
+
+scene::Scene load_scene(const std::string& source) {
+    if (is_scene(source)) return scene::make_scene(source);
+    std::error_code none;
+    if (!fs::is_regular_file(source, none)) {
+        throw std::invalid_argument(
+            fmt::format("\"{}\" is neither a scene ({}) nor a mesh file", source, scene_list()));
+    }
+    return scene::mesh_on_ground(scene::load_mesh(source), fs::path(source).stem().string());
+}
+
+// "640x360".
+gpu::Extent parse_size(const std::string& text) {
+    gpu::Extent extent;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, extent.width);
+    bool good = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+    if (good) {
+        const auto height = std::from_chars(width.ptr + 1, end, extent.height);
+        good = height.ec == std::errc{} && height.ptr == end;
+    }
+    if (good && extent.width > 0 && extent.height > 0) return extent;
+    throw std::invalid_argument(
+        fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each 1 or more, such as 640x360", text));
+}
+
+void require_allowed(gpu::Extent extent, const gpu::DeviceInfo& device) {
+    if (extent.width <= device.max_image_size && extent.height <= device.max_image_size) return;
+    throw std::invalid_argument(fmt::format("--size {}x{}: {} allows at most {} pixels a side", extent.width,
+                                            extent.height, device.name, device.max_image_size));
+}
+
+RenderInput from_scene(const RenderOptions& options) {
+    const gpu::Extent extent = parse_size(options.size);
+    const auto scene = std::make_shared<const scene::Scene>(load_scene(options.source));
+    RenderInput input{.name = scene->name, .views = {0}, .frames_per_view = options.frames.value_or(1)};
+    input.load = [scene, extent](const gpu::Device& device, const scene::PassLibrary& passes, int) {
+        require_allowed(extent, device.info());
+        scene::GBuffer view = scene::rasterize(device, passes, *scene, extent);
+        view.ao_radius = scene->ao_radius;
+        return view;
+    };
+    if (options.source == "corner") {
+        input.truth = scene::corner_occlusion_at;
+        input.truth_name = "closed form";
+    }
+    return input;
+}
+
+RenderInput from_gbuffer(const RenderOptions& options) {
+    if (!options.source.empty()) {
+        throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two",
+                                                options.source, options.gbuffer.string()));
+    }
+    RenderInput input{.name = options.gbuffer.string(), .views = scene::frames_of(options.gbuffer)};
+    if (input.views.size() == 1) {
+        input.frames_per_view = options.frames.value_or(1);
+    } else if (options.frames) {
+        const auto count = static_cast<std::size_t>(*options.frames);
+        if (count > input.views.size()) {
+            throw std::invalid_argument(
+                fmt::format("--frames {}: {} holds {}", count, options.gbuffer.string(), input.views.size()));
+        }
+        input.views.resize(count);
+    }
+    input.load = [folder = options.gbuffer](const gpu::Device&, const scene::PassLibrary&, int view) {
+        return scene::read_gbuffer(folder, view);
+    };
+    return input;
+}
+
+}  // namespace
+
+RenderInput open_input(const RenderOptions& options) {
+    if (!options.gbuffer.empty()) return from_gbuffer(options);
+    if (options.source.empty()) {
+        throw std::invalid_argument(
+            fmt::format("nothing to render: give a scene ({}), a mesh file or --gbuffer DIR", scene_list()));
+    }
+    return from_scene(options);
+}
+
+}  // namespace gloam::cli

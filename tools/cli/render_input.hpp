@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/render.hpp"
+#include "effect/errors.hpp"
+#include "gpu/device.hpp"
+#include "scene/gbuffer.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::cli {
+
+// What is to be shaded: one still view on which frames accumulate, or a sequence of views.
+struct RenderInput {
+    std::string name;
+    std::vector<int> views;  // their numbers
+    int frames_per_view = 1;
+    std::function<scene::GBuffer(const gpu::Device&, const scene::PassLibrary&, int view)> load;
+    effect::TrueOcclusion truth;  // empty where it is not known
+    std::string truth_name;
+};
+
+// Checks the names and files that the options give, as far as that needs no device. Throws
+// std::invalid_argument or std::runtime_error with one line that names what is wrong.
+[[nodiscard]] RenderInput open_input(const RenderOptions& options);
+
+}  // namespace gloam::cli

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "effect/presets.hpp"
+
+namespace gloam::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* falloff_of(effect::Method method) {
+    return method == effect::Method::hemisphere ? "linear" : "none";
+}
+
+ordered_json errors_json(const effect::Errors& errors) {
+    return {{"rmse", errors.rmse},
+            {"mean", errors.mean},
+            {"percentile_99", errors.percentile_99},
+            {"max", errors.max},
+            {"bias", errors.bias}};
+}
+
+ordered_json settings_json(const effect::Settings& s) {
+    return {{"radius", s.radius},
+            {"falloff", falloff_of(s.method)},
+            {"bias", s.bias},
+            {"range", s.range},
+            {"epsilon", s.epsilon},
+            {"samples", s.samples},
+            {"table_size", s.table_size},
+            {"weight_max", s.weight_max},
+            {"c_rot", s.c_rot},
+            {"c_adaptive", s.c_adaptive},
+            {"filter", s.filter},
+            {"filter_half_width", s.filter_half_width}};
+}
+
+ordered_json times_json(const std::vector<effect::PassTime>& times) {
+    ordered_json json = ordered_json::object();
+    for (const effect::PassTime& time : times) {
+        json[time.pass] = std::isfinite(time.ms) ? ordered_json(time.ms) : ordered_json(nullptr);
+    }
+    return json;
+}
+
+ordered_json frame_json(const FrameReport& frame) {
+    const effect::Work& work = frame.work;
+    ordered_json json{{"frame", frame.number},
+                      {"width", frame.extent.width},
+                      {"height", frame.extent.height},
+                      {"radius", frame.settings.radius},
+                      {"bias", frame.settings.bias},
+                      {"times_ms", times_json(frame.times)},
+                      {"samples", work.samples},
+                      {"convergence", frame.mean_convergence},
+                      {"pixels", work.pixels},
+                      {"pixels_skipped",
+                       {{"background", work.background},
+                        {"radius_below_pixel", work.below_radius},
+                        {"filter_converged", work.converged}}},
+                      {"tiles", work.tiles},
+                      {"tiles_skipped",
+                       {{"background", work.tiles_background},
+                        {"nothing_to_sample", work.tiles_skipped - work.tiles_background}}}};
+    if (frame.errors) {
+        json["errors"] = {{"compared", frame.errors->raw.compared},
+                          {"raw", errors_json(frame.errors->raw)},
+                          {"filtered", errors_json(frame.errors->filtered)}};
+    }
+    return json;
+}
+
+std::string errors_line(const char* what, const effect::Errors& e) {
+    return fmt::format("{:<10} rmse {:.5f}, mean {:.5f}, 99 % below {:.5f}, max {:.5f}, bias {:+.5f}\n", what,
+                       e.rmse, e.mean, e.percentile_99, e.max, e.bias);
+}
+
+std::string work_lines(const FrameReport& frame) {
+    const effect::Work& work = frame.work;
+    std::string text;
+    for (const effect::PassTime& time : frame.times)
+        text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", time.pass, time.ms);
+    return text + fmt::format(
+                      "\n{} of {} pixels sampled ({} background, {} of a radius below a pixel), {} samples, "
+                      "mean convergence {:.3f}\n",
+                      work.pixels - work.background - work.below_radius, work.pixels, work.background,
+                      work.below_radius, work.samples, frame.mean_convergence);
+}
+
+}  // namespace
+
+std::string to_json(const RenderReport& report) {
+    const FrameReport& last = report.frames.back();
+    ordered_json json{{"device",
+                       {{"name", report.device.name},
+                        {"driver", report.device.driver},
+                        {"type", report.device.type},
+                        {"api_version", report.device.api_version}}},
+                      {"source", report.source},
+                      {"method", effect::name_of(last.settings.method)},
+                      {"preset", report.preset},
+                      {"radius", last.settings.radius},
+                      {"falloff", falloff_of(last.settings.method)},
+                      {"width", last.extent.width},
+                      {"height", last.extent.height},
+                      {"settings", settings_json(last.settings)},
+                      {"repeat", report.repeat},
+                      {"truth", report.truth.empty() ? ordered_json(nullptr) : ordered_json(report.truth)}};
+    json["frames"] = ordered_json::array();
+    for (const FrameReport& frame : report.frames) json["frames"].push_back(frame_json(frame));
+    return json.dump(2) + "\n";
+}
+
+std::string to_text(const RenderReport& report) {
+    const FrameReport& last = report.frames.back();
+    const effect::Settings& s = last.settings;
+    std::string text = fmt::format(
+        "{}: {} ({}), {} samples a frame, radius {:g}, bias {:g}, {} x {}, {} frame{} on {}\n", report.source,
+        effect::name_of(s.method), report.preset, s.samples, s.radius, s.bias, last.extent.width,
+        last.extent.height, report.frames.size(), report.frames.size() == 1 ? "" : "s", report.device.name);
+    text += (report.frames.size() > 1 ? "last frame: " : "") + work_lines(last);
+    if (!last.errors) return text;
+    text += fmt::format("against {}, {} pixels compared:\n", report.truth, last.errors->raw.compared);
+    text += errors_line("  raw", last.errors->raw);
+    if (s.filter) text += errors_line("  filtered", last.errors->filtered);
+    return text;
+}
+
+}  // namespace gloam::cli
