@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "numeric/random.hpp"
+#include "numeric/ulp.hpp"
+#include "support/lab.hpp"
+
+namespace gloam {
+namespace {
+
+using check::Kernel;
+
+constexpr double pi = std::numbers::pi;
+
+class Sampling : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab();
+
+    // The 3-D Halton points 1 ... count, from the device.
+    std::vector<glm::vec3> halton(unsigned count) const {
+        const Kernel<glm::vec3(unsigned)> point(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
+        std::vector<std::tuple<unsigned>> indices;
+        for (unsigned i = 1; i <= count; ++i) indices.emplace_back(i);
+        return point(indices);
+    }
+
+    // A map of one argument, for all of them at once.
+    template <class Result, class Argument>
+    std::vector<Result> map(const std::string& file, const std::string& function,
+                            const std::vector<Argument>& arguments) const {
+        const Kernel<Result(Argument)> kernel(lab, "gloam/sampling/" + file, function);
+        return kernel(std::vector<std::tuple<Argument>>(arguments.begin(), arguments.end()));
+    }
+};
+
+// Unit vectors, some of them where the tangent frame's sign changes.
+std::vector<glm::vec3> directions(std::size_t count) {
+    numeric::Random random(7);
+    std::vector<glm::vec3> all{{0, 0, 1},
+                               {0, 0, -1},
+                               {1, 0, 0},
+                               {0, 1, 0},
+                               {1, 0, -0.0F},
+                               {0.6F, 0.8F, 1e-20F},
+                               {0.6F, 0.8F, -1e-20F},
+                               {1e-4F, -1e-4F, -1}};
+    while (all.size() < count) {
+        const glm::dvec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        if (glm::length(v) > 0.1) all.emplace_back(glm::normalize(v));
+    }
+    return all;
+}
+
+// The mean of the values must be within four standard errors of the expected one.
+void expect_mean(const std::vector<double>& values, double expected, double deviation) {
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    const auto count = static_cast<double>(values.size());
+    EXPECT_NEAR(sum / count, expected, 4.0 * deviation / std::sqrt(count));
+}
+
+TEST_F(Sampling, RadicalInverseHasTheTableValues) {
+    const std::array<double, 10> base2{1. / 2, 1. / 4, 3. / 4,  1. / 8,  5. / 8,
+                                       3. / 8, 7. / 8, 1. / 16, 9. / 16, 5. / 16};
+    const std::array<double, 10> base3{1. / 3, 2. / 3, 1. / 9, 4. / 9,  7. / 9,
+                                       2. / 9, 5. / 9, 8. / 9, 1. / 27, 10. / 27};
+    const std::array<double, 10> base5{1. / 5,  2. / 5,   3. / 5,   4. / 5,   1. / 25,
+                                       6. / 25, 11. / 25, 16. / 25, 21. / 25, 2. / 25};
+    const std::vector<glm::vec3> points = halton(10);
+    const Kernel<float(unsigned, unsigned)> inverse(lab, "gloam/sampling/radical_inverse.glsl",
+                                                    "gloam_radical_inverse");
+    for (unsigned i = 0; i < 10; ++i) {
+        EXPECT_EQ(points[i].x, static_cast<float>(base2[i])) << "index " << i + 1;
+        EXPECT_LE(numeric::ulp_error(points[i].y, base3[i]), 1.0) << "index " << i + 1;
+        EXPECT_LE(numeric::ulp_error(points[i].z, base5[i]), 1.0) << "index " << i + 1;
+        EXPECT_EQ(inverse(i + 1, 2U), static_cast<float>(base2[i])) << "index " << i + 1;
+    }
+}
+
+TEST_F(Sampling, RadicalInverseStaysBelowOne) {
+    const Kernel<float(unsigned, unsigned)> inverse(lab, "gloam/sampling/radical_inverse.glsl",
+                                                    "gloam_radical_inverse");
+    std::vector<std::tuple<unsigned, unsigned>> inputs;
+    for (const unsigned base : {2U, 3U, 5U, 7U, 1625U, 4096U}) {
+        // All digits are base - 1: the largest inverse with so many digits.
+        for (unsigned long power = base; power <= 16777216UL; power *= base) {
+            inputs.emplace_back(static_cast<unsigned>(power - 1), base);
+        }
+    }
+    for (const float value : inverse(inputs)) {
+        EXPECT_LT(value, 1.0F);
+        EXPECT_GE(value, 0.5F);
+    }
+    // Neither does mirroring all 32 bits, which rounds up to 1.
+    const Kernel<float(unsigned)> base2(lab, "gloam/sampling/radical_inverse.glsl",
+                                        "gloam_radical_inverse_base2");
+    EXPECT_EQ(base2(0xFFFFFFFFU), 0x1.fffffep-1F);
+    EXPECT_EQ(base2(0x01000001U), 0.5F);  // modulo 2^24
+}
+
+TEST_F(Sampling, FirstDiscSampleIsOnTheNegativeAxis) {
+    const Kernel<glm::vec2(glm::vec2)> disc(lab, "gloam/sampling/disc.glsl", "gloam_disc_sample");
+    const glm::vec2 s = disc(glm::vec2(1.0F / 2, 1.0F / 3));
+    EXPECT_NEAR(s.x, -0.577350, 1e-6);  // with r = zeta_y, the line of eq 14 printed beside it, -0.333333
+    EXPECT_NEAR(s.y, 0.0, 1e-6);
+}
+
+TEST_F(Sampling, FirstHemisphereSampleHasTheLengthOfItsRadius) {
+    const Kernel<glm::vec3(glm::vec3)> sample(lab, "gloam/sampling/hemisphere.glsl",
+                                              "gloam_hemisphere_cosine");
+    const glm::vec3 s = sample(glm::vec3(1.0F / 2, 1.0F / 3, 1.0F / 5));
+    EXPECT_NEAR(s.x, -0.298142, 1e-6);
+    EXPECT_NEAR(s.y, 0.0, 1e-6);
+    EXPECT_NEAR(s.z, 0.149071, 1e-6);
+    EXPECT_NEAR(glm::length(s), 1.0 / 3, 1e-6);
+}
+
+// As printed, sqrt(r - zeta_z) is NaN where r < zeta_z, and |s| is not r.
+TEST_F(Sampling, HemisphereSamplesAreFiniteUpwardAndOfTheirRadius) {
+    const std::vector<glm::vec3> zeta = halton(1024);
+    for (const char* function : {"gloam_hemisphere_cosine", "gloam_hemisphere_uniform"}) {
+        const auto samples = map<glm::vec3>("hemisphere.glsl", function, zeta);
+        for (std::size_t i = 0; i < zeta.size(); ++i) {
+            EXPECT_NEAR(glm::length(glm::dvec3(samples[i])), zeta[i].y, 1e-6) << function;
+            EXPECT_GE(samples[i].z, 0.0F) << function;
+        }
+    }
+}
+
+TEST_F(Sampling, MeanCosineTellsTheDirectionsApart) {
+    const std::vector<glm::vec3> zeta = halton(4096);
+    const auto cosines = [&](const char* function) {
+        std::vector<double> all;
+        for (const glm::dvec3 s : map<glm::vec3>("hemisphere.glsl", function, zeta)) {
+            all.push_back(s.z / glm::length(s));
+        }
+        return all;
+    };
+    expect_mean(cosines("gloam_hemisphere_cosine"), 2.0 / 3, std::sqrt(1.0 / 2 - 4.0 / 9));
+    expect_mean(cosines("gloam_hemisphere_uniform"), 1.0 / 2, std::sqrt(1.0 / 12));
+}
+
+TEST_F(Sampling, DiscSamplesAreUniformOnTheDisc) {
+    std::vector<glm::vec2> zeta;
+    for (const glm::vec3 point : halton(4096)) zeta.emplace_back(point.x, point.y);
+    std::vector<double> radii, xs, ys;
+    for (const glm::dvec2 s : map<glm::vec2>("disc.glsl", "gloam_disc_sample", zeta)) {
+        radii.push_back(glm::length(s));
+        xs.push_back(s.x);
+        ys.push_back(s.y);
+    }
+    expect_mean(radii, 2.0 / 3, std::sqrt(1.0 / 18));
+    expect_mean(xs, 0.0, 0.5);
+    expect_mean(ys, 0.0, 0.5);
+}
+
+TEST_F(Sampling, RadiusLawsHaveTheirFalloffs) {
+    constexpr std::array<const char*, 3> laws{"gloam_radius_linear", "gloam_radius_quadratic",
+                                              "gloam_radius_cubic"};
+    constexpr unsigned count = 4096;
+    std::vector<float> zeta;
+    for (unsigned i = 0; i < count; ++i) zeta.push_back((static_cast<float>(i) + 0.5F) / count);
+    for (std::size_t law = 0; law < laws.size(); ++law) {
+        const auto radii = map<float>("radius_law.glsl", laws[law], zeta);
+        for (const double hit : {0.25, 0.5, 0.9}) {
+            // Samples beyond the hit are blocked: the falloff is 1 - hit^(law + 1).
+            const auto blocked = std::ranges::count_if(radii, [hit](float r) { return r > hit; });
+            EXPECT_NEAR(static_cast<double>(blocked) / count,
+                        1.0 - std::pow(hit, static_cast<double>(law + 1)), 1.0 / count)
+                << laws[law];
+        }
+    }
+}
+
+TEST_F(Sampling, TangentFramesAreOrthonormalAndRightHanded) {
+    const std::vector<glm::vec3> normals = directions(4096);
+    const auto frames = map<glm::mat3>("tangent_frame.glsl", "gloam_tangent_frame", normals);
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const glm::dmat3 frame(frames[i]);
+        const glm::dmat3 product = glm::transpose(frame) * frame;
+        for (int c = 0; c < 3; ++c) {
+            for (int r = 0; r < 3; ++r) EXPECT_NEAR(product[c][r], c == r ? 1.0 : 0.0, 2e-6);
+        }
+        EXPECT_NEAR(glm::determinant(frame), 1.0, 2e-6);
+        EXPECT_LT(glm::distance(frame[2], glm::normalize(glm::dvec3(normals[i]))), 1e-6);
+    }
+}
+
+TEST_F(Sampling, TangentFrameOfNoDirectionIsTheIdentity) {
+    const Kernel<glm::mat3(glm::vec3)> frame(lab, "gloam/sampling/tangent_frame.glsl", "gloam_tangent_frame");
+    EXPECT_EQ(frame(glm::vec3(0.0F)), glm::mat3(1.0F));
+    EXPECT_EQ(frame(glm::vec3(0.0F, NAN, 1.0F)), glm::mat3(1.0F));
+    EXPECT_EQ(frame(glm::vec3(0.0F, 0.0F, 1e30F)), glm::mat3(1.0F));
+}
+
+TEST_F(Sampling, RotationKeepsLengthAndAngleToTheNormal) {
+    const Kernel<glm::vec3(glm::vec3, float)> rotate(lab, "gloam/sampling/rotation.glsl",
+                                                     "gloam_rotate_hemisphere");
+    numeric::Random random(11);
+    std::vector<std::tuple<glm::vec3, float>> inputs;
+    for (const glm::vec3 s : directions(2048)) {
+        inputs.emplace_back(s * static_cast<float>(random.unit()),
+                            static_cast<float>(random.uniform(-100, 100)));
+    }
+    const std::vector<glm::vec3> rotated = rotate(inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto& [s, angle] = inputs[i];
+        EXPECT_NEAR(glm::length(glm::dvec3(rotated[i])), glm::length(glm::dvec3(s)), 1e-6);
+        EXPECT_EQ(rotated[i].z, s.z);
+        // And by the angle asked for, counter-clockwise.
+        const double expected = std::atan2(s.y, s.x) + static_cast<double>(angle);
+        const double radius = glm::length(glm::dvec2(s));
+        EXPECT_NEAR(rotated[i].x, radius * std::cos(expected), 2e-6);
+        EXPECT_NEAR(rotated[i].y, radius * std::sin(expected), 2e-6);
+    }
+}
+
+TEST_F(Sampling, HashRotationIsExactForLargePixels) {
+    const Kernel<float(glm::ivec2)> rotation(lab, "gloam/sampling/hash_rotation.glsl", "gloam_hash_rotation");
+    EXPECT_NEAR(rotation(glm::ivec2(1, 0)), 30.0 - 4 * 2 * pi, 1e-6);  // 10 (3 XOR 0)
+    EXPECT_EQ(rotation(glm::ivec2(0, 0)), 0.0F);
+    double worst_in_float = 0.0;
+    for (const glm::ivec2 pixel : {glm::ivec2(7, 3), glm::ivec2(1919, 1079), glm::ivec2(8191, 8191)}) {
+        const auto hash = static_cast<unsigned>((3 * pixel.x) ^ (pixel.y + pixel.x * pixel.y));
+        const double exact = std::fmod(10.0 * hash, 2 * pi);
+        EXPECT_NEAR(rotation(pixel), exact, 1e-6);
+        const double in_float = std::fmod(static_cast<double>(10.0F * static_cast<float>(hash)), 2 * pi);
+        worst_in_float = std::max(worst_in_float, std::abs(in_float - exact));
+    }
+    EXPECT_GT(worst_in_float, 1e-2);  // what the formula gives in float, reduced without any further error
+    const float wrapped = rotation(glm::ivec2(-5, 2147483647));
+    EXPECT_TRUE(wrapped >= 0.0F && wrapped < 2 * pi);
+}
+
+TEST_F(Sampling, SpiralTapsLieOnTheirRadiiAndAngles) {
+    const Kernel<glm::vec2(int, int, int, float)> tap(lab, "gloam/sampling/spiral.glsl", "gloam_spiral_tap");
+    constexpr float phase = 0.7F;
+    for (int i = 0; i < 9; ++i) {
+        const double radius = (i + 0.5) / 9;
+        const glm::dvec2 s = tap(i, 9, 7, phase);
+        EXPECT_NEAR(s.x, radius * std::cos(2 * pi * radius * 7 + static_cast<double>(phase)), 1e-6);
+        EXPECT_NEAR(s.y, radius * std::sin(2 * pi * radius * 7 + static_cast<double>(phase)), 1e-6);
+    }
+    for (const auto& [index, count] : {std::pair{0, 0}, {9, 9}, {-1, 9}, {0, 32769}}) {
+        EXPECT_EQ(tap(index, count, 7, phase), glm::vec2(0.0F));
+    }
+}
+
+TEST_F(Sampling, ReflectionAtAGreyTexelChangesNothing) {
+    const Kernel<glm::vec3(glm::vec3, glm::vec3)> reflect(lab, "gloam/sampling/reflect.glsl",
+                                                          "gloam_reflect_sample");
+    const glm::vec3 s(0.3F, -0.2F, 0.6F);
+    EXPECT_EQ(reflect(s, glm::vec3(0.5F)), s);
+    EXPECT_EQ(reflect(s, glm::vec3(NAN, 0.5F, 0.5F)), s);
+    // 2 t - 1 = (1, 0, 0). The printed normalize(t * 2.0, - 1.0) does not compile, normalize(t) would reflect
+    // at (2, 1, 1).
+    EXPECT_EQ(reflect(s, glm::vec3(1.0F, 0.5F, 0.5F)), glm::vec3(-0.3F, -0.2F, 0.6F));
+}
+
+TEST_F(Sampling, FlippedSamplesLieInTheHemisphere) {
+    const Kernel<glm::vec3(glm::vec3, glm::vec3)> flip(lab, "gloam/sampling/hemisphere_flip.glsl",
+                                                       "gloam_hemisphere_flip");
+    const std::vector<glm::vec3> vectors = directions(1024);
+    std::vector<std::tuple<glm::vec3, glm::vec3>> inputs;
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        inputs.emplace_back(vectors[i], vectors[vectors.size() - 1 - i]);
+    const std::vector<glm::vec3> flipped = flip(inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto& [s, n] = inputs[i];
+        EXPECT_GE(glm::dot(glm::dvec3(flipped[i]), glm::dvec3(n)), -1e-7);
+        EXPECT_TRUE(flipped[i] == s || flipped[i] == -s);
+    }
+    // In the tangent plane the sign is that of faceforward(s, s, -n).
+    EXPECT_EQ(flip(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)), glm::vec3(-1, 0, 0));
+}
+
+TEST_F(Sampling, PoissonConditionIsStrict) {
+    const Kernel<bool(glm::vec2, glm::vec2, float)> accepts(lab, "gloam/sampling/poisson.glsl",
+                                                            "gloam_poisson_accepts");
+    EXPECT_FALSE(accepts(glm::vec2(0.5F, 0.0F), glm::vec2(0.0F), 0.5F));
+    EXPECT_TRUE(accepts(glm::vec2(0.5F, 0.0F), glm::vec2(0.0F), 0.499F));
+    EXPECT_FALSE(accepts(glm::vec2(0.25F), glm::vec2(0.25F), 0.0F));
+    EXPECT_FALSE(accepts(glm::vec2(NAN, 0.0F), glm::vec2(0.0F), 0.1F));
+}
+
+TEST_F(Sampling, LiftedDiscPointsAreCosineWeighted) {
+    std::vector<glm::vec2> zeta;
+    for (const glm::vec3 point : halton(4096)) zeta.emplace_back(point.x, point.y);
+    const auto discs = map<glm::vec2>("disc.glsl", "gloam_disc_sample", zeta);
+    std::vector<double> heights;
+    for (const glm::dvec3 s : map<glm::vec3>("poisson.glsl", "gloam_hemisphere_lift", discs)) {
+        EXPECT_NEAR(glm::length(s), 1.0, 1e-6);
+        heights.push_back(s.z);
+    }
+    expect_mean(heights, 2.0 / 3, std::sqrt(1.0 / 2 - 4.0 / 9));
+}
+
+TEST_F(Sampling, PairsAreOpposite) {
+    const Kernel<glm::vec2(glm::vec2, int)> paired(lab, "gloam/sampling/pairs.glsl", "gloam_paired_sample");
+    const glm::vec2 s(0.25F, -0.75F);
+    EXPECT_EQ(paired(s, 6), s);
+    EXPECT_EQ(paired(s, 7), -s);
+}
+
+}  // namespace
+}  // namespace gloam
