@@ -1,189 +1,202 @@
 // SPDX-License-Identifier: MIT
 #include "effect/ambient_occlusion.hpp"
 
-#include <array>
-#include <cmath>
-#include <span>
-#include <stdexcept>
+#include <fmt/format.h>
 
-#include "effect/internal/parameters.hpp"
-#include "effect/internal/timed_passes.hpp"
-#include "effect/internal/work_records.hpp"
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "effect/internal/passes.hpp"
+#include "effect/internal/work.hpp"
+#include "gpu/commands.hpp"
 
 namespace gloam::effect {
 namespace {
 
-using gpu::BindingKind;
-using gpu::Format;
-using gpu::Image;
+using enum gpu::Format;
 
-constexpr std::uint32_t tile = 8;  // pixels on each side of a work group
+// A pass, ready to be recorded.
+struct Step {
+    std::string name;
+    const gpu::ComputePipeline* pipeline = nullptr;
+    std::vector<gpu::Resource> resources;
+    std::span<const std::byte> parameters;
+};
 
-void require(bool condition, const char* message) {
-    if (!condition) throw std::invalid_argument(message);
+template <class Parameters>
+std::span<const std::byte> bytes_of(const Parameters& parameters) {
+    return std::as_bytes(std::span(&parameters, 1));
 }
 
-void check(const Settings& s, double radius) {
-    require(radius > 0.0 && std::isfinite(radius), "ambient occlusion: expected a radius > 0");
-    require(s.samples >= 1 && s.samples_converged >= 0, "ambient occlusion: expected at least 1 sample a frame");
-    require(s.weight_max > 0.0 && s.weight_max <= 1 << 20, "ambient occlusion: expected weight_max in (0, 2^20]");
-    require(s.half_width >= 0 && s.half_width <= 64, "ambient occlusion: expected a filter of half width 0 to 64");
+std::size_t pixels_of(gpu::Extent extent) {
+    return std::size_t{extent.width} * extent.height;
 }
 
-template <class T>
-std::span<const std::byte> bytes_of(const T& value) {
-    return std::as_bytes(std::span(&value, 1));
+std::size_t tiles_of(gpu::Extent extent) {
+    const auto groups = groups_for(extent);
+    return std::size_t{groups[0]} * groups[1];
 }
 
-gpu::ComputePipeline make_pipeline(const gpu::Device& device, const shader::Spirv& spirv, std::size_t images,
-                                   std::size_t buffers, std::size_t push_constant_bytes) {
-    std::vector<BindingKind> bindings(images, BindingKind::storage_image);
-    bindings.insert(bindings.end(), buffers, BindingKind::storage_buffer);
-    return {device,
-            {.spirv = spirv,
-             .bindings = bindings,
-             .push_constant_bytes = static_cast<std::uint32_t>(push_constant_bytes)}};
+void require_size(const char* what, std::size_t found, gpu::Extent extent) {
+    if (found == pixels_of(extent)) return;
+    throw std::invalid_argument(
+        fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
 }
 
-std::array<std::uint32_t, 3> tiles_of(gpu::Extent extent) {
-    return {(extent.width + tile - 1) / tile, (extent.height + tile - 1) / tile, 1};
-}
-
-std::vector<float> to_texels(const std::vector<glm::vec3>& vectors) {
+std::vector<float> texels_of(std::span<const glm::vec3> normals) {
     std::vector<float> texels;
-    texels.reserve(vectors.size() * 4);
-    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z, 0.0F});
+    texels.reserve(4 * normals.size());
+    for (const glm::vec3& n : normals) texels.insert(texels.end(), {n.x, n.y, n.z, 0.0F});
     return texels;
+}
+
+std::vector<float> channel(std::span<const float> texels, std::size_t which) {
+    std::vector<float> values(texels.size() / 4);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = texels[4 * i + which];
+    return values;
 }
 
 }  // namespace
 
 struct AmbientOcclusion::Impl {
-    Impl(const gpu::Device& on, const scene::PassLibrary& passes, gpu::Extent size, const Method& method,
-         const Settings& with, double influence)
-        : device(on),
-          extent(size),
-          settings(with),
-          radius(influence),
-          depth(on, size, Format::r32f),
-          normal(on, size, Format::rgba32f),
-          history{Image(on, size, Format::rgba32f), Image(on, size, Format::rgba32f)},
-          raw(on, size, Format::r32f),
-          filtered_x(on, size, Format::r32f),
-          filtered(on, size, Format::r32f),
-          records(on, sizeof(WorkRecord) * tiles_of(size)[0] * tiles_of(size)[1]),
-          normals(make_pipeline(on, passes.compile("normals_from_depth.comp"), 2, 0, sizeof(NormalParameters))),
-          gather(make_pipeline(on, passes.compile(method.pass), 5, 0, sizeof(OcclusionParameters))),
-          gather_and_count(make_pipeline(on, passes.compile(method.pass, {"GLOAM_COUNT_WORK"}), 5, 1,
-                                         sizeof(OcclusionParameters))),
-          filter(make_pipeline(on, passes.compile("convergence_filter.comp"), 4, 0, sizeof(FilterParameters))) {}
+    Impl(const gpu::Device& the_device, const scene::PassLibrary& passes, gpu::Extent size)
+        : device(&the_device),
+          library(passes),
+          normals_pipeline(normals_from_depth(the_device, passes)),
+          filter_pipeline(convergence_filter(the_device, passes)),
+          view{.extent = size},
+          depth(the_device, size, r32f),
+          normal(the_device, size, rgba32f),
+          before(the_device, size, rgba32f),
+          after(the_device, size, rgba32f),
+          half_filtered(the_device, size, rgba32f),
+          filtered(the_device, size, rgba32f),
+          tiles(the_device, tiles_of(size) * sizeof(TileWork)) {}
 
-    void upload(const scene::GBuffer& gbuffer);
-    [[nodiscard]] std::vector<Pass> passes(const scene::GBuffer& gbuffer, bool count) const;
-    [[nodiscard]] Pass normals_pass(const ViewParameters& view, bool orthographic) const;
-    [[nodiscard]] Pass gather_pass(const ViewParameters& view, bool orthographic, bool count) const;
-    [[nodiscard]] Pass filter_pass(const ViewParameters& view, bool orthographic, glm::ivec2 axis) const;
-
-    const gpu::Device& device;
-    gpu::Extent extent;
+    const gpu::Device* device;
+    scene::PassLibrary library;
+    gpu::ComputePipeline normals_pipeline;
+    gpu::ComputePipeline filter_pipeline;
+    std::map<Method, gpu::ComputePipeline> occlusion_pipelines;
+    View view;
     Settings settings;
-    double radius;
+    bool begun = false;
+    bool reconstruct_normals = false;
+    gpu::Image depth;
+    gpu::Image normal;
+    gpu::Image before;  // history of the last frame
+    gpu::Image after;   // history of this frame
+    gpu::Image half_filtered;
+    gpu::Image filtered;
+    gpu::Buffer tiles;
+    NormalParameters normal_constants{};
+    OcclusionParameters occlusion_constants{};
+    FilterParameters filter_x_constants{};
+    FilterParameters filter_y_constants{};
 
-    Image depth;
-    Image normal;
-    std::array<Image, 2> history;
-    std::size_t newest = 0;  // which of the two the next frame writes
-    Image raw;
-    Image filtered_x;
-    Image filtered;
-    gpu::Buffer records;
-
-    gpu::ComputePipeline normals;
-    gpu::ComputePipeline gather;
-    gpu::ComputePipeline gather_and_count;
-    gpu::ComputePipeline filter;
+    [[nodiscard]] std::vector<Step> steps() const;
+    [[nodiscard]] std::vector<PassTime> run(const std::vector<Step>& passes, int repeat) const;
+    [[nodiscard]] Frame collect() const;
 };
 
-void AmbientOcclusion::Impl::upload(const scene::GBuffer& gbuffer) {
-    depth.upload(gbuffer.depth);
-    if (!gbuffer.normal.empty()) normal.upload(to_texels(gbuffer.normal));
-}
-
-Pass AmbientOcclusion::Impl::normals_pass(const ViewParameters& view, bool orthographic) const {
-    return {"normals", [this, parameters = NormalParameters{view, orthographic}](gpu::Commands& commands) {
-                const std::array<gpu::Resource, 2> resources{depth, normal};
-                commands.dispatch(normals, resources, tiles_of(extent), bytes_of(parameters));
-            }};
-}
-
-Pass AmbientOcclusion::Impl::gather_pass(const ViewParameters& view, bool orthographic, bool count) const {
-    const auto f = [](double x) { return static_cast<float>(x); };
-    const OcclusionParameters parameters{.view = view,
-                                         .orthographic = orthographic,
-                                         .radius = f(radius),
-                                         .range = f(settings.range_radii * radius),
-                                         .epsilon = f(settings.epsilon_radii * radius),
-                                         .bias = f(settings.bias),
-                                         .k_initial = settings.samples,
-                                         .k_converged = settings.samples_converged,
-                                         .table_size = settings.table_size,
-                                         .weight_max = f(settings.weight_max),
-                                         .c_spatial = f(settings.c_spatial),
-                                         .c_rotation = f(settings.c_rotation),
-                                         .depth_epsilon = f(settings.depth_epsilon)};
-    return {"occlusion", [this, parameters, count](gpu::Commands& commands) {
-                std::vector<gpu::Resource> resources{depth, normal, history[1 - newest], history[newest], raw};
-                if (count) resources.emplace_back(records);
-                commands.dispatch(count ? gather_and_count : gather, resources, tiles_of(extent), bytes_of(parameters));
-            }};
-}
-
-Pass AmbientOcclusion::Impl::filter_pass(const ViewParameters& view, bool orthographic, glm::ivec2 axis) const {
-    const FilterParameters parameters{.view = view,
-                                      .axis = axis,
-                                      .orthographic = orthographic,
-                                      .half_width = settings.half_width,
-                                      .sigma_pixels = static_cast<float>(settings.sigma_pixels),
-                                      .weight_max = static_cast<float>(settings.weight_max),
-                                      .c_adaptive = static_cast<float>(settings.c_adaptive)};
-    const bool first = axis.x == 1;
-    return {first ? "filter_x" : "filter_y", [this, parameters, first](gpu::Commands& commands) {
-                const std::array<gpu::Resource, 4> resources{depth, history[newest], first ? raw : filtered_x,
-                                                             first ? filtered_x : filtered};
-                commands.dispatch(filter, resources, tiles_of(extent), bytes_of(parameters));
-            }};
-}
-
-std::vector<Pass> AmbientOcclusion::Impl::passes(const scene::GBuffer& gbuffer, bool count) const {
-    const ViewParameters view{gbuffer.camera.p00_p11(), {extent.width, extent.height}};
-    const bool orthographic = gbuffer.camera.orthographic();
-    std::vector<Pass> all;
-    if (gbuffer.normal.empty()) all.push_back(normals_pass(view, orthographic));
-    all.push_back(gather_pass(view, orthographic, count));
-    if (settings.filter) {
-        all.push_back(filter_pass(view, orthographic, {1, 0}));
-        all.push_back(filter_pass(view, orthographic, {0, 1}));
+std::vector<Step> AmbientOcclusion::Impl::steps() const {
+    std::vector<Step> passes;
+    if (reconstruct_normals) {
+        passes.push_back(
+            {"normals_from_depth", &normals_pipeline, {depth, normal}, bytes_of(normal_constants)});
     }
-    return all;
+    passes.push_back({"ambient_occlusion",
+                      &occlusion_pipelines.at(settings.method),
+                      {depth, normal, before, after, tiles},
+                      bytes_of(occlusion_constants)});
+    if (settings.filter) {
+        passes.push_back(
+            {"filter_x", &filter_pipeline, {depth, after, half_filtered}, bytes_of(filter_x_constants)});
+        passes.push_back(
+            {"filter_y", &filter_pipeline, {depth, half_filtered, filtered}, bytes_of(filter_y_constants)});
+    }
+    return passes;
 }
 
-AmbientOcclusion::AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
-                                   const Method& method, const Settings& settings, double radius) {
-    check(settings, radius);
-    impl_ = std::make_unique<Impl>(device, passes, extent, method, settings, radius);
+// Each run reads the same history and writes the same images, so running again changes nothing.
+std::vector<PassTime> AmbientOcclusion::Impl::run(const std::vector<Step>& passes, int repeat) const {
+    std::vector<std::vector<double>> times(passes.size());
+    for (int i = 0; i < repeat; ++i) {
+        gpu::Commands commands(*device);
+        commands.timestamp();
+        for (const Step& pass : passes) {
+            commands.dispatch(*pass.pipeline, pass.resources, groups_for(view.extent), pass.parameters);
+            commands.timestamp();
+        }
+        commands.submit();
+        const std::vector<double> readings = commands.times_ms();
+        for (std::size_t p = 0; p < passes.size(); ++p) times[p].push_back(readings[p + 1] - readings[p]);
+    }
+    std::vector<PassTime> medians;
+    for (std::size_t p = 0; p < passes.size(); ++p) medians.push_back({passes[p].name, median(times[p])});
+    return medians;
 }
 
+Frame AmbientOcclusion::Impl::collect() const {
+    const std::vector<float> history = after.download();
+    Frame frame{.occlusion = channel(history, 0), .convergence = channel(history, 1)};
+    frame.filtered = settings.filter ? channel(filtered.download(), 0) : frame.occlusion;
+    for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
+
+    std::vector<TileWork> counts(tiles.size() / sizeof(TileWork));
+    std::memcpy(counts.data(), tiles.bytes().data(), tiles.size());
+    frame.work = summed(counts);
+    if (settings.filter) {
+        for (const float value : frame.convergence)
+            frame.work.converged += value >= settings.c_adaptive ? 1 : 0;
+    }
+    return frame;
+}
+
+AmbientOcclusion::AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes,
+                                   gpu::Extent extent)
+    : impl_(std::make_unique<Impl>(device, passes, extent)) {}
 AmbientOcclusion::~AmbientOcclusion() = default;
 AmbientOcclusion::AmbientOcclusion(AmbientOcclusion&&) noexcept = default;
 AmbientOcclusion& AmbientOcclusion::operator=(AmbientOcclusion&&) noexcept = default;
 
-Frame AmbientOcclusion::run(const scene::GBuffer& gbuffer, History history, int repeats) {
-    Impl& effect = *impl_;
-    require(gbuffer.extent == effect.extent, "ambient occlusion: the G-buffer has another size than the effect");
-    if (history == History::restart || !effect.has_history) {
+void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& settings) {
+    Impl& impl = *impl_;
+    validate(settings);
+    require_size("depth", view.depth.size(), impl.view.extent);
+    if (!view.normal.empty()) require_size("normals", view.normal.size(), impl.view.extent);
+    if (!impl.occlusion_pipelines.contains(settings.method)) {
+        impl.occlusion_pipelines.emplace(settings.method,
+                                         ambient_occlusion(*impl.device, impl.library, settings.method));
     }
-    effect.upload(gbuffer);
-    Frame frame;
+    impl.view.camera = view.camera;
+    impl.settings = settings;
+    impl.reconstruct_normals = view.normal.empty();
+    impl.depth.upload(view.depth);
+    if (!impl.reconstruct_normals) impl.normal.upload(texels_of(view.normal));
+    impl.before.upload(std::vector<float>(4 * pixels_of(impl.view.extent), 0.0F));
+    impl.normal_constants = normal_parameters(impl.view);
+    impl.occlusion_constants = occlusion_parameters(impl.view, settings);
+    impl.filter_x_constants = filter_parameters(impl.view, settings, {1, 0});
+    impl.filter_y_constants = filter_parameters(impl.view, settings, {0, 1});
+    impl.begun = true;
+}
+
+Frame AmbientOcclusion::next(int repeat) {
+    Impl& impl = *impl_;
+    if (!impl.begun) throw std::logic_error("no view: begin() must come before next()");
+    if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
+    std::vector<PassTime> times = impl.run(impl.steps(), repeat);
+    Frame frame = impl.collect();
+    frame.times = std::move(times);
+    impl.reconstruct_normals = false;
+    std::swap(impl.before, impl.after);
     return frame;
 }
 

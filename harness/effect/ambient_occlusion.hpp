@@ -8,58 +8,59 @@
 
 #include "effect/settings.hpp"
 #include "gpu/device.hpp"
+#include "gpu/image.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {
 
-// GPU time of one pass; NaN where the device has no timestamps.
+// How long a pass took on the device, in milliseconds: the median over the runs of a frame. NaN where the
+// device has no clock.
 struct PassTime {
     std::string pass;
-    double milliseconds = 0.0;
+    double ms = 0.0;
 };
 
-// How many were computed, and how many were not, and why.
-struct Tally {
-    std::uint64_t total = 0;
-    std::uint64_t shaded = 0;
-    std::uint64_t background = 0;
-    std::uint64_t without_normal = 0;
-    std::uint64_t radius_below_a_pixel = 0;
-    std::uint64_t skipped_for_several_reasons = 0;  // tiles only
-};
-
+// What a frame took and what it left out, counted on the device. Tiles are the passes' groups, 8 x 8 pixels.
 struct Work {
-    std::uint64_t samples = 0;  // taken, those dropped not counted
-    Tally pixels;
-    Tally tiles;  // work groups; shaded: at least one pixel was
+    std::uint64_t pixels = 0;
+    std::uint64_t background = 0;    // pixels skipped: no geometry
+    std::uint64_t below_radius = 0;  // pixels skipped: projected radius below Settings::least_radius
+    std::uint64_t converged = 0;     // pixels that the filter left as they were, background not included
+    std::uint64_t samples = 0;       // that entered a mean
+    std::uint64_t tiles = 0;
+    std::uint64_t tiles_background = 0;  // without any geometry
+    std::uint64_t tiles_skipped = 0;     // without any pixel to sample, those without geometry included
 };
 
-// Occlusion of one frame, rows from the top: in [0, 1], 0 at the background.
+// One frame, rows from the top. Occlusion is 1 where blocked, 0 at the background, always in [0, 1].
 struct Frame {
-    std::vector<float> raw;       // as accumulated
-    std::vector<float> occlusion; // filtered; the same as raw without a filter
-    std::vector<PassTime> times;  // in the order of execution; median over the repeats
+    std::vector<float> occlusion;    // the accumulated estimate
+    std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
+    std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background
+    std::vector<PassTime> times;     // in the order they ran
     Work work;
 };
 
-enum class History { keep, restart };
-
-// Ambient occlusion of images of one size. Frame after frame it accumulates samples for each pixel, with the
-// history at the same pixel: right as long as nothing moves. When something does, restart.
+// The ambient-occlusion passes for images of one size, with their history.
 class AmbientOcclusion {
   public:
-    // radius: of influence, world units. Throws std::runtime_error for a size that the device does not allow,
-    // std::invalid_argument for settings outside their range.
-    AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent, const Method& method,
-                     const Settings& settings, double radius);
+    // The device must outlive this. Throws std::runtime_error for a size of 0 or beyond the device's limit,
+    // and when a shader does not compile.
+    AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
     ~AmbientOcclusion();
     AmbientOcclusion(AmbientOcclusion&&) noexcept;
     AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
 
-    // The next frame, computed 1 + `repeats` times from the same history: once to count the work, then to be timed
-    // (no times for 0). Throws std::invalid_argument for a G-buffer of another size.
-    [[nodiscard]] Frame run(const scene::GBuffer& gbuffer, History history, int repeats = 1);
+    // Takes a view and forgets the history. Normals that are missing are reconstructed from depth; the next
+    // frame's times include that pass. Throws std::invalid_argument for a size that disagrees and for
+    // settings out of range.
+    void begin(const scene::GBuffer& view, const Settings& settings);
+
+    // The next frame of that view: `repeat` (>= 1) identical runs, of which the times are the median; the
+    // history advances once. Throws std::logic_error before begin(), std::runtime_error like
+    // gpu::Commands::submit().
+    [[nodiscard]] Frame next(int repeat = 1);
 
   private:
     struct Impl;

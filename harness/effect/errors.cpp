@@ -59,7 +59,7 @@ class Projector {
 
 }  // namespace
 
-Errors compare(std::span<const float> occlusion, std::span<const float> truth) {
+Errors errors_of(std::span<const float> occlusion, std::span<const float> truth) {
     require_same_size("truth", truth.size(), occlusion.size());
     std::vector<double> magnitudes;
     Errors errors;

@@ -24,7 +24,7 @@ struct Errors {
 };
 
 // Throws std::invalid_argument when the sizes disagree.
-[[nodiscard]] Errors compare(std::span<const float> occlusion, std::span<const float> truth);
+[[nodiscard]] Errors errors_of(std::span<const float> occlusion, std::span<const float> truth);
 
 // True occlusion at a world-space point, for a radius in world units.
 using TrueOcclusion = std::function<double(const glm::dvec3& world, double radius)>;

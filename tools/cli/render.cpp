@@ -107,9 +107,9 @@ class Renderer {
     }
 
     effect::Truth truth_for(const scene::GBuffer& view, double radius) const {
-        if (!reference_) return input_.truth ? truth_of(view, radius, input_.truth) : effect::Truth{};
+        if (!reference_) return input_.truth ? effect::truth_of(view, radius, input_.truth) : effect::Truth{};
         if (reference_->extent == view.extent && reference_->channels == 1) {
-            return truth_from(view, reference_->texels);
+            return effect::truth_from(view, reference_->texels);
         }
         throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1",
                                                 options_.truth.string(), reference_->extent.width,
@@ -136,7 +136,8 @@ class Renderer {
                               .work = frame.work,
                               .mean_convergence = mean_convergence(frame)};
             if (!truth.empty()) {
-                entry.errors = {compare(frame.occlusion, truth), compare(frame.filtered, truth)};
+                entry.errors = {effect::errors_of(frame.occlusion, truth),
+                                effect::errors_of(frame.filtered, truth)};
             }
             report_.frames.push_back(std::move(entry));
         }
