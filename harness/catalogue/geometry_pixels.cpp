@@ -26,7 +26,7 @@ void place_at_borders(std::span<Word> words) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const auto size = from_word<int>(words[2 + axis]);
         const Word lot = words[axis];
-        if (lot % 4U != 0U || size < 1) continue;
+        if (lot % 4U != 2U || size < 1) continue;  // no special float ends in these bits
         const auto pixel = static_cast<double>((lot / 4U) % static_cast<Word>(size));
         words[axis] = to_word(pixel / size) + (lot / 64U) % 3U - 1U;
     }

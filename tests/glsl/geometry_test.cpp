@@ -132,6 +132,16 @@ TEST_F(Geometry, PixelCentreTakesTheFloor) {
     EXPECT_EQ(pixel(glm::vec2(0.7F), glm::ivec2(1)), glm::ivec2(0));
 }
 
+TEST_F(Geometry, TheImageHoldsItsBorders) {
+    const Kernel<bool(glm::vec2)> inside(lab, "gloam/geometry/pixel_center.glsl", "gloam_inside_unit");
+    for (const float in : {0.0F, 0.5F, 1.0F}) {
+        EXPECT_TRUE(inside(glm::vec2(in, 0.5F)) && inside(glm::vec2(0.5F, in)));
+    }
+    for (const float out : {-1e-6F, 1.000001F, NAN, infinity, -infinity}) {
+        EXPECT_FALSE(inside(glm::vec2(out, 0.5F)) || inside(glm::vec2(0.5F, out))) << out;
+    }
+}
+
 TEST_F(Geometry, PixelCentresAreTheirOwnCentres) {
     const Kernel<glm::vec2(glm::vec2, glm::ivec2)> center(lab, "gloam/geometry/pixel_center.glsl",
                                                           "gloam_pixel_center");

@@ -94,24 +94,24 @@ TEST_F(Reprojection, DollyForwardExpectsTheDepthOfThePreviousCamera) {
 // The chain printed without frame indices is the identity: it would find the point where it is now.
 TEST_F(Reprojection, MovingObjectIsFoundWhereItWas) {
     const glm::dvec3 eye(0.5, 0, 1);
-    const glm::dvec3 moved(1.0, -0.5, 0.25);
-    const glm::dvec3 object_point(0.25, 0.5, -4);
-    const glm::dmat4 model = moved_by(moved);
-    const glm::dmat4 previous_model = moved_by(glm::dvec3(0));
-    const glm::vec4 now = clip(eye, object_point + moved);
-    const glm::vec4 previous = previous_moving(
-        now, glm::mat4(glm::inverse(p)), glm::mat4(glm::inverse(view_from(eye))),
-        glm::mat4(glm::inverse(model)), glm::mat4(previous_model), glm::mat4(view_from(eye)), glm::mat4(p));
+    const glm::dvec3 point(0.25, 0.5, -4);  // of the object
+    const glm::dvec3 now_at(1.0, -0.5, 0.25);
+    const glm::dvec3 was_at(0.25, -0.25, -0.5);
+    const glm::mat4 inverse_model(glm::inverse(moved_by(now_at)));
+    const glm::mat4 previous_model(moved_by(was_at));
+    const glm::vec4 now = clip(eye, point + now_at);
+    const glm::vec4 previous =
+        previous_moving(now, glm::mat4(glm::inverse(p)), glm::mat4(glm::inverse(view_from(eye))),
+                        inverse_model, previous_model, glm::mat4(view_from(eye)), glm::mat4(p));
     const auto [inside, uv] = uv_of(previous);
-    const auto [expected_inside, expected] = uv_of(clip(eye, object_point));
+    const auto [expected_inside, expected] = uv_of(clip(eye, point + was_at));
     EXPECT_TRUE(inside && expected_inside);
     EXPECT_LT(glm::distance(uv, expected), 1e-6F);
     EXPECT_GT(glm::distance(uv, std::get<1>(uv_of(now))), 0.05F);
     const Kernel<glm::vec3(glm::vec3, glm::mat4, glm::mat4)> previous_world(lab, file,
                                                                             "gloam_previous_world");
-    const glm::vec3 world = previous_world(glm::vec3(object_point + moved), glm::mat4(glm::inverse(model)),
-                                           glm::mat4(previous_model));
-    EXPECT_LT(glm::distance(world, glm::vec3(object_point)), 1e-6F);
+    const glm::vec3 world = previous_world(glm::vec3(point + now_at), inverse_model, previous_model);
+    EXPECT_LT(glm::distance(world, glm::vec3(point + was_at)), 1e-6F);
 }
 
 TEST_F(Reprojection, PointsAtInfinityMoveWithTheDirectionOnly) {
@@ -134,6 +134,8 @@ TEST_F(Reprojection, NothingIsFoundBehindTheCameraOrOutside) {
     EXPECT_TRUE(rejected(glm::vec4(0, 0, 0, -1)));
     EXPECT_TRUE(rejected(glm::vec4(0, 0, 0, 0)));
     EXPECT_TRUE(rejected(glm::vec4(1.0001F, 0, 0, 1)));
+    EXPECT_TRUE(rejected(glm::vec4(-1.0001F, 0, 0, 1)));
+    EXPECT_TRUE(rejected(glm::vec4(0, 1.0001F, 0, 1)));
     EXPECT_TRUE(rejected(glm::vec4(0, -1.0001F, 0, 1)));
     EXPECT_TRUE(rejected(glm::vec4(NAN, 0, 0, 1)));
     EXPECT_TRUE(rejected(glm::vec4(0, 0, 0, NAN)));

@@ -220,6 +220,14 @@ TEST_F(Sampling, RotationKeepsLengthAndAngleToTheNormal) {
     }
 }
 
+TEST_F(Sampling, LargeAnglesLoseNoDigits) {
+    const Kernel<float(float)> wrap(lab, "gloam/sampling/rotation.glsl", "gloam_wrap_angle");
+    for (const float angle : {0.5F, 12345.678F, -65535.99F, 65536.0F}) {
+        EXPECT_NEAR(wrap(angle), std::remainder(static_cast<double>(angle), 2 * pi), 5e-7) << angle;
+    }
+    for (const float angle : {65536.01F, INFINITY, NAN}) EXPECT_EQ(wrap(angle), 0.0F) << angle;
+}
+
 TEST_F(Sampling, HashRotationIsExactForLargePixels) {
     const Kernel<float(glm::ivec2)> rotation(lab, "gloam/sampling/hash_rotation.glsl", "gloam_hash_rotation");
     EXPECT_NEAR(rotation(glm::ivec2(1, 0)), 30.0 - 4 * 2 * pi, 1e-6);  // 10 (3 XOR 0)
