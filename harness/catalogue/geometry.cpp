@@ -141,6 +141,7 @@ void append_geometry(Entries& entries) {
     append_positions(entries);
     append_normals(entries);
     append_reprojections(entries);
+    append_cameras(entries);
     append_pixels(entries);
 }
 

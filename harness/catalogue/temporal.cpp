@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/rooms.hpp"
+#include "catalogue/temporal_parts.hpp"
 
 namespace gloam::catalogue {
 
-void append_temporal(Entries&) {}
+void append_temporal(Entries& entries) {
+    append_accumulation(entries);
+    append_history(entries);
+    append_validity(entries);
+}
 
 }  // namespace gloam::catalogue

@@ -48,7 +48,7 @@ struct ReferenceOf<R(P...)> {
     using Arguments = std::tuple<Exact<typename ParameterOf<P>::value>...>;
 
     template <std::size_t... I>
-    static Arguments read(std::span<const Word> words, std::index_sequence<I...>) {
+    static Arguments read([[maybe_unused]] std::span<const Word> words, std::index_sequence<I...>) {
         Arguments arguments{};
         ((is_input<P> ? void(std::get<I>(arguments) = take_words<std::tuple_element_t<I, Arguments>>(words))
                       : void()),

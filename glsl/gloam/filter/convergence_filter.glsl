@@ -5,7 +5,7 @@
 #include "gloam/filter/gaussian.glsl"
 #include "gloam/filter/shrink.glsl"
 #include "gloam/filter/weighted_mean.glsl"
-#include "gloam/geometry/finite.glsl"
+#include "gloam/geometry/surface_position.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Smoothing of occlusion that trusts each neighbour as far as it has converged (TSSAO-10), along one axis of the image: run it along x,
@@ -18,22 +18,6 @@ vec2 gloam_fetch_occlusion_convergence(ivec2 pixel);
 // Defined by the user: position of the surface under a pixel inside the image, world units, in view space or centred on the camera;
 // the zero vector, or one with an infinite or NaN component, for background.
 vec3 gloam_fetch_position(ivec2 pixel);
-
-// How much of a pixel lies in the filter's window. The window reaches from the middle of the centre pixel to `reach` pixels beyond it and
-// half a pixel more on either side; a pixel counts by the part covered. So every pixel counts once whatever the shrink factor,
-// a reach of n gives n whole pixels on each side, and the result changes smoothly as the window shrinks (spreading fewer taps over
-// rounded positions would do neither).
-// offset: distance from the centre pixel, 1 or more. reach: half width of the window in pixels, >= 0.
-// Returns a part in [0, 1]; 0 for NaN.
-float gloam_window_coverage(int offset, float reach) {
-    return gloam_unit_interval(reach + 1.0 - float(offset));
-}
-
-// Whether a fetched position is one of a surface.
-// position: world units. Returns false for the zero vector and for infinite or NaN components. Error: none.
-bool gloam_is_surface_position(vec3 position) {
-    return gloam_is_finite3(position) && (position.x != 0.0 || position.y != 0.0 || position.z != 0.0);
-}
 
 // Adds the pixel at a tap.
 // mean: what was added so far. center: position of the filtered pixel, world units. tap: pixel inside the image.

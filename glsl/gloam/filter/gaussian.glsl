@@ -15,7 +15,7 @@ float gloam_gaussian(float squared_distance, float sigma) {
     if (!(sigma >= 1.175494351e-38)) return d2 > 0.0 ? 0.0 : 1.0;
     // Divided twice, because the square of sigma may overflow or underflow.
     float x = 0.5 * (d2 / sigma) / sigma;
-    return x <= 69.0 ? exp(-x) : 0.0;
+    return x <= 69.0 ? min(exp(-x), 1.0) : 0.0;
 }
 
 // Standard deviation in the world of a filter that is sigma_pixels wide in the image at a depth: sigma_px 2 d tan(fov_y / 2) / H.

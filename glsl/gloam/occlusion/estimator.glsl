@@ -19,7 +19,7 @@ vec2 gloam_estimator_add(vec2 accumulated, float contribution) {
 // Returns sum / count inside [0, 1], the occlusion; 0 for a count below 1 and for NaN.
 float gloam_estimator_mean(vec2 accumulated) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 0.0;
-    return accumulated.x < accumulated.y ? accumulated.x / accumulated.y : 1.0;
+    return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
 }
 
 #endif

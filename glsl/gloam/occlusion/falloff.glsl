@@ -5,7 +5,8 @@
 // How much a hit counts, by its distance (the D of TSSAO-1): 1 at the shaded point, 0 at the radius of influence. All take the
 // magnitude of the distance and give 0 for NaN. A radius that is zero, subnormal, negative or NaN influences nothing; an infinite one
 // gives every finite distance the value at 0. The polynomials are built on 1 - d / R, formed as (R - d) / R: subtracting
-// before dividing keeps full relative accuracy up to the radius itself, where 1 - d / R would have lost it.
+// before dividing keeps full relative accuracy up to the radius itself, where 1 - d / R would have lost it. The min() keep a
+// division or power that rounds up inside [0, 1].
 
 // Step falloff (D-step): 1 if d <= R, else 0. The plain AO integral, cut off.
 // hit_distance: d, world units. radius: R, world units, >= 0; at 0 only d = 0 counts.
@@ -24,7 +25,7 @@ float gloam_falloff_linear(float hit_distance, float radius) {
     // Powers of two, so exact: they keep the difference normal and the divisor where division is accurate.
     float scale = radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
     float r = radius * scale;
-    return (r - d * scale) / r;
+    return min((r - d * scale) / r, 1.0);
 }
 
 // Quadratic falloff (D-quad): max(1 - d^2 / R^2, 0), as in horizon-based AO. With a = 1 - d / R it is a (2 - a).
@@ -32,7 +33,7 @@ float gloam_falloff_linear(float hit_distance, float radius) {
 // Returns a weight in [0, 1]; 0 for R = 0.
 float gloam_falloff_quadratic(float hit_distance, float radius) {
     float a = gloam_falloff_linear(hit_distance, radius);
-    return a * (2.0 - a);
+    return min(a * (2.0 - a), 1.0);
 }
 
 // Cubic falloff: max(1 - d^3 / R^3, 0), what a kernel uniform in the volume of the ball implies. With a = 1 - d / R it is
@@ -41,7 +42,7 @@ float gloam_falloff_quadratic(float hit_distance, float radius) {
 // Returns a weight in [0, 1]; 0 for R = 0.
 float gloam_falloff_cubic(float hit_distance, float radius) {
     float a = gloam_falloff_linear(hit_distance, radius);
-    return a * (3.0 - a * (3.0 - a));
+    return min(a * (3.0 - a * (3.0 - a)), 1.0);
 }
 
 // Falloff of Scalable Ambient Obscurance (D-sao): (1 - d^2 / R^2)^3 inside the radius, else 0.
@@ -62,7 +63,7 @@ float gloam_falloff_exponential(float hit_distance, float radius) {
     float scale = radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
     float r = radius * scale;
     float scaled = d * scale;
-    return scaled <= 5.541263545 * r ? exp(-(scaled / r)) : 0.0;
+    return scaled <= 5.541263545 * r ? min(exp(-(scaled / r)), 1.0) : 0.0;
 }
 
 // Alchemy's falloff (D-alch): u d / max(u, d)^2, that is u / d beyond u and d / u below: the obscurance of touching geometry vanishes.
@@ -74,7 +75,7 @@ float gloam_falloff_alchemy(float hit_distance, float u) {
     float smaller = d < u ? d : u;
     float larger = d < u ? u : d;
     float scale = larger > 1.8446744e19 ? 5.421010862427522e-20 : (larger < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
-    return smaller * scale / (larger * scale);
+    return min(smaller * scale / (larger * scale), 1.0);
 }
 
 // No falloff (D-one): 1 at every distance. For Ritschel's kernel, whose radii already imply one.

@@ -30,7 +30,7 @@ float gloam_contribution_fox_compton_scaled(vec3 position, vec3 normal, vec3 sam
     float cosine = gloam_sample_cosine(offset, normal);
     if (!(cosine > 0.0 && epsilon > 0.0)) return 0.0;
     float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
-    return reach > epsilon ? cosine * (epsilon / reach) : cosine;
+    return reach > epsilon ? cosine * min(epsilon / reach, 1.0) : cosine;
 }
 
 #endif

@@ -26,7 +26,7 @@ float gloam_contribution_cosine_directions(float blocked, float falloff) {
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the normal.
 // Returns a contribution in [0, 2] whose mean is the occlusion: clamp the mean, not the contribution.
 float gloam_contribution_uniform_directions(float blocked, float falloff, float cosine) {
-    return 2.0 * gloam_contribution_ritschel(blocked, falloff, cosine);
+    return 2.0 * gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
 }
 
 #endif

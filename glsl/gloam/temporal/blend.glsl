@@ -6,11 +6,12 @@
 
 // Weight of a history value: 0 where the value cannot be occlusion.
 // history: AO_(f-1). weight: w_(f-1), in samples. weight_max: w_max, in samples.
-// Returns a weight in [0, max(w_max, 0)]: 0 for a history outside [0, 1] or NaN and for a weight or w_max not positive or NaN.
-// Error: none.
+// Returns a weight in [0, max(w_max, 0)], finite: 0 for a history outside [0, 1] or NaN and for a weight or w_max not positive or
+// NaN. Error: none.
 float gloam_history_weight(float history, float weight, float weight_max) {
     if (!(history >= 0.0 && history <= 1.0 && weight > 0.0 && weight_max > 0.0)) return 0.0;
-    return weight < weight_max ? weight : weight_max;
+    float cap = weight_max <= 3.402823466e38 ? weight_max : 3.402823466e38;
+    return weight < cap ? weight : cap;
 }
 
 // New samples blended into the history (TSSAO-4 and -5): AO = (w AO_(f-1) + k C) / (w + k), new weight min(w + k, w_max). The weight in
@@ -27,7 +28,7 @@ vec2 gloam_blend(float history, float weight, float contribution, float k, float
     float old = w > 0.0 ? history : 0.0;
     if (!(k > 0.0 && k <= 3.402823466e38 && abs(contribution) <= 3.402823466e38)) return vec2(old, w);
     float fresh = gloam_unit_interval(contribution);
-    float cap = weight_max > 0.0 ? weight_max : 0.0;
+    float cap = weight_max > 0.0 ? min(weight_max, 3.402823466e38) : 0.0;
     float total = w + k;
     if (w == 0.0) return vec2(fresh, total < cap ? total : cap);
     // Rounding may pass the ends by one unit in the last place, hence the clamp.

@@ -9,7 +9,7 @@
 float gloam_convergence(float weight, float weight_max) {
     if (!(weight_max >= 1.175494351e-38)) return 1.0;
     if (!(weight > 0.0)) return 0.0;
-    return weight < weight_max ? weight / weight_max : 1.0;
+    return weight < weight_max ? min(weight / weight_max, 1.0) : 1.0;
 }
 
 #endif

@@ -24,7 +24,7 @@ float gloam_confidence(float change, float factor) {
     float d = abs(change);
     if (!(d <= 3.402823466e38 && abs(factor) <= 3.402823466e38)) return 0.0;
     float x = factor > 0.0 ? factor * d : 0.0;
-    return x <= 8.5e37 ? 1.0 / (1.0 + x) : 0.0;
+    return x <= 8.5e37 ? min(1.0 / (1.0 + x), 1.0) : 0.0;
 }
 
 // Form (b), weight after a change: conf w.

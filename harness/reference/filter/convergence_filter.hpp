@@ -4,21 +4,10 @@
 #include "reference/filter/gaussian.hpp"
 #include "reference/filter/shrink.hpp"
 #include "reference/filter/weighted_mean.hpp"
-#include "reference/geometry/finite.hpp"
+#include "reference/geometry/surface_position.hpp"
 #include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
-
-template <class T>
-T gloam_window_coverage(int offset, T reach) {
-    return gloam_unit_interval(reach + T(1) - T(offset));
-}
-
-template <class T>
-bool gloam_is_surface_position(vec3<T> position) {
-    const bool origin = position.x == T(0) && position.y == T(0) && position.z == T(0);
-    return gloam_is_finite3(position) && !origin;
-}
 
 // fetch_value: vec2<T>(glm::ivec2), (occlusion, convergence); fetch_position: vec3<T>(glm::ivec2).
 template <class T, class FetchValue, class FetchPosition>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/math.hpp"
+#include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
@@ -11,6 +11,11 @@ T gloam_shrink(T convergence, T c_adaptive) {
     if (!(convergence > T(0))) return T(1);
     if (c_adaptive > float_max<T>()) return T(1);
     return max(c_adaptive - convergence, T(0)) / c_adaptive;
+}
+
+template <class T>
+T gloam_window_coverage(int offset, T reach) {
+    return gloam_unit_interval(reach + T(1) - T(offset));
 }
 
 }  // namespace gloam::reference

@@ -10,7 +10,7 @@ template <class T>
 T gloam_history_weight(T history, T weight, T weight_max) {
     const bool usable = history >= T(0) && history <= T(1);
     if (!usable || !(weight > T(0)) || !(weight_max > T(0))) return T(0);
-    return min(weight, weight_max);
+    return min(weight, min(weight_max, float_max<T>()));
 }
 
 // The weighted mean as printed.
@@ -22,8 +22,7 @@ vec2<T> gloam_blend(T history, T weight, T contribution, T k, T weight_max) {
     if (!samples) return vec2<T>(old, w);
     const T fresh = gloam_unit_interval(contribution);
     T most = T(0);
-    if (weight_max > T(0)) most = weight_max;
-    if (!gloam_is_finite(w)) return vec2<T>(old, w);
+    if (weight_max > T(0)) most = min(weight_max, float_max<T>());
     return vec2<T>((w * old + k * fresh) / (w + k), min(w + k, most));
 }
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "catalogue/camera_inputs.hpp"
+#include "catalogue/geometry_parts.hpp"
+#include "catalogue/inputs.hpp"
+#include "reference/geometry/camera.hpp"
+#include "reference/geometry/surface_position.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+using Camera = reference::GloamCamera<float>;
+
+constexpr const char* file = "gloam/geometry/camera.glsl";
+constexpr double huge = 3.5e38;
+constexpr double smallest = 1e-12;
+constexpr double largest = 1e12;
+
+}  // namespace
+
+void append_cameras(Entries& entries) {
+    entries.push_back(equation<bool(glm::vec3)>(
+        {.id = "POSITION-surface",
+         .function = "gloam_is_surface_position",
+         .file = "gloam/geometry/surface_position.glsl",
+         .title = "whether a position is one of a surface",
+         .formula = "finite and not the zero vector",
+         .source = "convention"},
+        GLOAM_REFERENCE(gloam_is_surface_position),
+        {.domain = {vector(3, uniform(-4, 4)).and_value(glm::vec3(0)).and_special()}}));
+    const Values coordinate = either(uniform(-1, 1), signed_log_uniform(1e-3, 1e3));
+    const Values position = vector({coordinate, coordinate, uniform(1, 4)}).and_special();
+    const Values depth = log_uniform(1e-3, 1e6).and_special();
+    const Values pixel = vector(2, either(integers(-4, 64), integers(-4194304, 4194304)));
+    entries.push_back(equation<glm::vec2(glm::vec3, Camera)>(
+        {.id = "CAMERA-uv",
+         .function = "gloam_camera_uv",
+         .file = file,
+         .title = "texture coordinates of a view-space position",
+         .formula = "ndc / 2 + 1/2, ndc of either projection",
+         .source = "the projection"},
+        GLOAM_REFERENCE(gloam_camera_uv),
+        {.domain = Domain{position, cameras()}.adjusted(place_before_camera(0, 3)),
+         .budget = {.ulp = 4, .absolute = 2e-7},
+         .codomain = {-huge, huge},
+         .promised = make_predicate<glm::vec2(glm::vec3, Camera)>(
+             [](glm::dvec3 at, const Camera& c) { return moderate(smallest, largest, at, c.p00_p11); })}));
+    entries.push_back(equation<glm::vec3(glm::ivec2, float, Camera)>(
+        {.id = "CAMERA-position",
+         .function = "gloam_camera_position",
+         .file = file,
+         .title = "view-space position of the surface under a pixel's centre",
+         .formula = "(ndc.x / P00, ndc.y / P11, -1) d, or (ndc.x / P00, ndc.y / P11, -d)",
+         .source = "inverse of the projection"},
+        GLOAM_REFERENCE(gloam_camera_position),
+        {.domain = {pixel, depth, cameras()},
+         .budget = {.ulp = 4},
+         .codomain = {-huge, huge},
+         .promised =
+             make_predicate<glm::vec3(glm::ivec2, float, Camera)>([](glm::ivec2, double d, const Camera& c) {
+                 return moderate(smallest, largest, d, c.p00_p11);
+             })}));
+    entries.push_back(equation<glm::vec2(float, float, Camera)>(
+        {.id = "CAMERA-radius",
+         .function = "gloam_camera_radius",
+         .file = file,
+         .title = "projected radius of a world length",
+         .formula = "R (|P00|, |P11|) / (2 d), or R (|P00|, |P11|) / 2",
+         .source = "the projection"},
+        GLOAM_REFERENCE(gloam_camera_radius),
+        {.domain = {log_uniform(1e-3, 1e2).and_special(), depth, cameras()},
+         .budget = {.ulp = 3},
+         .codomain = {0, huge},
+         .promised = make_predicate<glm::vec2(float, float, Camera)>([](double r, double d, const Camera& c) {
+             return moderate(smallest, largest, r, d, c.p00_p11) && !(r > largest);
+         })}));
+}
+
+}  // namespace gloam::catalogue

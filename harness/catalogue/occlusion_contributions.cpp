@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "catalogue/inputs.hpp"
+#include "catalogue/occlusion_parts.hpp"
+#include "reference/occlusion/blocked.hpp"
+#include "reference/occlusion/cosine.hpp"
+#include "reference/occlusion/estimator.hpp"
+#include "reference/occlusion/fox_compton.hpp"
+#include "reference/occlusion/ritschel.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+
+constexpr const char* ritschel_file = "gloam/occlusion/ritschel.glsl";
+constexpr const char* fox_compton_file = "gloam/occlusion/fox_compton.glsl";
+
+Values depths() {
+    return either(uniform(0.5, 8), log_uniform(1e-3, 1e6)).and_near({0x1p-126, 0x1.fffffep127}).and_special();
+}
+Values normals() {
+    return unit_vector(3).and_special();
+}
+Values offsets() {
+    return either(vector_of_length(3, uniform(0, 2)), vector_of_length(3, log_uniform(1e-37, 1e38)))
+        .and_value(glm::vec3(0))
+        .and_special();
+}
+
+// Whether a vector is short enough that its dot product with a unit vector cannot overflow.
+bool short_enough(glm::dvec3 v) {
+    return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e38);
+}
+
+void append_tests(Entries& entries) {
+    entries.push_back(equation<float(glm::vec3, glm::vec3)>(
+        {.id = "TSSAO-1-cos",
+         .function = "gloam_sample_cosine",
+         .file = "gloam/occlusion/cosine.glsl",
+         .title = "clamped cosine of a sample's angle to the normal",
+         .formula = "max((s - p) . n / |s - p|, 0)",
+         .source = "TSSAO (Mattausch et al.), eq 1 with the clamp it lacks in print"},
+        GLOAM_REFERENCE(gloam_sample_cosine),
+        {.domain = {offsets(), normals()},
+         .budget = {.absolute = 2e-7},
+         .codomain = {0, 1},
+         .promised = make_predicate<float(glm::vec3, glm::vec3)>(
+             [](glm::dvec3, glm::dvec3 normal) { return short_enough(normal); })}));
+    const Values slack = either(log_uniform(1e-4, 1), uniform(0, 1)).and_special();
+    entries.push_back(equation<float(float, float, float, float)>(
+        {.id = "TSSAO-3-V",
+         .function = "gloam_sample_blocked",
+         .file = "gloam/occlusion/blocked.glsl",
+         .title = "whether the depth buffer blocks a sample point",
+         .formula = "V = 1 if bias < d_s - d_b <= range, else 0",
+         .source = "TSSAO (Mattausch et al.), eq 3 in screen space"},
+        GLOAM_REFERENCE(gloam_sample_blocked),
+        {.domain = Domain{depths(), depths(), slack, slack}.tied(1, 0).tied(3, 2),
+         .budget = {.backward_ulp = 1},
+         .codomain = {0, 1}}));
+}
+
+void append_ritschel(Entries& entries) {
+    const Values factor =
+        either(uniform(0, 1).and_near({0.0, 1.0}), signed_log_uniform(1e-30, 10)).and_special();
+    const Domain three{factor, factor, factor};
+    entries.push_back(equation<float(float, float, float)>(
+        {.id = "TSSAO-3",
+         .function = "gloam_contribution_ritschel",
+         .file = ritschel_file,
+         .title = "contribution of a sample point, as printed",
+         .formula = "C = V D max(cos, 0)",
+         .source = "TSSAO (Mattausch et al.), eq 3; Ritschel et al. 2009"},
+        GLOAM_REFERENCE(gloam_contribution_ritschel),
+        {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 1}}));
+    entries.push_back(equation<float(float, float)>(
+        {.id = "TSSAO-3-cosine",
+         .function = "gloam_contribution_cosine_directions",
+         .file = ritschel_file,
+         .title = "contribution of a sample point, cosine-weighted directions",
+         .formula = "C = V D",
+         .source = "TSSAO (Mattausch et al.), eq 3 normalised for density cos / pi"},
+        GLOAM_REFERENCE(gloam_contribution_cosine_directions),
+        {.domain = {factor, factor}, .budget = {.ulp = 0.75}, .codomain = {0, 1}}));
+    entries.push_back(equation<float(float, float, float)>(
+        {.id = "TSSAO-3-uniform",
+         .function = "gloam_contribution_uniform_directions",
+         .file = ritschel_file,
+         .title = "contribution of a sample point, uniform directions",
+         .formula = "C = 2 V D max(cos, 0)",
+         .source = "TSSAO (Mattausch et al.), eq 3 normalised for density 1 / (2 pi)"},
+        GLOAM_REFERENCE(gloam_contribution_uniform_directions),
+        {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 2}}));
+}
+
+void append_fox_compton(Entries& entries) {
+    using Signature = float(glm::vec3, glm::vec3, glm::vec3, float);
+    const Values position = either(vector(3, uniform(-8, 8)), vector(3, signed_log_uniform(1e-30, 1e37)))
+                                .and_value(glm::vec3(0))
+                                .and_special();
+    const Values epsilon = either(log_uniform(0.01, 10), log_uniform(1e-30, 1e37)).and_special();
+    const Domain domain{position, normals(), position, epsilon};
+    entries.push_back(equation<Signature>(
+        {.id = "TSSAO-12",
+         .function = "gloam_contribution_fox_compton",
+         .file = fox_compton_file,
+         .title = "contribution of a surface patch, in 1 / length",
+         .formula = "C = max(cos(s - p, n), 0) / max(epsilon, |s - p|)",
+         .source = "TSSAO (Mattausch et al.), eq 12 corrected; Fox and Compton 2008"},
+        GLOAM_REFERENCE(gloam_contribution_fox_compton),
+        {.domain = domain,
+         .budget = {.absolute = 1e-6},
+         .codomain = {0, 8.6e37},
+         .promised = make_predicate<Signature>([](glm::dvec3 p, glm::dvec3 n, glm::dvec3 s, double epsilon) {
+             return epsilon >= 0.1 && short_enough(n) && short_enough(p) && short_enough(s);
+         })}));
+    entries.push_back(equation<Signature>(
+        {.id = "TSSAO-12-scaled",
+         .function = "gloam_contribution_fox_compton_scaled",
+         .file = fox_compton_file,
+         .title = "contribution of a surface patch",
+         .formula = "epsilon C = max(cos(s - p, n), 0) epsilon / max(epsilon, |s - p|)",
+         .source = "TSSAO (Mattausch et al.), eq 12 corrected; Fox and Compton 2008"},
+        GLOAM_REFERENCE(gloam_contribution_fox_compton_scaled),
+        {.domain = domain,
+         .budget = {.absolute = 2e-7},
+         .codomain = {0, 1},
+         .promised = make_predicate<Signature>([](glm::dvec3 p, glm::dvec3 n, glm::dvec3 s, double) {
+             return short_enough(n) && short_enough(p) && short_enough(s);
+         })}));
+}
+
+void append_estimator(Entries& entries) {
+    constexpr const char* file = "gloam/occlusion/estimator.glsl";
+    const Values count = made_by<glm::vec2>([](numeric::Random& random) {
+        const auto n = static_cast<float>(random.below(1000));
+        return glm::vec2(n * static_cast<float>(random.uniform(0, 1.2)), n);
+    });
+    entries.push_back(equation<glm::vec2(glm::vec2, float)>(
+        {.id = "TSSAO-2-add",
+         .function = "gloam_estimator_add",
+         .file = file,
+         .title = "one more contribution to a mean",
+         .formula = "(sum + C, n + 1), C finite",
+         .source = "TSSAO (Mattausch et al.), eqs 2 and 4"},
+        GLOAM_REFERENCE(gloam_estimator_add),
+        {.domain = {count, either(uniform(0, 2), any_float()).and_special()}, .budget = {.ulp = 1}}));
+    entries.push_back(equation<float(glm::vec2)>(
+        {.id = "TSSAO-2",
+         .function = "gloam_estimator_mean",
+         .file = file,
+         .title = "mean of the contributions",
+         .formula = "AO = (1 / n) sum of C(p, s_i)",
+         .source = "TSSAO (Mattausch et al.), eqs 2 and 4"},
+        GLOAM_REFERENCE(gloam_estimator_mean),
+        {.domain = {count.and_value(glm::vec2(0)).and_special()}, .budget = {.ulp = 1}, .codomain = {0, 1}}));
+}
+
+}  // namespace
+
+void append_contributions(Entries& entries) {
+    append_tests(entries);
+    append_ritschel(entries);
+    append_fox_compton(entries);
+    append_estimator(entries);
+}
+
+}  // namespace gloam::catalogue

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "catalogue/camera_inputs.hpp"
+#include "catalogue/inputs.hpp"
+#include "catalogue/occlusion_parts.hpp"
+#include "catalogue/scenarios.hpp"
+#include "reference/occlusion/disc_gather.hpp"
+#include "reference/occlusion/hemisphere_gather.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+using Camera = reference::GloamCamera<float>;
+using Kernel = reference::GloamKernel<float>;
+using ExactCamera = reference::GloamCamera<double>;
+using ExactKernel = reference::GloamKernel<double>;
+
+constexpr const char* prototype = "gloam_fetch_depth";
+constexpr const char* hemisphere_file = "gloam/occlusion/hemisphere_gather.glsl";
+constexpr const char* disc_file = "gloam/occlusion/disc_gather.glsl";
+constexpr double most_samples = 64;
+
+// A sample near the border of two pixels, or near the depth at which it is blocked, may fall to either side:
+// its whole contribution then differs. Moving the inputs by a few ULP must account for it.
+constexpr Budget hemisphere_budget{.backward_ulp = 4};
+constexpr Budget disc_budget{.ulp = 2, .absolute = 4e-6, .backward_ulp = 4};
+
+auto depth_of(const ImageSet& images) {
+    return [&images](glm::ivec2 pixel) { return static_cast<double>(images.at(prototype).at<float>(pixel)); };
+}
+
+// Drawn as (ndc, depth): see place_before_camera.
+Values positions() {
+    return vector({uniform(-1, 1), uniform(-1, 1), uniform(1, 4)}).and_special();
+}
+Values kernels() {
+    return vector({log_uniform(0.05, 2).and_special(), log_uniform(1e-3, 0.1).and_special(),
+                   uniform(0, 6.2831853).and_special(),
+                   log_integers(16777216).and_near_integers({16777216, 4294967295}), integers(0, 8)});
+}
+// Orthonormal frames, random ones and some that are none.
+Values frames() {
+    return made_by<glm::mat3>([](numeric::Random& random) {
+               const glm::dvec3 n(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1));
+               return glm::mat3(reference::gloam_tangent_frame(n));
+           })
+        .and_special();
+}
+// Range of the visibility test, or epsilon.
+Values extra() {
+    return log_uniform(0.01, 4).and_special();
+}
+
+// Where coordinates and lengths are such that no product overflows.
+bool usual(const glm::vec3& position, const glm::vec3& normal, const Camera& camera, const Kernel& kernel,
+           float extra) {
+    return moderate(1e-9, 1e9, position, normal, camera.p00_p11, kernel.radius, kernel.bias, extra);
+}
+
+void append_can_gather(Entries& entries) {
+    const Values vectors = vector(3, uniform(-4, 4)).and_special();
+    entries.push_back(equation<bool(glm::vec3, glm::vec3, float)>(
+        {.id = "TSSAO-2-can",
+         .function = "gloam_can_gather",
+         .file = "gloam/occlusion/gather_kernel.glsl",
+         .title = "whether there is anything to gather at a point",
+         .formula = "surface in front of the eye, normal not zero, 0 < R < infinity",
+         .source = "edges of TSSAO (Mattausch et al.), eq 2"},
+        GLOAM_REFERENCE(gloam_can_gather), {.domain = {vectors, vectors, extra()}}));
+}
+
+void append_hemisphere(Entries& entries) {
+    using Tap = glm::vec2(glm::vec2, glm::vec3, glm::mat3, Camera, Kernel, float, unsigned);
+    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, float);
+    const Values index = log_integers(16777216).and_near_integers({16777216, 4294967295});
+    entries.push_back(equation<Tap>(
+        {
+            .id = "TSSAO-3-hemisphere",
+            .function = "gloam_hemisphere_tap",
+            .file = hemisphere_file,
+            .title = "one point of the half ball against the depth buffer",
+            .formula = "(sum + V(p, s_i), n + 1), s_i of TSSAO-14",
+            .source = "TSSAO (Mattausch et al.), eqs 3 and 14",
+        },
+        [](const ImageSet& images, glm::dvec2 accumulated, glm::dvec3 position, const glm::dmat3& frame,
+           const ExactCamera& camera, const ExactKernel& kernel, double range, unsigned i) {
+            return reference::gloam_hemisphere_tap(accumulated, position, frame, camera, kernel, range, i,
+                                                   depth_of(images));
+        },
+        {.domain =
+             Domain{constant(glm::vec2(3, 7)), positions(), frames(), cameras(), kernels(), extra(), index}
+                 .adjusted(place_before_camera(2, 14)),
+         .budget = hemisphere_budget,
+         .codomain = {0, most_samples},
+         .promised = make_predicate<Tap>([](glm::vec2, const glm::vec3& p, const glm::mat3& frame,
+                                            const Camera& c, const Kernel& k, float range, unsigned) {
+             return moderate(1e-9, 4, frame) && usual(p, glm::vec3(0), c, k, range);
+         }),
+         .scenarios = depth_scenarios(prototype)}));
+    entries.push_back(equation<Gather>(
+        {.id = "TSSAO-2-hemisphere",
+         .function = "gloam_hemisphere_gather",
+         .file = hemisphere_file,
+         .title = "occlusion of a pixel by points of the half ball",
+         .formula = "(sum of V(p, s_i), n), s_i of TSSAO-14, i = j + 1 ... j + k",
+         .source = "TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009"},
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const ExactCamera& camera,
+           const ExactKernel& kernel, double range) {
+            return reference::gloam_hemisphere_gather(position, normal, camera, kernel, range,
+                                                      depth_of(images));
+        },
+        {.domain = Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), extra()}.adjusted(
+             place_before_camera(0, 6)),
+         .budget = hemisphere_budget,
+         .codomain = {0, most_samples},
+         .promised = make_predicate<Gather>(usual),
+         .scenarios = depth_scenarios(prototype)}));
+}
+
+void append_disc(Entries& entries) {
+    using Contribution = float(glm::vec3, glm::vec3, glm::ivec2, Camera, Kernel, float);
+    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, float);
+    entries.push_back(equation<Contribution>(
+        {.id = "TSSAO-12-disc",
+         .function = "gloam_disc_contribution",
+         .file = disc_file,
+         .title = "contribution of the surface at a tap",
+         .formula = "epsilon C(p, s), s the surface under the pixel, |s - p| <= R, (s - p) . n > bias",
+         .source = "TSSAO (Mattausch et al.), eqs 12 and 13"},
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, glm::ivec2 at,
+           const ExactCamera& camera, const ExactKernel& kernel, double epsilon) {
+            return reference::gloam_disc_contribution(position, normal, at, camera, kernel, epsilon,
+                                                      depth_of(images));
+        },
+        {.domain =
+             Domain{positions(), unit_vector(3).and_special(), image_pixel(), cameras(), kernels(), extra()}
+                 .adjusted(place_before_camera(0, 8)),
+         .budget = disc_budget,
+         .codomain = {0, 1},
+         .promised = make_predicate<Contribution>([](const glm::vec3& p, const glm::vec3& n, glm::ivec2,
+                                                     const Camera& c, const Kernel& k,
+                                                     float epsilon) { return usual(p, n, c, k, epsilon); }),
+         .scenarios = depth_scenarios(prototype)}));
+    entries.push_back(equation<Gather>(
+        {.id = "TSSAO-2-disc",
+         .function = "gloam_disc_gather",
+         .file = disc_file,
+         .title = "crease shading of a pixel by surface points under a disc",
+         .formula = "(sum of epsilon C(p, s_i), n), s_i under TSSAO-13, i = j + 1 ... j + k",
+         .source = "TSSAO (Mattausch et al.), eqs 2, 4, 12 and 13; Fox and Compton 2008"},
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const ExactCamera& camera,
+           const ExactKernel& kernel, double epsilon) {
+            return reference::gloam_disc_gather(position, normal, camera, kernel, epsilon, depth_of(images));
+        },
+        {.domain = Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), extra()}.adjusted(
+             place_before_camera(0, 6)),
+         .budget = disc_budget,
+         .codomain = {0, most_samples},
+         .promised = make_predicate<Gather>(usual),
+         .scenarios = depth_scenarios(prototype)}));
+}
+
+}  // namespace
+
+void append_gathers(Entries& entries) {
+    append_can_gather(entries);
+    append_hemisphere(entries);
+    append_disc(entries);
+}
+
+}  // namespace gloam::catalogue

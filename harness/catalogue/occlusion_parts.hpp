@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "catalogue/entry.hpp"
+
+// The parts of append_occlusion, one file each.
+namespace gloam::catalogue {
+
+void append_falloffs(Entries& entries);       // what a hit counts by its distance
+void append_contributions(Entries& entries);  // what a sample counts, and the mean over samples
+void append_gathers(Entries& entries);        // the estimators of a pixel, which read images
+
+}  // namespace gloam::catalogue
