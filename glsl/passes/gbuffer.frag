@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // G-buffer, fragments: eye-linear depth from the value that goes into the depth buffer, and the view-space normal.
+// Both images are cleared to 0: no geometry.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "gloam/geometry/linear_depth.glsl"
@@ -16,12 +17,27 @@ layout(push_constant) uniform Parameters {
     mat4 projection;
 };
 
+// The interpolated normal, on the viewer's side of the surface.
+// interpolated: of any length. flat_normal: of the triangle, unit, facing the viewer. away: unit, from the viewer.
+// Returns a unit vector n with dot(n, away) < 0; flat_normal where the interpolated one has no direction. Where interpolation tips
+// the normal over the rim of a smooth shape, n is what of it is perpendicular to the view.
+vec3 shading_normal(vec3 interpolated, vec3 flat_normal, vec3 away) {
+    vec3 n = gloam_safe_normalize(interpolated, flat_normal);
+    if (dot(n, flat_normal) < 0.0) n = -n;
+    float beyond = dot(n, away);
+    return beyond < 0.0 ? n : gloam_safe_normalize(n - (beyond + 1e-4) * away, flat_normal);
+}
+
 void main() {
     float b = gl_FragCoord.z;
     bool orthographic = projection[2][3] == 0.0;
     linear_depth = orthographic ? gloam_linear_depth_orthographic_vk(b, projection[2][2], projection[3][2])
                                 : gloam_linear_depth_perspective_vk(b, projection[2][2], projection[3][2]);
-    vec3 n = gloam_safe_normalize(view_normal, vec3(0.0, 0.0, 1.0));
-    vec3 toward_viewer = orthographic ? vec3(0.0, 0.0, 1.0) : -view_position;
-    normal = vec4(dot(n, toward_viewer) < 0.0 ? -n : n, 0.0);
+    vec3 away = orthographic ? vec3(0.0, 0.0, -1.0) : gloam_safe_normalize(view_position, vec3(0.0, 0.0, -1.0));
+    // Edge-on, the derivatives may have no direction: then straight at the viewer.
+    vec3 flat_normal = gloam_safe_normalize(cross(dFdx(view_position), dFdy(view_position)), -away);
+    if (dot(flat_normal, away) > 0.0) flat_normal = -flat_normal;
+    // Geometry too far for the depth buffer to tell from infinity is background.
+    bool background = gloam_is_background(linear_depth);
+    normal = vec4(background ? vec3(0.0) : shading_normal(view_normal, flat_normal, away), 0.0);
 }

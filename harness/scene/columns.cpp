@@ -1,56 +1,102 @@
 // SPDX-License-Identifier: MIT
 #include "scene/internal/columns.hpp"
+
+#include <algorithm>
+
 #include "scene/primitives.hpp"
 
 namespace gloam::scene {
 namespace {
 
-constexpr double hall_length = 200.0;
-constexpr double half_width = 5.0;
+// World units are metres. The hall runs along -z from behind the camera.
+constexpr double half_width = 7.0;
 constexpr double hall_height = 6.0;
-constexpr double spacing = 4.0;
+constexpr double front = 3.0;
+constexpr double back = -200.0;
+constexpr double bay = 5.0;          // from column to column
+constexpr double column_x = 3.5;     // of the two rows
+constexpr double foot_height = 0.5;  // of plinths; capitals are as high
+constexpr double beam_height = 0.25;
 constexpr double cell = 2.0;
 
-// Base, shaft and capital.
+// Floor, ceiling, side walls and the two ends.
+Mesh make_shell() {
+    const glm::dvec3 across{2.0 * half_width, 0, 0};
+    const glm::dvec3 up{0, hall_height, 0};
+    const glm::dvec3 along{0, 0, front - back};
+    const glm::dvec3 corner{-half_width, 0, back};
+    Mesh shell = make_parallelogram(corner, along, across, cell);
+    append(shell, make_parallelogram(corner + up, across, along, cell));
+    append(shell, make_parallelogram(corner, up, along, cell));
+    append(shell, make_parallelogram(corner + across, along, up, cell));
+    append(shell, make_parallelogram(corner, across, up, cell));
+    append(shell, make_parallelogram(corner + along, up, across, cell));
+    return shell;
+}
+
+// A square slab around a vertical axis.
+Mesh make_slab(double x, double z, double half_side, double low, double high) {
+    return make_box({x - half_side, low, z - half_side}, {x + half_side, high, z + half_side}, cell);
+}
+
+// A column between plinth and capital, each of two slabs.
 Mesh make_column(double x, double z) {
-    constexpr double plinth = 0.45;
-    Mesh column = make_box({x - plinth, 0.0, z - plinth}, {x + plinth, 0.35, z + plinth}, cell);
-    append(column, make_cylinder({x, 0.35, z}, 0.32, hall_height - 0.65, 32));
-    append(column, make_box({x - plinth, hall_height - 0.3, z - plinth},
-                            {x + plinth, hall_height, z + plinth}, cell));
+    constexpr double wide = 0.75;
+    constexpr double narrow = 0.6;
+    constexpr double step = foot_height / 2.0;
+    Mesh column = make_slab(x, z, wide, 0.0, step);
+    append(column, make_slab(x, z, narrow, step, foot_height));
+    append(column, make_cylinder({x, foot_height, z}, 0.45, hall_height - 2.0 * foot_height, 40));
+    append(column, make_slab(x, z, narrow, hall_height - foot_height, hall_height - step));
+    append(column, make_slab(x, z, wide, hall_height - step, hall_height));
     return column;
 }
 
-// Floor, ceiling and side walls of the hall, which runs from z = 2 to -hall_length.
-Mesh make_hall() {
-    const glm::dvec3 across{2.0 * half_width, 0, 0};
-    const glm::dvec3 along{0, 0, -(hall_length + 2.0)};
-    const glm::dvec3 up{0, hall_height, 0};
-    Mesh hall = make_parallelogram({-half_width, 0, 2}, across, along, cell);
-    append(hall, make_parallelogram({-half_width, hall_height, 2}, along, across, cell));
-    append(hall, make_parallelogram({-half_width, 0, 2}, along, up, cell));
-    append(hall, make_parallelogram({half_width, 0, 2}, up, along, cell));
-    return hall;
+// A box that stands out of the wall at x = side * half_width by `depth`, from the floor up.
+Mesh make_at_wall(double side, double depth, double height, double z_low, double z_high) {
+    const double wall = side * half_width;
+    const double face = side * (half_width - depth);
+    return make_box({std::min(wall, face), 0, z_low}, {std::max(wall, face), height, z_high}, cell);
+}
+
+// What a bay has besides its columns: a beam under the ceiling, pilasters and benches at the walls.
+Mesh make_bay(double z) {
+    const double beam = hall_height - beam_height;
+    Mesh mesh = make_box({-half_width, beam, z - 0.3}, {half_width, hall_height, z + 0.3}, cell);
+    for (const double side : {-1.0, 1.0}) {
+        append(mesh, make_at_wall(side, 0.3, beam, z - 0.4, z + 0.4));
+        append(mesh, make_at_wall(side, 0.6, 0.45, z - 4.0, z - 1.0));
+    }
+    return mesh;
+}
+
+// The near end: a parapet that the camera looks over, a ball on it, and balls on the floor behind.
+Mesh make_foreground() {
+    Mesh mesh = make_box({0.1, 0, 0.2}, {2.0, 1.5, 0.72}, cell);
+    append(mesh, make_sphere({0.75, 1.65, 0.4}, 0.15, 24, 48));
+    append(mesh, make_sphere({-1.2, 0.5, -5.0}, 0.5, 24, 48));
+    append(mesh, make_sphere({-2.1, 0.3, -5.4}, 0.3, 24, 48));
+    append(mesh, make_sphere({1.4, 0.7, -14.0}, 0.7, 24, 48));
+    return mesh;
 }
 
 }  // namespace
 
 Scene make_columns() {
-    Scene scene{.name = "columns", .mesh = make_hall()};
-    for (double z = -1.2; z > -hall_length; z -= spacing) {
-        append(scene.mesh, make_column(-2.2, z));
-        append(scene.mesh, make_column(2.2, z));
+    Scene scene{.name = "columns", .mesh = make_shell()};
+    for (double z = 0.0; z > back; z -= bay) {
+        append(scene.mesh, make_bay(z));
+        append(scene.mesh, make_column(-column_x, z));
+        append(scene.mesh, make_column(column_x, z));
     }
-    append(scene.mesh, make_sphere({0.5, 0.4, -5.5}, 0.4, 24, 48));
-    append(scene.mesh, make_box({-0.9, 0.0, -7.5}, {-0.2, 0.7, -6.8}, cell));
-    append(scene.mesh, make_box({-0.75, 0.7, -7.4}, {-0.35, 1.1, -7.0}, cell));
-    scene.camera = {.eye = {1.5, 1.6, 0.0},
-                    .target = {0.0, 1.9, -10.0},
+    append(scene.mesh, make_foreground());
+    scene.camera = {.eye = {0.3, 1.75, 1.0},
+                    .target = {0.0, 1.9, -12.0},
                     .fovy_rad = 1.0,
                     .near = 0.1,
                     .far = 250.0,
                     .reversed_z = true};
-    scene.ao_radius = 0.6;
+    scene.ao_radius = 0.5;
     return scene;
 }
 

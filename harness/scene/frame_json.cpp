@@ -40,6 +40,18 @@ std::uint32_t side(const json& object, const char* key) {
     return static_cast<std::uint32_t>(value);
 }
 
+// Whether single precision holds the elements and the columns span a volume, beyond what rounding makes of
+// none.
+bool is_invertible(const glm::dmat4& matrix) {
+    double box = 1.0;
+    for (int column = 0; column < 4; ++column) {
+        const double length = glm::length(matrix[column]);
+        if (!(length <= std::numeric_limits<float>::max())) return false;
+        box *= length;
+    }
+    return std::abs(glm::determinant(matrix)) > 1e-12 * box;
+}
+
 // Sixteen numbers, column after column, of a matrix that has an inverse.
 glm::dmat4 matrix(const json& object, const char* key) {
     const std::string name = std::string("\"") + key + "\"";
@@ -51,8 +63,7 @@ glm::dmat4 matrix(const json& object, const char* key) {
         if (!value.is_number()) fail(name + ": expected 16 numbers, found " + value.dump());
         result[i / 4][i % 4] = value.get<double>();
     }
-    const double determinant = glm::determinant(result);
-    if (!(std::isfinite(determinant) && determinant != 0.0)) fail(name + ": the matrix cannot be inverted");
+    if (!is_invertible(result)) fail(name + ": the matrix cannot be inverted");
     return result;
 }
 

@@ -2,7 +2,9 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -41,12 +43,17 @@ Mesh convert(const aiMesh& source) {
     return mesh;
 }
 
-void check_finite(const fs::path& file, const Mesh& mesh) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec3& p = mesh.positions[i];
+// What assimp says, in one line.
+std::string one_line(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    return text.empty() ? "cannot be read" : text;
+}
+
+void check_finite(const fs::path& file, const aiMesh& mesh) {
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+        const glm::vec3 p = to_vec3(mesh.mVertices[i]);
         if (is_finite(p)) continue;
-        fail(file, "vertex " + std::to_string(i) + " is (" + std::to_string(p.x) + ", " +
-                       std::to_string(p.y) + ", " + std::to_string(p.z) + "), expected finite numbers");
+        fail(file, fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z));
     }
 }
 
@@ -72,17 +79,24 @@ void mend_normals(Mesh& mesh) {
 
 Mesh load_mesh(const fs::path& file) {
     std::error_code none;
-    if (!fs::is_regular_file(file, none)) fail(file, "no such file");
+    if (!fs::exists(file, none)) fail(file, "no such file");
+    if (!fs::is_regular_file(file, none)) fail(file, "not a file");
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const aiScene* const scene = importer.ReadFile(
-        file.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_GenSmoothNormals |
-                           aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
-    if (scene == nullptr) fail(file, importer.GetErrorString());
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (scene == nullptr) fail(file, one_line(importer.GetErrorString()));
+    // Before assimp calculates with them.
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) check_finite(file, *scene->mMeshes[i]);
+    if (scene->mNumMeshes == 0) fail(file, "has no triangle");
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
+                                         aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
+                                         aiProcess_SortByPType);
     Mesh mesh;
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(mesh, convert(*scene->mMeshes[i]));
-    check_finite(file, mesh);
-    if (mesh.triangle_count() == 0) fail(file, "no triangles in it");
+    for (unsigned i = 0; scene != nullptr && i < scene->mNumMeshes; ++i) {
+        check_finite(file, *scene->mMeshes[i]);  // transformed
+        append(mesh, convert(*scene->mMeshes[i]));
+    }
+    if (mesh.triangle_count() == 0) fail(file, "has no triangle");
     mend_normals(mesh);
     return mesh;
 }

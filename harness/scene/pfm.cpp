@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -50,10 +49,9 @@ void require_bytes(std::ifstream& stream, const fs::path& file, std::size_t want
     const auto here = stream.tellg();
     stream.seekg(0, std::ios::end);
     const auto there = static_cast<std::size_t>(stream.tellg() - here);
-    if (there < wanted) {
-        std::ostringstream message;
-        message << "cut short: expected " << wanted << " bytes of texels, found " << there;
-        fail(file, message.str());
+    if (there != wanted) {
+        fail(file, (there < wanted ? "cut short: expected " : "too long: expected ") +
+                       std::to_string(wanted) + " bytes of texels, found " + std::to_string(there));
     }
     stream.seekg(here);
 }

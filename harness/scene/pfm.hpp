@@ -15,8 +15,8 @@ struct FloatImage {
     std::vector<float> texels;
 };
 
-// Reads a portable float map (Pf or PF, either byte order; of the scale only the sign is used). Throws
-// std::runtime_error that names the file: missing, not a PFM, cut short.
+// Reads a portable float map (Pf or PF, either byte order). Throws std::runtime_error that names the file:
+// missing, not a PFM, cut short, or longer than its size says.
 [[nodiscard]] FloatImage read_pfm(const std::filesystem::path& file);
 
 }  // namespace gloam::scene

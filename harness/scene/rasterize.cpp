@@ -22,6 +22,24 @@ struct Vertex {
     glm::vec3 normal;
 };
 
+// The device reads wherever an index points.
+void check_mesh(const Scene& scene) {
+    const Mesh& mesh = scene.mesh;
+    const auto fail = [&](const std::string& what) {
+        throw std::invalid_argument("scene " + scene.name + ": " + what);
+    };
+    if (mesh.triangle_count() == 0) fail("no triangles in it");
+    if (mesh.indices.size() % 3 != 0)
+        fail(std::to_string(mesh.indices.size()) + " indices, expected three for each triangle");
+    if (mesh.normals.size() != mesh.positions.size())
+        fail(std::to_string(mesh.normals.size()) + " normals for " + std::to_string(mesh.positions.size()) +
+             " positions");
+    const std::uint32_t largest = *std::ranges::max_element(mesh.indices);
+    if (largest >= mesh.positions.size())
+        fail("index " + std::to_string(largest) + " is beyond its " + std::to_string(mesh.positions.size()) +
+             " positions");
+}
+
 gpu::Buffer vertex_buffer(const gpu::Device& device, const Mesh& mesh) {
     gpu::Buffer buffer(device, mesh.positions.size() * sizeof(Vertex));
     const std::span<Vertex> vertices = buffer.as<Vertex>();
@@ -58,8 +76,7 @@ std::vector<glm::vec3> to_vectors(const std::vector<float>& texels) {
 
 GBuffer rasterize(const gpu::Device& device, const PassLibrary& passes, const Scene& scene,
                   gpu::Extent extent) {
-    if (scene.mesh.triangle_count() == 0)
-        throw std::invalid_argument("scene " + scene.name + ": no triangles in it");
+    check_mesh(scene);
     const gpu::Image depth(device, extent, gpu::Format::depth32f);
     const gpu::Image linear(device, extent, gpu::Format::r32f);
     const gpu::Image normal(device, extent, gpu::Format::rgba32f);

@@ -51,6 +51,33 @@ std::vector<glm::vec3> to_vectors(const FloatImage& image) {
     return vectors;
 }
 
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Unit normals; 0 for what is none, and at the background. Those of 16-bit files are a little too long or too
+// short.
+std::vector<glm::vec3> with_unit_length(std::vector<glm::vec3> normals, const std::vector<float>& depth) {
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const glm::dvec3 n = normals[i];
+        const double square = is_finite(normals[i]) && std::isfinite(depth[i]) ? glm::dot(n, n) : 0.0;
+        if (!(square > 1e-6)) {
+            normals[i] = glm::vec3(0);
+        } else if (std::abs(square - 1.0) > 1e-6) {  // else as exact as floats are: not to be touched
+            normals[i] = glm::vec3(n / std::sqrt(square));
+        }
+    }
+    return normals;
+}
+
+// Motion that is no number is no history.
+std::vector<glm::vec3> with_finite_motion(std::vector<glm::vec3> motion) {
+    for (glm::vec3& m : motion) {
+        if (!is_finite(m)) m = glm::vec3(0);
+    }
+    return motion;
+}
+
 std::vector<float> with_background_at_infinity(std::vector<float> depth) {
     for (float& d : depth) {
         if (!(d > 0.0F && std::isfinite(d))) d = std::numeric_limits<float>::infinity();
@@ -61,6 +88,8 @@ std::vector<float> with_background_at_infinity(std::vector<float> depth) {
 }  // namespace
 
 std::string frame_prefix(int frame) {
+    if (frame < 0 || frame > 9999)
+        throw std::invalid_argument("frame " + std::to_string(frame) + ": expected 0 to 9999");
     const std::string digits = std::to_string(frame);
     return "f" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
 }
@@ -88,11 +117,12 @@ GBuffer read_gbuffer(const fs::path& directory, int frame) {
     };
     GBuffer gbuffer{.extent = description.extent,
                     .depth = with_background_at_infinity(read("_depth", 1).texels),
-                    .normal = to_vectors(read("_normal", 3)),
-                    .motion = to_vectors(read("_motion", 3)),
+                    .normal = {},
+                    .motion = with_finite_motion(to_vectors(read("_motion", 3))),
                     .camera = description.camera,
                     .ao_radius = description.ao_radius};
     if (gbuffer.depth.empty()) fail(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
+    gbuffer.normal = with_unit_length(to_vectors(read("_normal", 3)), gbuffer.depth);
     return gbuffer;
 }
 

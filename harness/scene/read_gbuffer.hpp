@@ -9,7 +9,7 @@
 
 namespace gloam::scene {
 
-// The name that the files of a frame begin with: "f0007".
+// The name that the files of a frame begin with: "f0007". Throws std::invalid_argument outside 0 to 9999.
 [[nodiscard]] std::string frame_prefix(int frame);
 
 // The frames of a directory (those with an fNNNN.json), ascending. Throws std::runtime_error that names the
@@ -17,10 +17,11 @@ namespace gloam::scene {
 [[nodiscard]] std::vector<int> frames_of(const std::filesystem::path& directory);
 
 // Reads one frame: PREFIX.json, PREFIX_depth, and, when they are there, PREFIX_normal and PREFIX_motion, each
-// image as .pfm or .exr. A depth that is not positive and finite becomes +infinity. Throws std::runtime_error
-// with one line that names the file and what was expected: missing, malformed or cut short, a size that
-// disagrees, an image offered in both kinds, a matrix that cannot be inverted, a projection that is not
-// symmetric (beyond a pixel of jitter).
+// image as .pfm or .exr. A depth that is not positive and finite becomes +infinity; normals are normalised,
+// and 0 where they have no direction and at the background; motion that is not finite becomes 0, not valid.
+// Throws std::runtime_error with one line that names the file and what was expected: missing, malformed or
+// cut short, a size that disagrees, an image offered in both kinds, a matrix that cannot be inverted, a
+// projection that is not symmetric (beyond a pixel of jitter).
 [[nodiscard]] GBuffer read_gbuffer(const std::filesystem::path& directory, int frame);
 
 // The text of PREFIX.json for a frame; read_gbuffer reads the same camera back, exactly.

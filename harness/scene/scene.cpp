@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "scene/internal/columns.hpp"
@@ -18,8 +19,7 @@ struct BuiltIn {
 
 const std::vector<BuiltIn>& all_built_in() {
     static const std::vector<BuiltIn> scenes{
-        {{"columns", "a column hall, from 0.4 m before the eye to 200 m away, open to the sky at its end"},
-         make_columns},
+        {{"columns", "a column hall, from 0.3 m before the eye to 200 m away"}, make_columns},
         {{"corner", "a floor and two walls, whose occlusion is known in closed form"}, make_corner}};
     return scenes;
 }
@@ -46,17 +46,23 @@ Scene mesh_on_ground(Mesh mesh, std::string name) {
     const glm::dvec3 size = bounds.high - bounds.low;
     const double largest = std::max({size.x, size.y, size.z});
     if (!(largest > 0.0)) throw std::invalid_argument("mesh " + name + ": all its vertices are one point");
-    const double scale = 1.0 / largest;
+    // What lies flat has no height to speak of: its longest side becomes 1.
+    const double scale = 1.0 / (size.y > 1e-3 * largest ? size.y : largest);
     const glm::dvec3 foot{0.5 * (bounds.low.x + bounds.high.x), bounds.low.y,
                           0.5 * (bounds.low.z + bounds.high.z)};
     Scene scene{.name = std::move(name), .mesh = placed(std::move(mesh), scale, -scale * foot)};
-    append(scene.mesh, make_parallelogram({-6, 0, 6}, {12, 0, 0}, {0, 0, -12}, 0.25));
-    const double height = scale * size.y;
-    scene.camera = {.eye = {0.55, 0.45 * height + 0.75, 1.75},
-                    .target = {0, 0.45 * height, 0},
-                    .fovy_rad = 0.75,
-                    .near = 0.1,
-                    .far = 20.0,
+    // The sphere around the mesh fills the height of the view; images wider than high show more at the sides.
+    const double radius = 0.5 * scale * glm::length(size);
+    append(scene.mesh, make_parallelogram({-20 * radius, 0, 20 * radius}, {40 * radius, 0, 0},
+                                          {0, 0, -40 * radius}, 0.5 * radius));
+    constexpr double fovy_rad = 0.7;
+    const double distance = radius / std::sin(0.5 * fovy_rad);
+    const glm::dvec3 center{0, 0.5 * scale * size.y, 0};
+    scene.camera = {.eye = center + distance * glm::normalize(glm::dvec3(0.35, 0.42, 1.0)),
+                    .target = center,
+                    .fovy_rad = fovy_rad,
+                    .near = 0.05 * distance,
+                    .far = 50.0 * distance,
                     .reversed_z = true};
     scene.ao_radius = 0.2;
     return scene;

@@ -30,8 +30,9 @@ struct SceneInfo {
 // A built-in scene by name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] Scene make_scene(std::string_view name);
 
-// A mesh scaled to a largest side of 1 and stood on a ground plane (y up), with a camera that sees all of it.
-// Throws std::invalid_argument for a mesh without extent.
+// A mesh scaled to a height of 1 (where it has next to none, to a longest side of 1) and stood on the ground
+// plane y = 0, with a camera that sees all of it in images at least as wide as high. Throws
+// std::invalid_argument for a mesh without extent.
 [[nodiscard]] Scene mesh_on_ground(Mesh mesh, std::string name);
 
 }  // namespace gloam::scene

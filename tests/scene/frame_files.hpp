@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/read_gbuffer.hpp"
+#include "scene/support.hpp"
+
+namespace gloam::scene::test {
+
+inline std::vector<float> components(const std::vector<glm::vec3>& vectors) {
+    std::vector<float> values;
+    for (const glm::vec3& v : vectors) values.insert(values.end(), {v.x, v.y, v.z});
+    return values;
+}
+
+// A portable float map of texels that come with their rows from the top.
+inline std::string pfm_text(gpu::Extent extent, const std::vector<float>& texels) {
+    const std::size_t row = texels.size() / extent.height;
+    std::string text = (row == extent.width ? "Pf\n" : "PF\n") + std::to_string(extent.width) + " " +
+                       std::to_string(extent.height) + "\n-1.0\n";
+    for (std::size_t y = extent.height; y-- > 0;) {
+        const auto begin = texels.begin() + static_cast<std::ptrdiff_t>(y * row);
+        text += bytes({begin, begin + static_cast<std::ptrdiff_t>(row)}, true);
+    }
+    return text;
+}
+
+// Writes a frame as an engine would.
+inline void write_frame(const Folder& folder, int frame, const GBuffer& gbuffer) {
+    const std::string prefix = frame_prefix(frame);
+    (void)folder.write(prefix + ".json", frame_json(gbuffer, frame));
+    (void)folder.write(prefix + "_depth.pfm", pfm_text(gbuffer.extent, gbuffer.depth));
+    if (!gbuffer.normal.empty())
+        (void)folder.write(prefix + "_normal.pfm", pfm_text(gbuffer.extent, components(gbuffer.normal)));
+    if (!gbuffer.motion.empty())
+        (void)folder.write(prefix + "_motion.pfm", pfm_text(gbuffer.extent, components(gbuffer.motion)));
+}
+
+}  // namespace gloam::scene::test

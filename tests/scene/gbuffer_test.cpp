@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "scene/read_gbuffer.hpp"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "scene/frame_files.hpp"
+
+namespace gloam::scene::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// 3 x 2; the third pixel is background.
+GBuffer example(const Camera& camera = {}) {
+    GBuffer gbuffer{.extent = {3, 2},
+                    .depth = {0.1F, 2.0F, infinity, 4.0F, 5.0F, 6e30F},
+                    .normal = {6, glm::normalize(glm::vec3(0.3F, -0.2F, 0.9F))},
+                    .motion = {6, {0.25F, -3.5F, 1.0F}},
+                    .camera = make_frame(camera, 1.5),
+                    .ao_radius = 0.3};
+    gbuffer.normal[2] = glm::vec3(0);
+    return gbuffer;
+}
+
+void expect_same(const GBuffer& got, const GBuffer& want) {
+    EXPECT_EQ(got.extent, want.extent);
+    EXPECT_EQ(got.depth, want.depth);
+    EXPECT_EQ(got.normal, want.normal);
+    EXPECT_EQ(got.motion, want.motion);
+    EXPECT_EQ(got.camera.view, want.camera.view);
+    EXPECT_EQ(got.camera.proj_vk, want.camera.proj_vk);
+    EXPECT_EQ(got.camera.previous_view, want.camera.previous_view);
+    EXPECT_EQ(got.ao_radius, want.ao_radius);
+}
+
+TEST(GBuffer, WhatIsWrittenIsRead) {
+    const Folder folder;
+    int frame = 0;
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        for (const bool reversed : {false, true}) {
+            GBuffer gbuffer = example({.eye = {1, 2, 3}, .projection = projection, .reversed_z = reversed});
+            if (reversed) gbuffer.camera.previous_view = make_frame({.eye = {1, 2, 3.5}}, 1.5).view;
+            write_frame(folder, frame, gbuffer);
+            expect_same(read_gbuffer(folder.path(), frame), gbuffer);
+            ++frame;
+        }
+    }
+    EXPECT_EQ(frames_of(folder.path()), (std::vector{0, 1, 2, 3}));
+}
+
+TEST(GBuffer, InfiniteFarPlane) {
+    const Folder folder;
+    for (const bool reversed : {false, true}) {
+        const GBuffer gbuffer =
+            example({.far = std::numeric_limits<double>::infinity(), .reversed_z = reversed});
+        write_frame(folder, 7, gbuffer);
+        expect_same(read_gbuffer(folder.path(), 7), gbuffer);
+    }
+}
+
+TEST(GBuffer, WithoutNormalsMotionAndRadius) {
+    const Folder folder;
+    GBuffer gbuffer = example();
+    gbuffer.normal.clear();
+    gbuffer.motion.clear();
+    gbuffer.ao_radius.reset();
+    write_frame(folder, 0, gbuffer);
+    expect_same(read_gbuffer(folder.path(), 0), gbuffer);
+}
+
+// A frame of one pixel, written by hand, with what `change` does to its description.
+template <class Change>
+GBuffer one_pixel(Change change) {
+    const Folder folder;
+    json description = json::parse(frame_json({.extent = {1, 1}, .camera = make_frame({}, 1.0)}, 0));
+    change(description);
+    (void)folder.write("f0000.json", description.dump());
+    (void)folder.write("f0000_depth.pfm", "Pf\n1 1\n-1\n" + bytes({2.5F}, true));
+    return read_gbuffer(folder.path(), 0);
+}
+
+void expect_close(const glm::mat4& got, const glm::mat4& want) {
+    for (int i = 0; i < 16; ++i) EXPECT_NEAR(got[i / 4][i % 4], want[i / 4][i % 4], 1e-6F) << i;
+}
+
+TEST(GBuffer, EitherProjectionWillDo) {
+    for (const Camera& camera :
+         {Camera{}, Camera{.reversed_z = true}, Camera{.projection = Projection::orthographic}}) {
+        const CameraFrame want = make_frame(camera, 1.0);
+        const glm::dmat4 gl = gl_from_vk(want.proj_vk);
+        const auto gbuffer = one_pixel([&](json& description) {
+            description["camera"].erase("proj_vk");
+            for (int i = 0; i < 16; ++i)
+                description["camera"]["proj_gl"][static_cast<std::size_t>(i)] = gl[i / 4][i % 4];
+        });
+        expect_close(gbuffer.camera.proj_vk, want.proj_vk);
+    }
+}
+
+TEST(GBuffer, PlanesAndAngleWhenThereIsNoProjection) {
+    const auto lens = [](json& description, const json& far) {
+        json& camera = description["camera"];
+        camera = {{"view", camera["view"]}, {"near", 0.25}, {"far", far}, {"fovy_rad", 1.1}, {"aspect", 1.0}};
+    };
+    const auto finite = one_pixel([&](json& description) { lens(description, 40.0); });
+    expect_close(finite.camera.proj_vk,
+                 make_frame({.fovy_rad = 1.1, .near = 0.25, .far = 40.0}, 1.0).proj_vk);
+    // Beside a projection they are not looked at.
+    const auto unused = one_pixel([](json& description) { description["camera"]["near"] = -5; });
+    expect_close(unused.camera.proj_vk, make_frame({}, 1.0).proj_vk);
+}
+
+TEST(GBuffer, OptionalKeys) {
+    const auto without = one_pixel([](json& description) {
+        description["camera"]["prev_view"] = nullptr;
+        description["unknown"] = {{"key", "is ignored"}};
+        description.erase("frame");
+    });
+    EXPECT_FALSE(without.camera.previous_view);
+    EXPECT_FALSE(without.ao_radius);
+    EXPECT_EQ(without.depth, std::vector{2.5F});
+}
+
+TEST(GBuffer, DepthThatIsNoneIsBackground) {
+    const Folder folder;
+    GBuffer gbuffer = example();
+    write_frame(folder, 0, gbuffer);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    (void)folder.write("f0000_depth.pfm",
+                       "Pf\n3 2\n-1\n" + bytes({0.0F, -0.0F, -1.0F, nan, 3.0F, -infinity}, true));
+    const GBuffer read = read_gbuffer(folder.path(), 0);
+    EXPECT_EQ(read.depth, (std::vector{infinity, 3.0F, infinity, infinity, infinity, infinity}));
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(read.normal[i] == glm::vec3(0), i != 1) << i;
+}
+
+TEST(GBuffer, NormalsAreUnitOrZeroAndMotionFinite) {
+    const Folder folder;
+    GBuffer gbuffer = example();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    gbuffer.depth.assign(6, 1.0F);
+    gbuffer.normal = {{0, 0, 1.001F},   {nan, 0, 1},    {0, 0, 0},
+                      {infinity, 0, 0}, {0, 0.999F, 0}, {0.6F, 0, 0.8F}};
+    gbuffer.motion[1] = {nan, 0, 1};
+    write_frame(folder, 0, gbuffer);
+    const GBuffer read = read_gbuffer(folder.path(), 0);
+    EXPECT_EQ(read.normal, (std::vector<glm::vec3>{
+                               {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0.6F, 0, 0.8F}}));
+    EXPECT_EQ(read.motion[0], gbuffer.motion[0]);
+    EXPECT_EQ(read.motion[1], glm::vec3(0));
+}
+
+TEST(GBuffer, FramesAreFoundByName) {
+    const Folder folder;
+    for (const char* name : {"f0010.json", "f0002.json", "f0003_depth.pfm", "f12.json", "f00001.json",
+                             "xf0001.json", "f0004.json.part"})
+        (void)folder.write(name, "{}");
+    EXPECT_EQ(frames_of(folder.path()), (std::vector{2, 10}));
+}
+
+}  // namespace
+}  // namespace gloam::scene::test

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/primitives.hpp"
+#include "scene/support.hpp"
+
+namespace gloam::scene::test {
+namespace {
+
+void expect_sound(const Mesh& mesh) {
+    ASSERT_GT(mesh.triangle_count(), 0U);
+    ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+    for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
+    for (const glm::vec3& normal : mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0F, 1e-5F);
+    // Each triangle winds counter-clockwise around its normals.
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]];
+        const glm::dvec3 b = mesh.positions[mesh.indices[i + 1]];
+        const glm::dvec3 c = mesh.positions[mesh.indices[i + 2]];
+        const glm::dvec3 area = glm::cross(b - a, c - a);
+        for (std::size_t k = 0; k < 3; ++k)
+            ASSERT_GE(glm::dot(area, glm::dvec3(mesh.normals[mesh.indices[i + k]])), -1e-9)
+                << "triangle " << i / 3;
+    }
+}
+
+double area_of(const Mesh& mesh) {
+    double area = 0.0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]];
+        area += 0.5 * glm::length(glm::cross(glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a,
+                                             glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a));
+    }
+    return area;
+}
+
+TEST(Primitives, AreSoundAndOfTheRightArea) {
+    const Mesh box = make_box({-1, 0, 2}, {1, 3, 4}, 0.7);
+    const Mesh plane = make_parallelogram({0, 0, 0}, {2, 0, 0}, {1, 3, 0}, 0.5);
+    const Mesh cylinder = make_cylinder({1, 2, 3}, 0.5, 4.0, 256);
+    const Mesh sphere = make_sphere({1, 2, 3}, 0.5, 128, 256);
+    for (const Mesh* mesh : {&box, &plane, &cylinder, &sphere}) expect_sound(*mesh);
+    EXPECT_NEAR(area_of(box), 2 * (2 * 3 + 3 * 2 + 2 * 2), 1e-4);
+    EXPECT_NEAR(area_of(plane), 6.0, 1e-5);
+    EXPECT_NEAR(area_of(cylinder), 3.14159265 * 4.0, 2e-3);
+    EXPECT_NEAR(area_of(sphere), 3.14159265, 2e-3);
+}
+
+TEST(Scenes, AreListedAndMade) {
+    std::vector<std::string> names;
+    for (const SceneInfo& info : built_in_scenes()) {
+        EXPECT_FALSE(info.description.empty());
+        const Scene scene = make_scene(info.name);
+        EXPECT_EQ(scene.name, info.name);
+        EXPECT_GT(scene.ao_radius, 0.0);
+        expect_sound(scene.mesh);
+        (void)make_frame(scene.camera, 1.5);
+        names.push_back(info.name);
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"columns", "corner"}));
+    expect_error<std::invalid_argument>([] { (void)make_scene("colums"); }, {"colums", "columns", "corner"});
+    expect_error<std::invalid_argument>([] { (void)make_scene(""); }, {"columns"});
+}
+
+TEST(Scenes, TheCornerIsExact) {
+    for (const glm::vec3& p : make_scene("corner").mesh.positions)
+        ASSERT_TRUE(p.x == 0.0F || p.y == 0.0F || p.z == 0.0F);
+}
+
+// All of the mesh is inside the view, for several shapes of image.
+void expect_seen(const Scene& scene, std::size_t vertices) {
+    for (const double aspect : {1.0, 1.5, 2.5}) {
+        const CameraFrame frame = make_frame(scene.camera, aspect);
+        const glm::dmat4 clip_of = glm::dmat4(frame.proj_vk) * glm::dmat4(frame.view);
+        for (std::size_t i = 0; i < vertices; ++i) {
+            const glm::dvec4 clip = clip_of * glm::dvec4(glm::dvec3(scene.mesh.positions[i]), 1.0);
+            ASSERT_LE(std::abs(clip.x), clip.w);
+            ASSERT_LE(std::abs(clip.y), clip.w);
+            ASSERT_GT(clip.z, 0.0);
+            ASSERT_LT(clip.z, clip.w);
+        }
+    }
+}
+
+TEST(MeshOnGround, HasHeightOneAndIsSeen) {
+    // Tall, wide, far from the origin, tiny, huge.
+    for (const auto& [low, high] :
+         std::vector<std::pair<glm::dvec3, glm::dvec3>>{{{0, 0, 0}, {1, 10, 1}},
+                                                        {{0, 0, 0}, {10, 1, 3}},
+                                                        {{99, 98, 97}, {101, 103, 101}},
+                                                        {{0, 0, 0}, {1e-6, 2e-6, 1e-6}},
+                                                        {{-1e9, -1e9, 0}, {1e9, 1e9, 1e9}}}) {
+        const Mesh box = make_box(low, high, 1e10);
+        const Scene scene = mesh_on_ground(box, "box");
+        expect_sound(scene.mesh);
+        Mesh placed_box = scene.mesh;
+        placed_box.positions.resize(box.positions.size());
+        const Bounds bounds = bounds_of(placed_box);
+        EXPECT_NEAR(bounds.low.y, 0.0, 1e-5);
+        EXPECT_NEAR(bounds.high.y, 1.0, 1e-5);
+        EXPECT_NEAR(bounds.low.x, -bounds.high.x, 1e-4);
+        expect_seen(scene, box.positions.size());
+        // The ground.
+        for (std::size_t i = box.positions.size(); i < scene.mesh.positions.size(); ++i)
+            ASSERT_EQ(scene.mesh.positions[i].y, 0.0F);
+    }
+}
+
+TEST(MeshOnGround, AFlatMeshIsScaledByItsLongestSide) {
+    const Mesh sheet = make_parallelogram({0, 3, 0}, {0, 0, 4}, {2, 0, 0}, 10.0);
+    const Scene scene = mesh_on_ground(sheet, "sheet");
+    Mesh placed_sheet = scene.mesh;
+    placed_sheet.positions.resize(sheet.positions.size());
+    EXPECT_NEAR(bounds_of(placed_sheet).high.z, 0.5, 1e-6);
+    expect_seen(scene, sheet.positions.size());
+}
+
+TEST(MeshOnGround, WithoutExtent) {
+    const Mesh point{.positions = {3, {1, 1, 1}}, .normals = {3, {0, 1, 0}}, .indices = {0, 1, 2}};
+    expect_error<std::invalid_argument>([&] { (void)mesh_on_ground(point, "dot"); }, {"dot"});
+}
+
+}  // namespace
+}  // namespace gloam::scene::test
