@@ -197,6 +197,13 @@ def shader_include(source):
             yield number, f'{name}: include "gloam/room/file.glsl"'
 
 
+def shader_reference(source):
+    """Every file of glsl/gloam has its reference in C++, at the same place below harness/reference."""
+    reference = Path("harness/reference", *source.path.parts[2:]).with_suffix(".hpp")
+    if source.is_shader_library and not (source.root / reference).is_file():
+        yield 1, f"there is no {reference.as_posix()}"
+
+
 def guard(source):
     """A header is read once: #pragma once in C++, GLOAM_ROOM_FILE_GLSL in the shader library."""
     lines = [line for line in blank_comments(source.text).splitlines() if line.strip()]
@@ -235,7 +242,7 @@ def machine_path(source):
 
 
 RULES = (room_include, internal_include, include_style, library_home, shader_bindings, shader_comment, shader_name,
-         shader_include, guard, spdx, length, machine_path, papers.paper_path, papers.paper_code)
+         shader_include, shader_reference, guard, spdx, length, machine_path, papers.paper_path, papers.paper_code)
 
 
 def sources(root):

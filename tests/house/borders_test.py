@@ -33,6 +33,7 @@ CLEAN = {
     "harness/check/lab.hpp": HPP + '#include "gpu/device.hpp"\n#include "shader/compile.hpp"\n',
     "harness/scene/mesh.cpp": SPDX + "#include <assimp/Importer.hpp>\n",
     "harness/report/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
+    "harness/reference/occlusion/shade.hpp": HPP,
     "tests/gpu/device_test.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include "shader/compile.hpp"\n',
     "glsl/passes/shade.comp": SPDX + "layout(binding = 0) uniform Block { float x; };\nvoid main() {}\n",
     "glsl/gloam/occlusion/shade.glsl": shader(
@@ -93,6 +94,7 @@ PLANTED = {
         ("glsl/gloam/occlusion/shade.glsl", shader('#include "depth.glsl"'), 5),
         ("glsl/gloam/occlusion/shade.glsl", shader('#include "passes/shade.comp"'), 5),
     ],
+    "shader_reference": [("glsl/gloam/occlusion/alone.glsl", shader("", guard="GLOAM_OCCLUSION_ALONE_GLSL"), 1)],
     "guard": [
         ("harness/gpu/wrong.hpp", SPDX + "#include <memory>\n", 1),
         ("glsl/gloam/occlusion/shade.glsl", SPDX + "// Shades.\nfloat gloam_shade() { return 1.0; }\n", 1),
