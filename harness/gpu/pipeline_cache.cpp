@@ -2,30 +2,20 @@
 #include "gpu/internal/pipeline_cache.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 
 #include "gpu/internal/cache_file.hpp"
+#include "gpu/internal/cache_header.hpp"
 
 namespace gloam::gpu {
 namespace {
-
-// Does the blob's own header (VkPipelineCacheHeaderVersionOne) name this device and driver?
-bool fits(std::span<const std::byte> blob, const vk::PhysicalDeviceProperties& properties) {
-    VkPipelineCacheHeaderVersionOne header{};
-    if (blob.size() < sizeof header) return false;
-    std::memcpy(&header, blob.data(), sizeof header);
-    return header.headerSize >= sizeof header && header.headerSize <= blob.size() &&
-           header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
-           header.vendorID == properties.vendorID && header.deviceID == properties.deviceID &&
-           std::ranges::equal(header.pipelineCacheUUID, properties.pipelineCacheUUID);
-}
 
 std::vector<std::byte> load(const std::filesystem::path& file,
                             const vk::PhysicalDeviceProperties& properties) {
     if (file.empty()) return {};
     auto blob = read_cache_file(file);
-    if (!fits(blob, properties)) blob.clear();
+    const DriverKey driver{properties.vendorID, properties.deviceID, properties.pipelineCacheUUID};
+    if (!is_pipeline_cache_of(blob, driver)) blob.clear();
     return blob;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The pipeline cache on disk: the file format by itself, then a device that finds the file in every state.
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -8,6 +9,7 @@
 
 #include "gpu/gpu_test.hpp"
 #include "gpu/internal/cache_file.hpp"
+#include "gpu/internal/cache_header.hpp"
 #include "shaders/fill_comp.h"
 
 namespace gloam::gpu::test {
@@ -99,6 +101,42 @@ TEST(CacheFile, AFolderThatCannotBeWrittenIsNoError) {
     write_all(folder.path() / "taken" / "x", "");
     EXPECT_FALSE(write_cache_file(folder.path() / "taken", some_bytes(4)));
     EXPECT_EQ(files_in(folder.path()).size(), 2u) << "a temporary file was left behind";
+}
+
+// Vulkan's header: its length, version 1, vendor, device, UUID; then what is the driver's own.
+std::vector<std::byte> blob_of(const DriverKey& driver, std::size_t own_bytes) {
+    const std::array<std::uint32_t, 4> start{32, 1, driver.vendor, driver.device};
+    std::vector<std::byte> blob;
+    std::ranges::copy(std::as_bytes(std::span(start)), std::back_inserter(blob));
+    std::ranges::copy(std::as_bytes(std::span(driver.uuid)), std::back_inserter(blob));
+    blob.resize(blob.size() + own_bytes);
+    return blob;
+}
+
+TEST(CacheHeader, OnlyTheDriverThatWroteItMayHaveIt) {
+    const DriverKey driver{
+        .vendor = 0x10005, .device = 7, .uuid = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}};
+    for (const std::size_t own_bytes : {0u, 1u, 100u}) {
+        auto blob = blob_of(driver, own_bytes);
+        ASSERT_TRUE(is_pipeline_cache_of(blob, driver));
+        for (std::size_t i = 1; i < 32; ++i) {  // byte 0: the header itself may grow
+            auto other = blob;
+            other[i] ^= std::byte{0x80};
+            EXPECT_FALSE(is_pipeline_cache_of(other, driver)) << "byte " << i;
+        }
+    }
+}
+
+TEST(CacheHeader, MustBeWhole) {
+    const DriverKey driver{.vendor = 1, .device = 2};
+    auto blob = blob_of(driver, 0);
+    for (std::size_t length = 0; length < blob.size(); ++length) {
+        EXPECT_FALSE(is_pipeline_cache_of(std::span(blob).first(length), driver)) << length;
+    }
+    for (const int length : {0, 31, 33}) {
+        blob[0] = static_cast<std::byte>(length);
+        EXPECT_FALSE(is_pipeline_cache_of(blob, driver)) << length;
+    }
 }
 
 class PipelineCacheTest : public GpuTest {

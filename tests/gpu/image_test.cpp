@@ -2,6 +2,7 @@
 #include "gpu/image.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -40,14 +41,23 @@ TEST_P(RoundTripTest, ComesBackAsItWas) {
     }
 }
 
+std::string case_name(const ::testing::TestParamInfo<RoundTripTest::ParamType>& info) {
+    const auto [format, extent] = info.param;
+    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "depth32f"};
+    return names[static_cast<std::size_t>(format)] + ("_" + std::to_string(extent.width)) + "x" +
+           std::to_string(extent.height);
+}
+
 constexpr Extent large{1500, 2000};  // as rgba32f more than is staged at once
 
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTripTest,
                          ::testing::Combine(::testing::Values(Format::r32f, Format::rgba32f, Format::rgba16f,
                                                               Format::depth32f),
-                                            ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})));
+                                            ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})),
+                         case_name);
 INSTANTIATE_TEST_SUITE_P(Bands, RoundTripTest,
-                         ::testing::Combine(::testing::Values(Format::rgba32f), ::testing::Values(large)));
+                         ::testing::Combine(::testing::Values(Format::rgba32f), ::testing::Values(large)),
+                         case_name);
 
 using ImageTest = GpuTest;
 
