@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "effect/ambient_occlusion.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "effect/errors.hpp"
+#include "effect/presets.hpp"
+#include "scene/corner.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+// Opens the device with validation, and fails on any message.
+class Effect : public testing::Test {
+  protected:
+    Effect()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1) const {
+        AmbientOcclusion effect(device_, passes_, view.extent);
+        effect.begin(view, settings);
+        Frame frame = effect.next();
+        for (int i = 1; i < frames; ++i) frame = effect.next();
+        return frame;
+    }
+
+    [[nodiscard]] scene::GBuffer corner(gpu::Extent extent) const {
+        return scene::rasterize(device_, passes_, scene::make_scene("corner"), extent);
+    }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+};
+
+Settings settings_for(float radius) {
+    return with_radius(preset_named("paper").settings, radius);
+}
+
+// A wall across the whole view, parallel to the image, so that every depth is exact.
+scene::GBuffer wall(gpu::Extent extent, float depth) {
+    scene::GBuffer view{.extent = extent};
+    const std::size_t pixels = std::size_t{extent.width} * extent.height;
+    view.depth.assign(pixels, depth);
+    const bool background = !std::isfinite(depth);
+    view.normal.assign(pixels, background ? glm::vec3(0.0F) : glm::vec3(0.0F, 0.0F, 1.0F));
+    view.camera = scene::make_frame({}, double{extent.width} / extent.height);
+    return view;
+}
+
+TEST_F(Effect, AnOpenPlaneIsOpen) {
+    for (const Method method : {Method::hemisphere, Method::disc}) {
+        Settings settings = settings_for(1.0F);
+        settings.method = method;
+        for (const bool normals : {true, false}) {
+            scene::GBuffer view = wall({64, 48}, 3.0F);
+            if (!normals) view.normal.clear();
+            const Frame frame = run(view, settings, 3);
+            EXPECT_THAT(frame.occlusion, testing::Each(0.0F));
+            EXPECT_THAT(frame.filtered, testing::Each(0.0F));
+            EXPECT_EQ(frame.work.samples, 64U * 48U * 32U);
+        }
+    }
+}
+
+TEST_F(Effect, OddSizesAndBackground) {
+    for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 3}, gpu::Extent{17, 9}}) {
+        const std::uint64_t pixels = std::uint64_t{extent.width} * extent.height;
+        EXPECT_THAT(run(wall(extent, 3.0F), settings_for(1.0F)).filtered, testing::Each(0.0F));
+        for (const float depth : {inf, 0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+            scene::GBuffer view = wall(extent, 3.0F);
+            view.depth.assign(view.depth.size(), depth);
+            const Frame frame = run(view, settings_for(1.0F), 2);
+            EXPECT_THAT(frame.occlusion, testing::Each(0.0F));
+            EXPECT_THAT(frame.filtered, testing::Each(0.0F));
+            EXPECT_THAT(frame.convergence, testing::Each(0.0F));
+            EXPECT_EQ(frame.work.pixels, pixels);
+            EXPECT_EQ(frame.work.background, pixels);
+            EXPECT_EQ(frame.work.samples, 0U);
+            EXPECT_EQ(frame.work.tiles_skipped, frame.work.tiles);
+        }
+    }
+}
+
+TEST_F(Effect, TwiceTheSameAndRepeatsChangeNothing) {
+    const scene::GBuffer view = corner({64, 36});
+    AmbientOcclusion effect(device_, passes_, view.extent);
+    std::vector<Frame> frames;
+    for (const int repeat : {1, 1, 3}) {
+        effect.begin(view, settings_for(1.0F));
+        (void)effect.next(repeat);
+        frames.push_back(effect.next(repeat));
+    }
+    for (const Frame& frame : frames) {
+        EXPECT_EQ(frame.occlusion, frames.front().occlusion);
+        EXPECT_EQ(frame.filtered, frames.front().filtered);
+        EXPECT_EQ(frame.work.samples, frames.front().work.samples);
+    }
+    EXPECT_GT(*std::ranges::max_element(frames.front().occlusion), 0.3F);
+}
+
+// The background around a window of geometry, and the radius below a pixel far behind it.
+TEST_F(Effect, SkippingLeavesTheOtherPixelsAsTheyWere) {
+    scene::GBuffer view = corner({64, 36});
+    for (std::size_t i = 0; i < view.depth.size(); ++i) {
+        if (i % 64 < 20) view.depth[i] = inf;
+        if (i % 64 >= 44) view.depth[i] = 1e5F;
+    }
+    Settings skip = settings_for(1.0F);
+    Settings all = skip;
+    all.skip_background = false;
+    all.least_radius = 0.0F;
+    const Frame with = run(view, skip, 2);
+    const Frame without = run(view, all, 2);
+    EXPECT_EQ(with.work.background, 20U * 36U);
+    EXPECT_EQ(with.work.below_radius, 20U * 36U);
+    EXPECT_LT(with.work.samples, without.work.samples);
+    for (std::size_t i = 0; i < view.depth.size(); ++i) {
+        if (i % 64 < 44) EXPECT_EQ(with.occlusion[i], without.occlusion[i]) << i;
+        if (i % 64 < 44) EXPECT_EQ(with.filtered[i], without.filtered[i]) << i;
+    }
+}
+
+TEST_F(Effect, OneFrameOrManyOfTheSameSamples) {
+    const scene::GBuffer view = corner({64, 36});
+    Settings settings = settings_for(1.0F);
+    settings.c_rot = 0.0F;
+    settings.samples = 64;
+    const Frame one = run(view, settings, 1);
+    settings.samples = 8;
+    const Frame many = run(view, settings, 8);
+    for (std::size_t i = 0; i < one.occlusion.size(); ++i) {
+        ASSERT_NEAR(one.occlusion[i], many.occlusion[i], 1e-6) << i;
+        ASSERT_EQ(one.convergence[i], many.convergence[i]) << i;
+    }
+}
+
+// An estimate of n yes-or-no samples has a standard deviation of at most 1 / (2 sqrt(n)); Halton points do
+// better. More samples help, and so does the filter.
+TEST_F(Effect, TheCornerComesCloseToItsClosedForm) {
+    const scene::GBuffer view = corner({160, 90});
+    const Truth truth = truth_of(view, 1.0, scene::corner_occlusion_at);
+    Settings settings = settings_for(1.0F);
+    const Frame one = run(view, settings, 1);
+    const Frame many = run(view, settings, 16);
+    const Errors rough = errors_of(one.occlusion, truth);
+    EXPECT_GT(rough.compared, 3000U);
+    EXPECT_LT(rough.rmse, 0.5 / std::sqrt(32.0));
+    EXPECT_LT(errors_of(one.filtered, truth).rmse, 0.75 * rough.rmse);
+    EXPECT_LT(errors_of(many.occlusion, truth).rmse, 0.5 / std::sqrt(512.0));
+    EXPECT_LT(std::abs(errors_of(many.occlusion, truth).bias), 0.01);
+}
+
+TEST_F(Effect, EverySettingMatters) {
+    const scene::GBuffer view = corner({64, 36});
+    const auto filtered = [&](const std::function<void(Settings&)>& change) {
+        Settings settings = settings_for(1.0F);
+        settings.weight_max = 200.0F;
+        change(settings);
+        return run(view, settings, 3).filtered;
+    };
+    const std::vector<float> before = filtered([](Settings&) {});
+    const std::vector<std::pair<const char*, std::function<void(Settings&)>>> changes{
+        {"method", [](Settings& s) { s.method = Method::disc; }},
+        {"radius", [](Settings& s) { s.radius = 0.5F; }},
+        {"bias", [](Settings& s) { s.bias = 0.1F; }},
+        {"range", [](Settings& s) { s.range = 0.05F; }},
+        {"samples", [](Settings& s) { s.samples = 16; }},
+        {"table_size", [](Settings& s) { s.table_size = 7; }},
+        {"weight_max", [](Settings& s) { s.weight_max = 40.0F; }},
+        {"c_rot", [](Settings& s) { s.c_rot = 0.0F; }},
+        {"c_adaptive", [](Settings& s) { s.c_adaptive = 1.0F; }},
+        {"least_radius", [](Settings& s) { s.least_radius = 1e6F; }}};
+    for (const auto& [name, change] : changes) EXPECT_NE(filtered(change), before) << name;
+    const auto wide = [](Settings& s) { s.c_adaptive = 1.0F; };
+    EXPECT_NE(filtered([&](Settings& s) { wide(s), s.filter = false; }), filtered(wide));
+    EXPECT_NE(filtered([&](Settings& s) { wide(s), s.filter_half_width = 1; }), filtered(wide));
+}
+
+TEST_F(Effect, WhatCannotBeIsRefused) {
+    const scene::GBuffer view = wall({8, 8}, 3.0F);
+    AmbientOcclusion effect(device_, passes_, {8, 8});
+    EXPECT_THROW((void)effect.next(), std::logic_error);
+    EXPECT_THROW(effect.begin(wall({8, 7}, 3.0F), settings_for(1.0F)), std::invalid_argument);
+    for (const float bad : {0.0F, -1.0F, inf, std::numeric_limits<float>::quiet_NaN()}) {
+        Settings settings;
+        settings.radius = bad;
+        EXPECT_THROW(effect.begin(view, settings), std::invalid_argument) << bad;
+    }
+    EXPECT_THROW((AmbientOcclusion{device_, passes_, {0, 0}}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace gloam::effect
