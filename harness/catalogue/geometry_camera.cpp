@@ -54,7 +54,7 @@ void append_cameras(Entries& entries) {
          .source = "inverse of the projection"},
         GLOAM_REFERENCE(gloam_camera_position),
         {.domain = {pixel, depth, cameras()},
-         .budget = {.ulp = 4},
+         .budget = {.ulp = 3},
          .codomain = {-huge, huge},
          .promised =
              make_predicate<glm::vec3(glm::ivec2, float, Camera)>([](glm::ivec2, double d, const Camera& c) {

@@ -58,14 +58,14 @@ void append_polynomials(Entries& entries) {
                     .title = "cubic falloff",
                     .formula = "D = max(1 - d^3 / R^3, 0)",
                     .source = "derived: kernel uniform in the volume of a ball"},
-                   GLOAM_REFERENCE(gloam_falloff_cubic), {.ulp = 4});
+                   GLOAM_REFERENCE(gloam_falloff_cubic), {.ulp = 5});
     append_falloff(entries,
                    {.id = "FALLOFF-sao",
                     .function = "gloam_falloff_sao",
                     .title = "falloff of Scalable Ambient Obscurance",
                     .formula = "D = (1 - d^2 / R^2)^3 for d < R, else 0",
                     .source = "McGuire et al. 2012"},
-                   GLOAM_REFERENCE(gloam_falloff_sao), {.ulp = 8});
+                   GLOAM_REFERENCE(gloam_falloff_sao), {.ulp = 10});
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void append_falloffs(Entries& entries) {
                     .title = "exponential falloff, cut below 1/255",
                     .formula = "D = exp(-d / R), 0 where below 1/255",
                     .source = "TSSAO (Mattausch et al.), notes on eq 1"},
-                   GLOAM_REFERENCE(gloam_falloff_exponential), {.ulp = 8, .backward_ulp = 4});
+                   GLOAM_REFERENCE(gloam_falloff_exponential), {.ulp = 10, .backward_ulp = 4});
     append_falloff(entries,
                    {.id = "FALLOFF-alchemy",
                     .function = "gloam_falloff_alchemy",

@@ -23,7 +23,8 @@ constexpr double most_samples = 64;
 // A sample near the border of two pixels, or near the depth at which it is blocked, may fall to either side:
 // its whole contribution then differs. Moving the inputs by a few ULP must account for it.
 constexpr Budget hemisphere_budget{.backward_ulp = 4};
-constexpr Budget disc_budget{.ulp = 2, .absolute = 4e-6, .backward_ulp = 4};
+constexpr Budget contribution_budget{.absolute = 1e-6, .backward_ulp = 4};
+constexpr Budget disc_budget{.absolute = 4e-6, .backward_ulp = 4};
 
 auto depth_of(const ImageSet& images) {
     return [&images](glm::ivec2 pixel) { return static_cast<double>(images.at(prototype).at<float>(pixel)); };
@@ -135,7 +136,7 @@ void append_disc(Entries& entries) {
         {.domain =
              Domain{positions(), unit_vector(3).and_special(), image_pixel(), cameras(), kernels(), extra()}
                  .adjusted(place_before_camera(0, 8)),
-         .budget = disc_budget,
+         .budget = contribution_budget,
          .codomain = {0, 1},
          .promised = make_predicate<Contribution>([](const glm::vec3& p, const glm::vec3& n, glm::ivec2,
                                                      const Camera& c, const Kernel& k,

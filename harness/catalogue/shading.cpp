@@ -21,10 +21,10 @@ void append_shading(Entries& entries) {
          .source = "Aalund and Baerentzen 2013"},
         GLOAM_REFERENCE(gloam_remap),
         {.domain = {visibility, offset, brightness, contrast},
-         .budget = {.absolute = 4e-6, .backward_ulp = 2},
+         .budget = {.absolute = 2e-6, .backward_ulp = 2},
          .codomain = {0, 1},
-         .promised = make_predicate<float(float, float, float, float)>(
-             [](double ao, double a, double b, double c) {
+         .promised =
+             make_predicate<float(float, float, float, float)>([](double ao, double a, double b, double c) {
                  return moderate(1e-18, 1e18, ao, a, b) && moderate(1e-3, 16, c);
              })}));
 }

@@ -37,7 +37,7 @@ void append_blend(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), eqs 4 and 5, arguments corrected"},
         GLOAM_REFERENCE(gloam_blend),
         {.domain = Domain{occlusions(), weights(), occlusions(), weights(), weights()}.tied(4, 1).tied(2, 0),
-         .budget = {.ulp = 2, .absolute = 1.2e-7},
+         .budget = {.ulp = 0.5, .absolute = 1e-7},
          .codomain = {0, float_max},
          .promised = make_predicate<Signature>(usual)}));
     entries.push_back(equation<float(float, float, float)>(
@@ -66,7 +66,7 @@ void append_accumulation(Entries& entries) {
                                        .source = "TSSAO (Mattausch et al.), eq 6"},
                                       GLOAM_REFERENCE(gloam_convergence),
                                       {.domain = Domain{weights(), weights().and_near({0x1p-126})}.tied(0, 1),
-                                       .budget = {.ulp = 1},
+                                       .budget = {.ulp = 0.5},
                                        .codomain = {0, 1}}));
     entries.push_back(equation<bool(float, float)>({.id = "TSSAO-ROT",
                                                     .function = "gloam_rotation_enabled",

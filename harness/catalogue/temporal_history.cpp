@@ -107,7 +107,7 @@ void append_history(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), interpolation across depth edges"},
         GLOAM_REFERENCE(gloam_validated_weights),
         {.domain = {vector(4, either(part, log_uniform(1e-37, 1))).and_special(), vector(4, booleans())},
-         .budget = {.ulp = 2.5},
+         .budget = {.ulp = 3},
          .codomain = {0, 1}}));
 }
 

@@ -49,7 +49,6 @@ void append_disocclusion(Entries& entries) {
                                      GLOAM_REFERENCE(gloam_both_background), {.domain = depths}));
 }
 
-
 void append_neighborhood(Entries& entries) {
     constexpr const char* file = "gloam/temporal/neighborhood.glsl";
     constexpr const char* source = "TSSAO (Mattausch et al.), eq 9";
@@ -66,7 +65,7 @@ void append_neighborhood(Entries& entries) {
          .source = source},
         GLOAM_REFERENCE(gloam_neighborhood_change),
         {.domain = {position, position, position, position},
-         .budget = {.ulp = 4, .absolute = 4e-6},
+         .budget = {.ulp = 4, .absolute = 6e-6},
          .codomain = {0, float_max},
          .promised = make_predicate<float(glm::vec3, glm::vec3, glm::vec3, glm::vec3)>(
              [near](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
@@ -91,9 +90,8 @@ void append_neighborhood(Entries& entries) {
         GLOAM_REFERENCE(gloam_probe_useful),
         {.domain = {position, unit_vector(3).and_special()},
          .budget = {.backward_ulp = 4},
-         .promised = make_predicate<bool(glm::vec3, glm::vec3)>([](glm::dvec3 offset, glm::dvec3 normal) {
-             return moderate(1e-15, 1e15, offset, normal);
-         })}));
+         .promised = make_predicate<bool(glm::vec3, glm::vec3)>(
+             [](glm::dvec3 offset, glm::dvec3 normal) { return moderate(1e-15, 1e15, offset, normal); })}));
 }
 
 void append_invalidation(Entries& entries) {
@@ -118,7 +116,7 @@ void append_invalidation(Entries& entries) {
         GLOAM_REFERENCE(gloam_confidence),
         {.domain = {either(uniform(0, 1), signed_log_uniform(1e-30, 1e30)).and_special(),
                     either(uniform(15, 30), log_uniform(1e-6, 1e6)).and_special()},
-         .budget = {.ulp = 2},
+         .budget = {.ulp = 3},
          .codomain = {0, 1}}));
     entries.push_back(
         equation<float(float, float)>({.id = "TSSAO-SI-b-weight",
@@ -129,7 +127,7 @@ void append_invalidation(Entries& entries) {
                                        .source = "TSSAO (Mattausch et al.), smooth invalidation factor"},
                                       GLOAM_REFERENCE(gloam_invalidate_confidence),
                                       {.domain = {weight, uniform(0, 1).and_near({0.0, 1.0}).and_special()},
-                                       .budget = {.ulp = 0.75},
+                                       .budget = {.ulp = 0.5},
                                        .codomain = {0, float_max}}));
 }
 

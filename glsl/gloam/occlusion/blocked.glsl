@@ -10,7 +10,8 @@
 // bias: world units, about 1e-3 of the depth: hides the rounding of positions and depths.
 // range: world units, about the kernel radius; infinity switches the check off, a range not above the bias blocks nothing.
 // Returns 1 if bias < sample_depth - buffer_depth <= range, else 0: also for background in the buffer, for a sample at or behind
-// the eye, and for NaN. The difference is exact within a factor 2 of depth.
+// the eye, and for NaN. Error: the difference is that of two depths
+// rounded once (exact within a factor 2), and may fall to either side of a threshold within 1 ULP of it.
 float gloam_sample_blocked(float sample_depth, float buffer_depth, float bias, float range) {
     if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
     float in_front = sample_depth - buffer_depth;

@@ -22,7 +22,8 @@ float gloam_fetch_depth(ivec2 pixel);
 // position, normal: of the shaded point, view space, world units; unit normal. at: the tap's pixel, inside the image.
 // epsilon: world units, see gloam_contribution_fox_compton_scaled.
 // Returns a contribution in [0, 1]; 0 for background, for a point beyond the kernel's radius, and for one no higher than the bias
-// above the tangent plane: there noise would decide.
+// above the tangent plane: there noise would decide. Error: 4e-6, growing as the point comes nearer than
+// a thousandth of the depth.
 float gloam_disc_contribution(vec3 position, vec3 normal, ivec2 at, GloamCamera camera, GloamKernel kernel, float epsilon) {
     float depth = gloam_fetch_depth(at);
     if (gloam_is_background(depth)) return 0.0;
@@ -36,7 +37,7 @@ float gloam_disc_contribution(vec3 position, vec3 normal, ivec2 at, GloamCamera 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length. epsilon: world units, 0.01 to 0.1 of the radius.
 // Returns (sum, count) for gloam_estimator_mean; outside the image the nearest pixel counts. (0, 0) where there is nothing to
-// gather: background, no normal, no radius.
+// gather: background, no normal, no radius. Error: 1e-6 a sample, but for taps within rounding of a pixel's border.
 vec2 gloam_disc_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, float epsilon) {
     vec2 accumulated = vec2(0.0);
     if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;

@@ -12,6 +12,7 @@
 // kernel radius.
 // Returns a contribution in 1 / world units, at most 1 / epsilon: multiply by a length before it is read as occlusion. 0 for s = p, for
 // epsilon infinite or NaN, and where s - p is not finite. An epsilon of 0 or less bounds nothing.
+// Error: 1e-7 / epsilon.
 float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
     float cosine = gloam_sample_cosine(offset, normal);
@@ -24,7 +25,7 @@ float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_pos
 // The same times epsilon: max(cos(s - p, n), 0) epsilon / max(epsilon, |s - p|).
 // position: p, sample_position: s, world units, same space. normal: n, unit vector. epsilon: world units, >= 0.
 // Returns a contribution in [0, 1]: the cosine within epsilon of p, falling as epsilon / |s - p| beyond. 0 for s = p, epsilon <= 0
-// or NaN, and where s - p is not finite; the cosine for an infinite epsilon.
+// or NaN, and where s - p is not finite; the cosine for an infinite epsilon. Error: 3e-7.
 float gloam_contribution_fox_compton_scaled(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
     float cosine = gloam_sample_cosine(offset, normal);

@@ -17,6 +17,7 @@ struct GloamKernel {
 // Whether there is anything to gather at a point: a surface in front of the eye with a normal, and a radius of influence.
 // position: view space, world units. normal: view space, any length. radius: world units.
 // Returns false for background depth, for a zero or non-finite normal, and for a radius that is not positive and finite.
+// Error: none.
 bool gloam_can_gather(vec3 position, vec3 normal, float radius) {
     bool point = gloam_is_finite3(position) && !gloam_is_background(-position.z);
     bool facing = gloam_is_finite3(normal) && max(max(abs(normal.x), abs(normal.y)), abs(normal.z)) >= 1.175494351e-38;

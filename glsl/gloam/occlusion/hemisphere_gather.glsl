@@ -24,6 +24,7 @@ float gloam_fetch_depth(ivec2 pixel);
 // range: see gloam_sample_blocked. index: number of the Halton point.
 // Returns (sum, count) with the sample added: 1 where blocked, 0 where open and where its pixel is background; outside the image
 // the nearest pixel counts. Unchanged for a point at or behind the eye, one that is not finite, and one at the centre (index 0).
+// Error: none, but a point within rounding of a pixel's border or of the blocking depth may fall to either side.
 vec2 gloam_hemisphere_tap(vec2 accumulated, vec3 position, mat3 frame, GloamCamera camera, GloamKernel kernel, float range,
                           uint index) {
     vec3 point = gloam_rotate_hemisphere(gloam_hemisphere_cosine(gloam_halton_3d(index)), kernel.angle);
@@ -38,7 +39,7 @@ vec2 gloam_hemisphere_tap(vec2 accumulated, vec3 position, mat3 frame, GloamCame
 // position: of the surface, view space, world units. normal: view space, any length. range: world units, about the radius, or
 // infinity; see gloam_sample_blocked.
 // Returns (sum, count) for gloam_estimator_mean; count may be below kernel.count (see above), and is 0 where there is nothing to
-// gather: background, no normal, no radius.
+// gather: background, no normal, no radius. Error: none, but for points within rounding, as above.
 vec2 gloam_hemisphere_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, float range) {
     vec2 accumulated = vec2(0.0);
     if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;

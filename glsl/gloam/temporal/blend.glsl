@@ -15,14 +15,15 @@ float gloam_history_weight(float history, float weight, float weight_max) {
 }
 
 // New samples blended into the history (TSSAO-4 and -5): AO = (w AO_(f-1) + k C) / (w + k), new weight min(w + k, w_max). The weight in
-// the denominator is the reprojected one, w_(f-1)(p_(f-1)). Written as AO_(f-1) + (C - AO_(f-1)) k / (w + k), which never leaves
-// the range between the two, cannot overflow and keeps a constant exactly. While the weight is below w_max this is the plain
-// mean of all samples, then an exponential average with the factor k / (w_max + k).
+// the denominator is the reprojected one, w_(f-1)(p_(f-1)). Written as the value of larger weight plus its part of the difference,
+// AO_(f-1) + (C - AO_(f-1)) k / (w + k) or C + (AO_(f-1) - C) w / (w + k): it never leaves the range between the two, cannot overflow
+// and keeps a constant exactly. While the weight is below w_max this is the plain mean of all samples, then an exponential average
+// with the factor k / (w_max + k).
 // history: AO_(f-1) in [0, 1], at the reprojected point. weight: w_(f-1) there, in samples, >= 0; read inside [0, w_max].
 // contribution: C, mean of the k new samples, in [0, 1] (taken to the nearer end outside). k: new samples, >= 0.
 // weight_max: w_max in samples, 500 to 1500, at most 2^24 - k for exact counts; 0, negative or NaN keeps no history.
 // Returns (AO, new weight). An unusable history (outside [0, 1], NaN) has weight 0. Weight 0 gives C exactly. k = 0, negative, infinite
-// or NaN, and an infinite or NaN C leave the history as it is; with weight 0 that is (0, 0).
+// or NaN, and an infinite or NaN C leave the history as it is; with weight 0 that is (0, 0). Error: 1e-7; of the weight 0.5 ULP.
 vec2 gloam_blend(float history, float weight, float contribution, float k, float weight_max) {
     float w = gloam_history_weight(history, weight, weight_max);
     float old = w > 0.0 ? history : 0.0;
@@ -30,9 +31,7 @@ vec2 gloam_blend(float history, float weight, float contribution, float k, float
     float fresh = gloam_unit_interval(contribution);
     float cap = weight_max > 0.0 ? min(weight_max, 3.402823466e38) : 0.0;
     float total = w + k;
-    if (w == 0.0) return vec2(fresh, total < cap ? total : cap);
-    // Rounding may pass the ends by one unit in the last place, hence the clamp.
-    float blended = clamp(old + (fresh - old) * (k / total), min(old, fresh), max(old, fresh));
+    float blended = w < k ? fresh + (old - fresh) * (w / total) : old + (fresh - old) * (k / total);
     return vec2(blended, total < cap ? total : cap);
 }
 

@@ -19,17 +19,18 @@ float gloam_invalidate_clamp(float weight, float weight_small) {
 // Form (b), confidence in the history after a change: 1 / (1 + S d). Of several neighbours the smallest confidence counts.
 // change: d >= 0 (gloam_neighborhood_change; its magnitude is taken), over the kernel radius to be independent of scale.
 // factor: S >= 0, 15 to 30, in 1 / unit of the change; a negative factor is read as 0.
-// Returns a confidence in [0, 1]: 1 for no change, 1/2 at d = 1 / S; 0 for an infinite or NaN change or factor.
+// Returns a confidence in [0, 1]: 1 for no change, 1/2 at d = 1 / S; 0 for an infinite or NaN change or factor, and
+// where it would be subnormal. Error: 3 ULP.
 float gloam_confidence(float change, float factor) {
     float d = abs(change);
     if (!(d <= 3.402823466e38 && abs(factor) <= 3.402823466e38)) return 0.0;
     float x = factor > 0.0 ? factor * d : 0.0;
-    return x <= 8.5e37 ? min(1.0 / (1.0 + x), 1.0) : 0.0;
+    return x <= 8.507059173e37 ? min(1.0 / (1.0 + x), 1.0) : 0.0;
 }
 
 // Form (b), weight after a change: conf w.
 // weight: w, accumulated samples. confidence: conf; read inside [0, 1], NaN as 0.
-// Returns the weight, >= 0; 0 for a negative, infinite or NaN weight.
+// Returns the weight, >= 0; 0 for a negative, infinite or NaN weight. Error: 0.5 ULP.
 float gloam_invalidate_confidence(float weight, float confidence) {
     if (!(weight > 0.0 && weight <= 3.402823466e38)) return 0.0;
     return weight * gloam_unit_interval(confidence);

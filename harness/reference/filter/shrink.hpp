@@ -15,7 +15,7 @@ T gloam_shrink(T convergence, T c_adaptive) {
 
 template <class T>
 T gloam_window_coverage(int offset, T reach) {
-    return gloam_unit_interval(reach + T(1) - T(offset));
+    return gloam_unit_interval(reach - (T(offset) - T(1)));
 }
 
 }  // namespace gloam::reference
