@@ -22,10 +22,14 @@ class Buffer {
     [[nodiscard]] std::span<std::byte> bytes();
     [[nodiscard]] std::span<const std::byte> bytes() const;
 
-    // The mapped memory as elements of T; the size must be a multiple of sizeof(T).
+    // The mapped memory as elements of the trivially copyable T; a rest smaller than T is left out.
     template <class T>
     [[nodiscard]] std::span<T> as() {
         return {reinterpret_cast<T*>(bytes().data()), size() / sizeof(T)};
+    }
+    template <class T>
+    [[nodiscard]] std::span<const T> as() const {
+        return {reinterpret_cast<const T*>(bytes().data()), size() / sizeof(T)};
     }
 
     struct Impl;

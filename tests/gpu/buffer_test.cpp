@@ -20,6 +20,7 @@ TEST_F(BufferTest, KeepsWhatTheHostWrites) {
         std::iota(buffer.as<std::uint32_t>().begin(), buffer.as<std::uint32_t>().end(), 7u);
         const Buffer& view = buffer;
         EXPECT_EQ(view.bytes().size(), buffer.size());
+        EXPECT_EQ(view.as<std::uint32_t>().front(), 7u);
         EXPECT_EQ(buffer.as<std::uint32_t>().back(), 6u + count);
     }
 }

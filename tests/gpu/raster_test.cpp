@@ -187,9 +187,8 @@ TEST_F(RasterTest, DispatchesSeeWhatWasRendered) {
     }
     commands.submit();
     for (std::size_t i = 0; i < pixels; ++i) {
-        EXPECT_EQ(reinterpret_cast<const float*>(buffers[0].bytes().data())[4 * i], 4.0f);
-        EXPECT_EQ(reinterpret_cast<const float*>(buffers[1].bytes().data())[4 * i],
-                  in_top_left(i) ? 6.0f : 9.0f);
+        EXPECT_EQ(buffers[0].as<float>()[4 * i], 4.0f);
+        EXPECT_EQ(buffers[1].as<float>()[4 * i], in_top_left(i) ? 6.0f : 9.0f);
     }
 }
 
