@@ -98,14 +98,52 @@ void append_background(Entries& entries) {
     };
     test("FINITE", "gloam_is_finite", "gloam/geometry/finite.glsl", "number that is neither infinite nor NaN",
          "|x| <= FLT_MAX", GLOAM_REFERENCE(gloam_is_finite));
+    const auto test_vector = [&]<class V>(V, std::string id, std::string function, auto reference) {
+        const Values component = either(uniform(-1, 1), any_float()).and_special().and_near({3.402823466e38});
+        entries.push_back(equation<bool(V)>({.id = std::move(id),
+                                             .function = std::move(function),
+                                             .file = "gloam/geometry/finite.glsl",
+                                             .title = "vector that is neither infinite nor NaN",
+                                             .formula = "|v_i| <= FLT_MAX",
+                                             .source = "convention"},
+                                            reference, {.domain = {vector(V::length(), component)}}));
+    };
+    test_vector(glm::vec2(), "FINITE-2", "gloam_is_finite2", GLOAM_REFERENCE(gloam_is_finite2));
+    test_vector(glm::vec3(), "FINITE-3", "gloam_is_finite3", GLOAM_REFERENCE(gloam_is_finite3));
+    test_vector(glm::vec4(), "FINITE-4", "gloam_is_finite4", GLOAM_REFERENCE(gloam_is_finite4));
     test("BACKGROUND", "gloam_is_background", "gloam/geometry/background.glsl",
          "depth that stands for no geometry", "not (0 < d < infinity)", GLOAM_REFERENCE(gloam_is_background));
+}
+
+void append_background_depths(Entries& entries) {
+    entries.push_back(equation<float()>({.id = "BACKGROUND-depth",
+                                         .function = "gloam_background_depth",
+                                         .file = "gloam/geometry/background.glsl",
+                                         .title = "depth of a pixel without geometry",
+                                         .formula = "+infinity",
+                                         .source = "convention"},
+                                        GLOAM_REFERENCE(gloam_background_depth), {}));
+    const Values part = either(signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-30, 1e30));
+    entries.push_back(equation<float(float, float)>(
+        {.id = "DEPTH-quotient",
+         .function = "gloam_depth_quotient",
+         .file = "gloam/geometry/linear_depth.glsl",
+         .title = "quotient that is a depth, or the background",
+         .formula = "a / b; +infinity unless positive and finite",
+         .source = "convention"},
+        GLOAM_REFERENCE(gloam_depth_quotient),
+        {.domain = {part.and_special(), part.and_special().and_near({0x1p126})},
+         .budget = {.ulp = 2.5},
+         .codomain = {0x1p-126, std::numeric_limits<double>::infinity()},
+         .promised = make_predicate<float(float, float)>(
+             [](double a, double b) { return moderate(1e-30, 1e30, a) && !(std::abs(a / b) < 1e-37); })}));
 }
 
 }  // namespace
 
 void append_depths(Entries& entries) {
     append_background(entries);
+    append_background_depths(entries);
     append_depth(entries,
                  {.id = "DEPTH-perspective-vk",
                   .function = "gloam_linear_depth_perspective_vk",

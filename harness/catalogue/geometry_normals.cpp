@@ -69,6 +69,51 @@ void append_neighbors(Entries& entries, Description description, Reference refer
          .promised = make_predicate<NeighborSignature>(promised_normal<orthographic>)}));
 }
 
+using DirectionSignature = glm::vec3(glm::vec3, glm::vec3, glm::vec3);
+
+void append_direction(Entries& entries) {
+    const auto place = [](std::span<Word> words) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto center = from_word<double>(words[axis]);
+            const double behind = from_word<double>(words[3 + axis]) * (axis == 2 ? 1.0 : -1.0);
+            words[3 + axis] = to_word(center + behind);
+            words[6 + axis] = to_word(center + from_word<double>(words[6 + axis]));
+        }
+    };
+    entries.push_back(equation<DirectionSignature>(
+        {.id = "NORMAL-direction",
+         .function = "gloam_neighbor_direction",
+         .file = "gloam/geometry/normal.glsl",
+         .title = "direction of the surface along one image axis",
+         .formula = "one-sided difference of smaller |dz|, normalised",
+         .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
+        GLOAM_REFERENCE(gloam_neighbor_direction),
+        {.domain = Domain{centers(), steps(true), steps(true)}.adjusted(place),
+         .budget = {.ulp = 6, .backward_ulp = 1},
+         .codomain = {-1.000001, 1.000001},
+         .promised = make_predicate<DirectionSignature>(
+             [](const auto&... positions) { return moderate(1e-12, 1e12, positions...); })}));
+}
+
+void append_facing(Entries& entries) {
+    entries.push_back(equation<DirectionSignature>(
+        {.id = "NORMAL-facing",
+         .function = "gloam_facing_normal",
+         .file = "gloam/geometry/normal.glsl",
+         .title = "normal of two directions, turned towards the viewer",
+         .formula = "x cross y, normalised; the sign that faces the viewer",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_facing_normal),
+        {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special(),
+                    vector_of_length(3, log_uniform(1e-3, 1e3)).and_special()},
+         .budget = {.absolute = 1e-5},
+         .codomain = {-1.000001, 1.000001},
+         .promised = make_predicate<DirectionSignature>([](glm::dvec3 x, glm::dvec3 y, glm::dvec3 viewer) {
+             return moderate(1e-10, 1e10, x, y, viewer) && reference::is_finite(viewer) &&
+                    well_conditioned(glm::dvec3(0), x, y, viewer);
+         })}));
+}
+
 void append_safe_normalize(Entries& entries) {
     const Values any = either(vector_of_length(3, log_uniform(1e-37, 3e38)), vector(3, any_float()));
     entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
@@ -84,25 +129,24 @@ void append_safe_normalize(Entries& entries) {
          .codomain = {-1.000001, 1.000001}}));
 }
 
-void append_normal_from_depth(Entries& entries) {
-    const auto reference = [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, glm::dvec2 scale) {
+// A reference that fetches depths, from the images of a scenario.
+template <class Reference>
+auto fetching_depth(Reference reference) {
+    return [reference](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, glm::dvec2 scale) {
         const auto fetch = [&images](glm::ivec2 at) {
             return static_cast<double>(images.at("gloam_fetch_depth").at<float>(at));
         };
-        return reference::gloam_normal_from_depth(pixel, size, scale, fetch);
+        return reference(pixel, size, scale, fetch);
     };
+}
+
+template <class Reference>
+void append_from_depth(Entries& entries, Description description, Reference reference, Check check) {
+    description.file = "gloam/geometry/normal_from_depth.glsl";
+    check.domain = {either(image_pixel(), vector(2, integers(-2, 66))), image_size(), projection_scales()};
+    check.scenarios = depth_scenarios("gloam_fetch_depth");
     entries.push_back(equation<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)>(
-        {.id = "NORMAL-depth",
-         .function = "gloam_normal_from_depth",
-         .file = "gloam/geometry/normal_from_depth.glsl",
-         .title = "normal reconstructed from the depth image",
-         .formula = "NORMAL of the positions under the pixel and its neighbours",
-         .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
-        reference,
-        {.domain = {either(image_pixel(), vector(2, integers(-2, 66))), image_size(), projection_scales()},
-         .budget = {.absolute = 2e-5},
-         .codomain = {-1.000001, 1.000001},
-         .scenarios = depth_scenarios("gloam_fetch_depth")}));
+        std::move(description), fetching_depth(reference), std::move(check)));
 }
 
 }  // namespace
@@ -122,7 +166,24 @@ void append_normals(Entries& entries) {
                             .formula = "cross product of the one-sided differences of smaller |dz|; n.z >= 0",
                             .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
                            GLOAM_REFERENCE(gloam_normal_from_neighbors_orthographic));
-    append_normal_from_depth(entries);
+    append_direction(entries);
+    append_facing(entries);
+    append_from_depth(entries,
+                      {.id = "POSITION-depth",
+                       .function = "gloam_position_from_depth",
+                       .title = "position read from the depth image",
+                       .formula = "POSITION-perspective of the depth and the centre of the pixel",
+                       .source = "inverse of the projection"},
+                      GLOAM_REFERENCE(gloam_position_from_depth),
+                      {.budget = {.ulp = 4}, .codomain = {-1e6, 1e6}});
+    append_from_depth(entries,
+                      {.id = "NORMAL-depth",
+                       .function = "gloam_normal_from_depth",
+                       .title = "normal reconstructed from the depth image",
+                       .formula = "NORMAL of the positions under the pixel and its neighbours",
+                       .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
+                      GLOAM_REFERENCE(gloam_normal_from_depth),
+                      {.budget = {.absolute = 2e-5}, .codomain = {-1.000001, 1.000001}});
 }
 
 }  // namespace gloam::catalogue

@@ -89,9 +89,18 @@ void append_guard(Entries& entries, Description description, Reference reference
          .budget = budget}));
 }
 
-}  // namespace
-
-void append_pixels(Entries& entries) {
+void append_nearest(Entries& entries) {
+    entries.push_back(
+        equation<int(float, int)>({.id = "TSSAO-7-index",
+                                   .function = "gloam_nearest_index",
+                                   .file = "gloam/geometry/pixel_center.glsl",
+                                   .title = "pixel of a texture coordinate along one axis",
+                                   .formula = "floor(u resolution), inside the image",
+                                   .source = "TSSAO (Mattausch et al.), eq 7"},
+                                  GLOAM_REFERENCE(gloam_nearest_index),
+                                  {.domain = {uniform(-0.2, 1.2).and_near({0.5, 1.0}).and_special(),
+                                              log_integers(16384).and_near_integers({0, -2147483647L})},
+                                   .budget = {.backward_ulp = 1}}));
     entries.push_back(equation<glm::ivec2(glm::vec2, glm::ivec2)>(
         {.id = "TSSAO-7-pixel",
          .function = "gloam_nearest_pixel",
@@ -112,24 +121,9 @@ void append_pixels(Entries& entries) {
         {.domain = Domain{uvs(), sizes()}.adjusted(place_at_borders),
          .budget = {.ulp = 1, .backward_ulp = 1},
          .codomain = {0, 1}}));
-    entries.push_back(equation<bool(glm::vec2)>(
-        {.id = "INSIDE",
-         .function = "gloam_inside_unit",
-         .file = "gloam/geometry/pixel_center.glsl",
-         .title = "texture coordinates inside the image",
-         .formula = "0 <= u, v <= 1",
-         .source = "convention"},
-        GLOAM_REFERENCE(gloam_inside_unit),
-        {.domain = {vector(2, uniform(-0.2, 1.2).and_near({0.0, 1.0})).and_special()}}));
-    const Values pixel = vector(2, integers(-100, 5000).and_near_integers({0, 2147483647, -2147483647L}));
-    entries.push_back(equation<glm::ivec2(glm::ivec2, glm::ivec2)>(
-        {.id = "TSSAO-BORDER",
-         .function = "gloam_clamp_to_edge",
-         .file = borders,
-         .title = "nearest pixel of the image",
-         .formula = "clamp(p, 0, size - 1)",
-         .source = "TSSAO (Mattausch et al.), frame borders"},
-        GLOAM_REFERENCE(gloam_clamp_to_edge), {.domain = {pixel, sizes()}}));
+}
+
+void append_guard_sizes(Entries& entries) {
     append_guard<glm::ivec2(glm::ivec2, float)>(entries,
                                                 {.id = "TSSAO-BORDER-width",
                                                  .function = "gloam_guard_band_border",
@@ -150,6 +144,31 @@ void append_pixels(Entries& entries) {
                                                 .formula = "border / size"},
                                                GLOAM_REFERENCE(gloam_guard_band_guard),
                                                {.ulp = 1, .backward_ulp = 1});
+}
+
+}  // namespace
+
+void append_pixels(Entries& entries) {
+    append_nearest(entries);
+    entries.push_back(equation<bool(glm::vec2)>(
+        {.id = "INSIDE",
+         .function = "gloam_inside_unit",
+         .file = "gloam/geometry/pixel_center.glsl",
+         .title = "texture coordinates inside the image",
+         .formula = "0 <= u, v <= 1",
+         .source = "convention"},
+        GLOAM_REFERENCE(gloam_inside_unit),
+        {.domain = {vector(2, uniform(-0.2, 1.2).and_near({0.0, 1.0})).and_special()}}));
+    const Values pixel = vector(2, integers(-100, 5000).and_near_integers({0, 2147483647, -2147483647L}));
+    entries.push_back(equation<glm::ivec2(glm::ivec2, glm::ivec2)>(
+        {.id = "TSSAO-BORDER",
+         .function = "gloam_clamp_to_edge",
+         .file = borders,
+         .title = "nearest pixel of the image",
+         .formula = "clamp(p, 0, size - 1)",
+         .source = "TSSAO (Mattausch et al.), frame borders"},
+        GLOAM_REFERENCE(gloam_clamp_to_edge), {.domain = {pixel, sizes()}}));
+    append_guard_sizes(entries);
     append_guard_uv(entries);
 }
 

@@ -117,9 +117,16 @@ void append_radius(Entries& entries, std::string id, std::string function, std::
         reference, {.domain = domain, .budget = {.ulp = ulp}, .codomain = {0, huge}, .promised = promised}));
 }
 
-}  // namespace
-
-void append_positions(Entries& entries) {
+void append_coordinates(Entries& entries) {
+    entries.push_back(equation<float(float)>(
+        {.id = "LENGTH",
+         .function = "gloam_positive_length",
+         .file = "gloam/geometry/projected_radius.glsl",
+         .title = "number read as a length",
+         .formula = "x inside [0, FLT_MAX], else the nearer end; 0 for NaN",
+         .source = "convention"},
+        GLOAM_REFERENCE(gloam_positive_length),
+        {.domain = {either(any_float(), uniform(-2, 2)).and_special()}, .codomain = {0, huge}}));
     const Values coordinate = either(integers(-16, 8192), integers(-2147483648L, 2147483647L));
     entries.push_back(equation<glm::vec2(glm::ivec2, glm::ivec2)>(
         {.id = "NDC-pixel",
@@ -145,6 +152,12 @@ void append_positions(Entries& entries) {
          .formula = "ndc / 2 + 1/2",
          .source = "convention"},
         GLOAM_REFERENCE(gloam_uv_from_ndc), {.domain = {ndcs()}, .budget = {.ulp = 1}}));
+}
+
+}  // namespace
+
+void append_positions(Entries& entries) {
+    append_coordinates(entries);
     append_unprojection(entries);
     append_projection(entries);
     append_radius<UvRadius>(entries, "RADIUS-uv", "gloam_projected_radius_uv", "R (|P00|, |P11|) / (2 d)",

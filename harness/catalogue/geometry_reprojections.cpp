@@ -88,12 +88,12 @@ void append_clip(Entries& entries) {
              [](const auto&... values) { return moderate(smallest, largest, values...); })}));
 }
 
-}  // namespace
+// World positions in a scene of ordinary size.
+Values positions() {
+    return vector(3, uniform(-100, 100)).and_special();
+}
 
-void append_reprojections(Entries& entries) {
-    const Values position = vector(3, uniform(-100, 100)).and_special();
-    append_uv(entries);
-    append_clip(entries);
+void append_previous(Entries& entries) {
     entries.push_back(equation<glm::vec3(glm::vec3, glm::mat4, glm::mat4)>(
         {.id = "TSSAO-RP-world",
          .function = "gloam_previous_world",
@@ -102,7 +102,7 @@ void append_reprojections(Entries& entries) {
          .formula = "M' M^-1 x",
          .source = source},
         GLOAM_REFERENCE(gloam_previous_world),
-        {.domain = {position, rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
+        {.domain = {positions(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
          .budget = {.ulp = 4, .absolute = 1e-4, .of_largest_component = true},
          .codomain = {-huge, huge},
          .promised = make_predicate<glm::vec3(glm::vec3, glm::mat4, glm::mat4)>(
@@ -115,11 +115,19 @@ void append_reprojections(Entries& entries) {
          .formula = "d' = -(V' x').z",
          .source = source},
         GLOAM_REFERENCE(gloam_previous_depth),
-        {.domain = {position, rigid_matrices(10).and_special()},
+        {.domain = {positions(), rigid_matrices(10).and_special()},
          .budget = {.absolute = 5e-5},
          .codomain = {-huge, huge},
          .promised = make_predicate<float(glm::vec3, glm::mat4)>(
              [](const auto&... values) { return moderate(smallest, largest, values...); })}));
+}
+
+}  // namespace
+
+void append_reprojections(Entries& entries) {
+    append_uv(entries);
+    append_clip(entries);
+    append_previous(entries);
     entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
         {.id = "TSSAO-PREC",
          .function = "gloam_camera_centered_previous",
@@ -128,7 +136,7 @@ void append_reprojections(Entries& entries) {
          .formula = "q' = q + (eye - eye')",
          .source = "TSSAO (Mattausch et al.), precision of positions"},
         GLOAM_REFERENCE(gloam_camera_centered_previous),
-        {.domain = {position, vector(3, signed_log_uniform(1e-6, 10)).and_special()},
+        {.domain = {positions(), vector(3, signed_log_uniform(1e-6, 10)).and_special()},
          .budget = {.ulp = 1},
          .codomain = {-huge, huge}}));
 }

@@ -66,6 +66,36 @@ void append_radii(Entries& entries) {
            GLOAM_REFERENCE(gloam_radius_cubic), {.ulp = 1.5});
 }
 
+void append_disc_maps(Entries& entries) {
+    entries.push_back(equation<float(float)>(
+        {.id = "UNIT",
+         .function = "gloam_unit_interval",
+         .file = "gloam/sampling/unit_interval.glsl",
+         .title = "number brought into [0, 1]",
+         .formula = "x inside [0, 1], else the nearer end; 0 for NaN",
+         .source = "convention"},
+        GLOAM_REFERENCE(gloam_unit_interval),
+        {.domain = {either(zeta(1), either(any_float(), uniform(-2, 2)))}, .codomain = {0, 1}}));
+    entries.push_back(equation<glm::vec2(float)>(
+        {.id = "CIRCLE",
+         .function = "gloam_circle_point",
+         .file = "gloam/sampling/circle.glsl",
+         .title = "point of the unit circle at a part of a turn",
+         .formula = "(cos 2 pi t, sin 2 pi t)",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_circle_point),
+        {.domain = {zeta(1)}, .budget = {.absolute = 7e-7}, .codomain = {-1.000001, 1.000001}}));
+    entries.push_back(equation<glm::vec2(glm::vec2)>(
+        {.id = "TSSAO-13",
+         .function = "gloam_disc_sample",
+         .file = "gloam/sampling/disc.glsl",
+         .title = "uniform point of the disc",
+         .formula = "a = 2 pi zeta_x, r = sqrt(zeta_y); s = (r cos a, r sin a)",
+         .source = "TSSAO (Mattausch et al.), eq 13; Fox and Compton's kernel"},
+        GLOAM_REFERENCE(gloam_disc_sample),
+        {.domain = {zeta(2)}, .budget = {.absolute = 7e-7}, .codomain = {-1.000001, 1.000001}}));
+}
+
 }  // namespace
 
 void append_sequences(Entries& entries) {
@@ -94,24 +124,7 @@ void append_sequences(Entries& entries) {
 }
 
 void append_sample_maps(Entries& entries) {
-    entries.push_back(equation<glm::vec2(float)>(
-        {.id = "CIRCLE",
-         .function = "gloam_circle_point",
-         .file = "gloam/sampling/circle.glsl",
-         .title = "point of the unit circle at a part of a turn",
-         .formula = "(cos 2 pi t, sin 2 pi t)",
-         .source = "definition"},
-        GLOAM_REFERENCE(gloam_circle_point),
-        {.domain = {zeta(1)}, .budget = {.absolute = 7e-7}, .codomain = {-1.000001, 1.000001}}));
-    entries.push_back(equation<glm::vec2(glm::vec2)>(
-        {.id = "TSSAO-13",
-         .function = "gloam_disc_sample",
-         .file = "gloam/sampling/disc.glsl",
-         .title = "uniform point of the disc",
-         .formula = "a = 2 pi zeta_x, r = sqrt(zeta_y); s = (r cos a, r sin a)",
-         .source = "TSSAO (Mattausch et al.), eq 13; Fox and Compton's kernel"},
-        GLOAM_REFERENCE(gloam_disc_sample),
-        {.domain = {zeta(2)}, .budget = {.absolute = 7e-7}, .codomain = {-1.000001, 1.000001}}));
+    append_disc_maps(entries);
     entries.push_back(equation<glm::vec3(glm::vec3)>(
         {.id = "TSSAO-14",
          .function = "gloam_hemisphere_cosine",

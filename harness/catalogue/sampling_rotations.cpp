@@ -66,6 +66,19 @@ void append_rotation(Entries& entries) {
                                               {.domain = {kernel_points(3), angles()},
                                                .budget = {.ulp = 8, .of_largest_component = true},
                                                .codomain = {-2e19, 2e19}}));
+}
+
+void append_hash(Entries& entries) {
+    entries.push_back(
+        equation<unsigned(unsigned)>({.id = "HASH-turn",
+                                      .function = "gloam_hash_turn",
+                                      .file = "gloam/sampling/hash_rotation.glsl",
+                                      .title = "10 h radians as a part of a turn",
+                                      .formula = "floor(2^32 frac(10 h / (2 pi)))",
+                                      .source = "fixed-point arithmetic of 64 bits"},
+                                     GLOAM_REFERENCE(gloam_hash_turn),
+                                     {.domain = {either(log_integers(4294967295), integers(0, 4294967295))
+                                                     .and_near_integers({0, 65536, 4294967295})}}));
     const Values coordinate = either(integers(0, 8191), integers(-2147483648L, 2147483647L));
     entries.push_back(equation<float(glm::ivec2)>(
         {.id = "HASH-ROT",
@@ -80,19 +93,7 @@ void append_rotation(Entries& entries) {
          .codomain = {0, 6.2831853}}));
 }
 
-}  // namespace
-
-void append_sample_rotations(Entries& entries) {
-    entries.push_back(equation<glm::mat3(glm::vec3)>(
-        {.id = "FRAME",
-         .function = "gloam_tangent_frame",
-         .file = "gloam/sampling/tangent_frame.glsl",
-         .title = "orthonormal frame around a normal",
-         .formula = "columns t, b, n: z turned onto n the shortest way",
-         .source = "Duff et al. 2017"},
-        GLOAM_REFERENCE(gloam_tangent_frame),
-        {.domain = {normals()}, .budget = {.absolute = 7e-7}, .codomain = {-1.000001, 1.000001}}));
-    append_rotation(entries);
+void append_reflections(Entries& entries) {
     const Values texel = vector(3, uniform(0, 1).and_near({0.5}))
                              .and_value(glm::vec3(0.5F))
                              .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
@@ -121,6 +122,23 @@ void append_sample_rotations(Entries& entries) {
          .codomain = {-1e19, 1e19},
          .promised = make_predicate<glm::vec3(glm::vec3, glm::vec3)>(
              [](glm::dvec3 s, glm::dvec3 normal) { return moderate(1e-15, 1e15, s, normal); })}));
+}
+
+}  // namespace
+
+void append_sample_rotations(Entries& entries) {
+    entries.push_back(equation<glm::mat3(glm::vec3)>(
+        {.id = "FRAME",
+         .function = "gloam_tangent_frame",
+         .file = "gloam/sampling/tangent_frame.glsl",
+         .title = "orthonormal frame around a normal",
+         .formula = "columns t, b, n: z turned onto n the shortest way",
+         .source = "Duff et al. 2017"},
+        GLOAM_REFERENCE(gloam_tangent_frame),
+        {.domain = {normals()}, .budget = {.absolute = 7e-7}, .codomain = {-1.000001, 1.000001}}));
+    append_rotation(entries);
+    append_hash(entries);
+    append_reflections(entries);
 }
 
 }  // namespace gloam::catalogue

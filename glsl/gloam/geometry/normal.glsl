@@ -21,12 +21,14 @@ vec3 gloam_neighbor_direction(vec3 center, vec3 behind, vec3 ahead) {
 
 // View-space normal of the surface spanned by two directions, turned towards the viewer.
 // along_x, along_y: unit vectors in the surface, or zero. toward_viewer: direction of the viewer, of any length.
-// Returns a unit vector; (0, 0, 1), straight at the viewer, where the directions are zero or within 1e-5 radians of parallel.
+// Returns a unit vector; (0, 0, 1), straight at the viewer, where the directions are zero, within 1e-5 radians of
+// parallel, infinite or NaN, and where their cross product is longer than 2.
 // Error: about 1e-7 over the sine of the angle between the directions.
 vec3 gloam_facing_normal(vec3 along_x, vec3 along_y, vec3 toward_viewer) {
     vec3 normal = cross(along_x, along_y);
-    if (!(dot(normal, normal) >= 1e-10)) return vec3(0.0, 0.0, 1.0);
-    normal *= inversesqrt(dot(normal, normal));
+    float squared = dot(normal, normal);
+    if (!(squared >= 1e-10 && squared <= 4.0)) return vec3(0.0, 0.0, 1.0);
+    normal *= inversesqrt(squared);
     return dot(normal, toward_viewer) < 0.0 ? -normal : normal;
 }
 

@@ -23,7 +23,8 @@ vec3<T> gloam_neighbor_direction(vec3<T> center, vec3<T> behind, vec3<T> ahead) 
 template <class T>
 vec3<T> gloam_facing_normal(vec3<T> along_x, vec3<T> along_y, vec3<T> toward_viewer) {
     const vec3<T> product = cross(along_x, along_y);
-    if (!(dot(product, product) >= T(1e-10))) return vec3<T>(T(0), T(0), T(1));
+    const T squared = dot(product, product);
+    if (!(squared >= T(1e-10) && squared <= T(4))) return vec3<T>(T(0), T(0), T(1));
     const vec3<T> normal = normalize(product);
     if (dot(normal, toward_viewer) < T(0)) return -normal;
     return normal;
