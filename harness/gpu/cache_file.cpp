@@ -9,6 +9,8 @@
 #include <random>
 #include <system_error>
 
+#include "gpu/internal/fnv.hpp"
+
 namespace gloam::gpu {
 namespace {
 
@@ -20,17 +22,8 @@ struct Header {
 };
 static_assert(sizeof(Header) == 24);
 
-// FNV-1a: each step is a bijection of the state, so that a change confined to one byte always shows.
-std::uint64_t checksum(std::span<const std::byte> content) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const std::byte byte : content) {
-        hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3u;
-    }
-    return hash;
-}
-
 Header header_of(std::span<const std::byte> content) {
-    return {.bytes = content.size(), .checksum = checksum(content)};
+    return {.bytes = content.size(), .checksum = fnv1a(content)};
 }
 
 bool write_whole(const std::filesystem::path& file, std::span<const std::byte> content) {

@@ -2,8 +2,10 @@
 #include "gpu/internal/describe.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
+#include "gpu/internal/fnv.hpp"
 #include "gpu/internal/instance.hpp"
 
 namespace gloam::gpu {
@@ -29,11 +31,19 @@ std::string version_text(std::uint32_t version) {
                        VK_API_VERSION_PATCH(version));
 }
 
-// pipelineCacheUUID alone should do by the specification; drivers have been known to forget to change it.
-std::string identity(const vk::PhysicalDeviceProperties& properties) {
+std::string driver_text(const vk::PhysicalDeviceDriverProperties& driver) {
+    return fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+}
+
+// By the specification pipelineCacheUUID alone should do. Mesa's lavapipe has the same one in every version,
+// and always driver version 1: only its texts tell of another Mesa or LLVM.
+std::string identity(const vk::PhysicalDeviceProperties& properties,
+                     const vk::PhysicalDeviceDriverProperties& driver) {
+    const auto texts = fmt::format("{}|{}", properties.deviceName.data(), driver_text(driver));
     const auto& uuid = properties.pipelineCacheUUID;
-    return fmt::format("{:08x}{:08x}{:08x}{:02x}", properties.vendorID, properties.deviceID,
-                       properties.driverVersion, fmt::join(uuid.begin(), uuid.end(), ""));
+    return fmt::format("{:08x}{:08x}{:08x}{:016x}{:02x}", properties.vendorID, properties.deviceID,
+                       properties.driverVersion, fnv1a(std::as_bytes(std::span(texts))),
+                       fmt::join(uuid.begin(), uuid.end(), ""));
 }
 
 FloatControls float_controls(const vk::PhysicalDeviceFloatControlsProperties& controls) {
@@ -73,9 +83,9 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index) {
         .index = index,
         .name = properties.deviceName,
         .type = type_name(properties.deviceType),
-        .driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data()),
+        .driver = driver_text(driver),
         .api_version = version_text(properties.apiVersion),
-        .identity = identity(properties),
+        .identity = identity(properties, driver),
         .max_image_size =
             std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight}),
         .max_buffer_bytes = std::min<std::uint64_t>(

@@ -24,7 +24,7 @@ TEST(Devices, DescribeThemselves) {
         EXPECT_TRUE(types.contains(device.type)) << device.type;
         EXPECT_EQ(device.api_version.substr(0, 2), "1.") << device.api_version;
         EXPECT_EQ(std::ranges::count(device.api_version, '.'), 2) << device.api_version;
-        EXPECT_EQ(device.identity.size(), 56u);
+        EXPECT_EQ(device.identity.size(), 72u);
         EXPECT_EQ(device.identity.find_first_not_of("0123456789abcdef"), std::string::npos)
             << device.identity;
         // The least that Vulkan 1.2 allows.
