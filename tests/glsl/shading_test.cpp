@@ -22,6 +22,7 @@ TEST_F(Remap, KnownValues) {
     EXPECT_NEAR(remap(0.25F, 0.5F, 1.0F, 2.0F), 0.5625, 1e-6);
     EXPECT_NEAR(remap(0.25F, 0.0F, 1.0F, 0.5F), 0.5, 1e-6);
     EXPECT_NEAR(remap(0.25F, 0.0F, 2.0F, 3.0F), 0.125, 1e-6);
+    EXPECT_EQ(remap(0.25F, 0.25F, 1.5F, 1.0F), 0.75F);  // the brightness scales the offset too
 }
 
 TEST_F(Remap, IdentityIsExact) {
