@@ -28,7 +28,7 @@ std::string one_line(std::string text) {
 int run(int argc, char** argv) {
     int status = 0;
     CLI::App app("gloam: GLSL ambient occlusion, measured", "gloam");
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // none is said below: an unknown word must be named first
     app.failure_message(CLI::FailureMessage::simple);
     gloam::cli::add_demo(app, status);
     gloam::cli::add_devices(app);
@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_pack(app);
     try {
         app.parse(argc, argv);
+        if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const CLI::CallForAllHelp& help) {

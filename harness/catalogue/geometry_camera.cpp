@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+
 #include "catalogue/camera_inputs.hpp"
 #include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
 #include "reference/geometry/camera.hpp"
+#include "reference/geometry/plane_depth.hpp"
 #include "reference/geometry/surface_position.hpp"
 
 namespace gloam::catalogue {
@@ -15,6 +19,21 @@ constexpr const char* file = "gloam/geometry/camera.glsl";
 constexpr double huge = 3.5e38;
 constexpr double smallest = 1e-12;
 constexpr double largest = 1e12;
+
+using PlaneDepth = float(glm::ivec2, glm::vec3, glm::vec3, Camera);
+
+// Neither product that decides the depth cancels by more than a factor of 4.
+bool well_conditioned(glm::ivec2 pixel, glm::dvec3 point, glm::dvec3 normal, const Camera& c) {
+    if (!moderate(smallest, largest, point, normal, c.p00_p11)) return false;
+    const reference::GloamCamera<double> camera{glm::dvec2(c.p00_p11), c.size, c.orthographic};
+    const glm::dvec3 ray = reference::gloam_camera_position(pixel, 1.0, camera);
+    const glm::dvec3 start = c.orthographic ? glm::dvec3(ray.x, ray.y, 0.0) : glm::dvec3(0.0);
+    const auto clear = [](glm::dvec3 a, glm::dvec3 b) {
+        const glm::dvec3 products = glm::abs(a * b);
+        return std::abs(glm::dot(a, b)) * 4.0 >= products.x + products.y + products.z;
+    };
+    return clear(normal, ray - start) && clear(normal, point - start);
+}
 
 }  // namespace
 
@@ -74,6 +93,20 @@ void append_cameras(Entries& entries) {
          .promised = make_predicate<glm::vec2(float, float, Camera)>([](double r, double d, const Camera& c) {
              return moderate(smallest, largest, r, d, c.p00_p11) && !(r > largest);
          })}));
+    entries.push_back(equation<PlaneDepth>(
+        {.id = "CAMERA-plane",
+         .function = "gloam_plane_depth",
+         .file = "gloam/geometry/plane_depth.glsl",
+         .title = "depth at which a pixel's view ray meets a plane",
+         .formula = "t with n . (ray(t) - point) = 0",
+         .source = "ray and plane; keeps a bare plane open in TSSAO-3"},
+        GLOAM_REFERENCE(gloam_plane_depth),
+        {.domain = Domain{image_pixel(), position, unit_vector(3).and_special(), cameras()}.adjusted(
+             place_before_camera(2, 8)),
+         .budget = {.ulp = 24},
+         .codomain = {0, std::numeric_limits<double>::infinity()},
+         .promised = make_predicate<PlaneDepth>(well_conditioned),
+         .scenarios = {{.name = "40 x 30", .size = {40, 30}}}}));
 }
 
 }  // namespace gloam::catalogue

@@ -109,8 +109,8 @@ void append_facing(Entries& entries) {
          .budget = {.absolute = 1e-5},
          .codomain = {-1.000001, 1.000001},
          .promised = make_predicate<DirectionSignature>([](glm::dvec3 x, glm::dvec3 y, glm::dvec3 viewer) {
-             return moderate(1e-10, 1e10, x, y, viewer) && reference::is_finite(viewer) &&
-                    well_conditioned(glm::dvec3(0), x, y, viewer);
+             return moderate(1e-10, 2.0, x, y) && moderate(1e-10, 1e10, viewer) &&
+                    reference::is_finite(viewer) && well_conditioned(glm::dvec3(0), x, y, viewer);
          })}));
 }
 

@@ -9,9 +9,9 @@ namespace {
 // Table 1 of the TSSAO paper; the lengths are ours, for a radius of 1.
 Settings paper() {
     return {.radius = 1.0F,
-            .bias = 0.01F,
+            .bias = 0.001F,
             .range = 2.0F,
-            .epsilon = 0.05F,
+            .epsilon = 0.5F,
             .samples = 32,
             .weight_max = 500.0F,
             .c_rot = 0.5F,

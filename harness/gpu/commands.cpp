@@ -119,7 +119,12 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resourc
 }
 
 std::size_t Commands::timestamp() {
-    return impl_->handles->timestamps.record(impl_->context, impl_->recording());
+    const auto& commands = impl_->recording();
+    const std::size_t position = impl_->handles->timestamps.record(impl_->context, commands);
+    // lavapipe holds a dispatch back until something waits for it: without this the work before the reading
+    // would fall into the time behind it.
+    device_barrier(commands);
+    return position;
 }
 
 void Commands::submit() {

@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_HEMISPHERE_GATHER_GLSL
 
 #include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/plane_depth.glsl"
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -22,6 +23,8 @@ float gloam_fetch_depth(ivec2 pixel);
 // One sample point.
 // accumulated: (sum, count) so far. position: view space, world units. frame: columns tangent, bitangent, normal.
 // range: see gloam_sample_blocked. index: number of the Halton point.
+// The sample's depth is taken where its pixel was: moved to the pixel's centre along the plane parallel to the surface, so that a bare
+// plane is open at any tilt.
 // Returns (sum, count) with the sample added: 1 where blocked, 0 where open and where its pixel is background; outside the image
 // the nearest pixel counts. Unchanged for a point at or behind the eye, one that is not finite, and one at the centre (index 0).
 // Error: none, but a point within rounding of a pixel's border or of the blocking depth may fall to either side.
@@ -30,8 +33,9 @@ vec2 gloam_hemisphere_tap(vec2 accumulated, vec3 position, mat3 frame, GloamCame
     vec3 point = gloam_rotate_hemisphere(gloam_hemisphere_cosine(gloam_halton_3d(index)), kernel.angle);
     vec3 at = position + kernel.radius * (frame * point);
     if (point == vec3(0.0) || gloam_is_background(-at.z) || !gloam_is_finite2(at.xy)) return accumulated;
-    float surface = gloam_fetch_depth(gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size));
-    float blocked = gloam_sample_blocked(-at.z, surface, kernel.bias, range);
+    ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
+    float depth = gloam_plane_depth(pixel, at, frame[2], camera);
+    float blocked = gloam_sample_blocked(depth, gloam_fetch_depth(pixel), kernel.bias, range);
     return gloam_estimator_add(accumulated, gloam_contribution_cosine_directions(blocked, 1.0));
 }
 

@@ -3,6 +3,7 @@
 
 #include "reference/geometry/camera.hpp"
 #include "reference/geometry/pixel_center.hpp"
+#include "reference/geometry/plane_depth.hpp"
 #include "reference/occlusion/blocked.hpp"
 #include "reference/occlusion/estimator.hpp"
 #include "reference/occlusion/gather_kernel.hpp"
@@ -25,7 +26,8 @@ vec2<T> gloam_hemisphere_tap(vec2<T> accumulated, vec3<T> position, mat3<T> fram
     if (gloam_is_background(depth) || !gloam_is_finite(at.x) || !gloam_is_finite(at.y)) return accumulated;
     const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
     const T surface = fetch_depth(pixel);
-    return gloam_estimator_add(accumulated, gloam_sample_blocked(depth, surface, kernel.bias, range));
+    const T at_center = gloam_plane_depth(pixel, at, vec3<T>(frame[2]), camera);
+    return gloam_estimator_add(accumulated, gloam_sample_blocked(at_center, surface, kernel.bias, range));
 }
 
 template <class T, class Fetch>
