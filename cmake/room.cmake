@@ -29,6 +29,7 @@ function(gloam_test NAME)
   add_executable(${NAME} ${TEST_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${TEST_USES} ${TEST_LIBRARIES} gloam_glsl gloam_warnings GTest::gmock GTest::gtest_main)
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)  # nothing in a test is worth optimising for longer
   # Parsing GoogleMock is most of the cost of a test file.
   list(LENGTH TEST_SOURCES sources)
   if(sources GREATER 2)

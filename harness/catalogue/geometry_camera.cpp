@@ -35,9 +35,15 @@ bool well_conditioned(glm::ivec2 pixel, glm::dvec3 point, glm::dvec3 normal, con
     return clear(normal, ray - start) && clear(normal, point - start);
 }
 
-}  // namespace
+Values view_positions() {
+    const Values coordinate = either(uniform(-1, 1), signed_log_uniform(1e-3, 1e3));
+    return vector({coordinate, coordinate, uniform(1, 4)}).and_special();
+}
+Values depths() {
+    return log_uniform(1e-3, 1e6).and_special();
+}
 
-void append_cameras(Entries& entries) {
+void append_surface(Entries& entries) {
     entries.push_back(equation<bool(glm::vec3)>(
         {.id = "POSITION-surface",
          .function = "gloam_is_surface_position",
@@ -47,10 +53,9 @@ void append_cameras(Entries& entries) {
          .source = "convention"},
         GLOAM_REFERENCE(gloam_is_surface_position),
         {.domain = {vector(3, uniform(-4, 4)).and_value(glm::vec3(0)).and_special()}}));
-    const Values coordinate = either(uniform(-1, 1), signed_log_uniform(1e-3, 1e3));
-    const Values position = vector({coordinate, coordinate, uniform(1, 4)}).and_special();
-    const Values depth = log_uniform(1e-3, 1e6).and_special();
-    const Values pixel = vector(2, either(integers(-4, 64), integers(-4194304, 4194304)));
+}
+
+void append_uv(Entries& entries) {
     entries.push_back(equation<glm::vec2(glm::vec3, Camera)>(
         {.id = "CAMERA-uv",
          .function = "gloam_camera_uv",
@@ -59,11 +64,15 @@ void append_cameras(Entries& entries) {
          .formula = "ndc / 2 + 1/2, ndc of either projection",
          .source = "the projection"},
         GLOAM_REFERENCE(gloam_camera_uv),
-        {.domain = Domain{position, cameras()}.adjusted(place_before_camera(0, 3)),
+        {.domain = Domain{view_positions(), cameras()}.adjusted(place_before_camera(0, 3)),
          .budget = {.ulp = 4, .absolute = 2e-7},
          .codomain = {-huge, huge},
          .promised = make_predicate<glm::vec2(glm::vec3, Camera)>(
              [](glm::dvec3 at, const Camera& c) { return moderate(smallest, largest, at, c.p00_p11); })}));
+}
+
+void append_position(Entries& entries) {
+    const Values pixel = vector(2, either(integers(-4, 64), integers(-4194304, 4194304)));
     entries.push_back(equation<glm::vec3(glm::ivec2, float, Camera)>(
         {.id = "CAMERA-position",
          .function = "gloam_camera_position",
@@ -72,13 +81,16 @@ void append_cameras(Entries& entries) {
          .formula = "(ndc.x / P00, ndc.y / P11, -1) d, or (ndc.x / P00, ndc.y / P11, -d)",
          .source = "inverse of the projection"},
         GLOAM_REFERENCE(gloam_camera_position),
-        {.domain = {pixel, depth, cameras()},
+        {.domain = {pixel, depths(), cameras()},
          .budget = {.ulp = 3},
          .codomain = {-huge, huge},
          .promised =
              make_predicate<glm::vec3(glm::ivec2, float, Camera)>([](glm::ivec2, double d, const Camera& c) {
                  return moderate(smallest, largest, d, c.p00_p11);
              })}));
+}
+
+void append_radius(Entries& entries) {
     entries.push_back(equation<glm::vec2(float, float, Camera)>(
         {.id = "CAMERA-radius",
          .function = "gloam_camera_radius",
@@ -87,12 +99,15 @@ void append_cameras(Entries& entries) {
          .formula = "R (|P00|, |P11|) / (2 d), or R (|P00|, |P11|) / 2",
          .source = "the projection"},
         GLOAM_REFERENCE(gloam_camera_radius),
-        {.domain = {log_uniform(1e-3, 1e2).and_special(), depth, cameras()},
+        {.domain = {log_uniform(1e-3, 1e2).and_special(), depths(), cameras()},
          .budget = {.ulp = 3},
          .codomain = {0, huge},
          .promised = make_predicate<glm::vec2(float, float, Camera)>([](double r, double d, const Camera& c) {
              return moderate(smallest, largest, r, d, c.p00_p11) && !(r > largest);
          })}));
+}
+
+void append_plane(Entries& entries) {
     entries.push_back(equation<PlaneDepth>(
         {.id = "CAMERA-plane",
          .function = "gloam_plane_depth",
@@ -101,12 +116,22 @@ void append_cameras(Entries& entries) {
          .formula = "t with n . (ray(t) - point) = 0",
          .source = "ray and plane; keeps a bare plane open in TSSAO-3"},
         GLOAM_REFERENCE(gloam_plane_depth),
-        {.domain = Domain{image_pixel(), position, unit_vector(3).and_special(), cameras()}.adjusted(
+        {.domain = Domain{image_pixel(), view_positions(), unit_vector(3).and_special(), cameras()}.adjusted(
              place_before_camera(2, 8)),
          .budget = {.ulp = 24},
          .codomain = {0, std::numeric_limits<double>::infinity()},
          .promised = make_predicate<PlaneDepth>(well_conditioned),
          .scenarios = {{.name = "40 x 30", .size = {40, 30}}}}));
+}
+
+}  // namespace
+
+void append_cameras(Entries& entries) {
+    append_surface(entries);
+    append_uv(entries);
+    append_position(entries);
+    append_radius(entries);
+    append_plane(entries);
 }
 
 }  // namespace gloam::catalogue

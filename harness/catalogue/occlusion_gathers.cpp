@@ -70,9 +70,8 @@ void append_can_gather(Entries& entries) {
         GLOAM_REFERENCE(gloam_can_gather), {.domain = {vectors, vectors, extra()}}));
 }
 
-void append_hemisphere(Entries& entries) {
+void append_tap(Entries& entries) {
     using Tap = glm::vec2(glm::vec2, glm::vec3, glm::mat3, Camera, Kernel, float, unsigned);
-    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, float);
     const Values index = log_integers(16777216).and_near_integers({16777216, 4294967295});
     entries.push_back(equation<Tap>(
         {
@@ -98,6 +97,10 @@ void append_hemisphere(Entries& entries) {
              return moderate(1e-9, 4, frame) && usual(p, glm::vec3(0), c, k, range);
          }),
          .scenarios = depth_scenarios(prototype)}));
+}
+
+void append_hemisphere(Entries& entries) {
+    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, float);
     entries.push_back(equation<Gather>(
         {.id = "TSSAO-2-hemisphere",
          .function = "gloam_hemisphere_gather",
@@ -165,6 +168,7 @@ void append_disc(Entries& entries) {
 
 void append_gathers(Entries& entries) {
     append_can_gather(entries);
+    append_tap(entries);
     append_hemisphere(entries);
     append_disc(entries);
 }
