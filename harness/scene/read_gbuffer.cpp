@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
+#include <optional>
 #include <stdexcept>
 
 #include "scene/internal/exr.hpp"
@@ -85,6 +85,15 @@ std::vector<float> with_background_at_infinity(std::vector<float> depth) {
     return depth;
 }
 
+// The frame whose description a file name is, "f0012.json"; nothing for any other name.
+std::optional<int> frame_of(const std::string& name) {
+    constexpr std::size_t digits = 4;
+    const std::string number = name.substr(std::min<std::size_t>(1, name.size()), digits);
+    const bool all_digits = number.find_first_not_of("0123456789") == std::string::npos;
+    if (number.size() != digits || !all_digits || name != "f" + number + ".json") return std::nullopt;
+    return std::stoi(number);
+}
+
 }  // namespace
 
 std::string frame_prefix(int frame) {
@@ -95,13 +104,10 @@ std::string frame_prefix(int frame) {
 }
 
 std::vector<int> frames_of(const fs::path& directory) {
-    static const std::regex name("f([0-9]{4})\\.json");
     std::error_code error;
     std::vector<int> frames;
     for (fs::directory_iterator i(directory, error), end; !error && i != end; i.increment(error)) {
-        std::smatch match;
-        const std::string file = i->path().filename().string();
-        if (std::regex_match(file, match, name)) frames.push_back(std::stoi(match[1]));
+        if (const auto frame = frame_of(i->path().filename().string())) frames.push_back(*frame);
     }
     if (error) fail(directory, "cannot be read: " + error.message());
     if (frames.empty()) fail(directory, "no frames in it, expected f0000.json and so on");
