@@ -1,43 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "report/output_folder.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "report/internal/write.hpp"
+
 namespace gloam::report {
-namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void fail(const fs::path& path, int error) {
-    throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
-}
-
-// Writes all or returns the error number; a full disk may show as late as in close().
-int write_all(const fs::path& path, std::string_view bytes) {
-    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file < 0) return errno;
-    int error = 0;
-    while (!bytes.empty() && error == 0) {
-        const ssize_t count = ::write(file, bytes.data(), bytes.size());
-        if (count >= 0) {
-            bytes.remove_prefix(static_cast<std::size_t>(count));
-        } else if (errno != EINTR) {
-            error = errno;
-        }
-    }
-    if (close(file) != 0 && error == 0) error = errno;
-    return error;
-}
-
-}  // namespace
+using internal::fail_to_write;
+using internal::part_of;
 
 OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
     if (folder_.empty()) folder_ = ".";
@@ -53,24 +30,24 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
             std::error_code ignored;
             fs::remove(made_[j], ignored);
         }
-        fail(folder_, error.value());
+        fail_to_write(folder_, error.value());
     }
-    if (!fs::is_directory(folder_, error)) fail(folder_, ENOTDIR);
-    if (access(folder_.c_str(), W_OK | X_OK) != 0) fail(folder_, errno);
+    if (!fs::is_directory(folder_, error)) fail_to_write(folder_, ENOTDIR);
+    if (access(folder_.c_str(), W_OK | X_OK) != 0) fail_to_write(folder_, errno);
 }
 
 OutputFolder::~OutputFolder() {
     std::error_code ignored;  // a destructor has nobody to tell
-    for (const std::string& name : waiting_) fs::remove(folder_ / (name + ".part"), ignored);
+    for (const std::string& name : waiting_) fs::remove(part_of(folder_ / name), ignored);
     for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
 }
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
     const fs::path file = folder_ / name;
     std::error_code none;
-    if (fs::is_directory(file, none)) fail(file, EISDIR);
+    if (fs::is_directory(file, none)) fail_to_write(file, EISDIR);
     if (std::ranges::find(waiting_, name) == waiting_.end()) waiting_.push_back(name);
-    if (const int error = write_all(folder_ / (name + ".part"), bytes)) fail(file, error);
+    if (const int error = internal::write_all(part_of(file), bytes)) fail_to_write(file, error);
 }
 
 void OutputFolder::keep() {
@@ -78,8 +55,8 @@ void OutputFolder::keep() {
     while (!waiting_.empty()) {
         const fs::path file = folder_ / waiting_.front();
         std::error_code error;
-        fs::rename(file.string() + ".part", file, error);
-        if (error) fail(file, error.value());
+        fs::rename(part_of(file), file, error);
+        if (error) fail_to_write(file, error.value());
         waiting_.erase(waiting_.begin());
     }
 }

@@ -9,9 +9,9 @@
 #include "catalogue/catalogue.hpp"
 #include "check/describe.hpp"
 #include "cli/environment.hpp"
-#include "cli/output_file.hpp"
 #include "cli/variant.hpp"
 #include "report/check_report.hpp"
+#include "report/output_file.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -86,8 +86,8 @@ report::CheckReport check_device(const CheckOptions& options, const std::string&
 
 int run_check(const CheckOptions& options) {
     const catalogue::Entries entries = catalogue::select(catalogue::all_entries(), options.equations);
-    OutputFile json(options.json);
-    OutputFile junit(options.junit);
+    report::OutputFile json(options.json);
+    report::OutputFile junit(options.junit);
     std::vector<report::CheckReport> reports;
     std::size_t failures = 0;
     std::size_t checks = 0;

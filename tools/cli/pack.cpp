@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/environment.hpp"
-#include "cli/output_file.hpp"
+#include "report/output_file.hpp"
 #include "shader/include.hpp"
 #include "shader/language.hpp"
 
@@ -41,7 +41,7 @@ void run_pack(const PackOptions& options) {
     const std::vector<fs::path> roots{glsl_directory()};
     std::vector<fs::path> files;
     for (const std::string& name : options.files) files.push_back(find_file(name, roots));
-    const OutputFile out(options.out);
+    const report::OutputFile out(options.out);
     const std::string body = shader::flatten(files, roots);
     shader::check_compiles({.name = "packed text", .text = body}, *language, roots);
     const std::string text = shader::preamble(*language) + body;

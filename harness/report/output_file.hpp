@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace gloam::cli {
+namespace gloam::report {
 
 // A file to be written at the end of long work: whether it can be is found out at the beginning. It appears
 // whole or not at all. An empty path writes nothing.
@@ -21,4 +21,4 @@ class OutputFile {
     std::filesystem::path path_;
 };
 
-}  // namespace gloam::cli
+}  // namespace gloam::report

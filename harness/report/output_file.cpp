@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "report/output_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+#include "report/internal/write.hpp"
+
+namespace gloam::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_device(const fs::path& path) {
+    std::error_code none;
+    return fs::exists(path, none) && !fs::is_regular_file(path, none);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::error_code none;
+    if (fs::is_directory(path_, none)) internal::fail_to_write(path_, EISDIR);
+    const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+    if (access(folder.c_str(), W_OK) != 0) internal::fail_to_write(path_, errno);
+}
+
+void OutputFile::write(std::string_view text) const {
+    if (path_.empty()) return;
+    // Devices (/dev/stdout) are written to as they are; files by way of a neighbour, so that nobody sees half
+    // of one.
+    const bool direct = is_device(path_);
+    const fs::path target = direct ? path_ : internal::part_of(path_);
+    int error = internal::write_all(target, text);
+    std::error_code moved;
+    if (error == 0 && !direct) {
+        fs::rename(target, path_, moved);
+        error = moved.value();
+    }
+    if (error == 0) return;
+    if (!direct) fs::remove(target, moved);
+    internal::fail_to_write(path_, error);
+}
+
+}  // namespace gloam::report
