@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "check/describe.hpp"
 #include "report/check_report.hpp"
+#include "report/internal/row_json.hpp"
 
 namespace gloam::report {
 namespace {
 
+using internal::JsonReader;
 using nlohmann::ordered_json;
 
-// JSON has no infinity and no NaN.
-ordered_json number(double value) {
-    if (std::isnan(value)) return "nan";
-    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
-    return value;
-}
-
-ordered_json numbers(const std::vector<double>& values) {
-    ordered_json array = ordered_json::array();
-    for (const double value : values) array.push_back(number(value));
-    return array;
-}
+constexpr auto replace = ordered_json::error_handler_t::replace;  // of bytes that are no UTF-8
 
 ordered_json device_json(const DeviceSummary& device) {
     return {{"name", device.name},
@@ -35,62 +22,58 @@ ordered_json device_json(const DeviceSummary& device) {
               {"rounding_mode_rte", device.rounds_to_even}}}};
 }
 
-ordered_json worst_json(const check::Result& result) {
-    if (!result.census.worst) return nullptr;
-    const check::Sample& worst = *result.census.worst;
-    return {
-        {"input", worst.index},         {"class", check::name_of(worst.input_class)},
-        {"images", worst.scenario},     {"values", check::describe_inputs(result.signature, worst.inputs)},
-        {"input_words", worst.inputs},  {"got_words", worst.got},
-        {"want", numbers(worst.want)},  {"ulp", number(worst.ulp)},
-        {"abs", number(worst.absolute)}};
+DeviceSummary read_device(const JsonReader& json) {
+    const JsonReader controls = json.member("float_controls");
+    return {.name = json.member("name").text(),
+            .driver = json.member("driver").text(),
+            .type = json.member("type").text(),
+            .api_version = json.member("api_version").text(),
+            .preserves_signed_zero_inf_nan = controls.member("signed_zero_inf_nan_preserve").flag(),
+            .preserves_denormals = controls.member("denorm_preserve").flag(),
+            .flushes_denormals = controls.member("denorm_flush_to_zero").flag(),
+            .rounds_to_even = controls.member("rounding_mode_rte").flag()};
 }
 
-ordered_json classes_json(const check::Census& census) {
-    ordered_json classes = ordered_json::object();
-    for (std::size_t i = 0; i < check::input_class_count; ++i) {
-        const check::ClassCount& count = census.classes[i];
-        if (count.inputs == 0) continue;
-        classes[std::string(check::name_of(static_cast<check::InputClass>(i)))] = {
-            {"inputs", count.inputs}, {"outside", count.outside}, {"recorded", count.recorded}};
+CheckReport read_report(const JsonReader& json) {
+    CheckReport report{.device = read_device(json.member("device")), .rows = {}};
+    for (const JsonReader& row : json.member("results").elements()) {
+        report.rows.push_back(internal::read_row(row));
     }
-    return classes;
-}
-
-ordered_json row_json(const CheckRow& row) {
-    const check::Census& census = row.result.census;
-    ordered_json json{{"equation", row.equation},
-                      {"function", row.result.function},
-                      {"file", row.result.file},
-                      {"variant", row.variant},
-                      {"inputs", census.inputs()},
-                      {"outside", census.outside()},
-                      {"recorded", census.recorded()},
-                      {"max_ulp", number(census.max_ulp)},
-                      {"max_abs", number(census.max_absolute)},
-                      {"width_fraction", number(census.fraction)},
-                      {"budget",
-                       {{"ulp", row.result.budget.ulp},
-                        {"abs", row.result.budget.absolute},
-                        {"backward_ulp", row.result.budget.backward_ulp},
-                        {"text", check::to_text(row.result.budget)}}},
-                      {"classes", classes_json(census)},
-                      {"worst", worst_json(row.result)}};
-    if (row.result.fault) json["fault"] = check::to_text(*row.result.fault);
-    if (!row.error.empty()) json["error"] = row.error;
-    return json;
+    return report;
 }
 
 }  // namespace
+
+std::string name_of(const DeviceSummary& device) {
+    return device.driver.empty() ? device.name : device.name + " (" + device.driver + ")";
+}
+
+std::string to_json(const DeviceSummary& device) {
+    return device_json(device).dump(-1, ' ', false, replace);
+}
+
+DeviceSummary device_from_json(std::string_view text) {
+    const ordered_json json = internal::parse_json(text);
+    return read_device(JsonReader(json, ""));
+}
 
 std::string to_json(const std::vector<CheckReport>& reports) {
     ordered_json all = ordered_json::array();
     for (const CheckReport& report : reports) {
         ordered_json results = ordered_json::array();
-        for (const CheckRow& row : report.rows) results.push_back(row_json(row));
+        for (const CheckRow& row : report.rows) results.push_back(internal::row_json(row));
         all.push_back({{"device", device_json(report.device)}, {"results", results}});
     }
-    return (all.size() == 1 ? all.front() : all).dump(2) + "\n";
+    return (all.size() == 1 ? all.front() : all).dump(2, ' ', false, replace) + "\n";
+}
+
+std::vector<CheckReport> reports_from_json(std::string_view text) {
+    const ordered_json json = internal::parse_json(text);
+    const JsonReader all(json, "");
+    if (!all.is_array()) return {read_report(all)};
+    std::vector<CheckReport> reports;
+    for (const JsonReader& report : all.elements()) reports.push_back(read_report(report));
+    return reports;
 }
 
 }  // namespace gloam::report

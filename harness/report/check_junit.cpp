@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "check/describe.hpp"
 #include "report/check_report.hpp"
 
 namespace gloam::report {
@@ -27,7 +26,8 @@ std::string escaped(std::string_view text) {
                 out += "&#10;";
                 break;
             default:
-                out += c;
+                // XML 1.0 has no other control characters, not even escaped: a driver's message might.
+                out += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? '?' : c;
         }
     }
     return out;
@@ -35,17 +35,18 @@ std::string escaped(std::string_view text) {
 
 std::string test_case(const CheckRow& row) {
     std::string xml =
-        fmt::format("    <testcase classname=\"{}\" name=\"{} {}\" time=\"{:.3f}\"", escaped(row.result.file),
+        fmt::format("    <testcase classname=\"{}\" name=\"{} {}\" time=\"{:.3f}\"", escaped(row.file),
                     escaped(row.equation), escaped(row.variant), row.seconds);
     if (row.passed()) return xml + "/>\n";
-    const bool ran = row.error.empty();
-    return xml + fmt::format(">\n      <{0} message=\"{1}\"/>\n    </testcase>\n", ran ? "failure" : "error",
-                             escaped(ran ? check::describe(row.result) : row.error));
+    return xml + fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\"/>\n    </testcase>\n",
+                             row.ran() ? "failure" : "error",
+                             row.reason == Reason::none ? "outside" : name_of(row.reason),
+                             escaped(row.ran() ? row.story : row.error));
 }
 
 std::size_t errors(const CheckReport& report) {
     std::size_t count = 0;
-    for (const CheckRow& row : report.rows) count += row.error.empty() ? 0 : 1;
+    for (const CheckRow& row : report.rows) count += row.ran() ? 0 : 1;
     return count;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "check/case.hpp"
+#include "report/check_row.hpp"
 
 namespace gloam::report {
 
@@ -21,16 +22,12 @@ struct DeviceSummary {
     bool rounds_to_even = false;
 };
 
-// One equation in one variant: what the check found, or why it could not run.
-struct CheckRow {
-    std::string equation;  // its ID
-    std::string variant;
-    check::Result result;
-    std::string error;  // empty when it ran
-    double seconds = 0.0;
+// "NAME (DRIVER)": what tells one driver from another in a report.
+[[nodiscard]] std::string name_of(const DeviceSummary& device);
 
-    [[nodiscard]] bool passed() const { return error.empty() && result.passed(); }
-};
+// One line of JSON, and back. Reading throws std::runtime_error that names the field and what was expected.
+[[nodiscard]] std::string to_json(const DeviceSummary& device);
+[[nodiscard]] DeviceSummary device_from_json(std::string_view text);
 
 // Everything one device was asked.
 struct CheckReport {
@@ -45,13 +42,18 @@ struct CheckReport {
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_line(const CheckRow& row);
 
-// {"device": {...}, "results": [{"equation", "function", "file", "variant", "inputs", "outside", "recorded",
-// "max_ulp", "max_abs", "width_fraction", "budget", "classes", "worst", "error"}]}; an array of such objects
-// for several devices. width_fraction is the worst error as a fraction of the budget. Infinite numbers are
-// the string "inf", NaN is "nan".
+// {"device": {...}, "results": [{"equation", "function", "file", "variant", "verdict", "inputs", "outside",
+// "recorded", "unbounded", "differs", "max_ulp", "max_abs", "width_fraction", "budget_fraction", "budget",
+// "classes", "worst", "fault", "error", "reason", "seconds", "story"}]}, members as in CheckRow; an array of
+// such objects for several devices. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 
-// JUnit XML: a test suite for each device, a test case for each row.
+// The reports of such a text: one object or an array of them. Throws std::runtime_error that says where in
+// the text something else stands and what was expected.
+[[nodiscard]] std::vector<CheckReport> reports_from_json(std::string_view text);
+
+// JUnit XML: a test suite for each device, a test case for each row. A row that did not run is an error whose
+// type is its reason.
 [[nodiscard]] std::string to_junit(const std::vector<CheckReport>& reports);
 
 }  // namespace gloam::report

@@ -23,16 +23,14 @@ std::string table_header() {
 }
 
 std::string table_line(const CheckRow& row) {
-    if (!row.error.empty()) {
-        return fmt::format(line, row.equation, row.result.function, row.variant, "-", "-", "-",
-                           "could not run");
+    if (!row.ran()) {
+        return fmt::format(line, row.equation, row.function, row.variant, "-", "-", "-",
+                           row.reason == Reason::error ? "could not run" : name_of(row.reason));
     }
-    const check::Census& census = row.result.census;
-    std::string verdict = row.passed() ? "ok" : fmt::format("{} outside", census.outside());
-    if (row.result.fault) verdict += ", reads outside its image";
-    return fmt::format(line, row.equation, row.result.function, row.variant, census.inputs(),
-                       fmt::format("{:.3g}", census.max_ulp), fmt::format("{:.2e}", census.max_absolute),
-                       verdict);
+    std::string verdict = row.passed() ? "ok" : fmt::format("{} outside", row.outside);
+    if (!row.fault.empty()) verdict += ", reads outside its image";
+    return fmt::format(line, row.equation, row.function, row.variant, row.inputs,
+                       fmt::format("{:.3g}", row.max_ulp), fmt::format("{:.2e}", row.max_abs), verdict);
 }
 
 }  // namespace gloam::report

@@ -7,11 +7,11 @@
 #include <memory>
 
 #include "catalogue/catalogue.hpp"
-#include "check/describe.hpp"
 #include "cli/environment.hpp"
 #include "cli/variant.hpp"
 #include "report/check_report.hpp"
 #include "report/output_file.hpp"
+#include "report/row_of.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -46,21 +46,25 @@ check::Lab make_lab(const CheckOptions& options, const std::string& device, cons
 report::CheckRow check_equation(const check::Lab& lab, const catalogue::Entry& entry, const Variant& variant,
                                 const CheckOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
-    report::CheckRow row{.equation = entry.description.id, .variant = variant.name};
+    report::CheckRow row;
     try {
-        row.result = check::run(lab, entry.check_case, {.inputs = options.inputs, .seed = options.seed});
+        row = report::row_of(
+            entry.description.id, variant.name,
+            check::run(lab, entry.check_case, {.inputs = options.inputs, .seed = options.seed}));
     } catch (const std::exception& error) {
-        row.error = error.what();
-        row.result.file = entry.description.file;
-        row.result.function = entry.description.function;
+        row = {.equation = entry.description.id,
+               .function = entry.description.function,
+               .file = entry.description.file,
+               .variant = variant.name,
+               .error = error.what(),
+               .reason = report::Reason::error};
     }
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
 }
 
 void print_failure(const report::CheckRow& row) {
-    fmt::print("\n{} {}: {}\n", row.equation, row.variant,
-               row.error.empty() ? check::describe(row.result) : row.error);
+    fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
 }
 
 report::CheckReport check_device(const CheckOptions& options, const std::string& device,

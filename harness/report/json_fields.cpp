@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "report/internal/json_fields.hpp"
+
+namespace gloam::report::internal {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t longest_quote = 40;
+
+}  // namespace
+
+ordered_json number_json(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+    return value;
+}
+
+ordered_json numbers_json(const std::vector<double>& values) {
+    ordered_json array = ordered_json::array();
+    for (const double value : values) array.push_back(number_json(value));
+    return array;
+}
+
+void JsonReader::expected(const std::string& what) const {
+    std::string found = json_->dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    if (found.size() > longest_quote) found = found.substr(0, longest_quote) + "...";
+    throw std::runtime_error((where_.empty() ? "" : where_ + ": ") + "expected " + what + ", found " + found);
+}
+
+bool JsonReader::has(const char* name) const {
+    return json_->is_object() && json_->contains(name);
+}
+
+JsonReader JsonReader::member(const char* name) const {
+    if (!json_->is_object()) expected(std::string("an object with \"") + name + "\"");
+    const auto found = json_->find(name);
+    const std::string path = where_.empty() ? name : where_ + "." + name;
+    if (found == json_->end()) throw std::runtime_error(path + ": expected this field, found none");
+    return {*found, path};
+}
+
+std::vector<JsonReader> JsonReader::elements() const {
+    if (!json_->is_array()) expected("an array");
+    std::vector<JsonReader> all;
+    for (const ordered_json& element : *json_) {
+        all.emplace_back(element, where_ + "[" + std::to_string(all.size()) + "]");
+    }
+    return all;
+}
+
+std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
+    if (!json_->is_object()) expected("an object");
+    std::vector<std::pair<std::string, JsonReader>> all;
+    for (const auto& [name, value] : json_->items())
+        all.emplace_back(name, JsonReader(value, where_ + "." + name));
+    return all;
+}
+
+std::string JsonReader::text() const {
+    if (!json_->is_string()) expected("a text");
+    return json_->get<std::string>();
+}
+
+double JsonReader::number() const {
+    if (json_->is_number()) return json_->get<double>();
+    if (*json_ == "inf") return infinity;
+    if (*json_ == "-inf") return -infinity;
+    if (*json_ == "nan") return std::numeric_limits<double>::quiet_NaN();
+    expected("a number");
+}
+
+std::size_t JsonReader::count() const {
+    if (!json_->is_number_unsigned()) expected("a count");
+    return json_->get<std::size_t>();
+}
+
+bool JsonReader::flag() const {
+    if (!json_->is_boolean()) expected("true or false");
+    return json_->get<bool>();
+}
+
+std::vector<double> JsonReader::numbers() const {
+    std::vector<double> all;
+    for (const JsonReader& element : elements()) all.push_back(element.number());
+    return all;
+}
+
+std::vector<std::uint32_t> JsonReader::words() const {
+    std::vector<std::uint32_t> all;
+    for (const JsonReader& element : elements()) {
+        const std::size_t word = element.count();
+        if (word > std::numeric_limits<std::uint32_t>::max()) element.expected("a 32-bit word");
+        all.push_back(static_cast<std::uint32_t>(word));
+    }
+    return all;
+}
+
+ordered_json parse_json(std::string_view text) {
+    try {
+        return ordered_json::parse(text);
+    } catch (const ordered_json::parse_error& error) {
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the number helps nobody.
+        const std::string message = error.what();
+        const std::size_t bracket = message.find("] ");
+        throw std::runtime_error("no JSON: " +
+                                 (bracket == std::string::npos ? message : message.substr(bracket + 2)));
+    }
+}
+
+}  // namespace gloam::report::internal

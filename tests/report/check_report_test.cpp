@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "report/check_report.hpp"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "report/rows.hpp"
+
+namespace gloam::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+CheckRow crashed_row() {
+    CheckRow row = passing_row("EQ-3");
+    row.error = "ended by signal 9 (Killed)\x1b[0m";
+    row.reason = Reason::crash;
+    return row;
+}
+
+auto says(const std::string& text) {
+    return testing::ThrowsMessage<std::runtime_error>(HasSubstr(text));
+}
+
+TEST(CheckReport, OneDeviceIsAnObjectSeveralAnArrayAndBothAreReadBack) {
+    const CheckReport a = report_of("A", {failing_row(), passing_row("EQ-2")});
+    const CheckReport b = report_of("B", {crashed_row()});
+    EXPECT_EQ(to_json({a}).front(), '{');
+    EXPECT_EQ(to_json({a, b}).front(), '[');
+    for (const std::vector<CheckReport>& reports : {std::vector{a}, std::vector{a, b}}) {
+        const std::vector<CheckReport> back = reports_from_json(to_json(reports));
+        EXPECT_EQ(to_json(back), to_json(reports));
+        EXPECT_TRUE(back.front().device.preserves_signed_zero_inf_nan);
+        EXPECT_FALSE(back.front().device.flushes_denormals);
+        EXPECT_EQ(back.front().failures(), 1U);
+    }
+}
+
+TEST(CheckReport, ADeviceTravelsAlone) {
+    const DeviceSummary device = report_of("A", {}).device;
+    EXPECT_EQ(to_json(device_from_json(to_json(device))), to_json(device));
+    EXPECT_EQ(name_of(device), "A (driver 1.2)");
+    EXPECT_THAT([] { (void)device_from_json("{}"); }, says("float_controls: expected this field"));
+}
+
+TEST(CheckReport, ForeignTextsAreNamed) {
+    EXPECT_THAT([] { (void)reports_from_json("{\"a\": 1}"); }, says("device: expected this field"));
+    EXPECT_THAT([] { (void)reports_from_json("3"); }, says("expected an object"));
+    EXPECT_THAT([] { (void)reports_from_json(""); }, says("no JSON: parse error at line 1"));
+    std::string text = to_json({report_of("A", {passing_row("EQ-2"), failing_row()})});
+    text.replace(text.find("\"inputs\": 100"), 13, "\"inputs\": null");
+    EXPECT_THAT([&] { (void)reports_from_json(text); },
+                says("results[1].inputs: expected a count, found null"));
+}
+
+TEST(CheckReport, JunitTellsFailuresFromErrors) {
+    const std::string xml =
+        to_junit({report_of("A & B", {failing_row(), passing_row("EQ-2"), crashed_row()})});
+    EXPECT_THAT(xml, HasSubstr("<testsuite name=\"A &amp; B\" tests=\"3\" failures=\"1\" errors=\"1\">"));
+    EXPECT_THAT(xml, HasSubstr("<failure type=\"fault\" message=\"line one&#10;line &lt;two&gt;"));
+    EXPECT_THAT(xml, HasSubstr("<error type=\"crash\" message=\"ended by signal 9 (Killed)?[0m\""));
+    EXPECT_THAT(xml, HasSubstr("name=\"EQ-2 shipped\" time=\"0.000\"/>"));
+    EXPECT_THAT(xml, Not(HasSubstr("\x1b")));
+}
+
+TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
+    EXPECT_THAT(table_line(passing_row("EQ-2")), HasSubstr("ok"));
+    EXPECT_THAT(table_line(failing_row()), HasSubstr("3 outside, reads outside its image"));
+    EXPECT_THAT(table_line(crashed_row()), HasSubstr("crash"));
+    CheckRow row = crashed_row();
+    row.reason = Reason::error;
+    EXPECT_THAT(table_line(row), HasSubstr("could not run"));
+}
+
+}  // namespace
+}  // namespace gloam::report
