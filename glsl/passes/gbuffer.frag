@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // G-buffer, fragments: eye-linear depth from the value that goes into the depth buffer, and the view-space normal.
-// Both images are cleared to 0: no geometry.
+// With GLOAM_MOTION also the view-space position in the frame before, and the object and the triangle.
+// All images are cleared to 0: no geometry.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "gloam/geometry/linear_depth.glsl"
@@ -11,9 +12,14 @@ layout(location = 1) in vec3 view_normal;
 
 layout(location = 0) out float linear_depth;
 layout(location = 1) out vec4 normal;
+#ifdef GLOAM_MOTION
+layout(location = 2) in vec3 previous_view_position;
+layout(location = 3) flat in vec2 object_and_triangle;
+layout(location = 2) out vec4 previous_and_object;  // whole numbers up to 2^24 are exact
+layout(location = 3) out float triangle_and_one;
+#endif
 
 layout(push_constant) uniform Parameters {
-    mat4 view;
     mat4 projection;
 };
 
@@ -40,4 +46,8 @@ void main() {
     // Geometry too far for the depth buffer to tell from infinity is background.
     bool background = gloam_is_background(linear_depth);
     normal = vec4(background ? vec3(0.0) : shading_normal(view_normal, flat_normal, away), 0.0);
+#ifdef GLOAM_MOTION
+    previous_and_object = background ? vec4(0.0) : vec4(previous_view_position, object_and_triangle.x);
+    triangle_and_one = background ? 0.0 : object_and_triangle.y + 1.0;
+#endif
 }

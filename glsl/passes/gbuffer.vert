@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: MIT
-// G-buffer, vertices: world space in, clip and view space out.
+// G-buffer, vertices: view space in, clip and view space out. With GLOAM_MOTION each vertex also says where it was in the view
+// space of the frame before, and what it belongs to.
 #version 450
 
-layout(location = 0) in vec3 world_position;
-layout(location = 1) in vec3 world_normal;
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+#ifdef GLOAM_MOTION
+layout(location = 2) in vec3 previous_position;
+layout(location = 3) in vec2 object_triangle;
+#endif
 
 layout(location = 0) out vec3 view_position;
 layout(location = 1) out vec3 view_normal;
+#ifdef GLOAM_MOTION
+layout(location = 2) out vec3 previous_view_position;
+layout(location = 3) flat out vec2 object_and_triangle;
+#endif
 
 layout(push_constant) uniform Parameters {
-    mat4 view;        // world to view: a rotation and a translation, so normals need no other matrix
     mat4 projection;  // view to clip
 };
 
 void main() {
-    vec4 position = view * vec4(world_position, 1.0);
-    view_position = position.xyz;
-    view_normal = mat3(view) * world_normal;
-    gl_Position = projection * position;
+    view_position = position;
+    view_normal = normal;
+#ifdef GLOAM_MOTION
+    previous_view_position = previous_position;
+    object_and_triangle = object_triangle;
+#endif
+    gl_Position = projection * vec4(position, 1.0);
 }

@@ -15,9 +15,13 @@ void require(bool condition, const std::string& message) {
     if (!condition) throw std::invalid_argument("camera: " + message);
 }
 
-void check(const Camera& camera, double aspect) {
+void check_direction(const Camera& camera) {
     const glm::dvec3 side = glm::cross(camera.target - camera.eye, camera.up);
     require(glm::length(side) > 0.0, "the eye and its target coincide, or `up` points along the view");
+}
+
+void check(const Camera& camera, double aspect) {
+    check_direction(camera);
     require(aspect > 0.0 && std::isfinite(aspect), "expected a positive aspect ratio");
     require(camera.near > 0.0 && camera.near < camera.far, "expected 0 < near < far");
     if (camera.projection == Projection::perspective) {
@@ -72,6 +76,22 @@ CameraFrame make_frame(const Camera& camera, double aspect) {
     check(camera, aspect);
     return {.view = glm::mat4(glm::lookAt(camera.eye, camera.target, camera.up)),
             .proj_vk = glm::mat4(projection_of(camera, aspect))};
+}
+
+CameraFrame make_frame(const Camera& camera, double aspect, const Camera& previous) {
+    CameraFrame frame = make_frame(camera, aspect);
+    check(previous, aspect);
+    frame.previous_view = glm::mat4(glm::lookAt(previous.eye, previous.target, previous.up));
+    const glm::dmat3 before = view_rotation(previous);
+    glm::dmat4 change(before * glm::transpose(view_rotation(camera)));
+    change[3] = glm::dvec4(before * (camera.eye - previous.eye), 1.0);
+    frame.previous_from_current = glm::mat4(change);
+    return frame;
+}
+
+glm::dmat3 view_rotation(const Camera& camera) {
+    check_direction(camera);
+    return glm::dmat3(glm::lookAt(glm::dvec3(0), camera.target - camera.eye, camera.up));
 }
 
 glm::dmat4 gl_from_vk(const glm::dmat4& proj_vk) {

@@ -26,6 +26,9 @@ struct CameraFrame {
     glm::mat4 view{1};                       // world to view
     glm::mat4 proj_vk{1};                    // view to clip: y down, z in [0, 1]
     std::optional<glm::mat4> previous_view;  // world to view of the frame before
+    // View space of this frame to that of the frame before. Calculated in double where the cameras are known:
+    // the product of the two above loses the difference far from the origin.
+    std::optional<glm::mat4> previous_from_current;
 
     // Elements [0][0] and [1][1] of proj_vk: what the shaders call p00_p11.
     [[nodiscard]] glm::vec2 p00_p11() const { return {proj_vk[0][0], proj_vk[1][1]}; }
@@ -36,6 +39,13 @@ struct CameraFrame {
 // std::invalid_argument for a camera without a direction, a field of view outside (0, pi), or planes that are
 // not 0 < near < far.
 [[nodiscard]] CameraFrame make_frame(const Camera& camera, double aspect);
+
+// The same with the camera of the frame before.
+[[nodiscard]] CameraFrame make_frame(const Camera& camera, double aspect, const Camera& previous);
+
+// World to view, the rotation only: view position = rotation * (world position - eye). Throws
+// std::invalid_argument for a camera without a direction.
+[[nodiscard]] glm::dmat3 view_rotation(const Camera& camera);
 
 // The same projection for OpenGL (clip y up, z in [-1, 1]), and back.
 [[nodiscard]] glm::dmat4 gl_from_vk(const glm::dmat4& proj_vk);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
@@ -20,6 +21,12 @@ struct GBuffer {
     std::vector<glm::vec3> motion;  // dx, dy in pixels (y down), valid. Empty: from the cameras alone
     CameraFrame camera;
     std::optional<double> ao_radius;  // world units
+
+    // Only from rasterize(), when asked for.
+    std::vector<glm::vec3> previous_position;  // where the surface point was, in the view space of the frame
+                                               // before; background 0
+    std::vector<std::uint32_t> object;    // 0: what stands still, k: the k-th moving object; background 0
+    std::vector<std::uint32_t> triangle;  // counted through all meshes; background 2^32 - 1
 };
 
 }  // namespace gloam::scene

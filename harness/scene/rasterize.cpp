@@ -13,7 +13,6 @@ namespace {
 
 // As in gbuffer.vert and gbuffer.frag.
 struct PushConstants {
-    glm::mat4 view;
     glm::mat4 projection;
 };
 
@@ -22,23 +21,13 @@ struct Vertex {
     glm::vec3 normal;
 };
 
-// The device reads wherever an index points.
-void check_mesh(const Scene& scene) {
-    const Mesh& mesh = scene.mesh;
-    const auto fail = [&](const std::string& what) {
-        throw std::invalid_argument("scene " + scene.name + ": " + what);
-    };
-    if (mesh.triangle_count() == 0) fail("no triangles in it");
-    if (mesh.indices.size() % 3 != 0)
-        fail(std::to_string(mesh.indices.size()) + " indices, expected three for each triangle");
-    if (mesh.normals.size() != mesh.positions.size())
-        fail(std::to_string(mesh.normals.size()) + " normals for " + std::to_string(mesh.positions.size()) +
-             " positions");
-    const std::uint32_t largest = *std::ranges::max_element(mesh.indices);
-    if (largest >= mesh.positions.size())
-        fail("index " + std::to_string(largest) + " is beyond its " + std::to_string(mesh.positions.size()) +
-             " positions");
-}
+// With GLOAM_MOTION; its own for each corner of each triangle.
+struct MovingVertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+    glm::vec3 previous_position;
+    glm::vec2 object_triangle;
+};
 
 gpu::Buffer vertex_buffer(const gpu::Device& device, const Mesh& mesh) {
     gpu::Buffer buffer(device, mesh.positions.size() * sizeof(Vertex));
@@ -47,20 +36,48 @@ gpu::Buffer vertex_buffer(const gpu::Device& device, const Mesh& mesh) {
     return buffer;
 }
 
-gpu::Buffer index_buffer(const gpu::Device& device, const Mesh& mesh) {
-    gpu::Buffer buffer(device, mesh.indices.size() * sizeof(std::uint32_t));
-    std::ranges::copy(mesh.indices, buffer.as<std::uint32_t>().begin());
+// The object of each triangle, in the order of view_space_mesh().
+std::vector<std::uint32_t> objects_of_triangles(const Scene& scene) {
+    std::vector<std::uint32_t> objects(scene.mesh.triangle_count(), 0);
+    for (std::uint32_t k = 0; k < scene.objects.size(); ++k)
+        objects.insert(objects.end(), scene.objects[k].mesh.triangle_count(), k + 1);
+    return objects;
+}
+
+gpu::Buffer moving_vertex_buffer(const gpu::Device& device, const Scene& scene, const Mesh& now,
+                                 const Mesh& before) {
+    gpu::Buffer buffer(device, now.indices.size() * sizeof(MovingVertex));
+    const std::span<MovingVertex> vertices = buffer.as<MovingVertex>();
+    const std::vector<std::uint32_t> objects = objects_of_triangles(scene);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const std::uint32_t index = now.indices[i];
+        vertices[i] = {now.positions[index], now.normals[index], before.positions[index],
+                       glm::vec2(objects[i / 3], i / 3)};
+    }
     return buffer;
 }
 
-gpu::RasterPipeline make_pipeline(const gpu::Device& device, const PassLibrary& passes, bool reversed_z) {
-    const shader::Spirv vertex = passes.compile("gbuffer.vert");
-    const shader::Spirv fragment = passes.compile("gbuffer.frag");
+gpu::Buffer index_buffer(const gpu::Device& device, const Mesh& mesh, bool own_vertices) {
+    gpu::Buffer buffer(device, mesh.indices.size() * sizeof(std::uint32_t));
+    const std::span<std::uint32_t> indices = buffer.as<std::uint32_t>();
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        indices[i] = own_vertices ? static_cast<std::uint32_t>(i) : mesh.indices[i];
+    return buffer;
+}
+
+gpu::RasterPipeline make_pipeline(const gpu::Device& device, const PassLibrary& passes, bool reversed_z,
+                                  bool moving) {
+    using Formats = std::vector<gpu::Format>;
+    using gpu::Format;
+    const std::vector<std::string> defines(moving ? 1 : 0, "GLOAM_MOTION");
+    const shader::Spirv vertex = passes.compile("gbuffer.vert", defines);
+    const shader::Spirv fragment = passes.compile("gbuffer.frag", defines);
     return {device,
             {.vertex_spirv = vertex,
              .fragment_spirv = fragment,
-             .attribute_sizes = {3, 3},
-             .color_formats = {gpu::Format::r32f, gpu::Format::rgba32f},
+             .attribute_sizes = moving ? std::vector{3, 3, 3, 2} : std::vector{3, 3},
+             .color_formats = moving ? Formats{Format::r32f, Format::rgba32f, Format::rgba32f, Format::r32f}
+                                     : Formats{Format::r32f, Format::rgba32f},
              .push_constant_bytes = sizeof(PushConstants),
              .reversed_z = reversed_z}};
 }
@@ -72,37 +89,111 @@ std::vector<glm::vec3> to_vectors(const std::vector<float>& texels) {
     return vectors;
 }
 
+// From previous_position: dx, dy in pixels, and whether the point lay in the image before.
+std::vector<glm::vec3> motion_of(const GBuffer& view, const CameraFrame& before) {
+    std::vector<glm::vec3> motion(view.depth.size(), glm::vec3(0));
+    const glm::dmat4 projection(before.proj_vk);
+    const glm::dvec2 size(view.extent.width, view.extent.height);
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+        if (std::isinf(view.depth[i])) continue;
+        const glm::dvec4 clip = projection * glm::dvec4(glm::dvec3(view.previous_position[i]), 1.0);
+        if (!(clip.w > 0.0)) continue;
+        const glm::dvec2 then = (0.5 * glm::dvec2(clip) / clip.w + 0.5) * size;
+        const glm::dvec2 now(static_cast<double>(i % view.extent.width) + 0.5,
+                             static_cast<double>(i / view.extent.width) + 0.5);
+        const bool inside = then.x >= 0.0 && then.y >= 0.0 && then.x < size.x && then.y < size.y;
+        motion[i] = {glm::vec2(now - then), inside ? 1.0F : 0.0F};
+    }
+    return motion;
+}
+
+// One frame of one scene.
+class Shot {
+  public:
+    Shot(const gpu::Device& device, const Scene& scene, gpu::Extent extent, const RasterizeOptions& options)
+        : options_(options),
+          moving_(options.motion || options.ids),
+          aspect_(static_cast<double>(extent.width) / extent.height),
+          now_(camera_at(scene, options.frame)),
+          before_(camera_at(scene, std::max(0, options.frame - 1))),
+          depth_(device, extent, gpu::Format::depth32f) {
+        colors_.emplace_back(device, extent, gpu::Format::r32f);
+        colors_.emplace_back(device, extent, gpu::Format::rgba32f);
+        if (!moving_) return;
+        colors_.emplace_back(device, extent, gpu::Format::rgba32f);
+        colors_.emplace_back(device, extent, gpu::Format::r32f);
+    }
+
+    [[nodiscard]] GBuffer take(const gpu::Device& device, const PassLibrary& passes, const Scene& scene) {
+        GBuffer view{
+            .extent = depth_.extent(),
+            .camera = options_.frame > 0 ? make_frame(now_, aspect_, before_) : make_frame(now_, aspect_),
+            .ao_radius = scene.ao_radius};
+        draw(device, passes, scene, {view.camera.proj_vk});
+        view.depth = colors_[0].download();
+        for (float& d : view.depth) {
+            if (!(d > 0.0F)) d = std::numeric_limits<float>::infinity();  // cleared to 0: nothing drawn
+        }
+        view.normal = to_vectors(colors_[1].download());
+        if (moving_) read_extras(view);
+        return view;
+    }
+
+  private:
+    void draw(const gpu::Device& device, const PassLibrary& passes, const Scene& scene,
+              const PushConstants& push) {
+        const Mesh mesh = view_space_mesh(scene, options_.frame);
+        const int previous = std::max(0, options_.frame - 1);
+        const gpu::RasterPipeline pipeline = make_pipeline(device, passes, now_.reversed_z, moving_);
+        const gpu::Buffer vertices =
+            moving_ ? moving_vertex_buffer(device, scene, mesh, view_space_mesh(scene, previous))
+                    : vertex_buffer(device, mesh);
+        const gpu::Buffer indices = index_buffer(device, mesh, moving_);
+        const gpu::Draw all{.vertices = vertices,
+                            .indices = indices,
+                            .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
+                            .push_constants = std::as_bytes(std::span(&push, 1))};
+        const std::vector<std::reference_wrapper<const gpu::Image>> colors(colors_.begin(), colors_.end());
+        gpu::Commands commands(device);
+        gpu::render(commands, pipeline, colors, depth_, 0.0F, std::span(&all, 1));
+        commands.submit();
+    }
+
+    void read_extras(GBuffer& view) const {
+        const std::vector<float> extras = colors_[2].download();
+        const std::vector<float> triangles = colors_[3].download();
+        if (options_.ids) {
+            for (std::size_t i = 0; i < triangles.size(); ++i) {
+                view.object.push_back(static_cast<std::uint32_t>(extras[4 * i + 3]));
+                view.triangle.push_back(static_cast<std::uint32_t>(triangles[i]) - 1U);
+            }
+        }
+        if (!options_.motion) return;
+        view.previous_position = to_vectors(extras);
+        view.motion = options_.frame > 0 ? motion_of(view, make_frame(before_, aspect_))
+                                         : std::vector<glm::vec3>(view.depth.size(), glm::vec3(0));
+    }
+
+    RasterizeOptions options_;
+    bool moving_;
+    double aspect_;
+    Camera now_;
+    Camera before_;
+    gpu::Image depth_;
+    std::vector<gpu::Image> colors_;
+};
+
 }  // namespace
 
 GBuffer rasterize(const gpu::Device& device, const PassLibrary& passes, const Scene& scene,
-                  gpu::Extent extent) {
-    check_mesh(scene);
-    const gpu::Image depth(device, extent, gpu::Format::depth32f);
-    const gpu::Image linear(device, extent, gpu::Format::r32f);
-    const gpu::Image normal(device, extent, gpu::Format::rgba32f);
-    const double aspect = static_cast<double>(extent.width) / extent.height;
-    GBuffer gbuffer{
-        .extent = extent, .camera = make_frame(scene.camera, aspect), .ao_radius = scene.ao_radius};
-
-    const gpu::RasterPipeline pipeline = make_pipeline(device, passes, scene.camera.reversed_z);
-    const gpu::Buffer vertices = vertex_buffer(device, scene.mesh);
-    const gpu::Buffer indices = index_buffer(device, scene.mesh);
-    const PushConstants push{gbuffer.camera.view, gbuffer.camera.proj_vk};
-    const gpu::Draw draw{.vertices = vertices,
-                         .indices = indices,
-                         .index_count = static_cast<std::uint32_t>(scene.mesh.indices.size()),
-                         .push_constants = std::as_bytes(std::span(&push, 1))};
-    const std::array<std::reference_wrapper<const gpu::Image>, 2> colors{linear, normal};
-    gpu::Commands commands(device);
-    gpu::render(commands, pipeline, colors, depth, 0.0F, std::span(&draw, 1));
-    commands.submit();
-
-    gbuffer.depth = linear.download();
-    for (float& d : gbuffer.depth) {
-        if (!(d > 0.0F)) d = std::numeric_limits<float>::infinity();  // cleared to 0: nothing drawn
-    }
-    gbuffer.normal = to_vectors(normal.download());
-    return gbuffer;
+                  gpu::Extent extent, const RasterizeOptions& options) {
+    validate(scene);
+    if (options.frame < 0)
+        throw std::invalid_argument("frame " + std::to_string(options.frame) + " of scene " + scene.name +
+                                    ": expected 0 or more");
+    if (options.ids && view_space_mesh(scene, 0).triangle_count() >= 1U << 24)
+        throw std::invalid_argument("scene " + scene.name + ": too many triangles to tell apart");
+    return Shot(device, scene, extent, options).take(device, passes, scene);
 }
 
 }  // namespace gloam::scene

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "scene/occlusion_tracer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "scene/internal/ray_scene.hpp"
+#include "scene/internal/sobol.hpp"
+
+namespace gloam::scene {
+namespace {
+
+// Independent scramblings, from whose means the standard error comes.
+constexpr int parts = 16;
+
+std::size_t points_in_part(const RaySettings& settings) {
+    validate(settings);
+    return static_cast<std::size_t>((settings.rays + parts - 1) / parts);
+}
+
+// Two unit vectors at right angles to a unit vector and to each other (Duff et al. 2017).
+std::array<glm::dvec3, 2> tangents(const glm::dvec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    const double b = n.x * n.y * a;
+    return {glm::dvec3(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x),
+            glm::dvec3(b, sign + n.y * n.y * a, -n.y)};
+}
+
+// A direction of density cos / pi about the z axis for a uniform point of the unit square.
+glm::dvec3 cosine_direction(const glm::dvec2& u) {
+    const double r = std::sqrt(u.x);
+    const double angle = 2.0 * std::numbers::pi * u.y;
+    return {r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0 - u.x)};
+}
+
+double largest(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+// The directions of one part, in the frame of the receiver.
+class Directions {
+  public:
+    explicit Directions(const Receiver& receiver)
+        : facet_(receiver.facet),
+          frame_(tangents(receiver.normal)[0], tangents(receiver.normal)[1], receiver.normal) {}
+
+    [[nodiscard]] glm::vec3 at(const glm::dvec2& u) const {
+        glm::dvec3 direction = frame_ * cosine_direction(u);
+        const double beneath = glm::dot(direction, facet_);
+        if (beneath < 0.0) direction -= 2.0 * beneath * facet_;
+        return {direction};
+    }
+
+  private:
+    glm::dvec3 facet_;
+    glm::dmat3 frame_;
+};
+
+}  // namespace
+
+void validate(const RaySettings& settings) {
+    const auto fail = [](const std::string& what) { throw std::invalid_argument("truth: " + what); };
+    if (!(settings.radius > 0.0)) fail("radius " + std::to_string(settings.radius) + ", expected > 0");
+    if (std::isinf(settings.radius) && settings.falloff != Falloff::step)
+        fail("an infinite radius needs the falloff \"step\"");
+    if (settings.rays < 2 * parts || settings.rays > 1 << 24)
+        fail(std::to_string(settings.rays) + " rays, expected 32 to 16777216");
+}
+
+struct OcclusionTracer::Impl {
+    RaySettings settings;
+    SobolPoints points;
+    RayScene scene;
+
+    // The mean weight over the rays of one part.
+    [[nodiscard]] double part_mean(const glm::vec3& origin, const Directions& directions,
+                                   std::uint64_t seed) const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const auto hit = scene.first_hit(origin, directions.at(points.scrambled(i, seed)), 0.0F,
+                                             static_cast<float>(settings.radius));
+            if (hit) sum += falloff_weight(settings.falloff, double{hit->distance}, settings.radius);
+        }
+        return sum / static_cast<double>(points.size());
+    }
+};
+
+OcclusionTracer::OcclusionTracer(Mesh mesh, const RaySettings& settings)
+    : impl_(new Impl{settings, SobolPoints(points_in_part(settings)),
+                     RayScene(std::move(mesh.positions), std::move(mesh.indices))}) {}
+
+OcclusionTracer::~OcclusionTracer() = default;
+OcclusionTracer::OcclusionTracer(OcclusionTracer&&) noexcept = default;
+OcclusionTracer& OcclusionTracer::operator=(OcclusionTracer&&) noexcept = default;
+
+std::size_t OcclusionTracer::rays() const {
+    return parts * impl_->points.size();
+}
+
+OcclusionEstimate OcclusionTracer::occlusion(const Receiver& receiver, std::uint64_t seed) const {
+    const glm::vec3 origin(receiver.position + receiver.clearance * receiver.facet);
+    const Directions directions(receiver);
+    std::array<double, parts> means{};
+    double sum = 0.0;
+    for (std::size_t part = 0; part < means.size(); ++part) {
+        means[part] = impl_->part_mean(origin, directions, mixed(mixed(seed) + part));
+        sum += means[part];
+    }
+    const double mean = sum / parts;
+    double squares = 0.0;
+    for (const double value : means) squares += (value - mean) * (value - mean);
+    const double error = std::sqrt(squares / (parts * (parts - 1)));
+    // Where rays only count, parts of few rays may all agree by their strata: no less than one ray is told.
+    const double least = impl_->settings.falloff == Falloff::step ? 1.0 / static_cast<double>(rays()) : 0.0;
+    return {std::clamp(mean, 0.0, 1.0), std::max(error, least)};
+}
+
+std::optional<Receiver> OcclusionTracer::surface(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                 double near, double far) const {
+    const RayScene& scene = impl_->scene;
+    const auto hit = scene.first_hit(glm::vec3(origin), glm::vec3(direction), static_cast<float>(near),
+                                     static_cast<float>(far));
+    if (!hit) return std::nullopt;
+    const std::uint32_t* corner = &scene.indices()[3 * std::size_t{hit->triangle}];
+    const glm::dvec3 a = scene.positions()[corner[0]];
+    const glm::dvec3 u = glm::dvec3(scene.positions()[corner[1]]) - a;
+    const glm::dvec3 v = glm::dvec3(scene.positions()[corner[2]]) - a;
+    const glm::dvec3 area = glm::cross(u, v);
+    if (!(glm::length(area) > 0.0)) return std::nullopt;
+    glm::dvec3 facet = glm::normalize(area);
+    const double slope = glm::dot(facet, direction);
+    if (slope > 0.0) facet = -facet;
+    // Embree's distance, made exact on the triangle's plane unless that is seen edge-on.
+    double distance = hit->distance;
+    if (std::abs(slope) > 1e-6) distance = glm::dot(facet, a - origin) / glm::dot(facet, direction);
+    const glm::dvec3 at = origin + distance * direction;
+    // Enough for the rounding of the ray's origin and of the intersection with neighbours in the same plane.
+    const double reach = std::max({largest(at), largest(u), largest(v)});
+    return Receiver{.position = at, .normal = facet, .facet = facet, .clearance = 4.0 * 0x1p-24 * reach};
+}
+
+}  // namespace gloam::scene
