@@ -46,6 +46,7 @@ struct Check {
     check::Codomain codomain;
     std::function<bool(std::span<const check::Word>)> promised;
     std::vector<check::ImageScenario> scenarios;
+    bool only_rules = false;
 };
 
 struct Entry {
@@ -61,20 +62,27 @@ template <class Signature, class Reference>
                            .function = description.function,
                            .signature = check::SignatureOf<Signature>::describe(),
                            .domain = std::move(check.domain),
-                           .reference = check::make_reference<Signature>(std::move(reference)),
+                           .reference = check::make_reference<Signature>(reference),
                            .budget = check.budget,
                            .codomain = check.codomain,
                            .promised = std::move(check.promised),
+                           .permitted = {},
+                           .only_rules = check.only_rules,
                            .scenarios = std::move(check.scenarios)};
+    if constexpr (check::takes_intervals<Signature, Reference>) {
+        check_case.permitted = check::make_permission<Signature>(reference);
+    }
     return {.description = std::move(description), .check_case = std::move(check_case)};
 }
 
 }  // namespace gloam::catalogue
 
 // The reference function template of that name as a function object, for whichever number type it is called
-// with.
-#define GLOAM_REFERENCE(name)                                                             \
-    [](auto&&... arguments) -> decltype(::gloam::reference::name(                         \
-                                std::forward<decltype(arguments)>(arguments)...)) {       \
-        return ::gloam::reference::name(std::forward<decltype(arguments)>(arguments)...); \
+// with: the template's first parameter, given by a tag since not every function has an argument of it.
+#define GLOAM_REFERENCE(name)                                                  \
+    [](auto number, auto&&... arguments)                                       \
+        -> decltype(::gloam::reference::name<typename decltype(number)::type>( \
+            std::forward<decltype(arguments)>(arguments)...)) {                \
+        return ::gloam::reference::name<typename decltype(number)::type>(      \
+            std::forward<decltype(arguments)>(arguments)...);                  \
     }

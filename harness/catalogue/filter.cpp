@@ -85,7 +85,7 @@ void append_mean(Entries& entries) {
                                         .title = "weighted mean of nothing",
                                         .formula = "(0, 0)",
                                         .source = source},
-                                       [] { return reference::gloam_weighted_mean_empty(); },
+                                       GLOAM_REFERENCE(gloam_weighted_mean_empty),
                                        {.domain = {}}));
     entries.push_back(equation<Mean(Mean, float, float)>(
         {.id = "TSSAO-10-add",

@@ -27,7 +27,10 @@ void run_inputs(const Lab& lab, const Case& check_case, const KernelCore& kernel
                       .budget = check_case.budget,
                       .codomain = check_case.codomain,
                       .promised = check_case.promised,
-                      .judge_nan = lab.device().info().float32.preserves_signed_zero_inf_nan};
+                      .judge_nan = lab.device().info().float32.preserves_signed_zero_inf_nan,
+                      .verdict = result.verdict,
+                      .permitted = check_case.permitted,
+                      .format = options.format};
     result.census.merge(judge(rules, inputs, outputs.outputs, images, scenario.name));
 }
 
@@ -38,7 +41,8 @@ Result run(const Lab& lab, const Case& check_case, const RunOptions& options) {
     Result result{.file = check_case.file,
                   .function = check_case.function,
                   .signature = check_case.signature,
-                  .budget = check_case.budget};
+                  .budget = check_case.budget,
+                  .verdict = check_case.only_rules ? Verdict::rules : options.verdict};
     if (check_case.scenarios.empty()) {
         run_inputs(lab, check_case, kernel, {}, options, result);
         return result;

@@ -13,6 +13,7 @@
 #include "check/judge.hpp"
 #include "check/kernel_core.hpp"
 #include "check/lab.hpp"
+#include "numeric/paths.hpp"
 #include "numeric/random.hpp"
 
 namespace gloam::check {
@@ -35,17 +36,60 @@ struct Case {
     Budget budget;
     Codomain codomain;
     std::function<bool(std::span<const Word>)> promised;  // see Rules
-    std::vector<ImageScenario> scenarios;                 // empty: the function reads no image
+    Permission permitted;                                 // empty: the function cannot be judged by the rules
+    bool only_rules = false;  // documents no accuracy of its own: judged by the rules however it is compiled
+    std::vector<ImageScenario> scenarios;  // empty: the function reads no image
 };
 
 namespace detail {
 
-template <class Function>
+template <class T, class Number>
+void append(const T& value, std::vector<Number>& outputs) {
+    visit_scalars(value, [&outputs](const auto& scalar) {
+        if constexpr (std::same_as<Number, double>) {
+            outputs.push_back(static_cast<double>(scalar));
+        } else if constexpr (std::same_as<std::remove_cvref_t<decltype(scalar)>, numeric::Interval>) {
+            outputs.push_back(scalar.bounds());
+        } else {
+            outputs.push_back(Number::point(static_cast<double>(scalar)));
+        }
+    });
+}
+
+// Calls a reference: with a tag of the number type first, with the images first, or with the arguments alone.
+template <class Number>
+struct Call {
+    const ImageSet& images;
+
+    template <class Callable, class... Values>
+    decltype(auto) operator()(const Callable& callable, Values&... values) const {
+        if constexpr (std::is_invocable_v<const Callable&, std::type_identity<Number>, Values&...>) {
+            return callable(std::type_identity<Number>{}, values...);
+        } else if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, Values&...>) {
+            return callable(images, values...);
+        } else {
+            return callable(values...);
+        }
+    }
+};
+
+template <class Number, class Callable, class... Values>
+inline constexpr bool is_callable =
+    std::is_invocable_v<const Callable&, std::type_identity<Number>, Values&...> ||
+    std::is_invocable_v<const Callable&, const ImageSet&, Values&...> ||
+    std::is_invocable_v<const Callable&, Values&...>;
+
+template <class Number, class Function>
 struct ReferenceOf;
 
-template <class R, class... P>
-struct ReferenceOf<R(P...)> {
-    using Arguments = std::tuple<Exact<typename ParameterOf<P>::value>...>;
+template <class Number, class R, class... P>
+struct ReferenceOf<Number, R(P...)> {
+    using Arguments = std::tuple<WithNumber<typename ParameterOf<P>::value, Number>...>;
+    static constexpr auto indices = std::index_sequence_for<P...>{};
+
+    template <class Callable>
+    static constexpr bool accepts =
+        is_callable<Number, Callable, WithNumber<typename ParameterOf<P>::value, Number>...>;
 
     template <std::size_t... I>
     static Arguments read([[maybe_unused]] std::span<const Word> words, std::index_sequence<I...>) {
@@ -56,49 +100,64 @@ struct ReferenceOf<R(P...)> {
         return arguments;
     }
 
-    template <class T>
-    static void append(const T& value, std::vector<double>& outputs) {
-        visit_scalars(value,
-                      [&outputs](const auto& scalar) { outputs.push_back(static_cast<double>(scalar)); });
-    }
-
-    template <std::size_t... I>
-    static void append_outputs(const Arguments& arguments, std::vector<double>& outputs,
+    template <class Output, std::size_t... I>
+    static void append_outputs(const Arguments& arguments, std::vector<Output>& outputs,
                                std::index_sequence<I...>) {
         ((is_output<P> ? append(std::get<I>(arguments), outputs) : void()), ...);
     }
 
-    template <class Callable>
-    static Reference make(Callable callable) {
-        return [callable](const ImageSet& images, std::span<const Word> words, std::vector<double>& outputs) {
-            constexpr auto indices = std::index_sequence_for<P...>{};
-            Arguments arguments = read(words, indices);
-            outputs.clear();
-            const auto call = [&](auto&... values) -> decltype(auto) {
-                if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, decltype(values)...>) {
-                    return callable(images, values...);
-                } else {
-                    return callable(values...);
-                }
-            };
-            if constexpr (std::is_void_v<R>) {
-                std::apply(call, arguments);
-            } else {
-                append(static_cast<Exact<R>>(std::apply(call, arguments)), outputs);
-            }
-            append_outputs(arguments, outputs, indices);
+    // Appends the result, then every out and inout parameter.
+    template <class Callable, class Output>
+    static void run(const Callable& callable, const ImageSet& images, std::span<const Word> words,
+                    std::vector<Output>& outputs) {
+        Arguments arguments = read(words, indices);
+        const auto call = [&](auto&... values) -> decltype(auto) {
+            return Call<Number>{images}(callable, values...);
         };
+        if constexpr (std::is_void_v<R>) {
+            std::apply(call, arguments);
+        } else {
+            append(static_cast<WithNumber<R, Number>>(std::apply(call, arguments)), outputs);
+        }
+        append_outputs(arguments, outputs, indices);
     }
 };
 
 }  // namespace detail
 
-// A reference from anything callable with the exact types of the signature (float is double there): (double,
-// glm::dvec3) for float(float, glm::vec3); out and inout parameters as references; optionally the images
-// first (const ImageSet&).
+// A reference from anything callable with the types of the signature, with double in the place of float:
+// (double, glm::dvec3) for float(float, glm::vec3); out and inout parameters as references; optionally the
+// images first (const ImageSet&), or std::type_identity<double>, for a template that cannot deduce its number
+// type.
 template <class Function, class Callable>
 [[nodiscard]] Reference make_reference(Callable callable) {
-    return detail::ReferenceOf<Function>::make(std::move(callable));
+    return [callable](const ImageSet& images, std::span<const Word> words, std::vector<double>& outputs) {
+        outputs.clear();
+        detail::ReferenceOf<double, Function>::run(callable, images, words, outputs);
+    };
+}
+
+// Whether a callable also takes intervals in the place of double: a template or generic lambda does.
+template <class Function, class Callable>
+inline constexpr bool takes_intervals =
+    detail::ReferenceOf<numeric::Interval, Function>::template accepts<Callable>;
+
+// What the rules permit, from the same callable, which must do the shader's operations in the shader's order.
+template <class Function, class Callable>
+requires takes_intervals<Function, Callable>
+[[nodiscard]] Permission make_permission(Callable callable) {
+    return [callable](const numeric::FloatFormat& format, const ImageSet& images, std::span<const Word> words,
+                      Permitted& permitted) {
+        permitted.outcomes.clear();
+        const auto run = [&] {
+            detail::ReferenceOf<numeric::Interval, Function>::run(callable, images, words,
+                                                                  permitted.outcomes);
+        };
+        // Each run appends one outcome; a run that ends early leaves a part of one, which is then not looked
+        // at.
+        const numeric::Paths::Outcome outcome = numeric::Paths::explore(format, most_paths, run);
+        permitted.anything = outcome != numeric::Paths::Outcome::complete;
+    };
 }
 
 // A test of typed inputs as a `promised` rule: called with the exact values of in and inout parameters.
@@ -119,6 +178,9 @@ template <class Function, class Predicate>
 struct RunOptions {
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
+    // What is asked, unless the case is judged by the rules anyway; and the arithmetic whose rules count.
+    Verdict verdict = Verdict::budget;
+    numeric::FloatFormat format = numeric::float32;
 };
 
 // What a check found of one function.
@@ -127,6 +189,7 @@ struct Result {
     std::string function;
     Signature signature;
     Budget budget;
+    Verdict verdict = Verdict::budget;
     Census census;
     std::optional<ImageFault> fault;  // an access outside an image
 

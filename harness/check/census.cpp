@@ -34,11 +34,22 @@ void Census::add(const Sample& sample, bool is_outside) {
     max_ulp = std::max(max_ulp, sample.ulp);
     max_absolute = std::max(max_absolute, sample.absolute);
     fraction = std::max(fraction, sample.fraction);
+    budget_fraction = std::max(budget_fraction, sample.budget_fraction);
     if (sample.fraction > 0.0 && is_worse(sample, worst)) worst = sample;
     if (!is_outside) return;
     ++count(sample.input_class).outside;
     auto& first = first_outside.at(static_cast<std::size_t>(sample.input_class));
     if (!first) first = sample;
+}
+
+void Census::add_unbounded(const Sample& sample) {
+    ++unbounded;
+    if (!first_unbounded) first_unbounded = sample;
+}
+
+void Census::add_guarantee(const Guarantee& more) {
+    guarantee = {std::max(guarantee.ulp, more.ulp), std::max(guarantee.absolute, more.absolute),
+                 std::max(guarantee.fraction, more.fraction)};
 }
 
 void Census::merge(const Census& later) {
@@ -51,6 +62,10 @@ void Census::merge(const Census& later) {
     max_ulp = std::max(max_ulp, later.max_ulp);
     max_absolute = std::max(max_absolute, later.max_absolute);
     fraction = std::max(fraction, later.fraction);
+    budget_fraction = std::max(budget_fraction, later.budget_fraction);
+    add_guarantee(later.guarantee);
+    unbounded += later.unbounded;
+    if (!first_unbounded) first_unbounded = later.first_unbounded;
     if (later.worst && is_worse(*later.worst, worst)) worst = later.worst;
 }
 

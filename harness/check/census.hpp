@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/scalars.hpp"
+#include "numeric/bounds.hpp"
 
 namespace gloam::check {
 
@@ -32,7 +33,10 @@ struct Sample {
     std::vector<double> want;
     double ulp = 0.0;  // worst of its outputs
     double absolute = 0.0;
-    double fraction = 0.0;  // of the budget; above 1 is outside
+    double budget_fraction = 0.0;  // of the budget
+    double fraction =
+        0.0;  // of what the verdict allows: the budget, or the permitted width; above 1 is outside
+    std::vector<numeric::Bounds> permitted;  // for each output word, where the rules are the verdict
 };
 
 struct ClassCount {
@@ -41,13 +45,25 @@ struct ClassCount {
     std::size_t recorded = 0;  // the device promises nothing here, so it was not judged
 };
 
+// The largest errors that Vulkan's rules permit, over the inputs for which the budget is promised and the
+// rules bound the result at all.
+struct Guarantee {
+    double ulp = 0.0;
+    double absolute = 0.0;
+    double fraction = 0.0;  // of the budget: each output by its ULP or its absolute error, whichever is less
+};
+
 // What a check found, by class of input.
 struct Census {
     std::array<ClassCount, input_class_count> classes{};
-    double max_ulp = 0.0;         // over judged outputs that the absolute part of the budget does not cover
-    double max_absolute = 0.0;    // over judged outputs
-    double fraction = 0.0;        // worst error as a fraction of the budget
-    std::optional<Sample> worst;  // largest fraction
+    double max_ulp = 0.0;          // over judged outputs that the absolute part of the budget does not cover
+    double max_absolute = 0.0;     // over judged outputs
+    double fraction = 0.0;         // worst error as a fraction of what the verdict allows
+    double budget_fraction = 0.0;  // the same of the budget
+    Guarantee guarantee;           // where the rules are the verdict
+    std::size_t unbounded = 0;     // inputs for which the rules permit anything for some output
+    std::optional<Sample> first_unbounded;
+    std::optional<Sample> worst;                                         // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
 
     [[nodiscard]] std::size_t inputs() const;
@@ -57,6 +73,8 @@ struct Census {
     // Adds a judged sample; `outside` when it failed.
     void add(const Sample& sample, bool is_outside);
     void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
+    void add_unbounded(const Sample& sample);
+    void add_guarantee(const Guarantee& guarantee);
     // Adds what another part of the same run found; parts are merged in the order of their inputs.
     void merge(const Census& later);
 

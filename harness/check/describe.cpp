@@ -38,13 +38,26 @@ std::string numbers_text(const std::vector<double>& numbers) {
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+// The bounds of each output; nothing where there are none.
+std::string permitted_text(const std::vector<numeric::Bounds>& permitted) {
+    if (permitted.empty()) return {};
+    std::vector<std::string> texts;
+    for (const numeric::Bounds& bounds : permitted) {
+        const std::string range = bounds.empty() ? std::string("nothing but NaN")
+                                                 : fmt::format("[{}, {}]", numeric::to_text(bounds.low),
+                                                               numeric::to_text(bounds.high));
+        texts.push_back(bounds.nan && !bounds.empty() ? range + " or NaN" : range);
+    }
+    return fmt::format("    permitted {}\n", fmt::join(texts, ", "));
+}
+
 std::string sample_text(const Signature& signature, const Sample& sample) {
     return fmt::format(
-        "input {} ({}{}{}): {}\n    got  {}\n    want {}\n    error {:.6g} ulp, {:.6g} absolute\n",
+        "input {} ({}{}{}): {}\n    got  {}\n    want {}\n{}    error {:.6g} ulp, {:.6g} absolute\n",
         sample.index, name_of(sample.input_class), sample.scenario.empty() ? "" : ", images ",
         sample.scenario, describe_inputs(signature, sample.inputs),
-        words_text(signature.output_scalars(), sample.got), numbers_text(sample.want), sample.ulp,
-        sample.absolute);
+        words_text(signature.output_scalars(), sample.got), numbers_text(sample.want),
+        permitted_text(sample.permitted), sample.ulp, sample.absolute);
 }
 
 }  // namespace
@@ -67,8 +80,10 @@ std::string describe_inputs(const Signature& signature, const std::vector<Word>&
 
 std::string describe(const Result& result) {
     const Census& census = result.census;
+    const std::string limit =
+        result.verdict == Verdict::rules ? "what Vulkan's precision rules permit" : to_text(result.budget);
     std::string text = fmt::format("{} ({}): {} of {} inputs outside {}\n", result.function, result.file,
-                                   census.outside(), census.inputs(), to_text(result.budget));
+                                   census.outside(), census.inputs(), limit);
     if (result.fault) text += fmt::format("  {}\n", to_text(*result.fault));
     for (std::size_t i = 0; i < input_class_count; ++i) {
         const ClassCount& count = census.classes[i];

@@ -12,6 +12,7 @@
 #include "check/census.hpp"
 #include "check/domain.hpp"
 #include "check/image.hpp"
+#include "check/permitted.hpp"
 #include "check/signature.hpp"
 
 namespace gloam::check {
@@ -26,6 +27,13 @@ struct Codomain {
     double high = std::numeric_limits<double>::infinity();
 };
 
+// What is asked of an output: that the function's documented budget holds, or that Vulkan's precision rules
+// permit it.
+enum class Verdict { budget, rules };
+[[nodiscard]] constexpr std::string_view name_of(Verdict verdict) {
+    return verdict == Verdict::budget ? "budget" : "rules";
+}
+
 // The rules by which outputs are judged.
 struct Rules {
     Signature signature;
@@ -38,9 +46,15 @@ struct Rules {
     // Whether the device keeps NaN, infinity and signed zero. If not, inputs and references that hold one are
     // only recorded.
     bool judge_nan = true;
+    Verdict verdict = Verdict::budget;
+    // What Vulkan permits, and for which arithmetic; needed for Verdict::rules, where the budget and the
+    // codomain are only measured.
+    Permission permitted;
+    numeric::FloatFormat format = numeric::float32;
 };
 
-// Judges every output of a run. `outputs`: count x output words, in the order of the inputs.
+// Judges every output of a run. Throws std::invalid_argument for Verdict::rules without `permitted`.
+// `outputs`: count x output words, in the order of the inputs.
 [[nodiscard]] Census judge(const Rules& rules, const Domain::Inputs& inputs, std::span<const Word> outputs,
                            const ImageSet& images = {}, const std::string& scenario = {});
 

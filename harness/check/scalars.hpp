@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "check/fields.hpp"
+#include "numeric/interval_vector.hpp"
 #include "shader/type.hpp"
 
 // How C++ values become 32-bit words for a kernel and back: a value is its scalars in order (vectors by
@@ -20,9 +21,13 @@ namespace gloam::check {
 
 using Word = std::uint32_t;
 
+// A number a float of the shader is calculated with in C++.
 template <class T>
-concept ScalarValue = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, int> ||
-    std::same_as<T, unsigned> || std::same_as<T, bool>;
+concept FloatValue = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, numeric::Interval>;
+
+template <class T>
+concept ScalarValue =
+    FloatValue<T> || std::same_as<T, int> || std::same_as<T, unsigned> || std::same_as<T, bool>;
 
 template <class T>
 inline constexpr bool is_vector = false;
@@ -54,14 +59,15 @@ template <class T>
     return count;
 }
 
-// The GLSL type of a C++ type; double stands for float, since references calculate wider than the shader.
+// The GLSL type of a C++ type; double and Interval stand for float, since references calculate wider than the
+// shader, or all that it may return.
 template <class T>
 [[nodiscard]] shader::Type type_of() {
     using shader::Scalar;
     using shader::Type;
     if constexpr (std::same_as<T, void>) {
         return Type{.scalar = Scalar::void_};
-    } else if constexpr (std::same_as<T, float> || std::same_as<T, double>) {
+    } else if constexpr (FloatValue<T>) {
         return Type{.scalar = Scalar::float_};
     } else if constexpr (std::same_as<T, int>) {
         return Type{.scalar = Scalar::int_};
@@ -92,7 +98,7 @@ template <class T>
 
 // One scalar to and from its word. bool is 0 or 1; double goes through float.
 template <ScalarValue T>
-[[nodiscard]] Word to_word(T scalar) {
+requires(!std::same_as<T, numeric::Interval>) [[nodiscard]] Word to_word(T scalar) {
     if constexpr (std::same_as<T, bool>) {
         return scalar ? 1U : 0U;
     } else if constexpr (std::same_as<T, double>) {
@@ -108,6 +114,8 @@ template <ScalarValue T>
         return word != 0U;
     } else if constexpr (std::same_as<T, double>) {
         return static_cast<double>(std::bit_cast<float>(word));
+    } else if constexpr (std::same_as<T, numeric::Interval>) {
+        return numeric::Interval::input(std::bit_cast<float>(word));
     } else {
         return std::bit_cast<T>(word);
     }

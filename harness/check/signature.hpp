@@ -19,30 +19,30 @@ struct Out {
     using type = T;
 };
 
-// The number type a reference calculates in: float becomes double, everywhere inside; Struct<float> becomes
-// Struct<double>.
-template <class T>
-struct ExactOf {
+// A type of the signature with another number type in the place of float, everywhere inside; Struct<float>
+// becomes Struct<Number>.
+template <class T, class Number>
+struct WithNumberOf {
     using type = T;
 };
-template <>
-struct ExactOf<float> {
-    using type = double;
+template <class Number>
+struct WithNumberOf<float, Number> {
+    using type = Number;
 };
-template <glm::length_t N>
-struct ExactOf<glm::vec<N, float>> {
-    using type = glm::vec<N, double>;
+template <glm::length_t N, class Number>
+struct WithNumberOf<glm::vec<N, float>, Number> {
+    using type = glm::vec<N, Number>;
 };
-template <glm::length_t C, glm::length_t R>
-struct ExactOf<glm::mat<C, R, float>> {
-    using type = glm::mat<C, R, double>;
+template <glm::length_t C, glm::length_t R, class Number>
+struct WithNumberOf<glm::mat<C, R, float>, Number> {
+    using type = glm::mat<C, R, Number>;
 };
-template <template <class> class Struct>
-struct ExactOf<Struct<float>> {
-    using type = Struct<double>;
+template <template <class> class Struct, class Number>
+struct WithNumberOf<Struct<float>, Number> {
+    using type = Struct<Number>;
 };
-template <class T>
-using Exact = typename ExactOf<T>::type;
+template <class T, class Number>
+using WithNumber = typename WithNumberOf<T, Number>::type;
 
 // One parameter type of a C++ signature.
 template <class P>

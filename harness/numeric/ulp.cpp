@@ -7,13 +7,14 @@
 #include <cstdint>
 #include <limits>
 
+#include "numeric/float_format.hpp"
+
 namespace gloam::numeric {
 namespace {
 
 constexpr double largest = std::numeric_limits<float>::max();
 constexpr double smallest_normal = std::numeric_limits<float>::min();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int mantissa_bits = 23;
 
 // 0 or infinity where the distance is not a matter of measure; -1 where it is.
 double settled_error(float got, double want) {
@@ -31,14 +32,7 @@ double settled_error(float got, double want) {
 }  // namespace
 
 double ulp_size(double x) {
-    const double magnitude = std::abs(x);
-    if (!std::isfinite(magnitude)) return std::numeric_limits<double>::quiet_NaN();
-    if (magnitude <= smallest_normal) return std::ldexp(1.0, -126 - mantissa_bits);
-    int exponent = 0;
-    const double fraction =
-        std::frexp(std::min(magnitude, largest), &exponent);  // magnitude = fraction 2^exponent, [1/2, 1)
-    const int gap = fraction == 0.5 ? exponent - 2 : exponent - 1;
-    return std::ldexp(1.0, gap - mantissa_bits);
+    return std::isfinite(x) ? float32.ulp(x) : std::numeric_limits<double>::quiet_NaN();
 }
 
 double ulp_error(float got, double want) {

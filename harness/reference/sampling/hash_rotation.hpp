@@ -6,7 +6,8 @@
 namespace gloam::reference {
 
 // The high word of a product of 64 bits; the constant is frac(10 / (2 pi)) 2^64.
-inline unsigned gloam_hash_turn(unsigned h) {
+template <class T = double>
+unsigned gloam_hash_turn(unsigned h) {
     return static_cast<unsigned>((h * 0x976FC893C3AA34E9ULL) >> 32U);
 }
 

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "check/internal/budget_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numeric/float_class.hpp"
+#include "numeric/ulp.hpp"
+
+namespace gloam::check::internal {
+namespace {
+
+using shader::Scalar;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t corner_words = 6;  // most float inputs whose corners are all tried
+
+double fraction_of(double error, double allowed) {
+    if (error == 0.0) return 0.0;
+    return allowed > 0.0 ? error / allowed : infinity;
+}
+
+}  // namespace
+
+double as_number(Scalar scalar, Word word) {
+    switch (scalar) {
+        case Scalar::float_:
+            return from_word<float>(word);
+        case Scalar::int_:
+            return from_word<int>(word);
+        default:
+            return word;
+    }
+}
+
+Error BudgetJudge::measure(const Sample& sample) {
+    const bool promised = !rules_.promised || rules_.promised(sample.inputs);
+    if (!inside_codomain(sample.got)) return {.ulp = infinity, .absolute = infinity, .fraction = infinity};
+    return promised ? best_error(sample) : Error{};
+}
+
+bool BudgetJudge::inside_codomain(std::span<const Word> got) const {
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        if (scalars_.outputs[i] != Scalar::float_) continue;
+        const auto value = static_cast<double>(from_word<float>(got[i]));
+        if (!(value >= rules_.codomain.low && value <= rules_.codomain.high)) return false;
+    }
+    return true;
+}
+
+Error BudgetJudge::error_against(std::span<const Word> got, const std::vector<double>& want) const {
+    Error error;
+    std::size_t first = 0;
+    for (const std::size_t words : scalars_.output_values) {
+        add_value(error, got.subspan(first, words), std::span(want).subspan(first, words),
+                  scalars_.outputs[first]);
+        first += words;
+    }
+    return error;
+}
+
+void BudgetJudge::add_value(Error& error, std::span<const Word> got, std::span<const double> want,
+                            Scalar scalar) const {
+    const double unit = unit_of(want);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        if (scalar == Scalar::float_) {
+            const Error here = float_error(from_word<float>(got[i]), want[i], unit);
+            error = {std::max(error.ulp, here.absolute > rules_.budget.absolute ? here.ulp : 0.0),
+                     std::max(error.absolute, here.absolute), std::max(error.fraction, here.fraction)};
+        } else if (as_number(scalar, got[i]) != want[i]) {
+            error = {.ulp = infinity, .absolute = infinity, .fraction = infinity};
+        }
+    }
+}
+
+double BudgetJudge::unit_of(std::span<const double> want) const {
+    double unit = 0.0;
+    for (const double w : want) {
+        if (rules_.budget.of_largest_component && std::isfinite(w))
+            unit = std::max(unit, numeric::ulp_size(w));
+    }
+    return unit;
+}
+
+Error BudgetJudge::float_error(double got, double want, double unit) const {
+    const auto value = static_cast<float>(got);
+    const double absolute = numeric::absolute_error(value, want);
+    const double ulp =
+        unit > 0.0 && std::isfinite(absolute) ? absolute / unit : numeric::ulp_error(value, want);
+    return {ulp, absolute,
+            std::min(fraction_of(ulp, rules_.budget.ulp), fraction_of(absolute, rules_.budget.absolute))};
+}
+
+// The error against the reference at the input itself; if that fails, against the nearest of the inputs
+// that the rules also allow: subnormals flushed to zero, and inputs within the backward budget.
+Error BudgetJudge::best_error(const Sample& sample) {
+    Error best = error_against(sample.got, sample.want);
+    const auto try_at = [&](const std::vector<Word>& inputs) {
+        rules_.reference(images_, inputs, candidate_);
+        const Error error = error_against(sample.got, candidate_);
+        if (error.fraction < best.fraction) best = error;
+        return best.fraction <= 1.0;
+    };
+    if (best.fraction <= 1.0 || try_at(flushed(sample.inputs))) return best;
+    for (int steps = 1; steps <= rules_.budget.backward_ulp; ++steps) {
+        if (try_moved(sample.inputs, steps, try_at)) break;
+    }
+    return best;
+}
+
+std::vector<Word> BudgetJudge::flushed(std::span<const Word> inputs) const {
+    std::vector<Word> moved(inputs.begin(), inputs.end());
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        const bool subnormal =
+            scalars_.inputs[i] == Scalar::float_ &&
+            numeric::classify(from_word<float>(moved[i])) == numeric::FloatClass::subnormal;
+        if (subnormal) moved[i] &= 0x80000000U;
+    }
+    return moved;
+}
+
+// Moves each float input alone, then all of them together in every combination of directions.
+template <class Try>
+bool BudgetJudge::try_moved(std::span<const Word> inputs, int steps, Try&& try_at) const {
+    std::vector<std::size_t> floats;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (scalars_.inputs[i] == Scalar::float_) floats.push_back(i);
+    }
+    const auto move = [steps](std::vector<Word>& words, std::size_t i, bool up) {
+        words[i] = to_word(numeric::step(from_word<float>(words[i]), up ? steps : -steps));
+    };
+    for (const std::size_t i : floats) {
+        for (const bool up : {false, true}) {
+            std::vector<Word> moved(inputs.begin(), inputs.end());
+            move(moved, i, up);
+            if (try_at(moved)) return true;
+        }
+    }
+    if (floats.size() < 2 || floats.size() > corner_words) return false;
+    for (std::size_t corner = 0; corner < std::size_t{1} << floats.size(); ++corner) {
+        std::vector<Word> moved(inputs.begin(), inputs.end());
+        for (std::size_t f = 0; f < floats.size(); ++f) move(moved, floats[f], ((corner >> f) & 1U) != 0);
+        if (try_at(moved)) return true;
+    }
+    return false;
+}
+
+}  // namespace gloam::check::internal

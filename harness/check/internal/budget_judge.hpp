@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "check/judge.hpp"
+
+namespace gloam::check::internal {
+
+// How far the outputs of one input are from one candidate for the truth; the worst of them.
+struct Error {
+    double ulp = 0.0;
+    double absolute = 0.0;
+    double fraction = 0.0;  // of the budget
+};
+
+// The numbers that every judge of a signature needs.
+struct Scalars {
+    explicit Scalars(const Signature& signature)
+        : inputs(signature.input_scalars()),
+          outputs(signature.output_scalars()),
+          output_values(signature.output_values()) {}
+
+    std::vector<shader::Scalar> inputs;
+    std::vector<shader::Scalar> outputs;
+    std::vector<std::size_t> output_values;
+};
+
+[[nodiscard]] double as_number(shader::Scalar scalar, Word word);
+
+// Measures outputs against the documented budget.
+class BudgetJudge {
+  public:
+    BudgetJudge(const Rules& rules, const ImageSet& images, const Scalars& scalars)
+        : rules_(rules), images_(images), scalars_(scalars) {}
+
+    // The error of the outputs of an input; all of it infinite outside the codomain.
+    [[nodiscard]] Error measure(const Sample& sample);
+
+    // The error of a value against another.
+    [[nodiscard]] Error float_error(double got, double want, double unit) const;
+
+    // ULP of the largest component of each value when components are measured by it, else 0.
+    [[nodiscard]] double unit_of(std::span<const double> want) const;
+
+  private:
+    [[nodiscard]] bool inside_codomain(std::span<const Word> got) const;
+    [[nodiscard]] Error error_against(std::span<const Word> got, const std::vector<double>& want) const;
+    void add_value(Error& error, std::span<const Word> got, std::span<const double> want,
+                   shader::Scalar scalar) const;
+    [[nodiscard]] Error best_error(const Sample& sample);
+    [[nodiscard]] std::vector<Word> flushed(std::span<const Word> inputs) const;
+    template <class Try>
+    bool try_moved(std::span<const Word> inputs, int steps, Try&& try_at) const;
+
+    const Rules& rules_;
+    const ImageSet& images_;
+    const Scalars& scalars_;
+    std::vector<double> candidate_;
+};
+
+}  // namespace gloam::check::internal

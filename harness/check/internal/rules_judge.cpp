@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "check/internal/rules_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace gloam::check::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+RulesJudge::RulesJudge(const Rules& rules, const ImageSet& images, const Scalars& scalars)
+    : rules_(rules), images_(images), scalars_(scalars) {
+    if (!rules.permitted) {
+        throw std::invalid_argument(
+            "cannot be judged by Vulkan's rules: expected a reference that takes intervals, this one takes "
+            "double only");
+    }
+    permitted_.width = scalars.outputs.size();
+}
+
+bool RulesJudge::measure(Sample& sample) {
+    rules_.permitted(rules_.format, images_, sample.inputs, permitted_);
+    if (!permitted_.anything && permitted_.outcomes.size() % permitted_.width != 0) {
+        throw std::logic_error(
+            fmt::format("the intervals gave {} output bounds, the signature has {} outputs",
+                        permitted_.outcomes.size(), permitted_.width));
+    }
+    sample.permitted = hull_of(permitted_);
+    sample.fraction = permitted_.anything ? 0.0 : infinity;
+    for (std::size_t i = 0; !permitted_.anything && i < permitted_.count(); ++i) {
+        sample.fraction = std::min(sample.fraction, fraction_of(sample, permitted_.outcome(i)));
+    }
+    return std::ranges::any_of(sample.permitted, [](const auto& bounds) { return bounds.is_anything(); });
+}
+
+double RulesJudge::fraction_of(const Sample& sample, std::span<const numeric::Bounds> outcome) const {
+    double fraction = 0.0;
+    for (std::size_t i = 0; i < outcome.size(); ++i) {
+        const double got = as_number(scalars_.outputs[i], sample.got[i]);
+        fraction = std::max(fraction, fraction_of_width(got, sample.want[i], outcome[i]));
+    }
+    return fraction;
+}
+
+Error RulesJudge::largest_permitted(const Sample& sample, const BudgetJudge& budget) const {
+    Error largest;
+    std::size_t first = 0;
+    for (const std::size_t words : scalars_.output_values) {
+        const double unit = budget.unit_of(std::span(sample.want).subspan(first, words));
+        for (std::size_t i = first; i < first + words; ++i) {
+            if (scalars_.outputs[i] != shader::Scalar::float_) continue;
+            for (const double end : {sample.permitted[i].low, sample.permitted[i].high}) {
+                const Error error = budget.float_error(end, sample.want[i], unit);
+                largest = {std::max(largest.ulp, error.ulp), std::max(largest.absolute, error.absolute),
+                           std::max(largest.fraction, error.fraction)};
+            }
+        }
+        first += words;
+    }
+    return largest;
+}
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "check/image.hpp"
+#include "numeric/bounds.hpp"
+#include "numeric/float_format.hpp"
+
+namespace gloam::check {
+
+// All outputs that Vulkan's precision rules permit for one input.
+struct Permitted {
+    bool anything = false;                  // also where there were too many paths to follow
+    std::size_t width = 0;                  // output words
+    std::vector<numeric::Bounds> outcomes;  // for each path through the function, bounds of every output word
+
+    [[nodiscard]] std::size_t count() const { return width == 0 ? 0 : outcomes.size() / width; }
+    [[nodiscard]] std::span<const numeric::Bounds> outcome(std::size_t i) const {
+        return std::span(outcomes).subspan(i * width, width);
+    }
+};
+
+// A reference that is run on intervals, without its C++ types. Fills `permitted` for arithmetic in `format`.
+using Permission = std::function<void(const numeric::FloatFormat& format, const ImageSet& images,
+                                      std::span<const Word> inputs, Permitted& permitted)>;
+
+// More paths than this count as anything.
+inline constexpr std::size_t most_paths = 256;
+
+// The smallest bounds that hold every outcome, one for each output word.
+[[nodiscard]] std::vector<numeric::Bounds> hull_of(const Permitted& permitted);
+
+// How far an output lies from `want` as a fraction of the way to the end of its bounds on that side: 0 at
+// `want`, 1 at the end, more outside; infinity where there is no way between.
+[[nodiscard]] double fraction_of_width(double got, double want, const numeric::Bounds& bounds);
+
+}  // namespace gloam::check

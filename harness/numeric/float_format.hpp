@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace gloam::numeric {
+
+// A binary floating-point format, by the numbers that its rounding depends on. Values are held in double,
+// which holds every value of these formats exactly.
+struct FloatFormat {
+    int precision;     // bits of the significand, the hidden one included
+    int min_exponent;  // of the smallest normal number, 2^min_exponent
+    int max_exponent;  // of the binade of the largest number
+
+    [[nodiscard]] double smallest_normal() const;
+    [[nodiscard]] double smallest_subnormal() const;
+    [[nodiscard]] double largest() const;
+
+    // The nearest value of the format at or below (above) x. Beyond the largest finite value: that value
+    // towards zero, infinity away from it. Infinities stay; x must not be NaN.
+    [[nodiscard]] double round_down(double x) const;
+    [[nodiscard]] double round_up(double x) const;
+
+    // One unit in the last place at the real number x, by Harrison's definition: the distance of the two
+    // neighbours that enclose x; at a power of two the smaller gap; below the smallest normal that number's
+    // own; beyond the largest value the largest gap.
+    [[nodiscard]] double ulp(double x) const;
+
+    friend constexpr bool operator==(const FloatFormat&, const FloatFormat&) = default;
+};
+
+inline constexpr FloatFormat float32{.precision = 24, .min_exponent = -126, .max_exponent = 127};
+inline constexpr FloatFormat float16{.precision = 11, .min_exponent = -14, .max_exponent = 15};
+
+}  // namespace gloam::numeric

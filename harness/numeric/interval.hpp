@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+
+#include "numeric/bounds.hpp"
+
+// A number type on which a function computes, instead of one result, all results that Vulkan's precision
+// rules permit ("Precision and Operation of SPIR-V Instructions"). The format (float32 or float16) is that of
+// the running Paths::explore(). Each operation's rule gives the exact range and its error; rounding (either
+// neighbour), the flush of subnormals and overflow are applied in one place, enclose().
+//
+// Written so that a template over the number type runs on it unchanged: arithmetic, comparisons (an undecided
+// one explores both answers, see Paths), and the functions of GLSL found by argument-dependent lookup.
+namespace gloam::numeric {
+
+class Interval {
+  public:
+    constexpr Interval() = default;
+
+    // A constant of the program: the nearest float32, as a compiler writes it into the module.
+    explicit Interval(double constant);
+    // An integer converted to floating point.
+    template <std::integral Integer>
+    explicit Interval(Integer value) : Interval(converted(static_cast<double>(value))) {}
+
+    // An input of the function: exactly this value, or zero instead of a subnormal.
+    [[nodiscard]] static Interval input(float value);
+    // Any of these values; the bounds are taken as they are.
+    [[nodiscard]] static constexpr Interval within(const Bounds& bounds) { return Interval(bounds); }
+    [[nodiscard]] static constexpr Interval within(double low, double high) {
+        return Interval(Bounds{low, high, false});
+    }
+    [[nodiscard]] static constexpr Interval anything() { return Interval(Bounds::anything()); }
+
+    [[nodiscard]] constexpr const Bounds& bounds() const { return bounds_; }
+    [[nodiscard]] constexpr double low() const { return bounds_.low; }
+    [[nodiscard]] constexpr double high() const { return bounds_.high; }
+    [[nodiscard]] constexpr bool may_be_nan() const { return bounds_.nan; }
+
+    Interval& operator+=(const Interval& b);
+    Interval& operator-=(const Interval& b);
+    Interval& operator*=(const Interval& b);
+    Interval& operator/=(const Interval& b);
+
+  private:
+    explicit constexpr Interval(const Bounds& bounds) : bounds_(bounds) {}
+    [[nodiscard]] static Interval converted(double integer);
+
+    Bounds bounds_;
+};
+
+// Arithmetic.
+[[nodiscard]] Interval operator+(const Interval& x);
+[[nodiscard]] Interval operator-(const Interval& x);
+[[nodiscard]] Interval operator+(const Interval& a, const Interval& b);
+[[nodiscard]] Interval operator-(const Interval& a, const Interval& b);
+[[nodiscard]] Interval operator*(const Interval& a, const Interval& b);
+[[nodiscard]] Interval operator/(const Interval& a, const Interval& b);
+[[nodiscard]] Interval fma(const Interval& a, const Interval& b, const Interval& c);
+
+// Comparisons: false with NaN, as in IEEE 754 (!= true).
+[[nodiscard]] bool operator<(const Interval& a, const Interval& b);
+[[nodiscard]] bool operator<=(const Interval& a, const Interval& b);
+[[nodiscard]] bool operator>(const Interval& a, const Interval& b);
+[[nodiscard]] bool operator>=(const Interval& a, const Interval& b);
+[[nodiscard]] bool operator==(const Interval& a, const Interval& b);
+[[nodiscard]] bool operator!=(const Interval& a, const Interval& b);
+[[nodiscard]] bool is_nan(const Interval& x);
+[[nodiscard]] bool is_infinite(const Interval& x);
+[[nodiscard]] bool is_finite(const Interval& x);
+
+// Exact: the result is one of the operands, or an integer.
+[[nodiscard]] Interval abs(const Interval& x);
+[[nodiscard]] Interval sign(const Interval& x);
+[[nodiscard]] Interval min(const Interval& a, const Interval& b);
+[[nodiscard]] Interval max(const Interval& a, const Interval& b);
+[[nodiscard]] Interval clamp(const Interval& x, const Interval& low, const Interval& high);
+[[nodiscard]] Interval step(const Interval& edge, const Interval& x);
+[[nodiscard]] Interval floor(const Interval& x);
+[[nodiscard]] Interval ceil(const Interval& x);
+[[nodiscard]] Interval trunc(const Interval& x);
+[[nodiscard]] Interval round(const Interval& x);  // a half goes either way
+[[nodiscard]] Interval round_even(const Interval& x);
+
+// Conversion to an integer, towards zero; one of the integers in reach, explored one after the other.
+// Undetermined for NaN and outside int, and when there are more than a few.
+[[nodiscard]] int to_int(const Interval& x);
+
+// Correctly rounded, or inherited from a formula.
+[[nodiscard]] Interval fract(const Interval& x);
+[[nodiscard]] Interval mod(const Interval& x, const Interval& y);
+[[nodiscard]] Interval remainder(const Interval& x, const Interval& y);  // OpFRem
+[[nodiscard]] Interval mix(const Interval& a, const Interval& b, const Interval& t);
+[[nodiscard]] Interval smoothstep(const Interval& edge0, const Interval& edge1, const Interval& x);
+[[nodiscard]] Interval ldexp(const Interval& x, int exponent);
+[[nodiscard]] Interval radians(const Interval& x);
+[[nodiscard]] Interval degrees(const Interval& x);
+[[nodiscard]] Interval quantize_to_half(const Interval& x);
+
+// With an error rule of their own, or inherited from such.
+[[nodiscard]] Interval inversesqrt(const Interval& x);
+[[nodiscard]] Interval sqrt(const Interval& x);
+[[nodiscard]] Interval exp(const Interval& x);
+[[nodiscard]] Interval exp2(const Interval& x);
+[[nodiscard]] Interval log(const Interval& x);
+[[nodiscard]] Interval log2(const Interval& x);
+[[nodiscard]] Interval pow(const Interval& x, const Interval& y);
+[[nodiscard]] Interval sin(const Interval& x);
+[[nodiscard]] Interval cos(const Interval& x);
+[[nodiscard]] Interval tan(const Interval& x);
+[[nodiscard]] Interval asin(const Interval& x);
+[[nodiscard]] Interval acos(const Interval& x);
+[[nodiscard]] Interval atan(const Interval& x);
+[[nodiscard]] Interval atan(const Interval& y, const Interval& x);
+[[nodiscard]] Interval sinh(const Interval& x);
+[[nodiscard]] Interval cosh(const Interval& x);
+[[nodiscard]] Interval tanh(const Interval& x);
+
+// The results of several algorithms that are all permitted: their union, where a gap between two is not
+// filled but explored.
+[[nodiscard]] Interval any_of(const Interval& a, const Interval& b);
+
+// What an operation may return whose exact results lie in `exact`: both neighbours of what the format cannot
+// hold, zero for what is subnormal, the largest value or infinity for what is beyond. The only place that
+// knows of rounding.
+[[nodiscard]] Interval enclose(const Bounds& exact);
+
+}  // namespace gloam::numeric

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "numeric/paths.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace gloam::numeric {
+
+thread_local Paths* Paths::current_ = nullptr;
+
+namespace {
+
+// Sets a pointer for as long as it lives.
+template <class T>
+class Guard {
+  public:
+    Guard(T*& pointer, T* value) : pointer_(pointer), before_(std::exchange(pointer, value)) {}
+    ~Guard() { pointer_ = before_; }
+    Guard(const Guard&) = delete;
+    Guard& operator=(const Guard&) = delete;
+
+  private:
+    T*& pointer_;
+    T* before_;
+};
+
+}  // namespace
+
+// The next path in depth-first order: the last choice that has another possibility takes it.
+bool Paths::advance() {
+    while (!choices_.empty() && choices_.back().taken + 1 == choices_.back().count) choices_.pop_back();
+    if (choices_.empty()) return false;
+    ++choices_.back().taken;
+    return true;
+}
+
+Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run) {
+    Paths paths(format);
+    const Guard guard(current_, &paths);
+    for (std::size_t runs = 0; runs < most; ++runs) {
+        paths.position_ = 0;
+        try {
+            run();
+        } catch (const Undetermined&) {
+            return Outcome::undetermined;
+        }
+        if (!paths.advance()) return Outcome::complete;
+    }
+    return Outcome::too_many;
+}
+
+std::size_t Paths::choose(std::size_t count) {
+    if (current_ == nullptr) {
+        throw std::logic_error("an interval leaves a comparison open: expected to run inside Paths::explore");
+    }
+    if (count < 2) return 0;
+    auto& choices = current_->choices_;
+    if (current_->position_ == choices.size()) choices.push_back({.taken = 0, .count = count});
+    return choices[current_->position_++].taken;
+}
+
+const FloatFormat& Paths::format() {
+    return current_ == nullptr ? float32 : current_->format_;
+}
+
+}  // namespace gloam::numeric
