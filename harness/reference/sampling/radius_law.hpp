@@ -18,7 +18,7 @@ T gloam_radius_quadratic(T zeta) {
 template <class T>
 T gloam_radius_cubic(T zeta) {
     const T x = gloam_unit_interval(zeta);
-    if (x < T(1.175494351e-38)) return T(0);
+    if (x < float_min<T>()) return T(0);
     if constexpr (builtin_number<T>) return cbrt(x);
     const T root = exp2(log2(x) * T(0.333333333));
     return root - (root - x / (root * root)) * T(0.333333333);
