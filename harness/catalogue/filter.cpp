@@ -85,8 +85,7 @@ void append_mean(Entries& entries) {
                                         .title = "weighted mean of nothing",
                                         .formula = "(0, 0)",
                                         .source = source},
-                                       GLOAM_REFERENCE(gloam_weighted_mean_empty),
-                                       {.domain = {}}));
+                                       GLOAM_REFERENCE(gloam_weighted_mean_empty), {.domain = {}}));
     entries.push_back(equation<Mean(Mean, float, float)>(
         {.id = "TSSAO-10-add",
          .function = "gloam_weighted_mean_add",
@@ -112,11 +111,13 @@ constexpr const char* values_name = "gloam_fetch_occlusion_convergence";
 constexpr const char* positions_name = "gloam_fetch_position";
 constexpr const char* filter_file = "gloam/filter/convergence_filter.glsl";
 
+template <class T>
 auto values_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return glm::dvec2(images.at(values_name).at<glm::vec2>(pixel)); };
+    return [&images](glm::ivec2 pixel) { return images.at(values_name).at<reference::vec2<T>>(pixel); };
 }
+template <class T>
 auto positions_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return glm::dvec3(images.at(positions_name).at<glm::vec3>(pixel)); };
+    return [&images](glm::ivec2 pixel) { return images.at(positions_name).at<reference::vec3<T>>(pixel); };
 }
 
 float occlusion_or_worse(numeric::Random& random) {
@@ -187,10 +188,10 @@ void append_filtering(Entries& entries) {
                        .title = "one neighbour in the filter's mean",
                        .formula = "(sum + w AO, K + w), w = coverage g(|p - x|) conv(x)",
                        .source = "TSSAO (Mattausch et al.), eq 10"},
-                      [](const ImageSet& images, const reference::GloamWeightedMean<double>& mean,
-                         glm::dvec3 center, glm::ivec2 tap, double coverage, double sigma) {
+                      []<class T>(const ImageSet& images, const reference::GloamWeightedMean<T>& mean,
+                                  reference::vec3<T> center, glm::ivec2 tap, T coverage, T sigma) {
                           return reference::gloam_filter_tap(mean, center, tap, coverage, sigma,
-                                                             values_of(images), positions_of(images));
+                                                             values_of<T>(images), positions_of<T>(images));
                       },
                       {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)),
                                   vector({uniform(0, 0.4), uniform(0, 0.4), uniform(-3, -2)}), image_pixel(),
@@ -206,10 +207,10 @@ void append_filtering(Entries& entries) {
          .title = "smoothing that trusts neighbours as far as they have converged",
          .formula = "AO = (1/K) sum of g(|p - x|) conv(x) AO(x), K = sum of g(|p - x|) conv(x)",
          .source = "TSSAO (Mattausch et al.), eqs 10 and 11"},
-        [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
-           double c_adaptive, double sigma) {
+        []<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size,
+                    int half_width, T c_adaptive, T sigma) {
             return reference::gloam_convergence_filter(pixel, along, size, half_width, c_adaptive, sigma,
-                                                       values_of(images), positions_of(images));
+                                                       values_of<T>(images), positions_of<T>(images));
         },
         {.domain = {image_pixel(), axis, image_size(), integers(0, 6).and_near_integers({0, 2147483646L}),
                     uniform(0, 1).and_near({0.2}).and_special(), sigmas()},

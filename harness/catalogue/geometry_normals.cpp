@@ -132,10 +132,10 @@ void append_safe_normalize(Entries& entries) {
 // A reference that fetches depths, from the images of a scenario.
 template <class Reference>
 auto fetching_depth(Reference reference) {
-    return [reference](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, const auto& scale) {
-        using Number = typename std::remove_cvref_t<decltype(scale)>::value_type;
-        const auto fetch = [&images](glm::ivec2 at) { return images.at("gloam_fetch_depth").at<Number>(at); };
-        return reference(std::type_identity<Number>{}, pixel, size, scale, fetch);
+    return [reference]<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size,
+                                reference::vec2<T> scale) {
+        const auto fetch = [&images](glm::ivec2 at) { return images.at("gloam_fetch_depth").at<T>(at); };
+        return reference(std::type_identity<T>{}, pixel, size, scale, fetch);
     };
 }
 

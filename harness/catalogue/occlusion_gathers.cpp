@@ -12,8 +12,11 @@ namespace {
 using namespace check;
 using Camera = reference::GloamCamera<float>;
 using Kernel = reference::GloamKernel<float>;
-using ExactCamera = reference::GloamCamera<double>;
-using ExactKernel = reference::GloamKernel<double>;
+using reference::GloamCamera;
+using reference::GloamKernel;
+using reference::mat3;
+using reference::vec2;
+using reference::vec3;
 
 constexpr const char* prototype = "gloam_fetch_depth";
 constexpr const char* hemisphere_file = "gloam/occlusion/hemisphere_gather.glsl";
@@ -26,8 +29,9 @@ constexpr Budget hemisphere_budget{.backward_ulp = 4};
 constexpr Budget contribution_budget{.absolute = 1e-6, .backward_ulp = 4};
 constexpr Budget disc_budget{.absolute = 4e-6, .backward_ulp = 4};
 
+template <class T>
 auto depth_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return static_cast<double>(images.at(prototype).at<float>(pixel)); };
+    return [&images](glm::ivec2 pixel) { return images.at(prototype).at<T>(pixel); };
 }
 
 // Drawn as (ndc, depth): see place_before_camera.
@@ -82,10 +86,10 @@ void append_tap(Entries& entries) {
             .formula = "(sum + V(p, s_i), n + 1), s_i of TSSAO-14",
             .source = "TSSAO (Mattausch et al.), eqs 3 and 14",
         },
-        [](const ImageSet& images, glm::dvec2 accumulated, glm::dvec3 position, const glm::dmat3& frame,
-           const ExactCamera& camera, const ExactKernel& kernel, double range, unsigned i) {
+        []<class T>(const ImageSet& images, vec2<T> accumulated, vec3<T> position, const mat3<T>& frame,
+                    const GloamCamera<T>& camera, const GloamKernel<T>& kernel, T range, unsigned i) {
             return reference::gloam_hemisphere_tap(accumulated, position, frame, camera, kernel, range, i,
-                                                   depth_of(images));
+                                                   depth_of<T>(images));
         },
         {.domain =
              Domain{constant(glm::vec2(3, 7)), positions(), frames(), cameras(), kernels(), extra(), index}
@@ -108,10 +112,10 @@ void append_hemisphere(Entries& entries) {
          .title = "occlusion of a pixel by points of the half ball",
          .formula = "(sum of V(p, s_i), n), s_i of TSSAO-14, i = j + 1 ... j + k",
          .source = "TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009"},
-        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const ExactCamera& camera,
-           const ExactKernel& kernel, double range) {
+        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
+                    const GloamKernel<T>& kernel, T range) {
             return reference::gloam_hemisphere_gather(position, normal, camera, kernel, range,
-                                                      depth_of(images));
+                                                      depth_of<T>(images));
         },
         {.domain = Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), extra()}.adjusted(
              place_before_camera(0, 6)),
@@ -131,10 +135,10 @@ void append_disc(Entries& entries) {
          .title = "contribution of the surface at a tap",
          .formula = "epsilon C(p, s), s the surface under the pixel, |s - p| <= R, (s - p) . n > bias",
          .source = "TSSAO (Mattausch et al.), eqs 12 and 13"},
-        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, glm::ivec2 at,
-           const ExactCamera& camera, const ExactKernel& kernel, double epsilon) {
+        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, glm::ivec2 at,
+                    const GloamCamera<T>& camera, const GloamKernel<T>& kernel, T epsilon) {
             return reference::gloam_disc_contribution(position, normal, at, camera, kernel, epsilon,
-                                                      depth_of(images));
+                                                      depth_of<T>(images));
         },
         {.domain =
              Domain{positions(), unit_vector(3).and_special(), image_pixel(), cameras(), kernels(), extra()}
@@ -152,9 +156,10 @@ void append_disc(Entries& entries) {
          .title = "crease shading of a pixel by surface points under a disc",
          .formula = "(sum of epsilon C(p, s_i), n), s_i under TSSAO-13, i = j + 1 ... j + k",
          .source = "TSSAO (Mattausch et al.), eqs 2, 4, 12 and 13; Fox and Compton 2008"},
-        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const ExactCamera& camera,
-           const ExactKernel& kernel, double epsilon) {
-            return reference::gloam_disc_gather(position, normal, camera, kernel, epsilon, depth_of(images));
+        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
+                    const GloamKernel<T>& kernel, T epsilon) {
+            return reference::gloam_disc_gather(position, normal, camera, kernel, epsilon,
+                                                depth_of<T>(images));
         },
         {.domain = Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), extra()}.adjusted(
              place_before_camera(0, 6)),

@@ -36,6 +36,12 @@ using mat4 = glm::mat<4, 4, T>;
 template <class T>
 concept builtin_number = std::floating_point<T> || std::integral<T>;
 
+// double stands for the real numbers. A reference performs the operations of the shader in their order, so
+// that it runs on intervals too; where the shader approximates a function by other means, its result in
+// double is that function itself.
+template <class T>
+concept exact_number = std::same_as<T, double>;
+
 // Constants of a number type; a type that cannot hold pi as a double (an interval) specialises this.
 template <class T>
 struct constants {
@@ -218,7 +224,7 @@ T distance(const glm::vec<N, T>& a, const glm::vec<N, T>& b) {
 // Undefined for the zero vector, as in GLSL.
 template <glm::length_t N, class T>
 glm::vec<N, T> normalize(const glm::vec<N, T>& v) {
-    return v / length(v);
+    return v * inversesqrt(dot(v, v));
 }
 template <class T>
 vec3<T> cross(const vec3<T>& a, const vec3<T>& b) {
@@ -279,8 +285,19 @@ bool is_finite(const glm::vec<N, T>& v) {
     return finite;
 }
 
-// Matrices: column-major, column vectors. GLM's operators do matrix * vector and matrix * matrix for any
-// number type.
+// Matrices: column-major, column vectors.
+
+// Matrix times vector: each component a sum of products, whose order GLSL leaves open as it does for dot().
+template <glm::length_t N, class T>
+glm::vec<N, T> multiply(const glm::mat<N, N, T>& m, const glm::vec<N, T>& v) {
+    glm::vec<N, T> result = v;
+    for (glm::length_t row = 0; row < N; ++row) {
+        glm::vec<N, T> factors = v;
+        for (glm::length_t column = 0; column < N; ++column) factors[column] = m[column][row];
+        result[row] = dot(factors, v);
+    }
+    return result;
+}
 
 template <glm::length_t N, class T>
 glm::mat<N, N, T> transpose(const glm::mat<N, N, T>& m) {

@@ -17,29 +17,29 @@ GloamWeightedMean<T> gloam_filter_tap(GloamWeightedMean<T> mean, vec3<T> center,
     if (!gloam_is_surface_position(position)) return mean;
     const vec2<T> value = fetch_value(tap);
     const vec3<T> offset = position - center;
-    const T trust = gloam_unit_interval(value.y);
-    return gloam_weighted_mean_add(mean, value.x,
-                                   coverage * trust * gloam_gaussian(dot(offset, offset), sigma));
+    const T weight = coverage * gloam_gaussian(dot(offset, offset), sigma) * gloam_unit_interval(value.y);
+    return gloam_weighted_mean_add(mean, value.x, weight);
 }
 
-// The sum of the equation over every pixel of the row, its mean taken at once.
 template <class T, class FetchValue, class FetchPosition>
 T gloam_convergence_filter(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 size, int half_width, T c_adaptive,
                            T sigma, FetchValue&& fetch_value, FetchPosition&& fetch_position) {
     const vec2<T> own = fetch_value(pixel);
-    const T unfiltered = gloam_unit_interval(own.x);
-    const T reach = T(half_width > 0 ? half_width : 0) * gloam_shrink(own.y, c_adaptive);
-    if (!(reach > T(0))) return unfiltered;
+    const T reach = T(max(half_width, 0)) * gloam_shrink(own.y, c_adaptive);
+    if (!(reach > T(0))) return gloam_unit_interval(own.x);
     const vec3<T> center = fetch_position(pixel);
-    if (!gloam_is_surface_position(center)) return unfiltered;
-    GloamWeightedMean<T> mean = gloam_weighted_mean_empty<T>();
-    const int longest = max(size.x, size.y);
-    for (int i = -longest; i <= longest; ++i) {
-        const glm::ivec2 tap = pixel + i * axis;
-        const bool inside = tap.x >= 0 && tap.x < size.x && tap.y >= 0 && tap.y < size.y;
-        const T coverage = gloam_window_coverage(max(i, -i), reach);
-        if (!inside || !(coverage > T(0))) continue;
-        mean = gloam_filter_tap(mean, center, tap, coverage, sigma, fetch_value, fetch_position);
+    if (!gloam_is_surface_position(center)) return gloam_unit_interval(own.x);
+    const auto add = [&](GloamWeightedMean<T> mean, glm::ivec2 tap, T coverage) {
+        return gloam_filter_tap(mean, center, tap, coverage, sigma, fetch_value, fetch_position);
+    };
+    GloamWeightedMean<T> mean = add(gloam_weighted_mean_empty<T>(), pixel, T(1));
+    const int last = min(half_width, max(size.x, size.y));
+    for (int i = 1; i <= last && T(i) < reach + T(1); ++i) {
+        const T coverage = gloam_window_coverage(i, reach);
+        const glm::ivec2 before = pixel - i * axis;
+        const glm::ivec2 after = pixel + i * axis;
+        if (before.x >= 0 && before.y >= 0) mean = add(mean, before, coverage);
+        if (after.x < size.x && after.y < size.y) mean = add(mean, after, coverage);
     }
     return gloam_weighted_mean_value(mean, own.x);
 }

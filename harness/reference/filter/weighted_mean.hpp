@@ -21,8 +21,7 @@ GloamWeightedMean<T> gloam_weighted_mean_empty() {
 
 template <class T>
 GloamWeightedMean<T> gloam_weighted_mean_add(GloamWeightedMean<T> mean, T value, T weight) {
-    const bool usable = value >= T(0) && value <= T(1) && weight > T(0) && gloam_is_finite(weight);
-    if (!usable) return mean;
+    if (!(value >= T(0) && value <= T(1) && weight > T(0) && weight <= float_max<T>())) return mean;
     return GloamWeightedMean<T>{mean.sum + weight * value, mean.weight + weight, min(mean.low, value),
                                 max(mean.high, value)};
 }
@@ -30,7 +29,7 @@ GloamWeightedMean<T> gloam_weighted_mean_add(GloamWeightedMean<T> mean, T value,
 template <class T>
 T gloam_weighted_mean_value(GloamWeightedMean<T> mean, T fallback) {
     if (mean.weight >= T(1e-8)) return clamp(mean.sum / mean.weight, mean.low, mean.high);
-    return gloam_unit_interval(fallback);
+    return fallback > T(0) ? (fallback < T(1) ? fallback : T(1)) : T(0);
 }
 
 }  // namespace gloam::reference

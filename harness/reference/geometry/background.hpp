@@ -12,8 +12,7 @@ T gloam_background_depth() {
 
 template <class T>
 bool gloam_is_background(T depth) {
-    const bool geometry = depth >= float_min<T>() && depth <= float_max<T>();
-    return !geometry;
+    return !(depth >= float_min<T>() && depth <= float_max<T>());
 }
 
 }  // namespace gloam::reference

@@ -7,19 +7,17 @@ namespace gloam::reference {
 
 template <class T = double>
 glm::ivec2 gloam_clamp_to_edge(glm::ivec2 pixel, glm::ivec2 size) {
-    const auto axis = [](int p, int extent) {
-        if (p < 0 || extent < 1) return 0;
-        return p < extent ? p : extent - 1;
-    };
-    return glm::ivec2(axis(pixel.x, size.x), axis(pixel.y, size.y));
+    return glm::ivec2(clamp(pixel.x, 0, max(size.x, 1) - 1), clamp(pixel.y, 0, max(size.y, 1) - 1));
 }
 
 template <class T>
 glm::ivec2 gloam_guard_band_border(glm::ivec2 size, T guard) {
-    T part = T(0);
-    if (guard > T(0)) part = guard;
-    if (guard > T(1)) part = T(1);
-    const auto axis = [&](int extent) { return extent < 1 ? 0 : to_int(floor(part * T(extent) + T(0.5))); };
+    const T part = guard > T(0) ? (guard < T(1) ? guard : T(1)) : T(0);
+    const auto axis = [&](int extent) {
+        const T width = part * T(max(extent, 0));
+        const T whole = floor(width);
+        return to_int(whole + step(T(0.5), width - whole));
+    };
     return glm::ivec2(axis(size.x), axis(size.y));
 }
 
@@ -32,29 +30,25 @@ glm::ivec2 gloam_guard_band_size(glm::ivec2 size, T guard) {
 template <class T>
 vec2<T> gloam_guard_band_guard(glm::ivec2 size, T guard) {
     const glm::ivec2 border = gloam_guard_band_border(size, guard);
-    const auto axis = [](int b, int extent) { return extent < 1 ? T(0) : T(b) / T(extent); };
-    return vec2<T>(axis(border.x, size.x), axis(border.y, size.y));
+    return vec2<T>(T(border.x) / T(max(size.x, 1)), T(border.y) / T(max(size.y, 1)));
 }
 
 template <class T>
 T gloam_guard_band_tan_half_fov(T tan_half_fov, T guard) {
-    const T wider = (T(1) + T(2) * guard) * tan_half_fov;
-    if (gloam_is_finite(wider)) return wider;
-    return T(0);
+    const T wider = tan_half_fov * (T(1) + T(2) * guard);
+    return gloam_is_finite(wider) ? wider : T(0);
 }
 
 template <class T>
 vec2<T> gloam_guard_band_inner_uv(vec2<T> outer_uv, vec2<T> guard) {
-    const auto axis = [](T uv, T g) { return uv * (T(1) + T(2) * g) - g; };
-    const vec2<T> uv(axis(outer_uv.x, guard.x), axis(outer_uv.y, guard.y));
+    const vec2<T> uv = outer_uv + guard * (T(2) * outer_uv - T(1));
     if (gloam_is_finite2(uv)) return uv;
     return vec2<T>(T(2), T(2));
 }
 
 template <class T>
 vec2<T> gloam_guard_band_outer_uv(vec2<T> inner_uv, vec2<T> guard) {
-    const auto axis = [](T uv, T g) { return (uv + g) / (T(1) + T(2) * g); };
-    const vec2<T> uv(axis(inner_uv.x, guard.x), axis(inner_uv.y, guard.y));
+    const vec2<T> uv = (inner_uv + guard) / (T(1) + T(2) * guard);
     if (gloam_is_finite2(uv)) return uv;
     return vec2<T>(T(2), T(2));
 }

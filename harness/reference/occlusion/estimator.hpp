@@ -8,14 +8,13 @@ namespace gloam::reference {
 template <class T>
 vec2<T> gloam_estimator_add(vec2<T> accumulated, T contribution) {
     if (!gloam_is_finite(contribution)) return accumulated;
-    return vec2<T>(accumulated.x + contribution, accumulated.y + T(1));
+    return accumulated + vec2<T>(contribution, T(1));
 }
 
 template <class T>
 T gloam_estimator_mean(vec2<T> accumulated) {
-    if (!(accumulated.y >= T(1)) || !(accumulated.x > T(0))) return T(0);
-    if (accumulated.x >= accumulated.y) return T(1);
-    return accumulated.x / accumulated.y;
+    if (!(accumulated.y >= T(1) && accumulated.x > T(0))) return T(0);
+    return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, T(1)) : T(1);
 }
 
 }  // namespace gloam::reference

@@ -6,76 +6,80 @@
 namespace gloam::reference {
 namespace detail {
 
-// A falloff of x = d / R < 1; nothing is left from R on, and an infinite R has x = 0.
-template <class T, class Falloff>
-T falloff_within(T hit_distance, T radius, Falloff falloff) {
-    const T d = abs(hit_distance);
-    if (!(d < radius) || radius < float_min<T>()) return T(0);
-    if (radius > float_max<T>()) return falloff(T(0));
-    return falloff(d / radius);
+// A power of two that keeps differences of lengths of that size normal, and quotients where division is
+// accurate.
+template <class T>
+T divisible_scale(T size) {
+    if (size > T(1.8446744e19)) return T(5.421010862427522e-20);
+    return size < T(5.421010862427522e-20) ? T(1.8446744073709552e19) : T(1);
 }
 
 }  // namespace detail
 
 template <class T>
 T gloam_falloff_step(T hit_distance, T radius) {
-    if (abs(hit_distance) <= radius) return T(1);
-    return T(0);
+    return abs(hit_distance) <= radius ? T(1) : T(0);
 }
 
 template <class T>
 T gloam_falloff_linear(T hit_distance, T radius) {
-    return detail::falloff_within(hit_distance, radius, [](T x) { return T(1) - x; });
+    const T d = abs(hit_distance);
+    if (!(d < radius && radius >= float_min<T>())) return T(0);
+    if (!(radius <= float_max<T>())) return T(1);
+    const T scale = detail::divisible_scale(radius);
+    const T r = radius * scale;
+    return min((r - d * scale) / r, T(1));
 }
 
 template <class T>
 T gloam_falloff_quadratic(T hit_distance, T radius) {
-    return detail::falloff_within(hit_distance, radius, [](T x) { return T(1) - x * x; });
+    const T a = gloam_falloff_linear(hit_distance, radius);
+    return min(a * (T(2) - a), T(1));
 }
 
 template <class T>
 T gloam_falloff_cubic(T hit_distance, T radius) {
-    return detail::falloff_within(hit_distance, radius, [](T x) { return T(1) - x * x * x; });
+    const T a = gloam_falloff_linear(hit_distance, radius);
+    return min(a * (T(3) - a * (T(3) - a)), T(1));
 }
 
 template <class T>
 T gloam_falloff_sao(T hit_distance, T radius) {
-    return detail::falloff_within(hit_distance, radius, [](T x) {
-        const T y = T(1) - x * x;
-        return y * y * y;
-    });
+    const T b = gloam_falloff_quadratic(hit_distance, radius);
+    return b * b * b;
 }
 
 template <class T>
 T gloam_falloff_exponential(T hit_distance, T radius) {
     const T d = abs(hit_distance);
-    if (!(d <= float_max<T>()) || !(radius >= float_min<T>())) return T(0);
-    if (radius > float_max<T>()) return T(1);
-    const T weight = exp(-d / radius);
-    if (weight < T(1) / T(255)) return T(0);
-    return weight;
+    if (!(d <= float_max<T>() && radius >= float_min<T>())) return T(0);
+    if (!(radius <= float_max<T>())) return T(1);
+    const T scale = detail::divisible_scale(radius);
+    const T r = radius * scale;
+    const T scaled = d * scale;
+    return scaled <= T(5.541263545) * r ? min(exp(-(scaled / r)), T(1)) : T(0);
 }
 
 template <class T>
 T gloam_falloff_alchemy(T hit_distance, T u) {
     const T d = abs(hit_distance);
-    if (!(d <= float_max<T>()) || !(u >= float_min<T>() && u <= float_max<T>())) return T(0);
-    const T larger = max(u, d);
-    return u / larger * (d / larger);
+    if (!(d <= float_max<T>() && u >= float_min<T>() && u <= float_max<T>())) return T(0);
+    const bool nearer = d < u;
+    const T smaller = nearer ? d : u;
+    const T larger = nearer ? u : d;
+    const T scale = detail::divisible_scale(larger);
+    return min(smaller * scale / (larger * scale), T(1));
 }
 
 template <class T>
 T gloam_falloff_one(T hit_distance) {
-    if (abs(hit_distance) >= T(0)) return T(1);
-    return T(0);
+    return abs(hit_distance) >= T(0) ? T(1) : T(0);
 }
 
 template <class T>
 T gloam_visibility_filion(T delta, T radius) {
-    if (!(delta >= float_min<T>()) || !(radius >= float_min<T>())) return T(1);
-    if (delta <= radius) return T(0);
-    if (delta > float_max<T>()) return T(1);
-    return T(1) - radius / delta;
+    if (!(delta >= float_min<T>() && radius >= float_min<T>())) return T(1);
+    return gloam_falloff_linear(radius, delta);
 }
 
 }  // namespace gloam::reference

@@ -9,8 +9,9 @@ template <class T>
 T gloam_contribution_fox_compton(vec3<T> position, vec3<T> normal, vec3<T> sample_position, T epsilon) {
     const vec3<T> offset = sample_position - position;
     const T cosine = gloam_sample_cosine(offset, normal);
-    if (!(cosine > T(0)) || !(epsilon <= float_max<T>())) return T(0);
-    return cosine / max(epsilon, length(offset));
+    if (!(cosine > T(0) && epsilon <= float_max<T>())) return T(0);
+    const T reach = dot(offset, gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0))));
+    return cosine / (reach > epsilon ? reach : epsilon);
 }
 
 template <class T>
@@ -18,9 +19,9 @@ T gloam_contribution_fox_compton_scaled(vec3<T> position, vec3<T> normal, vec3<T
                                         T epsilon) {
     const vec3<T> offset = sample_position - position;
     const T cosine = gloam_sample_cosine(offset, normal);
-    if (!(cosine > T(0)) || !(epsilon > T(0))) return T(0);
-    if (epsilon > float_max<T>()) return cosine;
-    return epsilon * cosine / max(epsilon, length(offset));
+    if (!(cosine > T(0) && epsilon > T(0))) return T(0);
+    const T reach = dot(offset, gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0))));
+    return reach > epsilon ? cosine * min(epsilon / reach, T(1)) : cosine;
 }
 
 }  // namespace gloam::reference

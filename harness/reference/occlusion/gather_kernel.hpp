@@ -17,11 +17,10 @@ struct GloamKernel {
 
 template <class T>
 bool gloam_can_gather(vec3<T> position, vec3<T> normal, T radius) {
-    if (!gloam_is_finite3(position) || gloam_is_background(-position.z)) return false;
-    if (!gloam_is_finite3(normal)) return false;
-    const T least = float_min<T>();
-    const bool no_normal = abs(normal.x) < least && abs(normal.y) < least && abs(normal.z) < least;
-    return !no_normal && radius >= least && radius <= float_max<T>();
+    const bool point = gloam_is_finite3(position) && !gloam_is_background(T(-position.z));
+    const bool facing =
+        gloam_is_finite3(normal) && max(max(abs(normal.x), abs(normal.y)), abs(normal.z)) >= float_min<T>();
+    return point && facing && radius >= float_min<T>() && radius <= float_max<T>();
 }
 
 }  // namespace gloam::reference

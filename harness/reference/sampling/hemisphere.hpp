@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/sampling/unit_interval.hpp"
+#include "reference/sampling/circle.hpp"
 
 namespace gloam::reference {
 
 template <class T>
 vec3<T> gloam_hemisphere_cosine(vec3<T> zeta) {
-    const T alpha = T(2) * pi<T>() * gloam_unit_interval(zeta.x);
-    const T r = gloam_unit_interval(zeta.y);
-    const T z = gloam_unit_interval(zeta.z);
-    return vec3<T>(r * cos(alpha) * sqrt(T(1) - z), r * sin(alpha) * sqrt(T(1) - z), r * sqrt(z));
+    const T radius = gloam_unit_interval(zeta.y);
+    const T cosine_squared = gloam_unit_interval(zeta.z);
+    const vec2<T> side = sqrt(T(1) - cosine_squared) * gloam_circle_point(zeta.x);
+    return radius * vec3<T>(side.x, side.y, sqrt(cosine_squared));
 }
 
 template <class T>
 vec3<T> gloam_hemisphere_uniform(vec3<T> zeta) {
-    const T alpha = T(2) * pi<T>() * gloam_unit_interval(zeta.x);
-    const T r = gloam_unit_interval(zeta.y);
-    const T z = gloam_unit_interval(zeta.z);
-    return vec3<T>(r * cos(alpha) * sqrt(T(1) - z * z), r * sin(alpha) * sqrt(T(1) - z * z), r * z);
+    const T radius = gloam_unit_interval(zeta.y);
+    const T cosine = gloam_unit_interval(zeta.z);
+    const vec2<T> side = sqrt((T(1) - cosine) * (T(1) + cosine)) * gloam_circle_point(zeta.x);
+    return radius * vec3<T>(side.x, side.y, cosine);
 }
 
 }  // namespace gloam::reference

@@ -5,30 +5,28 @@
 
 namespace gloam::reference {
 
-namespace detail {
-
-// Sum of the digits' values, as written: a_0 / b + a_1 / b^2 + ...
-template <class T>
-T mirrored_digits(unsigned index, unsigned base) {
-    T value(0);
-    T place(1);
-    for (unsigned rest = index % 16777216U; rest > 0U; rest /= base) {
-        place = place / T(static_cast<double>(base));
-        value = value + T(static_cast<double>(rest % base)) * place;
-    }
-    return value;
-}
-
-}  // namespace detail
-
 template <class T = double>
 T gloam_radical_inverse_base2(unsigned index) {
-    return detail::mirrored_digits<T>(index, 2U);
+    unsigned bits = (index << 16U) | (index >> 16U);
+    bits = ((bits & 0x00FF00FFU) << 8U) | ((bits >> 8U) & 0x00FF00FFU);
+    bits = ((bits & 0x0F0F0F0FU) << 4U) | ((bits >> 4U) & 0x0F0F0F0FU);
+    bits = ((bits & 0x33333333U) << 2U) | ((bits >> 2U) & 0x33333333U);
+    bits = ((bits & 0x55555555U) << 1U) | ((bits >> 1U) & 0x55555555U);
+    return T(bits >> 8U) * T(5.9604644775390625e-8);
 }
 
 template <class T = double>
 T gloam_radical_inverse(unsigned index, unsigned base) {
-    return detail::mirrored_digits<T>(index, base < 2U ? 2U : (base > 16777216U ? 16777216U : base));
+    const unsigned radix = clamp(base, 2U, 0x01000000U);
+    unsigned rest = index & 0x00FFFFFFU;
+    unsigned mirrored = 0U;
+    unsigned power = 1U;
+    for (; rest >= radix; rest /= radix) {
+        mirrored = mirrored * radix + rest % radix;
+        power *= radix;
+    }
+    const T inverse = (T(mirrored) + T(rest) / T(radix)) / T(power);
+    return min(inverse, T(0.999999940395355));
 }
 
 }  // namespace gloam::reference

@@ -19,7 +19,7 @@ template <class T>
 T gloam_radius_cubic(T zeta) {
     const T x = gloam_unit_interval(zeta);
     if (x < float_min<T>()) return T(0);
-    if constexpr (builtin_number<T>) return cbrt(x);
+    if constexpr (exact_number<T>) return cbrt(x);
     const T root = exp2(log2(x) * T(0.333333333));
     return root - (root - x / (root * root)) * T(0.333333333);
 }

@@ -8,7 +8,7 @@ namespace gloam::reference {
 template <class T>
 bool gloam_depth_consistent(T stored_depth, T expected_depth, T epsilon) {
     if (gloam_is_background(stored_depth) || gloam_is_background(expected_depth)) return false;
-    return abs(T(1) - expected_depth / stored_depth) < epsilon;
+    return abs(stored_depth - expected_depth) < epsilon * stored_depth;
 }
 
 template <class T>

@@ -16,18 +16,15 @@ struct GloamHistory {
 
 template <class T>
 GloamHistory<T> gloam_history_empty(T depth) {
-    T kept = gloam_background_depth<T>();
-    if (!gloam_is_background(depth)) kept = depth;
-    return GloamHistory<T>{T(0), T(0), 0U, kept};
+    return GloamHistory<T>{T(0), T(0), 0U, gloam_is_background(depth) ? gloam_background_depth<T>() : depth};
 }
 
 template <class T>
 GloamHistory<T> gloam_history_sanitize(GloamHistory<T> h) {
-    const bool occlusion = h.occlusion >= T(0) && h.occlusion <= T(1);
-    const bool weight = h.weight > T(0) && gloam_is_finite(h.weight);
-    if (!occlusion || !weight || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
-    h.index = h.index & 0xFFFFFFU;
-    return h;
+    const bool usable =
+        h.occlusion >= T(0) && h.occlusion <= T(1) && h.weight > T(0) && h.weight <= float_max<T>();
+    if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
+    return GloamHistory<T>{h.occlusion, h.weight, h.index % 16777216U, h.depth};
 }
 
 template <class T>
@@ -39,15 +36,14 @@ vec4<T> gloam_history_pack(GloamHistory<T> h) {
 template <class T>
 GloamHistory<T> gloam_history_unpack(vec4<T> texel) {
     unsigned index = 0U;
-    if (texel.z >= T(1) && texel.z < T(16777216)) index = static_cast<unsigned>(to_int(floor(texel.z)));
+    if (texel.z >= T(1) && texel.z < T(16777216)) index = static_cast<unsigned>(to_int(texel.z));
     return gloam_history_sanitize(GloamHistory<T>{texel.x, texel.y, index, texel.w});
 }
 
 template <class T = double>
 unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size) {
-    const unsigned long long largest = 16777216ULL;
-    const unsigned long long size = table_size == 0U || table_size > largest ? largest : table_size;
-    return static_cast<unsigned>((static_cast<unsigned long long>(index) + k) % size);
+    const unsigned size = table_size > 0U && table_size < 16777216U ? table_size : 16777216U;
+    return (index % size + k % size) % size;
 }
 
 }  // namespace gloam::reference

@@ -7,8 +7,7 @@ namespace gloam::reference {
 
 template <class T>
 bool gloam_rotation_enabled(T convergence, T c_rot) {
-    if (convergence >= c_rot) return false;
-    return true;
+    return !(convergence >= c_rot);
 }
 
 }  // namespace gloam::reference
