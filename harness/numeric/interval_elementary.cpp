@@ -61,12 +61,15 @@ Interval exponential(const Interval& x, bool exact, F&& f) {
 }
 
 template <class F>
-Interval logarithm(const Interval& x, F&& f) {
+Interval logarithm(const Interval& x, bool exact, F&& f) {
     const Bounds& b = x.bounds();
     if (b.nan || !(b.low > 0.0)) return Interval::anything();
-    const auto part = [&](double low, double high) { return inflated(monotonic({low, high, false}, f)); };
+    const auto part = [&](double low, double high) {
+        const Bounds range = monotonic({low, high, false}, f);
+        return exact ? range : inflated(range);
+    };
     const auto outside = [&](double low, double high) {
-        return within_ulps(part(low, high), log_ulps, arguments_of(b)).bounds();
+        return within_ulps(part(low, high), log_ulps, exact ? Arguments::exact : arguments_of(b)).bounds();
     };
     Bounds all{infinity, -infinity, false};
     if (b.low < 0.5) all = hull(all, outside(b.low, std::min(b.high, 0.5)));
@@ -130,11 +133,13 @@ Interval exp2(const Interval& x) {
 }
 
 Interval log(const Interval& x) {
-    return logarithm(x, [](double v) { return std::log(v); });
+    return logarithm(x, false, [](double v) { return std::log(v); });
 }
 
 Interval log2(const Interval& x) {
-    return logarithm(x, [](double v) { return std::log2(v); });
+    int exponent = 0;
+    const bool power_of_two = x.bounds().is_point() && std::frexp(x.low(), &exponent) == 0.5;
+    return logarithm(x, power_of_two, [](double v) { return std::log2(v); });
 }
 
 Interval pow(const Interval& x, const Interval& y) {
@@ -166,8 +171,11 @@ Interval atan(const Interval& y, const Interval& x) {
     const Bounds& u = x.bounds();
     if (v.nan || u.nan || v.empty() || u.empty()) return Interval::anything();
     if (v.contains(0.0) && u.contains(0.0)) return Interval::anything();
-    if (v.contains(0.0) && u.high < 0.0)
-        return any_of(half_plane({0.0, v.high, false}, u), half_plane({v.low, -0.0, false}, u));
+    if (v.contains(0.0) && u.high < 0.0) {
+        const Bounds above{0.0, v.high > 0.0 ? v.high : 0.0, false};
+        const Bounds below{v.low < 0.0 ? v.low : -0.0, -0.0, false};
+        return any_of(half_plane(above, u), half_plane(below, u));
+    }
     return half_plane(v, u);
 }
 
