@@ -215,4 +215,24 @@ template <class Function, class Callable>
                options);
 }
 
+// Whether the results of a function are ones that Vulkan's precision rules permit, with no tolerance of
+// anybody's choice. The reference is a template or generic lambda that also takes numeric::Interval in the
+// place of double, and does the shader's operations in the shader's order: [](auto x, auto y) { return x / y;
+// }. Compile the lab's shaders strictly (LabOptions), or the driver may rearrange them.
+template <class Function, class Callable>
+requires takes_intervals<Function, Callable>
+[[nodiscard]] Result compare_by_rules(const Lab& lab, const std::string& file, const std::string& function,
+                                      Callable reference, const Domain& domain,
+                                      const RunOptions& options = {}) {
+    return run(lab,
+               Case{.file = file,
+                    .function = function,
+                    .signature = SignatureOf<Function>::describe(),
+                    .domain = domain,
+                    .reference = make_reference<Function>(reference),
+                    .permitted = make_permission<Function>(reference),
+                    .only_rules = true},
+               options);
+}
+
 }  // namespace gloam::check

@@ -43,9 +43,10 @@ struct CheckReport {
 [[nodiscard]] std::string table_line(const CheckRow& row);
 
 // {"device": {...}, "results": [{"equation", "function", "file", "variant", "verdict", "inputs", "outside",
-// "recorded", "unbounded", "differs", "max_ulp", "max_abs", "width_fraction", "budget_fraction", "budget",
-// "classes", "worst", "fault", "error", "reason", "seconds", "story"}]}, members as in CheckRow; an array of
-// such objects for several devices. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
+// "recorded", "unbounded", "differs", "max_ulp", "max_abs", "width_fraction", "budget_fraction", "guarantee",
+// "unbounded_at", "budget", "classes", "worst", "fault", "error", "reason", "seconds", "story"}]}, members as
+// in CheckRow; an array of such objects for several devices. Infinite numbers are the strings "inf" and
+// "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 
 // The reports of such a text: one object or an array of them. Throws std::runtime_error that says where in

@@ -97,6 +97,20 @@ std::optional<WorstInput> read_worst(const JsonReader& json) {
     return worst;
 }
 
+ordered_json guarantee_json(const std::optional<GuaranteeNumbers>& guarantee) {
+    if (!guarantee) return nullptr;
+    return {{"ulp", number_json(guarantee->ulp)},
+            {"abs", number_json(guarantee->absolute)},
+            {"fraction", number_json(guarantee->fraction)}};
+}
+
+std::optional<GuaranteeNumbers> read_guarantee(const JsonReader& json) {
+    if (json.is_null()) return std::nullopt;
+    return GuaranteeNumbers{.ulp = json.member("ulp").number(),
+                            .absolute = json.member("abs").number(),
+                            .fraction = json.member("fraction").number()};
+}
+
 ordered_json budget_json(const BudgetNumbers& budget) {
     return {{"ulp", budget.ulp},
             {"abs", budget.absolute},
@@ -128,6 +142,8 @@ ordered_json row_json(const CheckRow& row) {
             {"max_abs", number_json(row.max_abs)},
             {"width_fraction", row.width_fraction ? number_json(*row.width_fraction) : ordered_json(nullptr)},
             {"budget_fraction", number_json(row.budget_fraction)},
+            {"guarantee", guarantee_json(row.guarantee)},
+            {"unbounded_at", row.unbounded_at},
             {"budget", budget_json(row.budget)},
             {"classes", classes_json(row.classes)},
             {"worst", worst_json(row.worst)},
@@ -153,6 +169,8 @@ CheckRow read_row(const JsonReader& json) {
                  .max_abs = json.member("max_abs").number(),
                  .width_fraction = std::nullopt,
                  .budget_fraction = json.member("budget_fraction").number(),
+                 .guarantee = read_guarantee(json.member("guarantee")),
+                 .unbounded_at = json.member("unbounded_at").text(),
                  .budget = read_budget(json.member("budget")),
                  .classes = read_classes(json.member("classes")),
                  .worst = read_worst(json.member("worst")),

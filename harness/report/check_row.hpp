@@ -51,6 +51,14 @@ struct AllowedNumbers {
     bool nan = false;
 };
 
+// The largest errors that Vulkan's rules permit any driver, over the ordinary inputs for which the budget is
+// promised and the rules bound the result.
+struct GuaranteeNumbers {
+    double ulp = 0.0;
+    double absolute = 0.0;
+    double fraction = 0.0;  // of the budget
+};
+
 // The input with the largest error.
 struct WorstInput {
     std::size_t input = 0;  // its position in the run
@@ -82,6 +90,8 @@ struct CheckRow {
     double max_abs = 0.0;
     std::optional<double> width_fraction;  // worst error by the permitted width; nothing without an interval
     double budget_fraction = 0.0;          // worst error by the documented budget
+    std::optional<GuaranteeNumbers> guarantee;  // where the verdict is the rules
+    std::string unbounded_at;  // the first input for which the rules permit anything; empty: none
     BudgetNumbers budget;
     std::vector<ClassNumbers> classes;  // those that had inputs
     std::optional<WorstInput> worst;

@@ -13,6 +13,14 @@ BudgetNumbers budget_of(const check::Budget& budget) {
             .text = check::to_text(budget)};
 }
 
+std::vector<AllowedNumbers> allowed_of(const std::vector<numeric::Bounds>& permitted) {
+    std::vector<AllowedNumbers> allowed;
+    for (const numeric::Bounds& bounds : permitted) {
+        allowed.push_back({.low = bounds.low, .high = bounds.high, .nan = bounds.nan});
+    }
+    return allowed;
+}
+
 std::vector<ClassNumbers> classes_of(const check::Census& census) {
     std::vector<ClassNumbers> classes;
     for (std::size_t i = 0; i < check::input_class_count; ++i) {
@@ -36,7 +44,7 @@ WorstInput worst_of(const check::Signature& signature, const check::Sample& samp
             .input_words = sample.inputs,
             .got_words = sample.got,
             .want = sample.want,
-            .allowed = {},
+            .allowed = allowed_of(sample.permitted),
             .ulp = sample.ulp,
             .absolute = sample.absolute};
 }
@@ -47,13 +55,17 @@ CheckRow row_of(const std::string& equation, const std::string& variant, const c
                  .function = result.function,
                  .file = result.file,
                  .variant = variant,
+                 .verdict = std::string(check::name_of(result.verdict)),
                  .inputs = census.inputs(),
                  .outside = census.outside(),
                  .recorded = census.recorded(),
+                 .unbounded = census.unbounded,
                  .max_ulp = census.max_ulp,
                  .max_abs = census.max_absolute,
                  .width_fraction = std::nullopt,
-                 .budget_fraction = census.fraction,
+                 .budget_fraction = census.budget_fraction,
+                 .guarantee = std::nullopt,
+                 .unbounded_at = {},
                  .budget = budget_of(result.budget),
                  .classes = classes_of(census),
                  .worst = std::nullopt,
@@ -62,6 +74,15 @@ CheckRow row_of(const std::string& equation, const std::string& variant, const c
                  .reason = result.fault ? Reason::fault : Reason::none,
                  .story = result.passed() ? std::string{} : check::describe(result)};
     if (census.worst) row.worst = worst_of(result.signature, *census.worst);
+    if (result.verdict == check::Verdict::rules) {
+        row.width_fraction = census.fraction;
+        row.guarantee = GuaranteeNumbers{.ulp = census.guarantee.ulp,
+                                         .absolute = census.guarantee.absolute,
+                                         .fraction = census.guarantee.fraction};
+    }
+    if (census.first_unbounded) {
+        row.unbounded_at = check::describe_inputs(result.signature, census.first_unbounded->inputs);
+    }
     if (result.fault) row.fault = check::to_text(*result.fault);
     return row;
 }
