@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "cli/check.hpp"
+#include "cli/check/worker.hpp"
 #include "cli/demo.hpp"
 #include "cli/devices.hpp"
 #include "cli/list.hpp"
@@ -34,6 +35,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_devices(app);
     gloam::cli::add_list(app);
     gloam::cli::add_check(app, status);
+    gloam::cli::add_check_worker(app);
     gloam::cli::add_render(app, status);
     gloam::cli::add_pack(app);
     try {

@@ -46,7 +46,8 @@ Lab::Lab(LabOptions options)
       device_(std::make_unique<gpu::Device>(
           gpu::DeviceOptions{.device = options_.device,
                              .validation = options_.validation ? gpu::Validation::on : gpu::Validation::off,
-                             .cache_directory = options_.cache_directory})),
+                             .cache_directory = options_.cache_directory,
+                             .timeout = options_.timeout})),
       cache_(options_.cache_directory.empty() ? std::filesystem::path{}
                                               : options_.cache_directory / "spirv") {}
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -19,6 +20,7 @@ struct LabOptions {
     std::vector<std::filesystem::path> include_roots;  // where GLSL files are looked for, first match wins
     std::filesystem::path cache_directory;  // compiled shaders and pipelines; empty: nothing is kept
     shader::Optimization optimization = shader::Optimization::none;
+    std::chrono::milliseconds timeout{60'000};  // longest wait for one submission
 };
 
 // A place to run shader functions: one device, the folders of their files, the caches.

@@ -13,9 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_device(const fs::path& path) {
+// Devices (/dev/full) and links (/dev/stdout) are written to as they are; files by way of a neighbour, so
+// that nobody sees half of one.
+bool is_written_in_place(const fs::path& path) {
     std::error_code none;
-    return fs::exists(path, none) && !fs::is_regular_file(path, none);
+    const fs::file_status status = fs::symlink_status(path, none);
+    return fs::exists(status) && !fs::is_regular_file(status);
 }
 
 }  // namespace
@@ -30,9 +33,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
 
 void OutputFile::write(std::string_view text) const {
     if (path_.empty()) return;
-    // Devices (/dev/stdout) are written to as they are; files by way of a neighbour, so that nobody sees half
-    // of one.
-    const bool direct = is_device(path_);
+    const bool direct = is_written_in_place(path_);
     const fs::path target = direct ? path_ : internal::part_of(path_);
     int error = internal::write_all(target, text);
     std::error_code moved;

@@ -46,6 +46,17 @@ TEST(OutputFile, WhatCannotBeWrittenIsNamedBeforeTheWork) {
     EXPECT_THAT([&] { OutputFile file(scratch.path()); }, names(scratch.path()));
 }
 
+TEST(OutputFile, ALinkStaysOne) {
+    const test::TemporaryDirectory scratch;
+    const fs::path target = scratch.path() / "target";
+    const fs::path link = scratch.path() / "link";
+    std::ofstream(target) << "something longer than what comes";
+    fs::create_symlink(target, link);
+    OutputFile(link).write("new");
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(read(target), "new");
+}
+
 TEST(OutputFile, AFullDiskIsNamedAndLeavesNothing) {
     const OutputFile full("/dev/full");
     EXPECT_THAT([&] { full.write("text"); }, names("/dev/full"));

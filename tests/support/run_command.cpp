@@ -55,9 +55,11 @@ std::vector<std::string> merged_environment(const std::vector<std::string>& extr
     std::vector<std::string> result = extra;
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string text = *entry;
+        // A share of the tests is not a share of what they run.
+        const bool sharding = text.starts_with("GTEST_SHARD_") || text.starts_with("GTEST_TOTAL_SHARDS=");
         const bool replaced =
             std::any_of(extra.begin(), extra.end(), [&](const auto& e) { return same_name(e, text); });
-        if (!replaced) result.push_back(text);
+        if (!replaced && !sharding) result.push_back(text);
     }
     return result;
 }

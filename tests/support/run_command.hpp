@@ -16,7 +16,8 @@ struct CommandResult {
 };
 
 struct CommandOptions {
-    std::vector<std::string> environment{};     // "NAME=value", on top of this process's own
+    // "NAME=value", on top of this process's own without what GoogleTest says of shards
+    std::vector<std::string> environment{};
     std::filesystem::path working_directory{};  // empty: this process's own
     std::chrono::seconds timeout{120};
 };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "tools/expect.hpp"
+#include "tools/installation.hpp"
 
 namespace gloam::test {
 namespace {
@@ -14,41 +13,11 @@ using testing::HasSubstr;
 
 constexpr const char* function = "gloam_radical_inverse_base2";
 
-std::string read(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-// An installation of its own, whose shaders a test may break: the program beside share/gloam/glsl.
-class Installation {
-  public:
-    Installation() {
-        fs::create_directories(folder_.path() / "bin");
-        fs::create_directories(folder_.path() / "share" / "gloam");
-        fs::copy_file(GLOAM_BUILT_BINARY, program());
-        fs::copy(GLOAM_GLSL_DIR, glsl(), fs::copy_options::recursive);
-    }
-
-    [[nodiscard]] fs::path program() const { return folder_.path() / "bin" / "gloam"; }
-    [[nodiscard]] fs::path glsl() const { return folder_.path() / "share" / "gloam" / "glsl"; }
-    [[nodiscard]] fs::path file(const char* name) const { return folder_.path() / name; }
-
-    void replace(const fs::path& file, const std::string& from, const std::string& to) const {
-        std::string text = read(glsl() / file);
-        const std::size_t at = text.find(from);
-        ASSERT_NE(at, std::string::npos) << from << " is not in " << file;
-        std::ofstream(glsl() / file) << text.replace(at, from.size(), to);
-    }
-
-  private:
-    TemporaryDirectory folder_;
-};
-
 json check_json(const fs::path& program, const fs::path& file, int expected_status) {
     const CommandResult result =
         run_program(program, {"check", function, "--inputs", "4096", "--json", file.string()});
     EXPECT_EQ(result.status, expected_status) << result.out << result.err;
-    json report = json::parse(read(file));
+    json report = json::parse(read_file(file));
     for (json& row : report.at("results")) row["seconds"] = 0.0;  // all else must be the same in every run
     return report;
 }
@@ -126,7 +95,7 @@ TEST(Check, AllVariantsAndJunit) {
         run_command({"check", function, "--inputs", "64", "--variant", "all", "--junit", junit.string()});
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr("3 checks, 0 failed"));
-    EXPECT_THAT(read(junit), HasSubstr("<testsuite"));
+    EXPECT_THAT(read_file(junit), HasSubstr("<testsuite"));
 }
 
 TEST(Check, BadInputIsNamed) {

@@ -3,15 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <memory>
 
 #include "catalogue/catalogue.hpp"
-#include "cli/environment.hpp"
+#include "cli/check/run_device.hpp"
+#include "cli/check/shard.hpp"
+#include "cli/check/worker.hpp"
 #include "cli/variant.hpp"
 #include "report/check_report.hpp"
 #include "report/output_file.hpp"
-#include "report/row_of.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -19,48 +23,38 @@ namespace {
 std::vector<std::string> devices_to_check(const std::string& device) {
     if (device != "all") return {device};
     std::vector<std::string> all;
-    for (const gpu::DeviceInfo& info : gpu::list_devices()) all.push_back(std::to_string(info.index));
+    const std::size_t count = count_devices();
+    for (std::size_t i = 0; i < count; ++i) all.push_back(std::to_string(i));
     if (all.empty()) all.emplace_back();  // opening the default then says that there is none
     return all;
 }
 
-report::DeviceSummary summary_of(const gpu::DeviceInfo& info) {
-    return {.name = info.name,
-            .driver = info.driver,
-            .type = info.type,
-            .api_version = info.api_version,
-            .preserves_signed_zero_inf_nan = info.float32.preserves_signed_zero_inf_nan,
-            .preserves_denormals = info.float32.preserves_denormals,
-            .flushes_denormals = info.float32.flushes_denormals,
-            .rounds_to_even = info.float32.rounds_to_even};
-}
-
-check::Lab make_lab(const CheckOptions& options, const std::string& device, const Variant& variant) {
-    return check::Lab({.device = device,
-                       .validation = options.validation,
-                       .include_roots = {glsl_directory()},
-                       .cache_directory = cache_directory(),
-                       .optimization = variant.optimization});
-}
-
-report::CheckRow check_equation(const check::Lab& lab, const catalogue::Entry& entry, const Variant& variant,
-                                const CheckOptions& options) {
-    const auto begin = std::chrono::steady_clock::now();
-    report::CheckRow row;
-    try {
-        row = report::row_of(
-            entry.description.id, variant.name,
-            check::run(lab, entry.check_case, {.inputs = options.inputs, .seed = options.seed}));
-    } catch (const std::exception& error) {
-        row = {.equation = entry.description.id,
-               .function = entry.description.function,
-               .file = entry.description.file,
-               .variant = variant.name,
-               .error = error.what(),
-               .reason = report::Reason::error};
+// Every equation in every variant that was asked for, of which this shard takes its share.
+std::vector<CheckTask> tasks_of(const CheckOptions& options) {
+    const Shard shard = shard_from(options.shard);
+    const catalogue::Entries entries = catalogue::select(catalogue::all_entries(), options.equations);
+    std::vector<CheckTask> tasks;
+    std::size_t position = 0;
+    for (const Variant& variant : select_variants(options.variant)) {
+        for (const catalogue::Entry& entry : entries) {
+            if (!shard.holds(position++)) continue;
+            tasks.push_back({.equation = entry.description.id,
+                             .variant = variant.name,
+                             .inputs = options.inputs,
+                             .seed = options.seed});
+        }
     }
-    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return row;
+    return tasks;
+}
+
+void print_device(const report::DeviceSummary& device) {
+    fmt::print("device: {}\n{}\n", report::name_of(device), report::table_header());
+    std::fflush(stdout);
+}
+
+void print_row(const report::CheckRow& row) {
+    fmt::print("{}\n", report::table_line(row));
+    std::fflush(stdout);
 }
 
 void print_failure(const report::CheckRow& row) {
@@ -68,35 +62,37 @@ void print_failure(const report::CheckRow& row) {
 }
 
 report::CheckReport check_device(const CheckOptions& options, const std::string& device,
-                                 const catalogue::Entries& entries) {
-    report::CheckReport report;
-    for (const Variant& variant : select_variants(options.variant)) {
-        const check::Lab lab = make_lab(options, device, variant);
-        if (report.rows.empty()) {
-            report.device = summary_of(lab.device().info());
-            fmt::print("device: {} ({})\n{}\n", report.device.name, report.device.driver,
-                       report::table_header());
-        }
-        for (const catalogue::Entry& entry : entries) {
-            report.rows.push_back(check_equation(lab, entry, variant, options));
-            fmt::print("{}\n", report::table_line(report.rows.back()));
-            std::fflush(stdout);
-        }
+                                 const std::vector<CheckTask>& tasks) {
+    const auto timeout = std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
+    DeviceRun run{.checker = {.device = device, .validation = options.validation, .timeout = timeout},
+                  .tasks = tasks,
+                  .timeout = timeout,
+                  .jobs = options.jobs,
+                  .in_process = options.in_process,
+                  .on_device = print_device,
+                  .on_row = print_row};
+    try {
+        return run_on_device(run);
+    } catch (const DeviceRefused& refused) {
+        if (options.device != "all") throw;
+        report::CheckReport report{.device = {.name = "device " + device},
+                                   .rows = {device_row(report::Reason::error, refused.what(), tasks.size())}};
+        print_row(report.rows.front());
+        return report;
     }
-    return report;
 }
 
 }  // namespace
 
 int run_check(const CheckOptions& options) {
-    const catalogue::Entries entries = catalogue::select(catalogue::all_entries(), options.equations);
-    report::OutputFile json(options.json);
-    report::OutputFile junit(options.junit);
+    const std::vector<CheckTask> tasks = tasks_of(options);
+    const report::OutputFile json(options.json);
+    const report::OutputFile junit(options.junit);
     std::vector<report::CheckReport> reports;
     std::size_t failures = 0;
     std::size_t checks = 0;
     for (const std::string& device : devices_to_check(options.device)) {
-        reports.push_back(check_device(options, device, entries));
+        reports.push_back(check_device(options, device, tasks));
         failures += reports.back().failures();
         checks += reports.back().rows.size();
     }
@@ -125,8 +121,21 @@ void add_check(CLI::App& app, int& status) {
         ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
         ->capture_default_str();
     command->add_option("--seed", options->seed, "seed of the inputs")->capture_default_str();
+    command->add_option("--shard", options->shard,
+                        "INDEX/COUNT: run only this share of the checks, counted from 0 "
+                        "(default: GTEST_SHARD_INDEX of GTEST_TOTAL_SHARDS)");
     command->add_flag("--validation", options->validation,
                       "Vulkan validation layers on; any message fails the check");
+    command
+        ->add_option("--timeout", options->timeout,
+                     "seconds that one check may take; more is a hang, and costs that check")
+        ->check(CLI::Range(0.001, 1e6))
+        ->capture_default_str();
+    command->add_option("--jobs", options->jobs, "worker processes for each device")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
+        ->capture_default_str();
+    command->add_flag("--in-process", options->in_process,
+                      "no worker processes, for a debugger: a driver that crashes then ends the whole run");
     command->add_option("--json", options->json, "write the results to this file");
     command->add_option("--junit", options->junit, "write the results as JUnit XML");
     command->callback([options, &status] { status = run_check(*options); });

@@ -17,7 +17,11 @@ struct CheckOptions {
     std::string variant = "shipped";     // see variants(), or "all"
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
+    std::string shard;  // see shard_from()
     bool validation = false;
+    double timeout = 120.0;  // seconds for each check
+    std::size_t jobs = 1;    // worker processes
+    bool in_process = false;
     std::filesystem::path json;
     std::filesystem::path junit;
 };

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// What a driver does to a worker of `gloam check` costs one check.
+#include <csignal>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "cli/worker_process.hpp"
+#include "tools/expect.hpp"
+#include "tools/installation.hpp"
+
+namespace gloam::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using cli::WorkerProcess;
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr const char* hanging = "HALTON-base2";
+
+// The process whose parent is this one; 0 when there is none.
+pid_t child_of(pid_t parent) {
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+        const std::string name = entry.path().filename();
+        if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+        const std::string status = read_file(entry.path() / "status");
+        if (status.find("\nPPid:\t" + std::to_string(parent) + "\n") != std::string::npos)
+            return std::stoi(name);
+    }
+    return 0;
+}
+
+bool ends_soon(pid_t process) {
+    for (int i = 0; i < 1000; ++i) {
+        const std::string status = read_file("/proc/" + std::to_string(process) + "/status");
+        if (status.empty() || status.find("State:\tZ") != std::string::npos) return true;
+        std::this_thread::sleep_for(10ms);
+    }
+    return false;
+}
+
+std::map<std::string, json> rows_by_equation(const json& report) {
+    std::map<std::string, json> rows;
+    for (const json& row : report.at("results")) rows[row.at("equation")] = row;
+    return rows;
+}
+
+// `gloam check` of an installation whose HALTON-base2 hangs, with a worker that is in it.
+class HangingCheck {
+  public:
+    explicit HangingCheck(const Installation& installation) : check_(command(installation)) {
+        std::string line;
+        // The device is named when its worker has greeted.
+        EXPECT_EQ(check_.receive(line, WorkerProcess::Clock::now() + 60s), WorkerProcess::Heard::line);
+        EXPECT_THAT(line, testing::StartsWith("device: "));
+        worker_ = child_of(check_.id());
+        EXPECT_NE(worker_, 0);
+    }
+
+    [[nodiscard]] WorkerProcess& check() { return check_; }
+    [[nodiscard]] pid_t worker() const { return worker_; }
+
+  private:
+    static std::vector<std::string> command(const Installation& installation) {
+        installation.make_radical_inverse_base2_hang();
+        return {
+            installation.program().string(),     "check", "gloam_radical_*", "--inputs", "65536", "--json",
+            installation.file("a.json").string()};
+    }
+
+    WorkerProcess check_;
+    pid_t worker_ = 0;
+};
+
+TEST(CheckWorker, AShaderThatLoopsForEverIsOneRow) {
+    const Installation installation;
+    installation.make_radical_inverse_base2_hang();
+    const fs::path file = installation.file("a.json");
+    const CommandResult result = run_program(
+        installation.program(),
+        {"check", "gloam_radical_*", "--inputs", "65536", "--timeout", "1.5", "--json", file.string()});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err, "");
+    EXPECT_THAT(result.out, HasSubstr("2 checks, 1 failed"));
+    const auto rows = rows_by_equation(json::parse(read_file(file)));
+    EXPECT_EQ(rows.at(hanging).at("reason"), "hang");
+    EXPECT_THAT(rows.at(hanging).at("error").get<std::string>(), HasSubstr("1.5 s"));
+    EXPECT_EQ(rows.at("HALTON").at("reason"), "");
+    EXPECT_EQ(rows.at("HALTON").at("inputs"), 65536);
+}
+
+TEST(CheckWorker, AWorkerKilledFromOutsideIsOneRow) {
+    const Installation installation;
+    HangingCheck hanging_check(installation);
+    ASSERT_EQ(kill(hanging_check.worker(), SIGKILL), 0);
+    std::string line;
+    while (hanging_check.check().receive(line, WorkerProcess::Clock::now() + 60s) ==
+           WorkerProcess::Heard::line) {
+    }
+    EXPECT_EQ(hanging_check.check().end(), "ended with status 1");
+    const auto rows = rows_by_equation(json::parse(read_file(installation.file("a.json"))));
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows.at(hanging).at("reason"), "crash");
+    EXPECT_THAT(rows.at(hanging).at("error").get<std::string>(), HasSubstr("signal 9 (KILL: Killed)"));
+    EXPECT_EQ(rows.at("HALTON").at("reason"), "");
+    EXPECT_EQ(rows.at("HALTON").at("outside"), 0);
+}
+
+TEST(CheckWorker, AnInterruptEndsTheWorkersToo) {
+    for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+        const Installation installation;
+        HangingCheck hanging_check(installation);
+        ASSERT_EQ(kill(hanging_check.check().id(), signal), 0);
+        EXPECT_TRUE(ends_soon(hanging_check.worker())) << signal;
+        EXPECT_THAT(hanging_check.check().end(), HasSubstr("signal " + std::to_string(signal)));
+        EXPECT_FALSE(fs::exists(installation.file("a.json")));
+    }
+}
+
+TEST(CheckWorker, SeveralWorkersGiveTheRowsOfOne) {
+    const auto results = [](const std::string& jobs) {
+        return run_command({"check", "HALTON*", "ROT-*", "--inputs", "256", "--jobs", jobs}).out;
+    };
+    EXPECT_EQ(results("1"), results("3"));
+    EXPECT_EQ(results("1"),
+              run_command({"check", "HALTON*", "ROT-*", "--inputs", "256", "--in-process"}).out);
+}
+
+TEST(CheckWorker, ADriverThatCrashesWhenOpenedIsOneRow) {
+    const TemporaryDirectory folder;
+    const fs::path manifest = folder.path() / "driver.json";
+    std::ofstream(manifest) << R"({"file_format_version": "1.0.0", "ICD": {"library_path": ")"
+                            << GLOAM_CRASHING_DRIVER << R"(", "api_version": "1.3.0"}})";
+    const CommandOptions crashing{
+        .environment = {"VK_ICD_FILENAMES=" + manifest.string(), "VK_DRIVER_FILES=" + manifest.string()}};
+    const CommandResult result =
+        run_command({"check", "gloam_radical_*", "--json", (folder.path() / "a.json").string()}, crashing);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err, "");
+    EXPECT_THAT(result.out, HasSubstr("1 checks, 1 failed"));
+    const json report = json::parse(read_file(folder.path() / "a.json"));
+    ASSERT_EQ(report.at("results").size(), 1U);
+    const json& row = report.at("results").front();
+    EXPECT_EQ(row.at("equation"), "device");
+    EXPECT_EQ(row.at("reason"), "crash");
+    EXPECT_THAT(row.at("error").get<std::string>(), HasSubstr("2 checks were not run"));
+    EXPECT_THAT(row.at("error").get<std::string>(), HasSubstr("ABRT"));
+    expect_could_not_run(run_command({"check", "gloam_radical_*", "--device", "all"}, crashing), "ABRT");
+}
+
+TEST(CheckWorker, HelpDoesNotNameIt) {
+    EXPECT_THAT(run_command({"--help"}).out, testing::Not(HasSubstr("worker")));
+}
+
+TEST(CheckWorker, WrongOptionsAreNamed) {
+    expect_could_not_run(run_command({"check", "--timeout", "0"}), "--timeout");
+    expect_could_not_run(run_command({"check", "--timeout", "soon"}), "--timeout");
+    expect_could_not_run(run_command({"check", "--jobs", "0"}), "--jobs");
+    expect_could_not_run(run_command({"check", "--jobs", "-1"}), "--jobs");
+    expect_could_not_run(run_command({"check", "--in-process=maybe"}), "--in-process");
+}
+
+}  // namespace
+}  // namespace gloam::test

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "support/run_command.hpp"
+
+namespace gloam::test {
+
+inline std::string read_file(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// An installation of its own, whose shaders a test may break: the program beside share/gloam/glsl.
+class Installation {
+  public:
+    Installation() {
+        namespace fs = std::filesystem;
+        fs::create_directories(folder_.path() / "bin");
+        fs::create_directories(folder_.path() / "share" / "gloam");
+        fs::copy_file(GLOAM_BUILT_BINARY, program());
+        fs::copy(GLOAM_GLSL_DIR, glsl(), fs::copy_options::recursive);
+    }
+
+    [[nodiscard]] std::filesystem::path program() const { return folder_.path() / "bin" / "gloam"; }
+    [[nodiscard]] std::filesystem::path glsl() const { return folder_.path() / "share" / "gloam" / "glsl"; }
+    [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+
+    // Replaces the first place in a shader file where `from` stands.
+    void replace(const std::filesystem::path& file, const std::string& from, const std::string& to) const {
+        std::string text = read_file(glsl() / file);
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << from << " is not in " << file;
+        std::ofstream(glsl() / file) << text.replace(at, from.size(), to);
+    }
+
+    // Makes gloam_radical_inverse_base2 loop until a generator of period 2^32 returns to a certain number.
+    // lavapipe ends loops after 65,535 rounds without a word: these are so long that it is busy for minutes.
+    void make_radical_inverse_base2_hang() const {
+        std::string loop = "uint spin = index;\n    for (uint i = 0u; spin != 305419896u; ++i) {\n";
+        for (int i = 0; i < 200; ++i) loop += "        spin = (spin ^ i) * 1664525u + 1013904223u;\n";
+        replace("gloam/sampling/radical_inverse.glsl", "uint bits = (index << 16u)",
+                loop + "    }\n    uint bits = (spin & 1u) + (index << 16u)");
+    }
+
+  private:
+    TemporaryDirectory folder_;
+};
+
+}  // namespace gloam::test

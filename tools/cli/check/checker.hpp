@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <string>
+
+#include "catalogue/catalogue.hpp"
+#include "cli/check/task.hpp"
+#include "report/check_report.hpp"
+
+namespace gloam::cli {
+
+// The device on which checks run, and how.
+struct CheckerOptions {
+    std::string device;  // name or index; empty: the default
+    bool validation = false;
+    std::chrono::milliseconds timeout{60'000};  // longest wait for one submission
+};
+
+// Runs checks in this process.
+class Checker {
+  public:
+    // Opens the device. Throws as gpu::Device does.
+    explicit Checker(CheckerOptions options);
+
+    [[nodiscard]] report::DeviceSummary device() const;
+
+    // Never throws for what goes wrong in a check: the row tells it. After Reason::device_lost and
+    // Reason::hang the device is of no more use.
+    [[nodiscard]] report::CheckRow run(const CheckTask& task);
+
+  private:
+    const check::Lab& lab(const std::string& variant);
+    [[nodiscard]] const catalogue::Entry& entry(const std::string& id) const;
+
+    CheckerOptions options_;
+    catalogue::Entries entries_;
+    std::string variant_;  // that lab_ compiles
+    std::unique_ptr<check::Lab> lab_;
+};
+
+// What kind of thing went wrong, from an exception of the rooms.
+[[nodiscard]] report::Reason reason_of(const std::exception& error);
+
+// A row for a check that did not run.
+[[nodiscard]] report::CheckRow row_without_result(const catalogue::Entry& entry, const std::string& variant,
+                                                  report::Reason reason, const std::string& error);
+
+}  // namespace gloam::cli

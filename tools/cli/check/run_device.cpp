@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "cli/check/run_device.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "cli/check/worker.hpp"
+#include "cli/check/worker_session.hpp"
+
+namespace gloam::cli {
+namespace {
+
+using report::CheckRow;
+using report::Reason;
+
+std::string refusal_of(const std::string& greeting) {
+    return greeting_from(greeting).error;
+}
+
+bool is_unusable_after(Reason reason) {
+    return reason == Reason::device_lost || reason == Reason::hang || reason == Reason::out_of_memory;
+}
+
+// Tasks to be taken and rows to be given back by several threads; rows are told of in the order of the tasks.
+class Board {
+  public:
+    explicit Board(const DeviceRun& run) : run_(run), rows_(run.tasks.size()) {}
+
+    std::optional<std::size_t> take() {
+        const std::scoped_lock lock(mutex_);
+        if (given_up_ || taken_ == rows_.size()) return std::nullopt;
+        return taken_++;
+    }
+
+    void put(std::size_t task, CheckRow row) {
+        const std::scoped_lock lock(mutex_);
+        rows_[task] = std::move(row);
+        while (told_ < rows_.size() && rows_[told_]) tell(*rows_[told_++]);
+    }
+
+    // No more tasks are taken.
+    void give_up(Reason reason, const std::string& error) {
+        const std::scoped_lock lock(mutex_);
+        if (!given_up_) given_up_ = {.line = {}, .reason = reason, .error = error};
+    }
+
+    // All rows, once nobody works any more.
+    std::vector<CheckRow> finish() {
+        std::vector<CheckRow> all;
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            if (!rows_[i]) continue;
+            if (i >= told_) tell(*rows_[i]);
+            all.push_back(std::move(*rows_[i]));
+        }
+        if (given_up_) {
+            all.push_back(device_row(given_up_->reason, given_up_->error, rows_.size() - all.size()));
+            tell(all.back());
+        }
+        return all;
+    }
+
+  private:
+    void tell(const CheckRow& row) const {
+        if (run_.on_row) run_.on_row(row);
+    }
+
+    const DeviceRun& run_;
+    std::mutex mutex_;
+    std::vector<std::optional<CheckRow>> rows_;
+    std::size_t taken_ = 0;
+    std::size_t told_ = 0;
+    std::optional<Answer> given_up_;
+};
+
+// Asks a worker for the row of one task. Throws NoWorker.
+CheckRow ask(WorkerSession& session, const CheckTask& task, const catalogue::Entries& entries) {
+    const auto begin = std::chrono::steady_clock::now();
+    Answer answer = session.ask(to_line(task));
+    if (answer.error.empty()) {
+        try {
+            CheckRow row = report::row_from_json(answer.line);
+            if (is_unusable_after(row.reason)) session.dismiss();
+            return row;
+        } catch (const std::runtime_error& error) {
+            answer.reason = Reason::error;
+            answer.error = fmt::format("the worker's answer makes no sense: {}", error.what());
+            session.dismiss();
+        }
+    }
+    const auto entry =
+        std::ranges::find(entries, task.equation, [](const auto& e) { return e.description.id; });
+    CheckRow row = row_without_result(*entry, task.variant, answer.reason, answer.error);
+    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return row;
+}
+
+void work(WorkerSession& session, const DeviceRun& run, const catalogue::Entries& entries, Board& board) {
+    try {
+        while (const auto task = board.take()) {
+            board.put(*task, ask(session, run.tasks[*task], entries));
+        }
+    } catch (const NoWorker& none) {
+        board.give_up(none.reason, none.what());
+    } catch (const std::exception& error) {
+        board.give_up(Reason::error, error.what());
+    }
+}
+
+void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
+    const std::vector<std::string> command = worker_command(run.checker);
+    const auto make_session = [&] { return WorkerSession(command, run.timeout, refusal_of); };
+    WorkerSession session = make_session();
+    try {
+        report.device = greeting_from(session.greeting()).device;
+    } catch (const NoWorker& none) {
+        if (none.reason == Reason::error) throw DeviceRefused(none.what());
+        report.device.name = run.checker.device.empty() ? "default" : run.checker.device;
+        report.rows.push_back(device_row(none.reason, none.what(), run.tasks.size()));
+        if (run.on_row) run.on_row(report.rows.back());
+        return;
+    }
+    if (run.on_device) run.on_device(report.device);
+    const catalogue::Entries entries = catalogue::all_entries();
+    Board board(run);
+    std::vector<std::thread> helpers;
+    for (std::size_t job = 1; job < std::min(run.jobs, run.tasks.size()); ++job) {
+        helpers.emplace_back([&] {
+            WorkerSession own = make_session();  // lives and dies with this thread
+            work(own, run, entries, board);
+        });
+    }
+    work(session, run, entries, board);
+    for (std::thread& helper : helpers) helper.join();
+    report.rows = board.finish();
+}
+
+void run_here(const DeviceRun& run, report::CheckReport& report) {
+    std::optional<Checker> checker;
+    try {
+        checker.emplace(run.checker);
+    } catch (const std::exception& error) {
+        throw DeviceRefused(error.what());
+    }
+    report.device = checker->device();
+    if (run.on_device) run.on_device(report.device);
+    for (const CheckTask& task : run.tasks) {
+        report.rows.push_back(checker->run(task));
+        if (run.on_row) run.on_row(report.rows.back());
+    }
+}
+
+}  // namespace
+
+report::CheckRow device_row(Reason reason, const std::string& error, std::size_t checks_left) {
+    return {
+        .equation = "device",
+        .error = fmt::format("the device cannot be opened, {} checks were not run: {}", checks_left, error),
+        .reason = reason};
+}
+
+report::CheckReport run_on_device(const DeviceRun& run) {
+    report::CheckReport report;
+    if (run.in_process) {
+        run_here(run, report);
+    } else {
+        run_in_workers(run, report);
+    }
+    return report;
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "cli/check/task.hpp"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace gloam::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr auto replace = json::error_handler_t::replace;  // of bytes that are no UTF-8
+
+// The line as an object with these members.
+json object_from(std::string_view line, std::initializer_list<const char*> members) {
+    json object = json::parse(line, nullptr, false);
+    if (!object.is_object()) throw std::runtime_error("expected a JSON object, found " + std::string(line));
+    for (const char* member : members) {
+        if (!object.contains(member)) {
+            throw std::runtime_error("expected the field \"" + std::string(member) + "\" in " +
+                                     std::string(line));
+        }
+    }
+    return object;
+}
+
+}  // namespace
+
+std::string to_line(const CheckTask& task) {
+    const json object{
+        {"equation", task.equation}, {"variant", task.variant}, {"inputs", task.inputs}, {"seed", task.seed}};
+    return object.dump(-1, ' ', false, replace);
+}
+
+CheckTask task_from(std::string_view line) {
+    const json object = object_from(line, {"equation", "variant", "inputs", "seed"});
+    return {.equation = object["equation"].get<std::string>(),
+            .variant = object["variant"].get<std::string>(),
+            .inputs = object["inputs"].get<std::size_t>(),
+            .seed = object["seed"].get<std::uint64_t>()};
+}
+
+std::string to_line(const Greeting& greeting) {
+    const json object{{"device", report::to_json(greeting.device)},
+                      {"devices", greeting.devices},
+                      {"error", greeting.error}};
+    return object.dump(-1, ' ', false, replace);
+}
+
+Greeting greeting_from(std::string_view line) {
+    const json object = object_from(line, {"device", "devices", "error"});
+    return {.device = report::device_from_json(object["device"].get<std::string>()),
+            .devices = object["devices"].get<std::size_t>(),
+            .error = object["error"].get<std::string>()};
+}
+
+}  // namespace gloam::cli

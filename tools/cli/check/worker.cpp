@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "cli/check/worker.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "cli/check/worker_session.hpp"
+
+namespace gloam::cli {
+namespace {
+
+constexpr const char* this_program = "/proc/self/exe";
+constexpr const char* subcommand = "check-worker";
+constexpr std::chrono::seconds time_to_count{120};
+
+// Lines to the parent. Standard output itself is turned over to standard error: a driver may print.
+class Replies {
+  public:
+    Replies() : file_(fdopen(dup(STDOUT_FILENO), "w")) {
+        if (file_ == nullptr || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+            throw std::system_error(errno, std::generic_category(), "no standard output");
+        }
+    }
+    ~Replies() { std::fclose(file_); }
+    Replies(const Replies&) = delete;
+    Replies& operator=(const Replies&) = delete;
+
+    void send(const std::string& line) {
+        std::fputs((line + "\n").c_str(), file_);
+        std::fflush(file_);
+    }
+
+  private:
+    std::FILE* file_;
+};
+
+// Greets with the number of devices, and that is all.
+void count_and_tell() {
+    Replies replies;
+    Greeting greeting;
+    try {
+        greeting.devices = gpu::list_devices().size();
+    } catch (const std::exception& error) {
+        greeting.error = error.what();
+    }
+    replies.send(to_line(greeting));
+}
+
+void run_worker(const CheckerOptions& options) {
+    Replies replies;
+    std::optional<Checker> checker;
+    Greeting greeting;
+    try {
+        checker.emplace(options);
+        greeting.device = checker->device();
+    } catch (const std::exception& error) {
+        greeting.error = error.what();
+    }
+    replies.send(to_line(greeting));
+    if (!checker) return;
+    for (std::string line; std::getline(std::cin, line);) {
+        replies.send(report::to_json(checker->run(task_from(line))));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> worker_command(const CheckerOptions& options) {
+    std::vector<std::string> command{this_program, subcommand, "--timeout",
+                                     std::to_string(options.timeout.count())};
+    if (!options.device.empty()) command.push_back("--device=" + options.device);
+    if (options.validation) command.emplace_back("--validation");
+    return command;
+}
+
+std::size_t count_devices() {
+    WorkerSession session({this_program, subcommand, "--count"}, time_to_count,
+                          [](const std::string& line) { return greeting_from(line).error; });
+    try {
+        return greeting_from(session.greeting()).devices;
+    } catch (const NoWorker& none) {
+        if (none.reason == report::Reason::error) throw;
+        throw std::runtime_error(std::string("cannot list the devices: ") + none.what());
+    }
+}
+
+void add_check_worker(CLI::App& app) {
+    auto options = std::make_shared<CheckerOptions>();
+    auto timeout = std::make_shared<long>(options->timeout.count());
+    CLI::App* command = app.add_subcommand(subcommand, "runs checks for `gloam check`");
+    command->group("");  // not listed
+    command->add_option("--device", options->device);
+    command->add_option("--timeout", *timeout, "milliseconds")->check(CLI::PositiveNumber);
+    command->add_flag("--validation", options->validation);
+    auto count = std::make_shared<bool>(false);
+    command->add_flag("--count", *count, "only count the devices");
+    command->callback([options, timeout, count] {
+        if (*count) {
+            count_and_tell();
+            return;
+        }
+        options->timeout = std::chrono::milliseconds(*timeout);
+        run_worker(*options);
+    });
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cli/check/checker.hpp"
+
+namespace gloam::cli {
+
+// The command line of a worker: this program, which runs the checks that it reads, one a line, from standard
+// input.
+[[nodiscard]] std::vector<std::string> worker_command(const CheckerOptions& options);
+
+// How many devices there are, counted by a process of its own: drivers crash there too. Throws
+// std::runtime_error.
+[[nodiscard]] std::size_t count_devices();
+
+// Adds the subcommand behind it, which no help shows.
+void add_check_worker(CLI::App& app);
+
+}  // namespace gloam::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gloam::cli {
+
+// An open file, closed at the end.
+class FileDescriptor {
+  public:
+    explicit FileDescriptor(int number = -1) : number_(number) {}
+    ~FileDescriptor() { reset(); }
+    FileDescriptor(FileDescriptor&& other) noexcept : number_(other.release()) {}
+    FileDescriptor& operator=(FileDescriptor&& other) noexcept;
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+    [[nodiscard]] int get() const { return number_; }
+    void reset();
+
+  private:
+    int release();
+    int number_;
+};
+
+// A program that answers lines with lines. Its standard input and output are a connection to this process,
+// its standard error goes to an unnamed file. It dies with the object, and with the thread that started it
+// (so with this process, however that ends).
+class WorkerProcess {
+  public:
+    using Clock = std::chrono::steady_clock;
+    enum class Heard { line, end, silence };
+
+    // command[0] is the path of the program. Throws std::system_error when it cannot be started.
+    explicit WorkerProcess(const std::vector<std::string>& command);
+    ~WorkerProcess();
+    WorkerProcess(const WorkerProcess&) = delete;
+    WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+    // Sends a line; false when the program no longer listens.
+    bool send(std::string_view line);
+
+    // Waits for a whole line (given without its end), for the end of its output, or until the deadline.
+    [[nodiscard]] Heard receive(std::string& line, Clock::time_point deadline);
+
+    // Ends the program if it has not ended by itself, and says how it ended: "ended by signal 11 (SEGV:
+    // Segmentation fault)", "ended with status 3", with the last words of its standard error.
+    [[nodiscard]] std::string end();
+
+    [[nodiscard]] pid_t id() const { return child_; }
+
+  private:
+    void start(const std::vector<std::string>& command, int theirs);
+    bool wait(Clock::duration patience);
+    [[nodiscard]] std::string last_words() const;
+
+    pid_t child_ = -1;
+    bool running_ = false;
+    int status_ = 0;  // as waitpid() has it, once it does not run
+    FileDescriptor connection_;
+    FileDescriptor errors_;
+    std::string heard_;  // not yet taken
+};
+
+}  // namespace gloam::cli
