@@ -56,16 +56,6 @@ glm::dmat4 projection(Random& random) {
 
 }  // namespace
 
-check::Values either(const check::Values& a, const check::Values& b) {
-    check::Values values;
-    values.draw = [a, b](check::DrawContext& context, std::vector<check::Word>& words) {
-        (context.random.below(2) == 0 ? a : b).draw(context, words);
-    };
-    values.fixed = a.fixed;
-    values.fixed.insert(values.fixed.end(), b.fixed.begin(), b.fixed.end());
-    return values;
-}
-
 check::Values rigid_matrices(double extent) {
     return check::made_by<glm::mat4>(
         [extent](Random& random) { return rigid(random, std::numbers::pi, extent); });

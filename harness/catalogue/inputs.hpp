@@ -22,9 +22,6 @@ template <class... V>
     return all;
 }
 
-// Drawn from either with equal chance; the fixed values of both.
-[[nodiscard]] check::Values either(const check::Values& a, const check::Values& b);
-
 // mat4: turns and shifts, world units up to `extent` from the origin (a view or model matrix, or its
 // inverse).
 [[nodiscard]] check::Values rigid_matrices(double extent);

@@ -77,15 +77,24 @@ void Domain::append_row(Row& row) const {
     }
     const std::span<Word> drawn = std::span(words).subspan(first);
     branch = apply_tie(row.context, drawn, offsets) || branch;
-    for (const auto& adjust : adjustments_) adjust(drawn);
     row.inputs.branch.push_back(branch);
     row.inputs.width = drawn.size();
 }
 
-Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
+Domain Domain::and_words(const std::vector<Word>& words) const {
+    Domain more = *this;
+    more.given_.push_back(words);
+    return more;
+}
+
+void Domain::adjust(std::span<Word> row) const {
+    for (const auto& adjustment : adjustments_) adjustment(row);
+}
+
+void Domain::append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed,
+                          glm::ivec2 image_size) const {
     numeric::Random random(seed);
     DrawContext context{.random = random, .image_size = image_size};
-    Inputs inputs;
     for (std::size_t p = 0; p < parameters_.size(); ++p) {
         for (std::size_t value = 0; value < parameters_[p].fixed.size() && inputs.count() < count; ++value) {
             Row row{.context = context, .inputs = inputs, .forced = p, .forced_value = value};
@@ -95,6 +104,27 @@ Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 im
     while (inputs.count() < count) {
         Row row{.context = context, .inputs = inputs};
         append_row(row);
+    }
+}
+
+Domain::Inputs Domain::draw_unadjusted(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
+    Inputs inputs;
+    append_drawn(inputs, count, seed, image_size);
+    return inputs;
+}
+
+Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
+    Inputs inputs;
+    for (const std::vector<Word>& words : given_) {
+        if (inputs.count() == count) break;
+        inputs.words.insert(inputs.words.end(), words.begin(), words.end());
+        inputs.branch.push_back(false);
+        inputs.width = words.size();
+    }
+    const std::size_t given = inputs.count();
+    append_drawn(inputs, count, seed, image_size);
+    for (std::size_t i = given; i < inputs.count(); ++i) {
+        adjust(std::span(inputs.words).subspan(i * inputs.width, inputs.width));
     }
     return inputs;
 }

@@ -26,6 +26,16 @@ class Domain {
     // `adjust` may change the words of every input after it was drawn (to keep min <= max, for example).
     [[nodiscard]] Domain adjusted(std::function<void(std::span<Word>)> adjust) const;
 
+    // The same with an input that every run includes, whatever else it draws: the worst that a search found,
+    // say. As the function gets it: nothing is adjusted.
+    template <class... T>
+    [[nodiscard]] Domain and_input(const T&... values) const {
+        std::vector<Word> words;
+        (append_words(values, words), ...);
+        return and_words(words);
+    }
+    [[nodiscard]] Domain and_words(const std::vector<Word>& words) const;
+
     struct Inputs {
         std::vector<Word> words;   // one input after the other
         std::vector<bool> branch;  // input was placed at a branch point
@@ -37,13 +47,18 @@ class Domain {
         }
     };
 
-    // `count` inputs from the seed, the same on every machine: every fixed value at least once (when count
-    // allows), then a mixture of all-random inputs, inputs with one fixed value, and inputs of fixed values
-    // only.
+    // `count` inputs from the seed, the same on every machine: the given inputs, every fixed value at least
+    // once (when count allows), then a mixture of all-random inputs, inputs with one fixed value, and inputs
+    // of fixed values only.
     [[nodiscard]] Inputs draw(std::size_t count, std::uint64_t seed,
                               glm::ivec2 image_size = glm::ivec2(1)) const;
 
-    [[nodiscard]] std::size_t parameter_count() const { return parameters_.size(); }
+    // What a search works on: inputs as drawn, before anything is adjusted; and what is done to them then.
+    [[nodiscard]] Inputs draw_unadjusted(std::size_t count, std::uint64_t seed,
+                                         glm::ivec2 image_size = glm::ivec2(1)) const;
+    void adjust(std::span<Word> row) const;
+
+    [[nodiscard]] const std::vector<Values>& parameters() const { return parameters_; }
 
   private:
     struct Tie {
@@ -53,11 +68,13 @@ class Domain {
     };
     struct Row;
     void append_row(Row& row) const;
+    void append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const;
     bool apply_tie(DrawContext& context, std::span<Word> row, const std::vector<std::size_t>& offsets) const;
 
     std::vector<Values> parameters_;
     std::vector<Tie> ties_;
     std::vector<std::function<void(std::span<Word>)>> adjustments_;
+    std::vector<std::vector<Word>> given_;
 };
 
 }  // namespace gloam::check

@@ -117,7 +117,7 @@ std::string to_text(const Budget& budget) {
 }
 
 Census judge(const Rules& rules, const Domain::Inputs& inputs, std::span<const Word> outputs,
-             const ImageSet& images, const std::string& scenario) {
+             const ImageSet& images, const std::string& scenario, std::span<double> fractions) {
     const std::size_t width = rules.signature.output_words();
     const auto part = [&](std::size_t begin, std::size_t end) {
         Judge judge(rules, images);
@@ -130,7 +130,9 @@ Census judge(const Rules& rules, const Domain::Inputs& inputs, std::span<const W
             sample.inputs.assign(row.begin(), row.end());
             sample.got.assign(got.begin(), got.end());
             sample.want.clear();
+            sample.fraction = 0.0;
             judge.add(census, sample, inputs.branch[i]);
+            if (!fractions.empty()) fractions[i] = sample.fraction;
         }
         return census;
     };

@@ -55,7 +55,10 @@ struct Rules {
 
 // Judges every output of a run. Throws std::invalid_argument for Verdict::rules without `permitted`.
 // `outputs`: count x output words, in the order of the inputs.
+// `fractions`, when not empty, takes each input's fraction of what the verdict allows (0 where only
+// recorded).
 [[nodiscard]] Census judge(const Rules& rules, const Domain::Inputs& inputs, std::span<const Word> outputs,
-                           const ImageSet& images = {}, const std::string& scenario = {});
+                           const ImageSet& images = {}, const std::string& scenario = {},
+                           std::span<double> fractions = {});
 
 }  // namespace gloam::check

@@ -14,8 +14,12 @@ namespace {
 
 using Words = std::vector<Word>;
 
-Values float_values(std::function<double(numeric::Random&)> make) {
+Values float_values(double low, double high, std::function<double(numeric::Random&)> make) {
     Values values;
+    values.contains = [low, high](std::span<const Word> words) {
+        const auto value = static_cast<double>(from_word<float>(words[0]));
+        return value >= low && value <= high;
+    };
     values.draw = [make = std::move(make)](DrawContext& context, Words& words) {
         words.push_back(to_word(static_cast<float>(make(context.random))));
     };
@@ -35,6 +39,11 @@ void require_order(double low, double high) {
 }
 
 }  // namespace
+
+bool Values::admits(std::span<const Word> words) const {
+    const auto same = [words](const Fixed& value) { return std::ranges::equal(value.words, words); };
+    return (contains && contains(words)) || std::ranges::any_of(fixed, same);
+}
 
 Values Values::and_special() const {
     Values more = *this;
@@ -76,7 +85,7 @@ Values Values::and_near_integers(std::initializer_list<long> points) const {
 
 Values uniform(double low, double high) {
     require_order(low, high);
-    return float_values([low, high](numeric::Random& random) { return random.uniform(low, high); })
+    return float_values(low, high, [low, high](numeric::Random& random) { return random.uniform(low, high); })
         .and_value(static_cast<float>(low))
         .and_value(static_cast<float>(high));
 }
@@ -84,9 +93,11 @@ Values uniform(double low, double high) {
 Values log_uniform(double low, double high) {
     require_order(low, high);
     if (!(low > 0.0)) throw std::invalid_argument("log_uniform needs 0 < low");
-    return float_values([low, high](numeric::Random& random) {
-               return std::clamp(std::exp(random.uniform(std::log(low), std::log(high))), low, high);
-           })
+    return float_values(low, high,
+                        [low, high](numeric::Random& random) {
+                            return std::clamp(std::exp(random.uniform(std::log(low), std::log(high))), low,
+                                              high);
+                        })
         .and_value(static_cast<float>(low))
         .and_value(static_cast<float>(high));
 }
@@ -97,6 +108,10 @@ Values signed_log_uniform(double low, double high) {
     values.draw = [magnitude](DrawContext& context, Words& words) {
         magnitude.draw(context, words);
         words.back() ^= context.random.below(2) == 0 ? 0U : 0x80000000U;
+    };
+    values.contains = [magnitude](std::span<const Word> words) {
+        const Word positive = words[0] & 0x7fffffffU;
+        return magnitude.contains(std::span(&positive, 1));
     };
     for (const double end : {low, high}) {
         values = values.and_value(static_cast<float>(end)).and_value(static_cast<float>(-end));
@@ -109,6 +124,7 @@ Values any_float() {
     values.draw = [](DrawContext& context, Words& words) {
         words.push_back(static_cast<Word>(context.random.bits()));
     };
+    values.contains = [](std::span<const Word>) { return true; };
     return values;
 }
 
@@ -120,6 +136,10 @@ Values integers(long low, long high) {
         words.push_back(static_cast<Word>(low + static_cast<long>(context.random.below(count))));
     };
     values.fixed = {{.words = {static_cast<Word>(low)}}, {.words = {static_cast<Word>(high)}}};
+    // As far from `low`, around the whole circle of 32 bits, as a value of the range may be.
+    values.contains = [low, high](std::span<const Word> words) {
+        return words[0] - static_cast<Word>(low) <= static_cast<Word>(high) - static_cast<Word>(low);
+    };
     return values;
 }
 
@@ -130,6 +150,7 @@ Values log_integers(long high) {
         words.push_back(static_cast<Word>(std::min(static_cast<long>(drawn), high)));
     };
     values.fixed = {{.words = {0U}}, {.words = {1U}}, {.words = {static_cast<Word>(high)}}};
+    values.contains = [high](std::span<const Word> words) { return words[0] <= static_cast<Word>(high); };
     return values;
 }
 
@@ -153,6 +174,11 @@ Values vector(const std::vector<Values>& components) {
     Values values;
     values.draw = [components](DrawContext& context, Words& words) {
         for (const Values& component : components) component.draw(context, words);
+    };
+    values.contains = [components](std::span<const Word> words) {
+        std::size_t next = 0;  // a component is one word
+        return std::ranges::all_of(components,
+                                   [&](const Values& c) { return c.admits(words.subspan(next++, 1)); });
     };
     numeric::Random random(2);
     for (std::size_t i = 0; i < components.size(); ++i) {
@@ -178,6 +204,11 @@ Values unit_vector(int components) {
         words.push_back(to_word(static_cast<float>(radius * std::sin(angle))));
         if (components == 3) words.push_back(to_word(static_cast<float>(z)));
     };
+    values.contains = [](std::span<const Word> words) {
+        double squared = 0.0;
+        for (const Word word : words) squared += from_word<double>(word) * from_word<double>(word);
+        return std::abs(squared - 1.0) <= 0x1p-22;  // as the rounding of drawn ones leaves it
+    };
     for (int axis = 0; axis < components; ++axis) {
         for (const float sign : {1.0F, -1.0F}) {
             Values::Fixed fixed{.words = Words(static_cast<std::size_t>(components), to_word(0.0F))};
@@ -200,6 +231,23 @@ Values vector_of_length(int components, const Values& length) {
             words[i] = to_word(from_word<float>(words[i]) * from_word<float>(scale.front()));
         }
     };
+    values.contains = [length](std::span<const Word> words) {
+        double squared = 0.0;
+        for (const Word word : words) squared += from_word<double>(word) * from_word<double>(word);
+        const Word measured = to_word(std::sqrt(squared));
+        return length.admits(std::span(&measured, 1));
+    };
+    return values;
+}
+
+Values either(const Values& a, const Values& b) {
+    Values values;
+    values.draw = [a, b](DrawContext& context, Words& words) {
+        (context.random.below(2) == 0 ? a : b).draw(context, words);
+    };
+    values.fixed = a.fixed;
+    values.fixed.insert(values.fixed.end(), b.fixed.begin(), b.fixed.end());
+    values.contains = [a, b](std::span<const Word> words) { return a.admits(words) || b.admits(words); };
     return values;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "check/scalars.hpp"
@@ -27,6 +28,12 @@ struct Values {
 
     std::function<void(DrawContext&, std::vector<Word>&)> draw;  // appends one value
     std::vector<Fixed> fixed;
+    // Whether a value is one that may be drawn; empty: nobody can tell. A search for worse inputs moves
+    // inside.
+    std::function<bool(std::span<const Word>)> contains;
+
+    // Whether a value may be an input: it is fixed, or it may be drawn.
+    [[nodiscard]] bool admits(std::span<const Word> words) const;
 
     // Each returns the same values with more fixed ones.
     // Every special float (numeric::special_floats) as a scalar, in each component of a vector, and in all at
@@ -72,6 +79,8 @@ struct Values {
 // ivec2 pixel of the run's image, corners included; and ivec2 size of the image.
 [[nodiscard]] Values image_pixel();
 [[nodiscard]] Values image_size();
+// One of two kinds of values, each as often as the other; the fixed values of both.
+[[nodiscard]] Values either(const Values& a, const Values& b);
 // Values of T made by any function.
 template <class T, class Make>
 [[nodiscard]] Values made_by(Make make) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "check/case.hpp"
+
+namespace gloam::check::internal {
+
+// A case ready to evaluate inputs, over the images of one scenario. What it is made from must outlive it.
+class Trial {
+  public:
+    // `seed` makes the images.
+    Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, const ImageScenario& scenario,
+          std::uint64_t seed, Verdict verdict, const numeric::FloatFormat& format);
+
+    // Evaluates and judges the inputs, and adds what it found to the result; see judge() for `fractions`.
+    void evaluate(const Domain::Inputs& inputs, Result& result, std::span<double> fractions = {}) const;
+
+    // The seed of this scenario's inputs.
+    [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
+
+  private:
+    const Lab& lab_;
+    const KernelCore& kernel_;
+    const ImageScenario& scenario_;
+    std::uint64_t input_seed_;
+    ImageSet images_;
+    Rules rules_;
+};
+
+// Calls visit(scenario, share) for each scenario of a case with its share of `inputs`; once, with an empty
+// scenario, for a function without images.
+void for_each_scenario(const Case& check_case, std::size_t inputs,
+                       const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit);
+
+// A result without inputs.
+[[nodiscard]] Result empty_result(const Case& check_case, Verdict verdict);
+
+}  // namespace gloam::check::internal

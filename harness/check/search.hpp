@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "check/case.hpp"
+
+namespace gloam::check {
+
+struct SearchOptions {
+    std::size_t inputs = 65'536;  // evaluated in all
+    std::uint64_t seed = 1;
+    Verdict verdict = Verdict::budget;  // the error is searched as a fraction of what this allows
+    numeric::FloatFormat format = numeric::float32;
+};
+
+// What a search found of one function.
+struct SearchResult {
+    Result result;                // over every input that was evaluated
+    double drawn_fraction = 0.0;  // the worst among those that were drawn at random, before the climb
+};
+
+// Looks for the inputs with the largest error: a quarter of the inputs is drawn at random, the others climb
+// from the worst so far, by neighbouring floats, by powers of two up to whole exponents, by exchanging
+// parameters. It stays inside the domain. Throws as run() does.
+[[nodiscard]] SearchResult search(const Lab& lab, const Case& check_case, const SearchOptions& options = {});
+
+}  // namespace gloam::check
