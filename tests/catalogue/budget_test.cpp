@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A documented accuracy is what the function really achieves: no driver at hand may leave more than three
+// quarters of a budget unused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "catalogue/catalogue.hpp"
+#include "support/lab.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+constexpr std::size_t inputs_per_equation = 65'536;
+constexpr double most_slack = 4.0;
+
+// A result is never nearer to the exact one than its rounding, so half an ULP is no slack.
+bool is_tightest(const check::Budget& budget) {
+    return budget.ulp <= 0.5 && budget.absolute == 0.0;
+}
+
+std::vector<std::unique_ptr<check::Lab>> labs_of_all_devices() {
+    std::vector<std::unique_ptr<check::Lab>> labs;
+    for (const gpu::DeviceInfo& info : gpu::list_devices()) {
+        labs.push_back(
+            std::make_unique<check::Lab>(check::LabOptions{.device = std::to_string(info.index),
+                                                           .validation = true,
+                                                           .include_roots = {GLOAM_GLSL_DIR},
+                                                           .cache_directory = test::cache_directory()}));
+    }
+    return labs;
+}
+
+TEST(Budgets, AreAtMostFourTimesWhatIsMeasured) {
+    const auto labs = labs_of_all_devices();
+    ASSERT_FALSE(labs.empty());
+    for (const Entry& entry : all_entries()) {
+        const check::Case& check_case = entry.check_case;
+        if (check_case.only_rules || is_tightest(check_case.budget)) continue;
+        if (check_case.budget.ulp == 0.0 && check_case.budget.absolute == 0.0) continue;
+        double worst = 0.0;
+        for (const auto& lab : labs) {
+            worst = std::max(worst,
+                             check::run(*lab, check_case, {.inputs = inputs_per_equation}).census.fraction);
+        }
+        EXPECT_GE(worst * most_slack, 1.0)
+            << entry.description.id << ": documents " << check::to_text(check_case.budget) << ", of which "
+            << worst << " is used at most";
+    }
+}
+
+}  // namespace
+}  // namespace gloam::catalogue
