@@ -54,11 +54,11 @@ Lab::Lab(LabOptions options)
 shader::CompileOptions Lab::compile_options() const {
     return {.stage = shader::Stage::compute,
             .include_roots = options_.include_roots,
-            .optimization = options_.optimization};
+            .variant = options_.variant};
 }
 
-KernelSource Lab::find(const std::string& file, const std::string& function,
-                       const Signature& signature) const {
+KernelSource Lab::source(const std::string& file, const std::string& function,
+                         const Signature& signature) const {
     const shader::Source probe{.name = "signature of " + file,
                                .text = fmt::format("#version 450\n#include \"{}\"\n", file)};
     const std::vector<shader::Function> functions = cache_.functions(probe, compile_options());
@@ -88,20 +88,23 @@ KernelSource Lab::find(const std::string& file, const std::string& function,
 
 std::string Lab::code(const std::string& file, const std::string& function,
                       const Signature& signature) const {
-    return kernel_code(find(file, function, signature));
+    return kernel_code(source(file, function, signature));
 }
 
 KernelCore Lab::kernel(const std::string& file, const std::string& function,
                        const Signature& signature) const {
-    KernelSource source = find(file, function, signature);
-    const shader::Source text{.name = "kernel of " + function, .text = kernel_code(source)};
-    const shader::Spirv spirv = cache_.compile(text, compile_options());
+    KernelSource made_of = source(file, function, signature);
+    const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
     return {*device_,
-            spirv,
+            compile(text),
             function,
             signature.input_words(),
             signature.output_words(),
-            std::move(source.images)};
+            std::move(made_of.images)};
+}
+
+shader::Spirv Lab::compile(const shader::Source& text) const {
+    return cache_.compile(text, compile_options());
 }
 
 void Lab::require_silent_validation() const {

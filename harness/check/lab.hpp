@@ -18,8 +18,8 @@ struct LabOptions {
     std::string device;                                // see gpu::DeviceOptions
     bool validation = false;                           // Vulkan validation layers on; any message is an error
     std::vector<std::filesystem::path> include_roots;  // where GLSL files are looked for, first match wins
-    std::filesystem::path cache_directory;  // compiled shaders and pipelines; empty: nothing is kept
-    shader::Optimization optimization = shader::Optimization::none;
+    std::filesystem::path cache_directory;      // compiled shaders and pipelines; empty: nothing is kept
+    shader::Variant variant;                    // how the shaders are compiled
     std::chrono::milliseconds timeout{60'000};  // longest wait for one submission
 };
 
@@ -34,6 +34,13 @@ class Lab {
     [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
                                     const Signature& signature) const;
 
+    // What such a kernel is generated from. Throws as kernel() does.
+    [[nodiscard]] KernelSource source(const std::string& file, const std::string& function,
+                                      const Signature& signature) const;
+
+    // The module of a compute shader, in the lab's variant. Throws shader::CompileError.
+    [[nodiscard]] shader::Spirv compile(const shader::Source& text) const;
+
     // The generated shader of such a kernel.
     [[nodiscard]] std::string code(const std::string& file, const std::string& function,
                                    const Signature& signature) const;
@@ -45,8 +52,6 @@ class Lab {
     [[nodiscard]] const LabOptions& options() const { return options_; }
 
   private:
-    [[nodiscard]] KernelSource find(const std::string& file, const std::string& function,
-                                    const Signature& signature) const;
     [[nodiscard]] shader::CompileOptions compile_options() const;
 
     LabOptions options_;

@@ -37,7 +37,7 @@ shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<st
     return cache_.compile({.name = file.string(), .text = with_defines(shader::read_text(file), defines)},
                           {.stage = stage_of(file),
                            .include_roots = {glsl_},
-                           .optimization = shader::Optimization::performance});
+                           .variant = {.optimization = shader::Optimization::performance}});
 }
 
 }  // namespace gloam::scene

@@ -30,7 +30,10 @@ internal::Hash key_of(std::string_view kind, const Source& source, const Compile
     fingerprint.add(kind);
     fingerprint.add(compiler_version());
     fingerprint.add(static_cast<std::uint64_t>(options.stage));
-    fingerprint.add(static_cast<std::uint64_t>(options.optimization));
+    const Variant& variant = options.variant;
+    fingerprint.add(static_cast<std::uint64_t>(variant.optimization));
+    for (const bool step : {variant.strict, variant.relaxed, variant.round_trip})
+        fingerprint.add(std::uint64_t{step});
     fingerprint.add(source.name);
     fingerprint.add(source.text);
     const auto folder = std::filesystem::path(source.name).parent_path();
@@ -65,7 +68,9 @@ Spirv SpirvCache::compile(const Source& source, const CompileOptions& options) c
 }
 
 std::vector<Function> SpirvCache::functions(const Source& source, const CompileOptions& options) const {
-    return stored_or_made(directory_, "functions", source, options, internal::decode, shader::functions,
+    CompileOptions any_variant = options;
+    any_variant.variant = {};
+    return stored_or_made(directory_, "functions", source, any_variant, internal::decode, shader::functions,
                           internal::encode);
 }
 

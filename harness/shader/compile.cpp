@@ -4,22 +4,30 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv-tools/libspirv.h>
 
+#include "shader/decorate.hpp"
 #include "shader/internal/front_end.hpp"
+#include "shader/internal/round_trip.hpp"
 #include "shader/internal/version_line.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::shader {
 namespace {
 
-Spirv generate(const glslang::TIntermediate& tree, const std::string& name) {
-    Spirv module;
-    spv::SpvBuildLogger logger;
-    glslang::SpvOptions options;
-    options.disableOptimizer = true;  // ours runs after it, with the passes that the caller chose
-    glslang::GlslangToSpv(tree, module, &logger, &options);
-    const std::string messages = logger.getAllMessages();
-    for (const char* failure : {"error: ", "Missing functionality: "})
-        if (messages.find(failure) != std::string::npos) throw CompileError(name + ": " + messages);
+// What the variant makes of the module of the front end; each step leaves a valid module.
+Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& variant) {
+    validate(module);
+    if (variant.round_trip) module = internal::round_trip(module, stage, name);
+    const auto decorated = [&variant](Spirv words) {
+        if (variant.strict) words = with_no_contraction(words);
+        if (variant.relaxed) words = with_relaxed_precision(words);
+        return words;
+    };
+    // Before the optimiser, which may then not contract either; and after it, for what it made itself.
+    module = decorated(std::move(module));
+    if (variant.optimization != Optimization::none)
+        module = decorated(optimize(module, variant.optimization));
+    if (variant.round_trip || variant.strict || variant.relaxed || variant.optimization != Optimization::none)
+        validate(module);
     return module;
 }
 
@@ -27,15 +35,11 @@ Spirv generate(const glslang::TIntermediate& tree, const std::string& name) {
 
 Spirv compile(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
-    internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
-                          options.include_roots);
-    const Spirv module = generate(parse.link(), source.name);
+    Spirv module = internal::to_spirv(source, options.stage, options.include_roots);
     try {
-        validate(module);
-        if (options.optimization == Optimization::none) return module;
-        Spirv optimized = optimize(module, options.optimization);
-        validate(optimized);
-        return optimized;
+        return varied(std::move(module), options.stage, source.name, options.variant);
+    } catch (const CompileError&) {
+        throw;
     } catch (const std::runtime_error& error) {
         throw CompileError(source.name + ": " + error.what());
     }
@@ -45,7 +49,8 @@ std::string compiler_version() {
     const glslang::Version version = glslang::GetVersion();
     return "glslang " + std::to_string(version.major) + "." + std::to_string(version.minor) + "." +
            std::to_string(version.patch) + version.flavor + " (generator " +
-           std::to_string(glslang::GetSpirvGeneratorVersion()) + "), " + spvSoftwareVersionDetailsString();
+           std::to_string(glslang::GetSpirvGeneratorVersion()) + "), " + spvSoftwareVersionDetailsString() +
+           ", " + internal::cross_version();
 }
 
 }  // namespace gloam::shader

@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "shader/type.hpp"
+#include "shader/variant.hpp"
 
 namespace gloam::shader {
 
 enum class Stage { compute, vertex, fragment };
-
-// Optimisation by SPIRV-Tools after the front end.
-enum class Optimization { none, performance, size };
 
 // GLSL text with the name that error messages give it. The text starts with its own #version line: 430 to 460
 // (core), 310 es or 320 es.
@@ -28,7 +26,7 @@ struct CompileOptions {
     // Where #include "a/b.glsl" is looked for, after the includer's own folder. A Source has one when its
     // name is a path with a folder in it.
     std::vector<std::filesystem::path> include_roots;
-    Optimization optimization = Optimization::none;
+    Variant variant;  // what is done to the module after the front end
 };
 
 // The compiler rejected the text; what() has one line per message, each "file:line: message" with the file of
@@ -39,17 +37,19 @@ class CompileError : public std::runtime_error {
 
 using Spirv = std::vector<std::uint32_t>;
 
-// GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module; names are kept. #include needs no #extension line.
-// Functions that main does not reach may call prototypes without a body. Throws CompileError, also for an
-// include that is missing or that includes itself.
+// GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module of the variant; names are kept. #include needs no
+// #extension line. Functions that main does not reach may call prototypes without a body. Throws
+// CompileError, also for an include that is missing or that includes itself.
 [[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options);
 
 // Every function that the text and its includes define, and every one that they only declare and call (a
 // declaration that nothing calls is not seen), in order of definition or first call, as the compiler's own
-// syntax tree has it. Overloads are separate entries. The text needs no main. Throws like compile().
+// syntax tree has it. Overloads are separate entries. The text needs no main; the variant does not matter.
+// Throws like compile().
 [[nodiscard]] std::vector<Function> functions(const Source& source, const CompileOptions& options);
 
-// Name and version of the compiler, the optimiser and the validator; part of every cache key.
+// Name and version of the compiler, the optimiser, the validator and the translator back to GLSL; part of
+// every cache key.
 [[nodiscard]] std::string compiler_version();
 
 }  // namespace gloam::shader

@@ -27,7 +27,7 @@ MAY_INCLUDE = {
 # Libraries that belong to one room, by what their headers are called.
 LIBRARY_HOME = {
     "vulkan": (re.compile(r"(vulkan|vk_\w+\.h)"), "gpu"),
-    "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_]|StandAlone)"), "shader"),
+    "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_.]|StandAlone)"), "shader"),
     "assimp": (re.compile(r"assimp/"), "scene"),
     "embree": (re.compile(r"embree"), "scene"),
     "stb": (re.compile(r"(stb/|stb_)"), "report"),

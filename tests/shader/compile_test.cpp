@@ -101,7 +101,8 @@ TEST(Compile, IsTheSameEveryTimeInEveryThread) {
 }
 
 TEST(Compile, NamesItsTools) {
-    EXPECT_THAT(compiler_version(), AllOf(HasSubstr("glslang "), HasSubstr("SPIRV-Tools ")));
+    EXPECT_THAT(compiler_version(),
+                AllOf(HasSubstr("glslang "), HasSubstr("SPIRV-Tools "), HasSubstr("SPIRV-Cross ")));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ inline std::filesystem::path fixture(std::string_view name) {
 }
 
 inline CompileOptions with_fixtures(Optimization optimization = Optimization::none) {
-    return {.include_roots = {FIXTURES}, .optimization = optimization};
+    return {.include_roots = {FIXTURES}, .variant = {.optimization = optimization}};
 }
 
 // A folder of its own for the time of a test.

@@ -35,7 +35,7 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options) {
     const catalogue::Entries entries = catalogue::select(catalogue::all_entries(), options.equations);
     std::vector<CheckTask> tasks;
     std::size_t position = 0;
-    for (const Variant& variant : select_variants(options.variant)) {
+    for (const shader::Variant& variant : select_variants(options.variant)) {
         for (const catalogue::Entry& entry : entries) {
             if (!shard.holds(position++)) continue;
             tasks.push_back({.equation = entry.description.id,

@@ -13,7 +13,7 @@
 #include "catalogue/catalogue.hpp"
 #include "catalogue/document.hpp"
 #include "cli/names.hpp"
-#include "cli/variant.hpp"
+#include "shader/variant.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -35,7 +35,8 @@ std::vector<Named> equation_names() {
 
 std::vector<Named> variant_names() {
     std::vector<Named> names;
-    for (const Variant& variant : variants()) names.push_back({variant.name, variant.description});
+    for (const shader::Variant& variant : shader::variants())
+        names.push_back({variant.name, variant.description});
     return names;
 }
 

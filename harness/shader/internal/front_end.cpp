@@ -2,6 +2,7 @@
 #include "shader/internal/front_end.hpp"
 
 #include <glslang/Public/ResourceLimits.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 
 #include "shader/internal/includer.hpp"
 #include "shader/internal/messages.hpp"
@@ -76,6 +77,19 @@ const glslang::TIntermediate& Parse::link() {
     program_.addShader(&shader_);
     if (!program_.link(messages_)) throw CompileError(error_lines(program_.getInfoLog(), name_));
     return *program_.getIntermediate(language_);
+}
+
+Spirv to_spirv(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots) {
+    Parse parse(stage, Client::vulkan, source.name, {source}, roots);
+    Spirv module;
+    spv::SpvBuildLogger logger;
+    glslang::SpvOptions options;
+    options.disableOptimizer = true;  // ours runs after it, with the passes that the caller chose
+    glslang::GlslangToSpv(parse.link(), module, &logger, &options);
+    const std::string messages = logger.getAllMessages();
+    for (const char* failure : {"error: ", "Missing functionality: "})
+        if (messages.find(failure) != std::string::npos) throw CompileError(source.name + ": " + messages);
+    return module;
 }
 
 }  // namespace gloam::shader::internal

@@ -40,4 +40,8 @@ class Parse {
     glslang::TProgram program_;  // after the shader: must be destroyed first
 };
 
+// The text for Vulkan as glslang translates it: no optimisation, not validated. Throws CompileError.
+[[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
+                             const std::vector<std::filesystem::path>& roots);
+
 }  // namespace gloam::shader::internal

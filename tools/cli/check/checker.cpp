@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::string_view first_variant = "shipped";
 
-std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const Variant& variant) {
+std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader::Variant& variant) {
     return std::make_unique<check::Lab>(check::LabOptions{.device = options.device,
                                                           .validation = options.validation,
                                                           .include_roots = {glsl_directory()},
                                                           .cache_directory = cache_directory(),
-                                                          .optimization = variant.optimization,
+                                                          .variant = variant,
                                                           .timeout = options.timeout});
 }
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shader/compile.hpp"
+
+namespace gloam::shader::internal {
+
+// An instruction of a module, which must live longer.
+struct Instruction {
+    std::size_t at = 0;  // index of its first word in the module
+    std::uint32_t opcode = 0;
+    std::span<const std::uint32_t> words;  // the first one (length and opcode) included
+
+    // The word at that index; 0 behind the end.
+    [[nodiscard]] std::uint32_t word(std::size_t index) const {
+        return index < words.size() ? words[index] : 0;
+    }
+};
+
+// The instructions behind the five words of the header. Throws std::runtime_error when the words are no
+// SPIR-V module.
+[[nodiscard]] std::vector<Instruction> instructions(const Spirv& module);
+
+// The words of an instruction: its first one is made of the opcode and the length.
+[[nodiscard]] Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands);
+
+}  // namespace gloam::shader::internal
