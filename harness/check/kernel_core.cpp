@@ -17,13 +17,13 @@ constexpr Word guard_pattern = 0xdeadbeefU;
 constexpr std::size_t guard_words = 64;
 constexpr std::size_t fault_words = sizeof(KernelFaults) / sizeof(Word);
 
-gpu::ComputePipeline make_pipeline(const gpu::Device& device, const shader::Spirv& spirv,
-                                   std::size_t images) {
+gpu::ComputePipeline make_pipeline(const gpu::Device& device, const shader::Spirv& spirv, std::size_t images,
+                                   std::vector<gpu::SpecializationConstant> constants) {
     const gpu::ComputeProgram program{
         .spirv = spirv,
         .bindings = std::vector(KernelBinding::first_image + images, gpu::BindingKind::storage_buffer),
         .push_constant_bytes = sizeof(KernelRun),
-        .constants = {}};
+        .constants = std::move(constants)};
     return {device, program};
 }
 
@@ -86,9 +86,10 @@ struct KernelCore::Batch {
 };
 
 KernelCore::KernelCore(const gpu::Device& device, const shader::Spirv& spirv, std::string name,
-                       std::size_t input_words, std::size_t output_words, std::vector<ImagePrototype> images)
+                       std::size_t input_words, std::size_t output_words, std::vector<ImagePrototype> images,
+                       std::vector<gpu::SpecializationConstant> constants)
     : device_(&device),
-      pipeline_(make_pipeline(device, spirv, images.size())),
+      pipeline_(make_pipeline(device, spirv, images.size(), std::move(constants))),
       name_(std::move(name)),
       input_words_(input_words),
       output_words_(output_words),

@@ -36,9 +36,11 @@ class KernelError : public std::runtime_error {
 // A compiled kernel without its C++ types: words in, words out.
 class KernelCore {
   public:
-    // `spirv` must follow the interface of kernel_code(); kept names are used in messages only.
+    // `spirv` must follow the interface of kernel_code(); kept names are used in messages only. `constants`
+    // are its specialization constants.
     KernelCore(const gpu::Device& device, const shader::Spirv& spirv, std::string name,
-               std::size_t input_words, std::size_t output_words, std::vector<ImagePrototype> images);
+               std::size_t input_words, std::size_t output_words, std::vector<ImagePrototype> images,
+               std::vector<gpu::SpecializationConstant> constants = {});
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words

@@ -16,13 +16,14 @@ inline std::filesystem::path cache_directory() {
 }
 
 // A lab on the default device (or $GLOAM_TEST_DEVICE) with the validation layers on, the shader library, and
-// the fixtures of the test's own folder, when it has some.
-inline check::Lab make_lab(const std::filesystem::path& fixtures = {}) {
+// the fixtures of the test's own folder, when it has some; its shaders compiled in that variant.
+inline check::Lab make_lab(const std::filesystem::path& fixtures = {}, const shader::Variant& variant = {}) {
     const char* device = std::getenv("GLOAM_TEST_DEVICE");
     check::LabOptions options{.device = device == nullptr ? "" : device,
                               .validation = true,
                               .include_roots = {GLOAM_GLSL_DIR},
-                              .cache_directory = cache_directory()};
+                              .cache_directory = cache_directory(),
+                              .variant = variant};
     if (!fixtures.empty()) options.include_roots.push_back(fixtures);
     return check::Lab(std::move(options));
 }
