@@ -1,25 +1,33 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Ambient occlusion of one frame, blended into the history (TSSAO-2 to -6, -12 to -14, BUF, ROT): one invocation a pixel. The history
-// is that of the same pixel: move it first (reprojection) where the view has changed.
+// is that of the same pixel: move it first (reproject.comp) where the view has changed. Where objects move, the samples tell as well
+// whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
 //
+// Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
 // Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
-//   2  rgba32f  history before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none
-//   3  rgba32f  written: history after, likewise; background (0, 0, 0, infinity)
+//   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none
+//   3  history  written: after, likewise; background (0, 0, 0, infinity)
 //   4  buffer   written when count_work is set: for each group (samples taken, pixels of background, pixels whose radius is below
 //               the limit, pixels of the group); else never touched
+//   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
+#ifndef GLOAM_HISTORY
+#define GLOAM_HISTORY rgba32f
+#endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const uint method = 0u;         // 0: points in the hemisphere (TSSAO-3), 1: disc (TSSAO-12)
 layout(constant_id = 1) const bool count_work = false;  // fill binding 4
+layout(constant_id = 2) const bool moving_objects = false;  // watch the neighbourhood through binding 5
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 2, rgba32f) uniform readonly image2D history_before;
-layout(binding = 3, rgba32f) uniform writeonly image2D history_after;
+layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D history_before;
+layout(binding = 3, GLOAM_HISTORY) uniform writeonly image2D history_after;
 layout(binding = 4, std430) writeonly buffer Work { uvec4 work[]; };
+layout(binding = 5, rgba32f) uniform readonly image2D previous_position_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
@@ -28,13 +36,19 @@ layout(push_constant) uniform Parameters {
     float bias;            // world units
     float range;           // hemisphere: blockers further in front than this are other objects; world units
     float epsilon;         // disc: distance at which a patch counts fully, world units
-    uint samples;          // k, for each pixel
+    uint samples;          // k_1, for each pixel that has not converged
+    uint samples_converged;  // k_2, for each pixel that has
+    float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
     uint table_size;       // samples after which the sequence starts over
     float weight_max;      // w_max: samples in the mean, at most
     float c_rot;           // kernels are rotated below this convergence; 0 never
     float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
     uint orthographic;     // 1, or 0 for perspective
     uint skip_background;  // 1: background returns at once; 0: it goes the long way, with the same result
+    uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by confidence
+    float change_tolerance;  // invalidation 1: change of a distance that counts, world units
+    float weight_small;    // invalidation 1: samples
+    float confidence_factor;  // invalidation 2: S, per radius of change
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
@@ -44,7 +58,10 @@ layout(push_constant) uniform Parameters {
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/history.glsl"
+#include "gloam/temporal/neighborhood.glsl"
 #include "gloam/temporal/rotation_switch.glsl"
+#include "gloam/temporal/sample_budget.glsl"
+#include "gloam/temporal/smooth_invalidation.glsl"
 
 shared uint counted[4];
 
@@ -53,46 +70,98 @@ const uint BACKGROUND = 1u;
 const uint BELOW_LIMIT = 2u;
 const uint PIXELS = 3u;
 
+const uint CLAMP = 1u;
+const uint CONFIDENCE = 2u;
+
+// The point being shaded, now and in the previous frame, and what the samples have told of its neighbourhood so far.
+struct Neighborhood {
+    vec3 position;
+    vec3 previous;
+    vec3 normal;
+    float change;  // largest, world units
+};
+Neighborhood neighborhood;
+
+GloamCamera this_camera() {
+    return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
+}
+
+// Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells nothing.
+void probe(ivec2 pixel, float depth) {
+    if (gloam_is_background(depth)) return;
+    vec3 at = gloam_camera_position(pixel, depth, this_camera());
+    vec3 before = imageLoad(previous_position_image, pixel).xyz;
+    float reach = min(distance(at, neighborhood.position), distance(before, neighborhood.previous));
+    if (reach > parameters.range || !gloam_probe_useful(at - neighborhood.position, neighborhood.normal)) return;
+    neighborhood.change = max(neighborhood.change,
+                              gloam_neighborhood_change(at, neighborhood.position, before, neighborhood.previous));
+}
+
+// Read by the samples, which thereby are the probes.
 float gloam_fetch_depth(ivec2 pixel) {
-    return imageLoad(depth_image, pixel).x;
+    float depth = imageLoad(depth_image, pixel).x;
+    if (moving_objects && parameters.invalidation != 0u) probe(pixel, depth);
+    return depth;
+}
+
+// Weight that the history keeps after what the probes have seen (TSSAO-SI).
+float weight_after_change(float weight) {
+    if (!moving_objects) return weight;
+    float change = neighborhood.change;
+    if (parameters.invalidation == CLAMP) {
+        bool unchanged = gloam_neighborhood_unchanged(change, parameters.change_tolerance);
+        return unchanged ? weight : gloam_invalidate_clamp(weight, parameters.weight_small);
+    }
+    if (parameters.invalidation != CONFIDENCE) return weight;
+    return gloam_invalidate_confidence(weight, gloam_confidence(change / parameters.radius, parameters.confidence_factor));
 }
 
 void count(uint what, uint amount) {
     if (count_work && amount > 0u) atomicAdd(counted[what], amount);
 }
 
-// (sum, count) of this frame's samples.
-vec2 gather(ivec2 pixel, float depth, GloamHistory before, GloamCamera camera) {
+// (sum, count) of `samples` samples.
+vec2 gather(ivec2 pixel, float depth, GloamHistory before, uint samples) {
+    GloamCamera camera = this_camera();
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     float angle = gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel) : 0.0;
-    GloamKernel kernel = GloamKernel(parameters.radius, parameters.bias, angle, before.index, parameters.samples);
+    GloamKernel kernel = GloamKernel(parameters.radius, parameters.bias, angle, before.index, samples);
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
+    if (moving_objects) neighborhood = Neighborhood(position, imageLoad(previous_position_image, pixel).xyz, normal, 0.0);
     return method == 0u ? gloam_hemisphere_gather(position, normal, camera, kernel, parameters.range)
                         : gloam_disc_gather(position, normal, camera, kernel, parameters.epsilon);
 }
 
+uint samples_for(GloamHistory before) {
+    float convergence = gloam_convergence(before.weight, parameters.weight_max);
+    return uint(gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples),
+                                   int(parameters.samples_converged)));
+}
+
+GloamHistory sampled(ivec2 pixel, float depth) {
+    GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
+    uint samples = samples_for(before);
+    vec2 fresh = gather(pixel, depth, before, samples);
+    count(TAKEN, uint(fresh.y));
+    vec2 blended = gloam_blend(before.occlusion, weight_after_change(before.weight), gloam_estimator_mean(fresh), fresh.y,
+                               parameters.weight_max);
+    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples, parameters.table_size), depth);
+}
+
 GloamHistory shade(ivec2 pixel) {
-    float depth = gloam_fetch_depth(pixel);
+    float depth = imageLoad(depth_image, pixel).x;
     bool background = gloam_is_background(depth);
     count(PIXELS, 1u);
     count(BACKGROUND, background ? 1u : 0u);
     if (background && parameters.skip_background != 0u) return gloam_history_empty(depth);
 
-    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
-    vec2 reach = gloam_camera_radius(parameters.radius, depth, camera) * vec2(parameters.size);
+    vec2 reach = gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
     if (!background && max(reach.x, reach.y) < parameters.least_radius) {
         count(BELOW_LIMIT, 1u);
         return GloamHistory(0.0, parameters.weight_max, 0u, depth);  // known for certain: converged
     }
-
-    GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
-    vec2 fresh = gather(pixel, depth, before, camera);
-    count(TAKEN, uint(fresh.y));
-    vec2 blended =
-        gloam_blend(before.occlusion, before.weight, gloam_estimator_mean(fresh), fresh.y, parameters.weight_max);
-    uint next = gloam_next_index(before.index, parameters.samples, parameters.table_size);
-    return GloamHistory(blended.x, blended.y, next, depth);
+    return sampled(pixel, depth);
 }
 
 void main() {

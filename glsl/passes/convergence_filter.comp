@@ -3,14 +3,18 @@
 // Smooths the occlusion of pixels that have not converged yet (TSSAO-10 and -11), along one axis: run it along x, then along y on the
 // result. Only for display: the history must not see the result.
 //
+// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
 // Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  rgba32f  occlusion in x, accumulated samples in y, anything in zw: the history, or this pass's result along x
+//   1  history  occlusion in x, accumulated samples in y, anything in zw: the history, or this pass's result along x
 //   2  rgba32f  written: filtered occlusion in x, yzw of binding 1
+#ifndef GLOAM_HISTORY
+#define GLOAM_HISTORY rgba32f
+#endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform readonly image2D source_image;
+layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D source_image;
 layout(binding = 2, rgba32f) uniform writeonly image2D filtered_image;
 
 layout(push_constant) uniform Parameters {

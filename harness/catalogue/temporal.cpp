@@ -8,6 +8,7 @@ void append_temporal(Entries& entries) {
     append_accumulation(entries);
     append_history(entries);
     append_validity(entries);
+    append_reprojection(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -69,57 +69,138 @@ struct AmbientOcclusion::Impl {
         : device(&the_device),
           library(passes),
           normals_pipeline(normals_from_depth(the_device, passes)),
-          filter_pipeline(convergence_filter(the_device, passes)),
-          view{.extent = size},
-          depth(the_device, size, r32f),
-          normal(the_device, size, rgba32f),
-          before(the_device, size, rgba32f),
-          after(the_device, size, rgba32f),
-          half_filtered(the_device, size, rgba32f),
-          filtered(the_device, size, rgba32f),
-          tiles(the_device, tiles_of(size) * sizeof(TileWork)) {}
+          nothing(the_device, {1, 1}, rgba32f) {
+        allocate(size);
+    }
+
+    // Everything of the size of the image.
+    struct Images {
+        Images(const gpu::Device& device, gpu::Extent size, gpu::Format history)
+            : depth(device, size, r32f),
+              normal(device, size, rgba32f),
+              before(device, size, history),
+              reprojected(device, size, history),
+              after(device, size, history),
+              half_filtered(device, size, rgba32f),
+              filtered(device, size, rgba32f),
+              tiles(device, tiles_of(size) * sizeof(TileWork)) {}
+
+        gpu::Image depth;
+        gpu::Image normal;
+        gpu::Image before;       // history of the last frame, at its pixels
+        gpu::Image reprojected;  // the same at the pixels of this frame, when the view has moved
+        gpu::Image after;        // history of this frame
+        gpu::Image half_filtered;
+        gpu::Image filtered;
+        gpu::Buffer tiles;
+        std::optional<gpu::Image> previous_position;
+    };
 
     const gpu::Device* device;
     scene::PassLibrary library;
     gpu::ComputePipeline normals_pipeline;
-    gpu::ComputePipeline filter_pipeline;
-    std::map<Method, gpu::ComputePipeline> occlusion_pipelines;
+    std::map<HistoryPrecision, gpu::ComputePipeline> filter_pipelines;  // by what they read
+    std::map<Program, gpu::ComputePipeline> occlusion_pipelines;
+    std::map<Program, gpu::ComputePipeline> reprojection_pipelines;
     View view;
+    View previous_view;
     Settings settings;
     bool begun = false;
     bool reconstruct_normals = false;
-    gpu::Image depth;
-    gpu::Image normal;
-    gpu::Image before;  // history of the last frame
-    gpu::Image after;   // history of this frame
-    gpu::Image half_filtered;
-    gpu::Image filtered;
-    gpu::Buffer tiles;
+    bool moved = false;  // the history has not followed the last view yet
+    gpu::Image nothing;  // for bindings that are not read
+    std::optional<Images> images;
     NormalParameters normal_constants{};
+    ReprojectionParameters reprojection_constants{};
     OcclusionParameters occlusion_constants{};
     FilterParameters filter_x_constants{};
     FilterParameters filter_y_constants{};
 
+    void allocate(gpu::Extent size);
+    void take(const scene::GBuffer& new_view);
+    void prepare_pipelines();
+    [[nodiscard]] Program program() const;
+    [[nodiscard]] const gpu::Image& history() const { return moved ? images->reprojected : images->before; }
     [[nodiscard]] std::vector<Step> steps() const;
     [[nodiscard]] std::vector<PassTime> run(const std::vector<Step>& passes, int repeat) const;
     [[nodiscard]] Frame collect() const;
 };
 
+void AmbientOcclusion::Impl::allocate(gpu::Extent size) {
+    view.extent = size;
+    images.emplace(*device, size, settings.precision == HistoryPrecision::float16 ? rgba16f : rgba32f);
+}
+
+// The images and constants of a view. Positions of the frame before matter only when the history follows
+// them.
+void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
+    require_size("depth", new_view.depth.size(), view.extent);
+    if (!new_view.normal.empty()) require_size("normals", new_view.normal.size(), view.extent);
+    view.camera = new_view.camera;
+    reconstruct_normals = new_view.normal.empty();
+    images->depth.upload(new_view.depth);
+    if (!reconstruct_normals) images->normal.upload(texels_of(new_view.normal));
+    images->previous_position.reset();
+    if (!new_view.previous_position.empty()) {
+        require_size("previous positions", new_view.previous_position.size(), view.extent);
+        images->previous_position.emplace(*device, view.extent, rgba32f);
+        images->previous_position->upload(texels_of(new_view.previous_position));
+    }
+    normal_constants = normal_parameters(view);
+    occlusion_constants = occlusion_parameters(view, settings);
+    filter_x_constants = filter_parameters(view, settings, {1, 0});
+    filter_y_constants = filter_parameters(view, settings, {0, 1});
+}
+
+Program AmbientOcclusion::Impl::program() const {
+    return {.method = settings.method,
+            .precision = settings.precision,
+            .moving_objects = moved && images->previous_position.has_value()};
+}
+
+void AmbientOcclusion::Impl::prepare_pipelines() {
+    const Program now = program();
+    if (!occlusion_pipelines.contains(now)) {
+        occlusion_pipelines.emplace(now, ambient_occlusion(*device, library, now));
+    }
+    if (moved && !reprojection_pipelines.contains(now)) {
+        reprojection_pipelines.emplace(now, reproject(*device, library, now));
+    }
+    for (const HistoryPrecision precision : {settings.precision, HistoryPrecision::float32}) {
+        if (settings.filter && !filter_pipelines.contains(precision)) {
+            filter_pipelines.emplace(precision, convergence_filter(*device, library, precision));
+        }
+    }
+}
+
 std::vector<Step> AmbientOcclusion::Impl::steps() const {
+    const gpu::Image& positions = images->previous_position ? *images->previous_position : nothing;
     std::vector<Step> passes;
     if (reconstruct_normals) {
-        passes.push_back(
-            {"normals_from_depth", &normals_pipeline, {depth, normal}, bytes_of(normal_constants)});
+        passes.push_back({"normals_from_depth",
+                          &normals_pipeline,
+                          {images->depth, images->normal},
+                          bytes_of(normal_constants)});
+    }
+    if (moved) {
+        passes.push_back({"reproject",
+                          &reprojection_pipelines.at(program()),
+                          {images->depth, positions, images->before, images->reprojected},
+                          bytes_of(reprojection_constants)});
     }
     passes.push_back({"ambient_occlusion",
-                      &occlusion_pipelines.at(settings.method),
-                      {depth, normal, before, after, tiles},
+                      &occlusion_pipelines.at(program()),
+                      {images->depth, images->normal, history(), images->after, images->tiles, positions},
                       bytes_of(occlusion_constants)});
     if (settings.filter) {
-        passes.push_back(
-            {"filter_x", &filter_pipeline, {depth, after, half_filtered}, bytes_of(filter_x_constants)});
-        passes.push_back(
-            {"filter_y", &filter_pipeline, {depth, half_filtered, filtered}, bytes_of(filter_y_constants)});
+        passes.push_back({"filter_x",
+                          &filter_pipelines.at(settings.precision),
+                          {images->depth, images->after, images->half_filtered},
+                          bytes_of(filter_x_constants)});
+        passes.push_back({"filter_y",
+                          &filter_pipelines.at(HistoryPrecision::float32),
+                          {images->depth, images->half_filtered, images->filtered},
+                          bytes_of(filter_y_constants)});
     }
     return passes;
 }
@@ -144,13 +225,15 @@ std::vector<PassTime> AmbientOcclusion::Impl::run(const std::vector<Step>& passe
 }
 
 Frame AmbientOcclusion::Impl::collect() const {
-    const std::vector<float> history = after.download();
-    Frame frame{.occlusion = channel(history, 0), .convergence = channel(history, 1)};
-    frame.filtered = settings.filter ? channel(filtered.download(), 0) : frame.occlusion;
+    const std::vector<float> result = images->after.download();
+    Frame frame{.occlusion = channel(result, 0),
+                .convergence = channel(result, 1),
+                .kept = channel(history().download(), 1)};
+    frame.filtered = settings.filter ? channel(images->filtered.download(), 0) : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
 
-    std::vector<TileWork> counts(tiles.size() / sizeof(TileWork));
-    std::memcpy(counts.data(), tiles.bytes().data(), tiles.size());
+    std::vector<TileWork> counts(images->tiles.size() / sizeof(TileWork));
+    std::memcpy(counts.data(), images->tiles.bytes().data(), images->tiles.size());
     frame.work = summed(counts);
     if (settings.filter) {
         for (const float value : frame.convergence)
@@ -169,34 +252,38 @@ AmbientOcclusion& AmbientOcclusion::operator=(AmbientOcclusion&&) noexcept = def
 void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& settings) {
     Impl& impl = *impl_;
     validate(settings);
-    require_size("depth", view.depth.size(), impl.view.extent);
-    if (!view.normal.empty()) require_size("normals", view.normal.size(), impl.view.extent);
-    if (!impl.occlusion_pipelines.contains(settings.method)) {
-        impl.occlusion_pipelines.emplace(settings.method,
-                                         ambient_occlusion(*impl.device, impl.library, settings.method));
-    }
-    impl.view.camera = view.camera;
+    const bool reformat = settings.precision != impl.settings.precision;
     impl.settings = settings;
-    impl.reconstruct_normals = view.normal.empty();
-    impl.depth.upload(view.depth);
-    if (!impl.reconstruct_normals) impl.normal.upload(texels_of(view.normal));
-    impl.before.upload(std::vector<float>(4 * pixels_of(impl.view.extent), 0.0F));
-    impl.normal_constants = normal_parameters(impl.view);
-    impl.occlusion_constants = occlusion_parameters(impl.view, settings);
-    impl.filter_x_constants = filter_parameters(impl.view, settings, {1, 0});
-    impl.filter_y_constants = filter_parameters(impl.view, settings, {0, 1});
+    if (reformat) impl.allocate(impl.view.extent);
+    impl.take(view);
+    impl.moved = false;
+    impl.images->before.upload(std::vector<float>(4 * pixels_of(impl.view.extent), 0.0F));
     impl.begun = true;
+}
+
+void AmbientOcclusion::advance(const scene::GBuffer& view) {
+    Impl& impl = *impl_;
+    if (!impl.begun) throw std::logic_error("no view: begin() must come before advance()");
+    const bool resized = view.extent != impl.view.extent;
+    if (resized) impl.allocate(view.extent);
+    if (resized || !view.camera.previous_from_current) return begin(view, impl.settings);
+    impl.previous_view = impl.view;
+    impl.take(view);
+    impl.reprojection_constants = reprojection_parameters(impl.view, impl.previous_view, impl.settings);
+    impl.moved = true;
 }
 
 Frame AmbientOcclusion::next(int repeat) {
     Impl& impl = *impl_;
     if (!impl.begun) throw std::logic_error("no view: begin() must come before next()");
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
+    impl.prepare_pipelines();
     std::vector<PassTime> times = impl.run(impl.steps(), repeat);
     Frame frame = impl.collect();
     frame.times = std::move(times);
     impl.reconstruct_normals = false;
-    std::swap(impl.before, impl.after);
+    impl.moved = false;
+    std::swap(impl.images->before, impl.images->after);
     return frame;
 }
 

@@ -38,6 +38,7 @@ struct Frame {
     std::vector<float> occlusion;    // the accumulated estimate
     std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
     std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background
+    std::vector<float> kept;         // samples that the history brought to the pixel; 0: it had none
     std::vector<PassTime> times;     // in the order they ran
     Work work;
 };
@@ -57,9 +58,16 @@ class AmbientOcclusion {
     // settings out of range.
     void begin(const scene::GBuffer& view, const Settings& settings);
 
-    // The next frame of that view: `repeat` (>= 1) identical runs, of which the times are the median; the
+    // The next view of a moving camera or scene. The history follows the surfaces: by the view's
+    // previous_position where objects move, else by its camera. A view whose camera does not know the one
+    // before (a cut), or of another size, starts afresh. Call next() once for each view. Throws like begin();
+    // std::logic_error before begin().
+    void advance(const scene::GBuffer& view);
+
+    // The next frame of the last view: `repeat` (>= 1) identical runs, of which the times are the median; the
     // history advances once. Throws std::logic_error before begin(), std::runtime_error like
-    // gpu::Commands::submit().
+    // gpu::Commands::submit(); after that (a lost device, say) begin again, with a new device where that is
+    // needed.
     [[nodiscard]] Frame next(int repeat = 1);
 
   private:

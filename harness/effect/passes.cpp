@@ -14,6 +14,11 @@ std::uint32_t flag(bool value) {
     return value ? 1U : 0U;
 }
 
+std::vector<std::string> defines_for(HistoryPrecision precision) {
+    if (precision == HistoryPrecision::float32) return {};
+    return {"GLOAM_HISTORY rgba16f"};
+}
+
 }  // namespace
 
 NormalParameters normal_parameters(const View& view) {
@@ -28,12 +33,31 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .range = settings.range,
             .epsilon = settings.epsilon,
             .samples = settings.samples,
+            .samples_converged = settings.samples_converged,
+            .c_spatial = settings.c_spatial,
             .table_size = settings.table_size,
             .weight_max = settings.weight_max,
             .c_rot = settings.c_rot,
             .least_radius = settings.least_radius,
             .orthographic = flag(view.camera.orthographic()),
-            .skip_background = flag(settings.skip_background)};
+            .skip_background = flag(settings.skip_background),
+            .invalidation = static_cast<std::uint32_t>(settings.invalidation),
+            .change_tolerance = settings.change_tolerance,
+            .weight_small = settings.weight_small,
+            .confidence_factor = settings.confidence_factor};
+}
+
+ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
+                                               const Settings& settings) {
+    return {.previous_from_current = view.camera.previous_from_current.value_or(glm::mat4(1.0F)),
+            .p00_p11 = view.camera.p00_p11(),
+            .previous_p00_p11 = previous.camera.p00_p11(),
+            .size = size_of(view.extent),
+            .tolerance = settings.depth_tolerance,
+            .taps = static_cast<std::uint32_t>(settings.taps),
+            .nearest_index = flag(settings.nearest_index),
+            .orthographic = flag(view.camera.orthographic()),
+            .previous_orthographic = flag(previous.camera.orthographic())};
 }
 
 FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis) {
@@ -56,17 +80,31 @@ gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::
 }
 
 gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::PassLibrary& library,
-                                       Method method) {
-    const shader::Spirv spirv = library.compile("ambient_occlusion.comp");
+                                       const Program& program) {
+    const shader::Spirv spirv = library.compile("ambient_occlusion.comp", defines_for(program.precision));
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
+             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
+                          storage_image},
              .push_constant_bytes = sizeof(OcclusionParameters),
-             .constants = {{.id = 0, .bits = flag(method == Method::disc)}, {.id = 1, .bits = 1}}}};
+             .constants = {{.id = 0, .bits = flag(program.method == Method::disc)},
+                           {.id = 1, .bits = 1},
+                           {.id = 2, .bits = flag(program.moving_objects)}}}};
 }
 
-gpu::ComputePipeline convergence_filter(const gpu::Device& device, const scene::PassLibrary& library) {
-    const shader::Spirv spirv = library.compile("convergence_filter.comp");
+gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
+                               const Program& program) {
+    const shader::Spirv spirv = library.compile("reproject.comp", defines_for(program.precision));
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_image, storage_image, storage_image},
+             .push_constant_bytes = sizeof(ReprojectionParameters),
+             .constants = {{.id = 0, .bits = flag(program.moving_objects)}}}};
+}
+
+gpu::ComputePipeline convergence_filter(const gpu::Device& device, const scene::PassLibrary& library,
+                                        HistoryPrecision precision) {
+    const shader::Spirv spirv = library.compile("convergence_filter.comp", defines_for(precision));
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image},

@@ -11,6 +11,7 @@ namespace {
 
 constexpr float largest = 1e18F;  // squares stay finite
 constexpr float exact_integers = 8'388'608.0F;
+constexpr std::uint32_t largest_half_count = 2048;  // integers up to it are exact in float16
 
 // Written so that NaN fails.
 void require(bool holds, const char* name, double value, const char* expected) {
@@ -30,6 +31,7 @@ Settings with_radius(Settings settings, float radius) {
     settings.bias *= scale;
     settings.range *= scale;
     settings.epsilon *= scale;
+    settings.change_tolerance *= scale;
     return settings;
 }
 
@@ -39,6 +41,19 @@ void validate(const Settings& s) {
     require_length(s.epsilon, "epsilon");
     require(s.bias >= 0.0F && s.bias <= largest, "bias", s.bias, "a length from 0 to 1e18");
     require(s.samples >= 1 && s.samples <= 65'536, "samples", s.samples, "1 to 65536");
+    require(s.samples_converged >= 1 && s.samples_converged <= 65'536, "samples when converged",
+            s.samples_converged, "1 to 65536");
+    require(s.c_spatial >= 0.0F, "c_spatial", s.c_spatial, "0 or more");
+    require(s.depth_tolerance > 0.0F, "depth tolerance", s.depth_tolerance, "more than 0");
+    require_length(s.change_tolerance, "change tolerance");
+    require(s.weight_small >= 0.0F, "small weight", s.weight_small, "0 or more");
+    require(s.confidence_factor >= 0.0F && s.confidence_factor <= largest, "confidence factor",
+            s.confidence_factor, "0 to 1e18");
+    const bool half = s.precision == HistoryPrecision::float16;
+    require(!half || s.table_size <= largest_half_count, "table size", s.table_size,
+            "at most 2048 with a history in float16");
+    require(!half || s.weight_max <= static_cast<float>(largest_half_count), "largest weight", s.weight_max,
+            "at most 2048 with a history in float16");
     require(s.table_size >= 1 && s.table_size <= 1U << 24U, "table size", s.table_size, "1 to 16777216");
     require(s.weight_max >= 1.0F && s.weight_max <= exact_integers, "largest weight", s.weight_max,
             "1 to 8388608");

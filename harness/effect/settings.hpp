@@ -11,6 +11,23 @@ enum class Method {
     disc,        // TSSAO-12: surface points under a disc around the pixel: how concave the surface is
 };
 
+// What the history of a pixel is worth when its neighbourhood has changed but it has not been disoccluded
+// (TSSAO-9, -SI).
+enum class Invalidation {
+    none,       // as before
+    clamp,      // at most Settings::weight_small samples
+    confidence  // times 1 / (1 + S change / radius)
+};
+
+// Which texels of the previous frame a pixel takes its history from.
+enum class HistoryTaps {
+    nearest,   // one
+    bilinear,  // four, where the nearest passes the depth test
+    validated  // those of four that pass it
+};
+
+enum class HistoryPrecision { float32, float16 };
+
 // The smallest projected radius worth sampling: below it all samples fall on the pixel itself.
 constexpr float one_pixel = 1.0F;
 
@@ -21,12 +38,23 @@ struct Settings {
     float bias = 0.005F;  // world units, >= 0: differences below it are rounding, not occlusion
     float range =
         1.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
-    float epsilon = 0.025F;             // disc: distance at which a patch counts fully, world units, > 0
-    std::uint32_t samples = 32;         // k, for each pixel in each frame, >= 1
-    std::uint32_t table_size = 65'536;  // samples after which the sequence starts over, 1 to 2^24
-    float weight_max = 500.0F;          // samples in the mean at most, 1 to 2^23
+    float epsilon = 0.025F;                // disc: distance at which a patch counts fully, world units, > 0
+    std::uint32_t samples = 32;            // k_1, for each pixel that has not converged, in each frame, >= 1
+    std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, >= 1
+    float c_spatial = 0.3F;                // convergence from which a pixel takes k_2; above 1: never
+    std::uint32_t table_size =
+        65'536;                 // samples after which the sequence starts over, 1 to 2^24, to 2048 in float16
+    float weight_max = 500.0F;  // samples in the mean at most, 1 to 2^23
     float c_rot = 0.5F;  // kernels are rotated by pixel below this convergence; 0: never, above 1: always
-    float c_adaptive = 0.2F;  // the filter leaves pixels of this convergence as they are
+    float c_adaptive = 0.2F;        // the filter leaves pixels of this convergence as they are
+    float depth_tolerance = 0.02F;  // relative: another surface beyond it (TSSAO-8), > 0; infinity: no test
+    HistoryTaps taps = HistoryTaps::validated;
+    bool nearest_index = true;  // off, for comparison: the start of the sequence is interpolated
+    Invalidation invalidation = Invalidation::confidence;
+    float change_tolerance = 0.015F;  // clamp: change of a distance that counts, world units, > 0
+    float weight_small = 48.0F;       // clamp: samples, >= 0
+    float confidence_factor = 20.0F;  // confidence: S, per radius of change, >= 0
+    HistoryPrecision precision = HistoryPrecision::float32;
     bool filter = true;
     int filter_half_width = 2;  // pixels on each side: 2 is 5 x 5
     float least_radius =
@@ -34,7 +62,8 @@ struct Settings {
     bool skip_background = true;  // off: background goes the long way, to the same result
 };
 
-// The same settings for another radius: bias, range and epsilon keep their proportion to it.
+// The same settings for another radius: bias, range, epsilon and change tolerance keep their proportion to
+// it.
 [[nodiscard]] Settings with_radius(Settings settings, float radius);
 
 // Throws std::invalid_argument that names the first setting outside its range.

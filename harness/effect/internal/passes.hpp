@@ -28,12 +28,30 @@ struct OcclusionParameters {
     float range;
     float epsilon;
     std::uint32_t samples;
+    std::uint32_t samples_converged;
+    float c_spatial;
     std::uint32_t table_size;
     float weight_max;
     float c_rot;
     float least_radius;
     std::uint32_t orthographic;
     std::uint32_t skip_background;
+    std::uint32_t invalidation;
+    float change_tolerance;
+    float weight_small;
+    float confidence_factor;
+};
+
+struct ReprojectionParameters {
+    glm::mat4 previous_from_current;
+    glm::vec2 p00_p11;
+    glm::vec2 previous_p00_p11;
+    glm::ivec2 size;
+    float tolerance;
+    std::uint32_t taps;
+    std::uint32_t nearest_index;
+    std::uint32_t orthographic;
+    std::uint32_t previous_orthographic;
 };
 
 struct FilterParameters {
@@ -55,16 +73,31 @@ struct View {
 
 [[nodiscard]] NormalParameters normal_parameters(const View& view);
 [[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
+[[nodiscard]] ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
+                                                             const Settings& settings);
 [[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis);
+
+// What a pipeline is compiled for.
+struct Program {
+    Method method = Method::hemisphere;
+    HistoryPrecision precision = HistoryPrecision::float32;
+    bool moving_objects = false;
+
+    friend auto operator<=>(const Program&, const Program&) = default;
+};
 
 // The pipelines of glsl/passes.
 [[nodiscard]] gpu::ComputePipeline normals_from_depth(const gpu::Device& device,
                                                       const scene::PassLibrary& library);
 [[nodiscard]] gpu::ComputePipeline ambient_occlusion(const gpu::Device& device,
                                                      const scene::PassLibrary& library,
-                                                     Method method);  // counts its work
+                                                     const Program& program);  // counts its work
+[[nodiscard]] gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
+                                             const Program& program);
+// `precision`: of the image that the pass reads.
 [[nodiscard]] gpu::ComputePipeline convergence_filter(const gpu::Device& device,
-                                                      const scene::PassLibrary& library);
+                                                      const scene::PassLibrary& library,
+                                                      HistoryPrecision precision);
 
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_TEMPORAL_REPROJECTED_HISTORY_GLSL
+#define GLOAM_TEMPORAL_REPROJECTED_HISTORY_GLSL
+
+#include "gloam/geometry/borders.glsl"
+#include "gloam/geometry/pixel_center.glsl"
+#include "gloam/geometry/texel_position.glsl"
+#include "gloam/temporal/disocclusion.glsl"
+#include "gloam/temporal/history.glsl"
+#include "gloam/temporal/validated_bilinear.glsl"
+
+// Defined by the user: texel of the history buffer of the previous frame (gloam_history_pack), for a pixel inside it.
+vec4 gloam_fetch_history(ivec2 pixel);
+
+// History of a surface point, from where it was in the previous image (TSSAO-RP, -7, -8): occlusion and weight interpolated between
+// those of the four texels around that hold the same surface, the index from the one of them that counts most (it must not be
+// interpolated).
+// uv: previous texture coordinates, in [0, 1]^2. size: of the history buffer, texels. expected_depth: that the point had in the
+// previous camera (gloam_previous_depth), eye-linear, world units. epsilon: relative tolerance of the depth, see
+// gloam_depth_consistent; infinity accepts every surface.
+// Returns the history with the expected depth; the empty one where no texel holds the surface (disoccluded), outside the image, and
+// for NaN. Error of occlusion and weight: that of the fractions (gloam_texel_position) times the spread of the four texels, 6e-5 of
+// the largest for images of 40 texels; a depth within rounding of the tolerance may fall to either side.
+GloamHistory gloam_reprojected_history(vec2 uv, ivec2 size, float expected_depth, float epsilon) {
+    GloamHistory history = gloam_history_empty(expected_depth);
+    if (!gloam_inside_unit(uv) || size.x < 1 || size.y < 1) return history;
+    vec2 x = gloam_texel_position(uv.x, size.x);
+    vec2 y = gloam_texel_position(uv.y, size.y);
+    ivec2 first = ivec2(int(x.x), int(y.x));
+    GloamHistory texel[4];
+    bvec4 valid;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 pixel = gloam_clamp_to_edge(first + ivec2(i % 2, i / 2), size);
+        texel[i] = gloam_history_unpack(gloam_fetch_history(pixel));
+        valid[i] = gloam_depth_consistent(texel[i].depth, expected_depth, epsilon);
+    }
+    vec4 weights = gloam_validated_weights(gloam_bilinear_weights(vec2(x.y, y.y)), valid);
+    float most = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        history.occlusion += weights[i] * texel[i].occlusion;
+        history.weight += weights[i] * texel[i].weight;
+        if (weights[i] > most) {
+            most = weights[i];
+            history.index = texel[i].index;
+        }
+    }
+    history.occlusion = min(history.occlusion, 1.0);  // the weights' sum may be 1 and a rounding error
+    return gloam_history_sanitize(history);
+}
+
+#endif

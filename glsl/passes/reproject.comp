@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Brings the history of the previous frame to the pixels of this one (TSSAO-RP, -7, -8, BUF): one invocation a pixel. What was
+// hidden, outside the image or another surface has no history.
+//
+// Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
+//   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
+//   2  history  of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
+//   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0, 0, depth)
+//               for none
+#ifndef GLOAM_HISTORY
+#define GLOAM_HISTORY rgba32f
+#endif
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
+
+layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 1, rgba32f) uniform readonly image2D previous_position_image;
+layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D previous_history;
+layout(binding = 3, GLOAM_HISTORY) uniform writeonly image2D history;
+
+layout(push_constant) uniform Parameters {
+    mat4 previous_from_current;  // view space of this frame to that of the previous one
+    vec2 p00_p11;                // elements [0][0] and [1][1] of this frame's projection, y down
+    vec2 previous_p00_p11;       // of the previous frame's
+    ivec2 size;                  // of all images, pixels
+    float tolerance;             // of the depth test, relative; infinity: no test
+    uint taps;                   // 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
+    uint nearest_index;          // 1: the index of one texel; 0: interpolated (for comparison: a sequence must not be)
+    uint orthographic;           // this frame's camera: 1, or 0 for perspective
+    uint previous_orthographic;  // the previous frame's
+} parameters;
+
+#include "gloam/geometry/camera.glsl"
+#include "gloam/temporal/reprojected_history.glsl"
+
+const uint NEAREST = 0u;
+const uint BILINEAR = 1u;
+const float ANY_DEPTH = uintBitsToFloat(0x7f800000u);
+
+vec4 gloam_fetch_history(ivec2 pixel) {
+    return imageLoad(previous_history, pixel);
+}
+
+vec3 previous_position(ivec2 pixel, float depth) {
+    if (moving_objects) return imageLoad(previous_position_image, pixel).xyz;
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
+    return (parameters.previous_from_current * vec4(gloam_camera_position(pixel, depth, camera), 1.0)).xyz;
+}
+
+uint interpolated_index(vec2 uv) {
+    vec2 x = gloam_texel_position(uv.x, parameters.size.x);
+    vec2 y = gloam_texel_position(uv.y, parameters.size.y);
+    vec4 weights = gloam_bilinear_weights(vec2(x.y, y.y));
+    float index = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 pixel = ivec2(int(x.x), int(y.x)) + ivec2(i % 2, i / 2);
+        index += weights[i] * gloam_fetch_history(gloam_clamp_to_edge(pixel, parameters.size)).z;
+    }
+    return uint(index);
+}
+
+GloamHistory history_at(vec2 uv, float expected_depth) {
+    GloamHistory nearest = gloam_reprojected_history(gloam_pixel_center(uv, parameters.size), parameters.size, expected_depth,
+                                                     parameters.tolerance);
+    if (parameters.taps == NEAREST || (parameters.taps == BILINEAR && !(nearest.weight > 0.0))) return nearest;
+    float tolerance = parameters.taps == BILINEAR ? ANY_DEPTH : parameters.tolerance;
+    GloamHistory bilinear = gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
+    if (parameters.nearest_index == 0u && bilinear.weight > 0.0) bilinear.index = interpolated_index(uv);
+    return bilinear;
+}
+
+GloamHistory reprojected(ivec2 pixel) {
+    float depth = imageLoad(depth_image, pixel).x;
+    if (gloam_is_background(depth)) return gloam_history_empty(depth);
+    vec3 previous = previous_position(pixel, depth);
+    GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, parameters.previous_orthographic != 0u);
+    vec2 uv = gloam_camera_uv(previous, camera);
+    bool seen = !gloam_is_background(-previous.z) && gloam_inside_unit(uv);
+    return seen ? history_at(uv, -previous.z) : gloam_history_empty(depth);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    imageStore(history, pixel, gloam_history_pack(reprojected(pixel)));
+}
