@@ -1,18 +1,50 @@
 // SPDX-License-Identifier: MIT
 #include "check/case.hpp"
 
+#include "check/constant_kernel.hpp"
 #include "check/internal/trial.hpp"
 
 namespace gloam::check {
+namespace {
+
+// As many inputs as a constant kernel takes, from all kinds that a larger draw begins with.
+Domain::Inputs few_inputs(const Domain& domain, std::uint64_t seed, glm::ivec2 image_size) {
+    constexpr std::size_t spread = 16;
+    const Domain::Inputs many = domain.draw(spread * ConstantKernel::most_inputs, seed, image_size);
+    Domain::Inputs few{.width = many.width};
+    for (std::size_t i = 0; i < many.count(); i += spread) {
+        const auto row = many.row(i);
+        few.words.insert(few.words.end(), row.begin(), row.end());
+        few.branch.push_back(many.branch[i]);
+    }
+    return few;
+}
+
+}  // namespace
+
+Judgement judgement_of(const shader::Variant& variant, const Case& check_case) {
+    if (variant.relaxed) return {Verdict::rules, numeric::float16};
+    return {variant.strict || check_case.only_rules ? Verdict::rules : Verdict::budget, numeric::float32};
+}
 
 Result run(const Lab& lab, const Case& check_case, const RunOptions& options) {
     const KernelCore kernel = lab.kernel(check_case.file, check_case.function, check_case.signature);
-    Result result = internal::empty_result(check_case, options.verdict);
+    const Judgement usual = judgement_of(lab.options().variant, check_case);
+    const Judgement judgement{
+        check_case.only_rules ? Verdict::rules : options.verdict.value_or(usual.verdict),
+        options.format.value_or(usual.format)};
+    Result result = internal::empty_result(check_case, judgement.verdict);
+    const bool constants = lab.options().variant.constants != shader::Variant::Constants::none;
     internal::for_each_scenario(
         check_case, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-            const internal::Trial trial(lab, check_case, kernel, scenario, options.seed, result.verdict,
-                                        options.format);
-            trial.evaluate(check_case.domain.draw(share, trial.input_seed(), scenario.size), result);
+            const internal::Trial trial(lab, check_case, kernel, scenario, options.seed, judgement);
+            if (constants) {
+                const ConstantKernel folded(lab, check_case.file, check_case.function, check_case.signature);
+                trial.compare_constants(few_inputs(check_case.domain, trial.input_seed(), scenario.size),
+                                        folded, result);
+            } else {
+                trial.evaluate(check_case.domain.draw(share, trial.input_seed(), scenario.size), result);
+            }
         });
     return result;
 }

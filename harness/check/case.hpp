@@ -178,10 +178,22 @@ template <class Function, class Predicate>
 struct RunOptions {
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
-    // What is asked, unless the case is judged by the rules anyway; and the arithmetic whose rules count.
+    // What is asked, and the arithmetic whose rules count. Empty: what the lab's variant stands for
+    // (judgement_of).
+    std::optional<Verdict> verdict{};
+    std::optional<numeric::FloatFormat> format{};
+};
+
+// What results are held against, and the arithmetic whose rules count.
+struct Judgement {
     Verdict verdict = Verdict::budget;
     numeric::FloatFormat format = numeric::float32;
 };
+
+// Of shaders compiled in a variant: the strict ones are held against the rules of float32, the relaxed ones
+// against those of float16, all others against the documented budget. A case with only_rules is never held
+// against a budget.
+[[nodiscard]] Judgement judgement_of(const shader::Variant& variant, const Case& check_case);
 
 // What a check found of one function.
 struct Result {
@@ -192,6 +204,9 @@ struct Result {
     Verdict verdict = Verdict::budget;
     Census census;
     std::optional<ImageFault> fault;  // an access outside an image
+    // Of inputs given as constants of the shader: those whose results have other bits than the same shader
+    // gives for the same inputs read from memory (one NaN is as good as another).
+    std::size_t differs = 0;
 
     [[nodiscard]] bool passed() const { return census.outside() == 0 && !fault; }
 };

@@ -13,8 +13,8 @@ namespace gloam::check {
 struct SearchOptions {
     std::size_t inputs = 65'536;  // evaluated in all
     std::uint64_t seed = 1;
-    Verdict verdict = Verdict::budget;  // the error is searched as a fraction of what this allows
-    numeric::FloatFormat format = numeric::float32;
+    // The error is searched as a fraction of what this allows. Empty: what the lab's variant stands for.
+    std::optional<Judgement> judgement{};
 };
 
 // What a search found of one function.

@@ -60,6 +60,7 @@ CheckRow row_of(const std::string& equation, const std::string& variant, const c
                  .outside = census.outside(),
                  .recorded = census.recorded(),
                  .unbounded = census.unbounded,
+                 .differs = result.differs,
                  .max_ulp = census.max_ulp,
                  .max_abs = census.max_absolute,
                  .width_fraction = std::nullopt,

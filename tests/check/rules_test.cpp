@@ -127,6 +127,34 @@ TEST_F(RulesTest, AReferenceInDoubleAloneCannotJudge) {
                 testing::ThrowsMessage<std::invalid_argument>(HasSubstr("takes intervals")));
 }
 
+TEST_F(RulesTest, TheVariantDecidesWhatIsAsked) {
+    const Case check_case{.file = "rules.glsl",
+                          .function = "quotient",
+                          .signature = SignatureOf<float(float, float)>::describe(),
+                          .domain = pairs,
+                          .reference = make_reference<float(float, float)>(quotient),
+                          .budget = {.ulp = 2.5},
+                          .permitted = make_permission<float(float, float)>(quotient)};
+    const auto verdict_in = [&](const char* variant) {
+        const Lab other({.device = lab.options().device,
+                         .validation = true,
+                         .include_roots = lab.options().include_roots,
+                         .variant = shader::variant(variant)});
+        const Result result = run(other, check_case, {.inputs = 512});
+        EXPECT_TRUE(result.passed()) << variant << result;
+        EXPECT_EQ(result.differs, 0U) << variant;
+        EXPECT_EQ(result.census.inputs(),
+                  other.options().variant.constants == shader::Variant::Constants::none ? 512U : 64U);
+        return result.verdict;
+    };
+    for (const char* variant :
+         {"shipped", "optimized", "small", "round_trip", "literals", "specialization"}) {
+        EXPECT_EQ(verdict_in(variant), Verdict::budget) << variant;
+    }
+    for (const char* variant : {"strict", "relaxed"})
+        EXPECT_EQ(verdict_in(variant), Verdict::rules) << variant;
+}
+
 TEST(FractionOfWidth, IsMeasuredFromTheExactResultToItsSide) {
     const numeric::Bounds bounds{1.0, 4.0, false};
     EXPECT_EQ(fraction_of_width(2.0, 2.0, bounds), 0.0);

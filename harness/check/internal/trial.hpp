@@ -4,6 +4,7 @@
 #include <span>
 
 #include "check/case.hpp"
+#include "check/constant_kernel.hpp"
 
 namespace gloam::check::internal {
 
@@ -12,15 +13,22 @@ class Trial {
   public:
     // `seed` makes the images.
     Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, const ImageScenario& scenario,
-          std::uint64_t seed, Verdict verdict, const numeric::FloatFormat& format);
+          std::uint64_t seed, const Judgement& judgement);
 
     // Evaluates and judges the inputs, and adds what it found to the result; see judge() for `fractions`.
     void evaluate(const Domain::Inputs& inputs, Result& result, std::span<double> fractions = {}) const;
+
+    // The same with the inputs as constants of the shader; counts the results that differ from those of this
+    // kernel.
+    void compare_constants(const Domain::Inputs& inputs, const ConstantKernel& constants,
+                           Result& result) const;
 
     // The seed of this scenario's inputs.
     [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
 
   private:
+    [[nodiscard]] KernelCore::Result run(const Domain::Inputs& inputs, Result& result) const;
+
     const Lab& lab_;
     const KernelCore& kernel_;
     const ImageScenario& scenario_;
