@@ -29,10 +29,7 @@ Judgement judgement_of(const shader::Variant& variant, const Case& check_case) {
 
 Result run(const Lab& lab, const Case& check_case, const RunOptions& options) {
     const KernelCore kernel = lab.kernel(check_case.file, check_case.function, check_case.signature);
-    const Judgement usual = judgement_of(lab.options().variant, check_case);
-    const Judgement judgement{
-        check_case.only_rules ? Verdict::rules : options.verdict.value_or(usual.verdict),
-        options.format.value_or(usual.format)};
+    const Judgement judgement = internal::judgement_of(lab, check_case, options);
     Result result = internal::empty_result(check_case, judgement.verdict);
     const bool constants = lab.options().variant.constants != shader::Variant::Constants::none;
     internal::for_each_scenario(

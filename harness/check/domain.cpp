@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check/domain.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "numeric/ulp.hpp"
@@ -105,6 +106,22 @@ void Domain::append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed,
         Row row{.context = context, .inputs = inputs};
         append_row(row);
     }
+}
+
+bool Domain::holds(std::span<const Word> input, std::span<const Word> known) const {
+    numeric::Random random(0);
+    DrawContext context{.random = random};
+    std::vector<Word> drawn;
+    for (const Values& values : parameters_) {
+        const std::size_t first = drawn.size();
+        values.draw(context, drawn);  // tells how many words it has
+        const std::size_t words = drawn.size() - first;
+        const std::span<const Word> value = input.subspan(first, words);
+        if (!std::ranges::equal(value, known.subspan(first, words)) && !values.admits(value)) return false;
+    }
+    std::vector<Word> adjusted(input.begin(), input.end());
+    adjust(adjusted);
+    return std::ranges::equal(adjusted, input);
 }
 
 Domain::Inputs Domain::draw_unadjusted(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {

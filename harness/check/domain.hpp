@@ -58,6 +58,10 @@ class Domain {
                                          glm::ivec2 image_size = glm::ivec2(1)) const;
     void adjust(std::span<Word> row) const;
 
+    // Whether an input is known to be one of this domain: each parameter has a value that it admits, or the
+    // one that it has in `known`, an input that was drawn; and no adjustment would change it.
+    [[nodiscard]] bool holds(std::span<const Word> input, std::span<const Word> known) const;
+
     [[nodiscard]] const std::vector<Values>& parameters() const { return parameters_; }
 
   private:

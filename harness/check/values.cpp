@@ -155,7 +155,9 @@ Values log_integers(long high) {
 }
 
 Values booleans() {
-    return made_by<bool>([](numeric::Random& random) { return random.below(2) == 1; });
+    Values values = made_by<bool>([](numeric::Random& random) { return random.below(2) == 1; });
+    values.contains = [](std::span<const Word> words) { return words[0] <= 1U; };
+    return values;
 }
 
 Values vector(int components, const Values& component) {

@@ -77,6 +77,8 @@ class Flattener {
         open_.pop_back();
     }
 
+    void add(const Source& source) { add_text(source.name, source.text); }
+
     std::string take() {
         std::string text;
         for (const std::string& line : top_) text += line + "\n";
@@ -185,6 +187,17 @@ std::string flatten(const std::vector<Path>& files, const std::vector<Path>& roo
     Flattener flattener(roots);
     for (const Path& file : files) flattener.add(file);
     return flattener.take();
+}
+
+std::string flatten(const Source& source, const std::vector<Path>& roots) {
+    std::string version;
+    for (const Line& line : internal::split_lines(source.text)) {
+        const auto directive = internal::directive_of(line);
+        if (directive && directive->keyword == "version") version = "#version " + directive->argument + "\n";
+    }
+    Flattener flattener(roots);
+    flattener.add(source);
+    return version + flattener.take();
 }
 
 }  // namespace gloam::shader

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "shader/compile.hpp"
+
 namespace gloam::shader {
 
 // Reads a text file; throws std::runtime_error naming the file when it cannot.
@@ -33,5 +35,8 @@ struct IncludedFile {
 // condition other than the guard (its place in one text would depend on the condition).
 [[nodiscard]] std::string flatten(const std::vector<std::filesystem::path>& files,
                                   const std::vector<std::filesystem::path>& roots);
+
+// The same of one text: it stays what it is, its #version line first, with all that it includes in it.
+[[nodiscard]] std::string flatten(const Source& source, const std::vector<std::filesystem::path>& roots);
 
 }  // namespace gloam::shader

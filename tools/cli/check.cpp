@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "catalogue/catalogue.hpp"
+#include "cli/check/failure_folders.hpp"
 #include "cli/check/run_device.hpp"
 #include "cli/check/shard.hpp"
 #include "cli/check/worker.hpp"
@@ -62,7 +63,7 @@ void print_failure(const report::CheckRow& row) {
 }
 
 report::CheckReport check_device(const CheckOptions& options, const std::string& device,
-                                 const std::vector<CheckTask>& tasks) {
+                                 const std::vector<CheckTask>& tasks, FailureFolders& failures) {
     const auto timeout = std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
     DeviceRun run{.checker = {.device = device, .validation = options.validation, .timeout = timeout},
                   .tasks = tasks,
@@ -70,7 +71,13 @@ report::CheckReport check_device(const CheckOptions& options, const std::string&
                   .jobs = options.jobs,
                   .in_process = options.in_process,
                   .on_device = print_device,
-                  .on_row = print_row};
+                  .on_row = print_row,
+                  .on_failure = {}};
+    if (failures.wanted()) {
+        run.on_failure = [&failures](const auto& on, const auto& row, const HandOver& failure) {
+            failures.write(on, row, failure);
+        };
+    }
     try {
         return run_on_device(run);
     } catch (const DeviceRefused& refused) {
@@ -88,11 +95,12 @@ int run_check(const CheckOptions& options) {
     const std::vector<CheckTask> tasks = tasks_of(options);
     const report::OutputFile json(options.json);
     const report::OutputFile junit(options.junit);
+    FailureFolders failed(options.failures);
     std::vector<report::CheckReport> reports;
     std::size_t failures = 0;
     std::size_t checks = 0;
     for (const std::string& device : devices_to_check(options.device)) {
-        reports.push_back(check_device(options, device, tasks));
+        reports.push_back(check_device(options, device, tasks, failed));
         failures += reports.back().failures();
         checks += reports.back().rows.size();
     }
@@ -138,6 +146,9 @@ void add_check(CLI::App& app, int& status) {
                       "no worker processes, for a debugger: a driver that crashes then ends the whole run");
     command->add_option("--json", options->json, "write the results to this file");
     command->add_option("--junit", options->junit, "write the results as JUnit XML");
+    command->add_option("--failures", options->failures,
+                        "folder that receives each failure ready to report: the smallest input found, the "
+                        "shader, an AmberScript");
     command->callback([options, &status] { status = run_check(*options); });
 }
 

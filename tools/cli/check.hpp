@@ -24,6 +24,7 @@ struct CheckOptions {
     bool in_process = false;
     std::filesystem::path json;
     std::filesystem::path junit;
+    std::filesystem::path failures;  // folder for what failed, ready to report
 };
 
 // Runs the checks, prints a line for each and the story of each failure. Returns the exit status: 0 or 1.

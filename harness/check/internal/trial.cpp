@@ -26,6 +26,7 @@ Trial::Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, c
       kernel_(kernel),
       scenario_(scenario),
       input_seed_(seed ^ numeric::hash_of(check_case.function + scenario.name)),
+      images_(images_of(scenario, seed)),
       rules_{.signature = check_case.signature,
              .reference = check_case.reference,
              .budget = check_case.budget,
@@ -34,10 +35,7 @@ Trial::Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, c
              .judge_nan = lab.device().info().float32.preserves_signed_zero_inf_nan,
              .verdict = judgement.verdict,
              .permitted = check_case.permitted,
-             .format = judgement.format} {
-    numeric::Random random(seed ^ numeric::hash_of(scenario.name));
-    if (scenario.make) images_ = scenario.make(scenario.size, random);
-}
+             .format = judgement.format} {}
 
 KernelCore::Result Trial::run(const Domain::Inputs& inputs, Result& result) const {
     if (inputs.width != kernel_.input_words()) {
@@ -71,6 +69,17 @@ void Trial::compare_constants(const Domain::Inputs& inputs, const ConstantKernel
         };
         if (!same_bits(scalars, row(at_run_time.outputs), row(folded.outputs))) ++result.differs;
     }
+}
+
+ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {
+    numeric::Random random(seed ^ numeric::hash_of(scenario.name));
+    return scenario.make ? scenario.make(scenario.size, random) : ImageSet{};
+}
+
+Judgement judgement_of(const Lab& lab, const Case& check_case, const RunOptions& options) {
+    const Judgement usual = check::judgement_of(lab.options().variant, check_case);
+    return {check_case.only_rules ? Verdict::rules : options.verdict.value_or(usual.verdict),
+            options.format.value_or(usual.format)};
 }
 
 void for_each_scenario(const Case& check_case, std::size_t inputs,

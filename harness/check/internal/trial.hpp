@@ -23,6 +23,9 @@ class Trial {
     void compare_constants(const Domain::Inputs& inputs, const ConstantKernel& constants,
                            Result& result) const;
 
+    [[nodiscard]] const Rules& rules() const { return rules_; }
+    [[nodiscard]] const ImageSet& images() const { return images_; }
+
     // The seed of this scenario's inputs.
     [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
 
@@ -41,6 +44,12 @@ class Trial {
 // scenario, for a function without images.
 void for_each_scenario(const Case& check_case, std::size_t inputs,
                        const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit);
+
+// The images of a scenario in a run with that seed; none for a scenario without.
+[[nodiscard]] ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed);
+
+// What a run is held against: what the options ask for, else what the lab's variant stands for.
+[[nodiscard]] Judgement judgement_of(const Lab& lab, const Case& check_case, const RunOptions& options);
 
 // A result without inputs.
 [[nodiscard]] Result empty_result(const Case& check_case, Verdict verdict);

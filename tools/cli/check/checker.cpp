@@ -26,6 +26,10 @@ std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader
                                                           .timeout = options.timeout});
 }
 
+check::RunOptions options_of(const CheckTask& task) {
+    return {.inputs = task.inputs, .seed = task.seed};
+}
+
 }  // namespace
 
 Checker::Checker(CheckerOptions options) : options_(std::move(options)), entries_(catalogue::all_entries()) {
@@ -64,14 +68,22 @@ report::CheckRow Checker::run(const CheckTask& task) {
     const catalogue::Entry& asked = entry(task.equation);
     report::CheckRow row;
     try {
-        const check::RunOptions options{.inputs = task.inputs, .seed = task.seed};
         row = report::row_of(task.equation, task.variant,
-                             check::run(lab(task.variant), asked.check_case, options));
+                             check::run(lab(task.variant), asked.check_case, options_of(task)));
     } catch (const std::exception& error) {
         row = row_without_result(asked, task.variant, reason_of(error), error.what());
     }
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
+}
+
+HandOver Checker::hand_over(const HandOverRequest& request) {
+    try {
+        const CheckTask& task = request.task;
+        return make_hand_over(lab(task.variant), entry(task.equation), request, options_of(task));
+    } catch (const std::exception& error) {
+        return {.error = error.what()};
+    }
 }
 
 report::Reason reason_of(const std::exception& error) {

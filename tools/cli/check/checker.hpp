@@ -7,6 +7,7 @@
 #include <string>
 
 #include "catalogue/catalogue.hpp"
+#include "cli/check/hand_over.hpp"
 #include "cli/check/task.hpp"
 #include "report/check_report.hpp"
 
@@ -30,6 +31,9 @@ class Checker {
     // Never throws for what goes wrong in a check: the row tells it. After Reason::device_lost and
     // Reason::hang the device is of no more use.
     [[nodiscard]] report::CheckRow run(const CheckTask& task);
+
+    // Never throws for what goes wrong: HandOver::error tells it.
+    [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
 
   private:
     const check::Lab& lab(const std::string& variant);

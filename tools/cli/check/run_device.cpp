@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -28,11 +29,12 @@ bool is_unusable_after(Reason reason) {
 // Tasks to be taken and rows to be given back by several threads; rows are told of in the order of the tasks.
 class Board {
   public:
-    explicit Board(const DeviceRun& run) : run_(run), rows_(run.tasks.size()) {}
+    Board(const DeviceRun& run, const report::DeviceSummary& device)
+        : run_(run), device_(device), rows_(run.tasks.size()) {}
 
     std::optional<std::size_t> take() {
         const std::scoped_lock lock(mutex_);
-        if (given_up_ || taken_ == rows_.size()) return std::nullopt;
+        if (given_up_ || trouble_ || taken_ == rows_.size()) return std::nullopt;
         return taken_++;
     }
 
@@ -42,14 +44,24 @@ class Board {
         while (told_ < rows_.size() && rows_[told_]) tell(*rows_[told_++]);
     }
 
+    void hand_over(const CheckRow& row, const HandOver& failure) {
+        const std::scoped_lock lock(mutex_);
+        try {
+            run_.on_failure(device_, row, failure);
+        } catch (...) {  // thrown again by finish(): here may be another thread
+            if (!trouble_) trouble_ = std::current_exception();
+        }
+    }
+
     // No more tasks are taken.
     void give_up(Reason reason, const std::string& error) {
         const std::scoped_lock lock(mutex_);
         if (!given_up_) given_up_ = {.line = {}, .reason = reason, .error = error};
     }
 
-    // All rows, once nobody works any more.
+    // All rows, once nobody works any more. Throws what on_failure threw.
     std::vector<CheckRow> finish() {
+        if (trouble_) std::rethrow_exception(trouble_);
         std::vector<CheckRow> all;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             if (!rows_[i]) continue;
@@ -69,11 +81,13 @@ class Board {
     }
 
     const DeviceRun& run_;
+    const report::DeviceSummary& device_;
     std::mutex mutex_;
     std::vector<std::optional<CheckRow>> rows_;
     std::size_t taken_ = 0;
     std::size_t told_ = 0;
     std::optional<Answer> given_up_;
+    std::exception_ptr trouble_;
 };
 
 // Asks a worker for the row of one task. Throws NoWorker.
@@ -98,10 +112,25 @@ CheckRow ask(WorkerSession& session, const CheckTask& task, const catalogue::Ent
     return row;
 }
 
+// Asks a worker to make a failure ready to report. Throws NoWorker.
+HandOver ask_more(WorkerSession& session, const CheckTask& task, const CheckRow& row) {
+    const Answer answer = session.ask(to_line(request_for(task, row)));
+    if (!answer.error.empty()) return {.error = answer.error};
+    try {
+        return hand_over_from(answer.line);
+    } catch (const std::exception& error) {
+        session.dismiss();
+        return {.error = fmt::format("the worker's answer makes no sense: {}", error.what())};
+    }
+}
+
 void work(WorkerSession& session, const DeviceRun& run, const catalogue::Entries& entries, Board& board) {
     try {
         while (const auto task = board.take()) {
-            board.put(*task, ask(session, run.tasks[*task], entries));
+            const CheckRow row = ask(session, run.tasks[*task], entries);
+            board.put(*task, row);
+            if (!row.passed() && run.on_failure)
+                board.hand_over(row, ask_more(session, run.tasks[*task], row));
         }
     } catch (const NoWorker& none) {
         board.give_up(none.reason, none.what());
@@ -125,7 +154,7 @@ void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
     }
     if (run.on_device) run.on_device(report.device);
     const catalogue::Entries entries = catalogue::all_entries();
-    Board board(run);
+    Board board(run, report.device);
     std::vector<std::thread> helpers;
     for (std::size_t job = 1; job < std::min(run.jobs, run.tasks.size()); ++job) {
         helpers.emplace_back([&] {
@@ -149,7 +178,10 @@ void run_here(const DeviceRun& run, report::CheckReport& report) {
     if (run.on_device) run.on_device(report.device);
     for (const CheckTask& task : run.tasks) {
         report.rows.push_back(checker->run(task));
-        if (run.on_row) run.on_row(report.rows.back());
+        const CheckRow& row = report.rows.back();
+        if (run.on_row) run.on_row(row);
+        if (row.passed() || !run.on_failure) continue;
+        run.on_failure(report.device, row, checker->hand_over(request_for(task, row)));
     }
 }
 

@@ -24,6 +24,8 @@ struct DeviceRun {
     // Called in the order of the tasks, never from two threads at once.
     std::function<void(const report::DeviceSummary&)> on_device;
     std::function<void(const report::CheckRow&)> on_row;
+    // Called for each row that failed, in any order, never from two threads at once; empty: not wanted.
+    std::function<void(const report::DeviceSummary&, const report::CheckRow&, const HandOver&)> on_failure;
 };
 
 // The device cannot be opened, and says so itself: there is none of that name, say.

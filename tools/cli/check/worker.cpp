@@ -66,7 +66,8 @@ void run_worker(const CheckerOptions& options) {
     replies.send(to_line(greeting));
     if (!checker) return;
     for (std::string line; std::getline(std::cin, line);) {
-        replies.send(report::to_json(checker->run(task_from(line))));
+        replies.send(is_hand_over_request(line) ? to_line(checker->hand_over(hand_over_request_from(line)))
+                                                : report::to_json(checker->run(task_from(line))));
     }
 }
 

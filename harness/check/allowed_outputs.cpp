@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "check/reproduction.hpp"
+#include "numeric/float_class.hpp"
+#include "numeric/ulp.hpp"
+
+namespace gloam::check {
+namespace {
+
+using numeric::Bounds;
+using shader::Scalar;
+
+// The budget around one result of the reference, where `unit` is the size of an ULP.
+Bounds around(double want, double unit, const Budget& budget) {
+    if (std::isnan(want)) return Bounds::only_nan();
+    if (!std::isfinite(want)) return Bounds::point(want);
+    const double reach = std::max(budget.absolute, budget.ulp * unit);
+    return {want - reach, want + reach, false};
+}
+
+std::vector<Bounds> around(const Rules& rules, const std::vector<double>& want) {
+    const std::vector<Scalar> scalars = rules.signature.output_scalars();
+    std::vector<Bounds> bounds;
+    for (const std::size_t words : rules.signature.output_values()) {
+        const std::size_t first = bounds.size();
+        double largest = 0.0;
+        for (std::size_t i = first; i < first + words; ++i) {
+            if (std::isfinite(want[i])) largest = std::max(largest, std::abs(want[i]));
+        }
+        for (std::size_t i = first; i < first + words; ++i) {
+            if (scalars[i] != Scalar::float_) {
+                bounds.push_back(Bounds::point(want[i]));
+                continue;
+            }
+            const double at = rules.budget.of_largest_component ? largest : want[i];
+            bounds.push_back(around(want[i], numeric::ulp_size(at), rules.budget));
+        }
+    }
+    return bounds;
+}
+
+// The inputs that the budget also speaks of: subnormals flushed, and each float moved alone.
+std::vector<std::vector<Word>> neighbours(const Rules& rules, const std::vector<Word>& inputs) {
+    const std::vector<Scalar> scalars = rules.signature.input_scalars();
+    std::vector<std::vector<Word>> all{inputs};
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (scalars[i] != Scalar::float_) continue;
+        const auto value = from_word<float>(inputs[i]);
+        if (numeric::classify(value) == numeric::FloatClass::subnormal) all.front()[i] &= 0x80000000U;
+        for (int steps = 1; steps <= rules.budget.backward_ulp; ++steps) {
+            for (const int signed_steps : {-steps, steps}) {
+                all.push_back(inputs);
+                all.back()[i] = to_word(numeric::step(value, signed_steps));
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<Bounds> allowed_outputs(const Rules& rules, const ImageSet& images, const Sample& sample) {
+    if (rules.verdict == Verdict::rules) return sample.permitted;
+    const std::vector<Scalar> scalars = rules.signature.output_scalars();
+    const Bounds codomain{rules.codomain.low, rules.codomain.high, false};
+    std::vector<Bounds> bounds(scalars.size(), codomain);
+    if (rules.promised && !rules.promised(sample.inputs)) return bounds;  // then only the codomain is
+    bounds = around(rules, sample.want);
+    std::vector<double> want;
+    for (const std::vector<Word>& inputs : neighbours(rules, sample.inputs)) {
+        rules.reference(images, inputs, want);
+        std::ranges::transform(bounds, around(rules, want), bounds.begin(), numeric::hull);
+    }
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (scalars[i] != Scalar::float_ || bounds[i].empty()) continue;
+        bounds[i].low = std::max(bounds[i].low, codomain.low);
+        bounds[i].high = std::min(bounds[i].high, codomain.high);
+    }
+    return bounds;
+}
+
+}  // namespace gloam::check

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "check/reproduction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "check/constant_code.hpp"
+#include "check/constant_kernel.hpp"
+#include "check/internal/trial.hpp"
+#include "check/shrink.hpp"
+#include "shader/include.hpp"
+#include "shader/spirv.hpp"
+
+namespace gloam::check {
+namespace {
+
+using Constants = shader::Variant::Constants;
+
+std::vector<Word> buffer_of(const Image& image) {
+    std::vector<Word> words{static_cast<Word>(image.size.x), static_cast<Word>(image.size.y),
+                            image.border == Border::clamp ? 1U : 0U};
+    words.insert(words.end(), image.words.begin(), image.words.end());
+    return words;
+}
+
+ImageScenario scenario_of(const Case& check_case, const std::string& name) {
+    if (check_case.scenarios.empty() && name.empty()) return {};
+    const auto found = std::ranges::find(check_case.scenarios, name, &ImageScenario::name);
+    if (found == check_case.scenarios.end()) {
+        throw std::invalid_argument(fmt::format("{}: it has no images \"{}\"", check_case.function, name));
+    }
+    return *found;
+}
+
+// A case ready to run over the images of one scenario, as run() has it.
+class Stage {
+  public:
+    Stage(const Lab& lab, const Case& check_case, ImageScenario scenario, const RunOptions& options)
+        : case_(check_case),
+          scenario_(std::move(scenario)),
+          kernel_(lab.kernel(check_case.file, check_case.function, check_case.signature)),
+          trial_(lab, check_case, kernel_, scenario_, options.seed,
+                 internal::judgement_of(lab, check_case, options)),
+          rules_(trial_.rules()) {
+        if (lab.options().variant.constants == Constants::none) return;
+        constants_.emplace(lab, check_case.file, check_case.function, check_case.signature);
+        rules_.judge_nan = rules_.judge_nan && constants_->preserves_nan();
+    }
+
+    [[nodiscard]] const Rules& rules() const { return rules_; }
+    [[nodiscard]] const ImageSet& images() const { return trial_.images(); }
+    [[nodiscard]] std::size_t at_once() const { return constants_ ? ConstantKernel::most_inputs : 1U << 20U; }
+    [[nodiscard]] KernelCore::Result run(std::span<const Word> inputs, std::size_t count) const {
+        return constants_ ? constants_->run(inputs, count, images()) : kernel_.run(inputs, count, images());
+    }
+    // From memory, whatever the variant.
+    [[nodiscard]] KernelCore::Result run_kernel(const Domain::Inputs& inputs) const {
+        return kernel_.run(inputs.words, inputs.count(), images());
+    }
+    [[nodiscard]] Domain::Inputs draw(std::size_t count) const {
+        return case_.domain.draw(count, trial_.input_seed(), scenario_.size);
+    }
+
+  private:
+    const Case& case_;
+    ImageScenario scenario_;
+    KernelCore kernel_;
+    internal::Trial trial_;
+    Rules rules_;
+    std::optional<ConstantKernel> constants_;
+};
+
+// The generated shader of one input: it is a part of the text where the variant makes it a literal.
+std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
+    if (constants == Constants::specialization) return specialized_kernel_code(source, 1);
+    if (constants == Constants::none) return kernel_code(source);
+    source.preserve_nan = false;  // as ConstantKernel has it
+    return literal_kernel_code(source, inputs, 1);
+}
+
+Reproduction without_verdict(const Lab& lab, const Case& check_case, const std::string& scenario,
+                             const ImageSet& images, std::vector<Word> inputs) {
+    const KernelSource source = lab.source(check_case.file, check_case.function, check_case.signature);
+    const Constants constants = lab.options().variant.constants;
+    const shader::Source text{.name = "kernel of " + check_case.function,
+                              .text = code_of(source, constants, inputs)};
+    Reproduction all{.glsl = shader::flatten(text, lab.options().include_roots),
+                     .spirv = lab.compile(text),
+                     .scenario = scenario,
+                     .inputs = std::move(inputs),
+                     .specialized = constants == Constants::specialization,
+                     .outputs = check_case.signature.output_scalars()};
+    all.assembly = shader::disassemble(all.spirv);
+    for (const ImagePrototype& prototype : source.images) {
+        all.images.push_back({.name = prototype.name, .words = buffer_of(images.at(prototype.name))});
+    }
+    return all;
+}
+
+}  // namespace
+
+Reproduction reproduce(const Lab& lab, const Case& check_case, const RunOptions& options) {
+    const ImageScenario scenario =
+        check_case.scenarios.empty() ? ImageScenario{} : check_case.scenarios.front();
+    return without_verdict(lab, check_case, scenario.name, internal::images_of(scenario, options.seed),
+                           check_case.domain.draw(1, options.seed, scenario.size).words);
+}
+
+Reproduction reproduce(const Lab& lab, const Case& check_case, const RunOptions& options,
+                       const Sample& failing) {
+    const Stage stage(lab, check_case, scenario_of(check_case, failing.scenario), options);
+    const ShrinkScope scope{
+        .rules = stage.rules(),
+        .domain = check_case.domain,
+        .images = stage.images(),
+        .evaluate = [&stage](std::span<const Word> inputs,
+                             std::size_t count) { return stage.run(inputs, count).outputs; },
+        .at_once = stage.at_once()};
+    const Sample smallest = shrink(scope, failing);
+    Reproduction all = without_verdict(lab, check_case, failing.scenario, stage.images(), smallest.inputs);
+    all.allowed = allowed_outputs(stage.rules(), stage.images(), smallest);
+    all.failure = smallest;
+    return all;
+}
+
+Reproduction reproduce_fault(const Lab& lab, const Case& check_case, const RunOptions& options) {
+    for (const ImageScenario& scenario : check_case.scenarios) {
+        const Stage stage(lab, check_case, scenario, options);
+        const Domain::Inputs inputs = stage.draw(options.inputs);
+        const KernelCore::Result result = stage.run_kernel(inputs);
+        if (!result.fault) continue;
+        const std::span<const Word> row = inputs.row(result.fault->input);
+        return without_verdict(lab, check_case, scenario.name, stage.images(), {row.begin(), row.end()});
+    }
+    throw std::invalid_argument(fmt::format("{}: no access falls outside an image", check_case.function));
+}
+
+}  // namespace gloam::check

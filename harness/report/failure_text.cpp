@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "report/failure_text.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cctype>
+
+#include "numeric/text.hpp"
+
+namespace gloam::report {
+namespace {
+
+std::string allowed_text(const AllowedNumbers& allowed) {
+    if (allowed.low > allowed.high) return allowed.nan ? "NaN" : "nothing";
+    return fmt::format("{} to {}{}", numeric::to_text(allowed.low), numeric::to_text(allowed.high),
+                       allowed.nan ? ", or NaN" : "");
+}
+
+std::string input_text(const std::string& title, const WorstInput& input) {
+    std::string text = fmt::format("{}\n  input   {}\n", title, input.values);
+    if (!input.images.empty()) text += fmt::format("  images  {}\n", input.images);
+    for (std::size_t i = 0; i < input.got_words.size(); ++i) {
+        const std::uint32_t word = input.got_words[i];
+        text += fmt::format("  output {}: got 0x{:08x} (as a float {}, as an integer {})", i, word,
+                            numeric::to_text(std::bit_cast<float>(word)), std::bit_cast<std::int32_t>(word));
+        if (i < input.want.size()) text += fmt::format(", want {}", numeric::to_text(input.want[i]));
+        if (i < input.allowed.size()) text += fmt::format(", permitted {}", allowed_text(input.allowed[i]));
+        text += "\n";
+    }
+    return text + fmt::format("  error   {:.6g} ulp, {:.6g} absolute\n\n", input.ulp, input.absolute);
+}
+
+std::string yes_no(bool flag) {
+    return flag ? "yes" : "no";
+}
+
+}  // namespace
+
+std::string failure_text(const DeviceSummary& device, const CheckRow& row,
+                         const std::optional<WorstInput>& smallest, const std::string& note) {
+    std::string text =
+        fmt::format("{}: {} of {}, variant {}\n\n", row.equation, row.function, row.file, row.variant);
+    text += row.ran() ? row.story + "\n" : fmt::format("{}: {}\n\n", name_of(row.reason), row.error);
+    if (smallest) text += input_text("The simplest input found that fails:", *smallest);
+    if (row.worst) text += input_text("The input with the largest error:", *row.worst);
+    text += fmt::format(
+        "Judged by: {}; documented accuracy: {}\n\n"
+        "Device: {}\n  driver {}, Vulkan {}, type {}\n"
+        "  float32: keeps signed zero, infinity and NaN: {}; keeps subnormals: {}; flushes them: {}; "
+        "rounds to even: {}\n\n",
+        row.verdict == "rules" ? "what Vulkan's precision rules permit" : "the documented accuracy",
+        row.budget.text, device.name, device.driver, device.api_version, device.type,
+        yes_no(device.preserves_signed_zero_inf_nan), yes_no(device.preserves_denormals),
+        yes_no(device.flushes_denormals), yes_no(device.rounds_to_even));
+    if (!note.empty()) text += note + "\n\n";
+    return text + fmt::format(
+                      "Run it again: gloam check {} --variant {}\n"
+                      "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber "
+                      "(https://github.com/google/amber)\n",
+                      row.equation, row.variant);
+}
+
+std::string slug(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 && byte < 0x80) {
+            out += static_cast<char>(std::tolower(byte));
+        } else if (!out.empty() && out.back() != '-') {
+            out += '-';
+        }
+    }
+    while (!out.empty() && out.back() == '-') out.pop_back();
+    return out.empty() ? "unnamed" : out;
+}
+
+}  // namespace gloam::report

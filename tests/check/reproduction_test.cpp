@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "check/reproduction.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "support/lab.hpp"
+
+namespace gloam::check {
+namespace {
+
+using numeric::Bounds;
+using testing::HasSubstr;
+
+// The weight of wrong.glsl, which is 1e-4 too large there.
+Case wrong_weight() {
+    return {.file = "wrong.glsl",
+            .function = "weight_wrong_constant",
+            .signature = SignatureOf<float(float, float)>::describe(),
+            .domain = {uniform(-10, 10), uniform(0.5, 8)},
+            .reference = make_reference<float(float, float)>([](double distance, double radius) {
+                const double x = distance / radius;
+                return std::abs(distance) < radius ? 1.0 - x * x : 0.0;
+            }),
+            .budget = {.ulp = 2, .absolute = 4e-7}};
+}
+
+TEST(Reproduction, AFailureComesWithItsSimplestInputAndAShaderOfItsOwn) {
+    const Lab lab = test::make_lab(FIXTURES);
+    const RunOptions options{.inputs = 1000};
+    const Result result = run(lab, wrong_weight(), options);
+    ASSERT_FALSE(result.passed());
+    const Reproduction all = reproduce(lab, wrong_weight(), options, *result.census.worst);
+    EXPECT_EQ(all.inputs, (std::vector<Word>{0U, to_word(1.0F)}));  // at the centre, radius 1
+    ASSERT_TRUE(all.failure);
+    EXPECT_EQ(all.failure->inputs, all.inputs);
+    ASSERT_EQ(all.allowed.size(), 1U);
+    EXPECT_FALSE(all.allowed[0].contains(static_cast<double>(from_word<float>(all.failure->got[0]))));
+    EXPECT_TRUE(all.allowed[0].contains(1.0));
+
+    EXPECT_EQ(all.glsl.find("#include"), std::string::npos);
+    EXPECT_TRUE(all.glsl.starts_with("#version 450\n"));
+    EXPECT_FALSE(shader::compile({.name = "alone", .text = all.glsl}, {}).empty());
+    EXPECT_EQ(all.spirv.at(0), 0x07230203U);
+    EXPECT_THAT(all.assembly, HasSubstr("OpEntryPoint GLCompute"));
+}
+
+TEST(Reproduction, InputsThatAreConstantsStayConstants) {
+    for (const char* variant : {"literals", "specialization"}) {
+        const Lab lab({.validation = true,
+                       .include_roots = {FIXTURES},
+                       .cache_directory = test::cache_directory(),
+                       .variant = shader::variant(variant)});
+        const Result result = run(lab, wrong_weight(), {});
+        ASSERT_FALSE(result.passed()) << variant;
+        const Reproduction all = reproduce(lab, wrong_weight(), {}, *result.census.worst);
+        EXPECT_EQ(all.inputs, (std::vector<Word>{0U, to_word(1.0F)})) << variant;
+        EXPECT_EQ(all.specialized, std::string(variant) == "specialization");
+        EXPECT_EQ(all.glsl.find("constant_id") != std::string::npos, all.specialized) << all.glsl;
+    }
+}
+
+TEST(Reproduction, WithoutRunningThereIsTheFirstInput) {
+    const Lab lab = test::make_lab(FIXTURES);
+    const Reproduction all = reproduce(lab, wrong_weight(), {.inputs = 1000});
+    EXPECT_EQ(all.inputs.size(), 2U);
+    EXPECT_FALSE(all.failure);
+    EXPECT_TRUE(all.allowed.empty());
+    EXPECT_EQ(all.outputs.size(), 1U);
+}
+
+TEST(Reproduction, WhatPassesIsRefused) {
+    const Lab lab = test::make_lab(FIXTURES);
+    Case right = wrong_weight();
+    right.function = "weight";
+    const Sample passing{.inputs = {to_word(0.5F), to_word(1.0F)}};
+    EXPECT_THAT([&] { (void)reproduce(lab, right, {}, passing); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("does not fail")));
+    EXPECT_THAT([&] { (void)reproduce_fault(lab, right, {}); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("no access falls outside")));
+    const Sample elsewhere{.scenario = "3 x 3", .inputs = passing.inputs};
+    EXPECT_THAT([&] { (void)reproduce(lab, right, {}, elsewhere); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("no images \"3 x 3\"")));
+}
+
+// A sum over the pixel and its right neighbour: at the right border it reads outside.
+Case two_pixels() {
+    return {.file = "two_pixels.glsl",
+            .function = "two_pixels",
+            .signature = SignatureOf<float(glm::ivec2)>::describe(),
+            .domain = {image_pixel()},
+            .reference = make_reference<float(glm::ivec2)>([](const ImageSet& images, glm::ivec2 pixel) {
+                const Image& image = images.at("fetch");
+                return static_cast<double>(image.at<float>(pixel)) +
+                       image.at<float>(pixel + glm::ivec2(1, 0));
+            }),
+            .budget = {.ulp = 1},
+            .scenarios = {{.name = "3 x 2", .size = {3, 2}, .make = [](glm::ivec2 size, numeric::Random&) {
+                               return ImageSet{{"fetch", make_image<float>(size, [](glm::ivec2 p) {
+                                                    return static_cast<float>(p.x + 10 * p.y);
+                                                })}};
+                           }}}};
+}
+
+TEST(Reproduction, AnAccessOutsideAnImageComesWithTheImageAndThePixel) {
+    const Lab lab = test::make_lab(FIXTURES);
+    const RunOptions options{.inputs = 50};
+    ASSERT_TRUE(run(lab, two_pixels(), options).fault);
+    const Reproduction all = reproduce_fault(lab, two_pixels(), options);
+    EXPECT_EQ(all.inputs.at(0), 2U);  // the last column
+    EXPECT_EQ(all.scenario, "3 x 2");
+    ASSERT_EQ(all.images.size(), 1U);
+    EXPECT_EQ(all.images[0].name, "fetch");
+    EXPECT_EQ(all.images[0].words.size(), 3U + 6U);
+    EXPECT_EQ(all.images[0].words[0], 3U);
+    EXPECT_EQ(all.images[0].words[1], 2U);
+    EXPECT_EQ(from_word<float>(all.images[0].words[8]), 12.0F);
+}
+
+TEST(AllowedOutputs, AreTheBudgetAroundTheReference) {
+    const Rules rules{.signature = SignatureOf<float(float)>::describe(),
+                      .reference = make_reference<float(float)>([](double x) { return x; }),
+                      .budget = {.ulp = 2, .absolute = 1e-9},
+                      .codomain = {.low = 0.0, .high = 1.0}};
+    const auto allowed = [&](const Rules& by, float x) {
+        return allowed_outputs(by, {}, {.inputs = {to_word(x)}, .want = {static_cast<double>(x)}}).at(0);
+    };
+    const double ulp = std::ldexp(1.0, -24);  // between 0.5 and 1
+    EXPECT_EQ(allowed(rules, 0.75F), (Bounds{0.75 - 2 * ulp, 0.75 + 2 * ulp, false}));
+    EXPECT_EQ(allowed(rules, 1.0F).high, 1.0);  // the codomain's end
+    EXPECT_EQ(allowed(rules, 1e-30F).high, static_cast<double>(1e-30F) + 1e-9);
+    Rules backward = rules;
+    backward.budget.backward_ulp = 3;
+    EXPECT_EQ(allowed(backward, 0.75F), (Bounds{0.75 - 5 * ulp, 0.75 + 5 * ulp, false}));
+    Rules elsewhere = rules;
+    elsewhere.promised = [](auto) { return false; };
+    EXPECT_EQ(allowed(elsewhere, 0.75F), (Bounds{0.0, 1.0, false}));
+}
+
+TEST(AllowedOutputs, SpecialsAndIntegersAreExact) {
+    const Rules rules{.signature = SignatureOf<void(Out<float>, Out<float>, Out<int>)>::describe(),
+                      .reference =
+                          [](const ImageSet&, std::span<const Word>, std::vector<double>& outputs) {
+                              outputs = {NAN, INFINITY, -3.0};
+                          },
+                      .budget = {.ulp = 2}};
+    const std::vector<Bounds> allowed = allowed_outputs(rules, {}, {.want = {NAN, INFINITY, -3.0}});
+    ASSERT_EQ(allowed.size(), 3U);
+    EXPECT_TRUE(allowed[0].empty() && allowed[0].nan);
+    EXPECT_EQ(allowed[1], Bounds::point(INFINITY));
+    EXPECT_EQ(allowed[2], Bounds::point(-3.0));
+}
+
+}  // namespace
+}  // namespace gloam::check

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "report/failure_text.hpp"
+
+#include <gmock/gmock.h>
+
+#include "report/rows.hpp"
+
+namespace gloam::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(FailureText, TellsAllThatAReportNeeds) {
+    const CheckRow row = failing_row();
+    WorstInput smallest = *row.worst;
+    smallest.values = "float 1 (0x3f800000)";
+    const std::string text = failure_text(report_of("GPU", {}).device, row, smallest, "");
+    for (const char* part : {"EQ-1: f of gloam/f.glsl, variant strict", "line one", "float 1 (0x3f800000)",
+                             "float 0.5 (0x3f000000)", "3 x 3", "got 0x7fc00000", "want 0.1",
+                             "permitted 0 (0x0p+0) to 0.25 (0x1p-2), or NaN", "GPU", "driver 1.2",
+                             "Vulkan 1.3.0", "precision rules", "4 ulp or 1e-07 absolute",
+                             "gloam check EQ-1 --variant strict", "amber -v 1.2 -t spv1.5 repro.amber"}) {
+        EXPECT_THAT(text, HasSubstr(part));
+    }
+}
+
+TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
+    CheckRow row = passing_row("EQ-2");
+    row.reason = Reason::hang;
+    row.error = "not finished after 5 s";
+    const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "A note.");
+    EXPECT_THAT(text, HasSubstr("hang: not finished after 5 s"));
+    EXPECT_THAT(text, HasSubstr("A note."));
+    EXPECT_THAT(text, Not(HasSubstr("input  ")));
+}
+
+TEST(Slug, IsFitForAFolder) {
+    EXPECT_EQ(slug("llvmpipe (LLVM 15.0.6, 256 bits)"), "llvmpipe-llvm-15-0-6-256-bits");
+    EXPECT_EQ(slug("../../etc/passwd"), "etc-passwd");
+    EXPECT_EQ(slug("Zwölf"), "zw-lf");
+    EXPECT_EQ(slug("//"), "unnamed");
+    EXPECT_EQ(slug(""), "unnamed");
+}
+
+}  // namespace
+}  // namespace gloam::report

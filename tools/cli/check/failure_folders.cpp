@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "cli/check/failure_folders.hpp"
+
+#include <span>
+#include <string_view>
+
+#include "report/failure_text.hpp"
+
+namespace gloam::cli {
+namespace {
+
+std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
+    const auto bytes = std::as_bytes(std::span(words));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+FailureFolders::FailureFolders(std::filesystem::path folder) {
+    if (!folder.empty()) folder_.emplace(std::move(folder));
+}
+
+std::filesystem::path FailureFolders::write(const report::DeviceSummary& device, const report::CheckRow& row,
+                                            const HandOver& hand_over) {
+    const std::string name = report::slug(row.equation) + "-" + report::slug(row.variant);
+    report::OutputFolder out(folder_->path() / report::slug(report::name_of(device)) / name);
+    const std::string note =
+        hand_over.error.empty() ? "" : "The shader and a reproduction could not be made: " + hand_over.error;
+    out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note));
+    if (hand_over.error.empty()) {
+        out.write("shader.comp", hand_over.glsl);
+        out.write("shader.spvasm", hand_over.assembly);
+        out.write("shader.spv", bytes_of(hand_over.spirv));
+        out.write("repro.amber", hand_over.amber);
+    }
+    out.keep();
+    folder_->keep();
+    return out.path();
+}
+
+}  // namespace gloam::cli

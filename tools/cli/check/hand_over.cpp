@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "cli/check/hand_over.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "check/describe.hpp"
+#include "check/reproduction.hpp"
+#include "numeric/text.hpp"
+#include "report/amber.hpp"
+#include "report/row_of.hpp"
+
+namespace gloam::cli {
+namespace {
+
+using nlohmann::json;
+
+// An input travels as the worst of a row that says nothing else.
+std::string worst_text(const std::optional<report::WorstInput>& worst) {
+    report::CheckRow row;
+    row.worst = worst;
+    return report::to_json(row);
+}
+
+check::Sample sample_of(const report::WorstInput& worst) {
+    return {.index = worst.input,
+            .scenario = worst.images,
+            .inputs = worst.input_words,
+            .got = worst.got_words,
+            .want = worst.want};
+}
+
+std::string output_comment(const check::Reproduction& all, std::size_t i) {
+    if (!all.failure) return "not judged";
+    const check::Word word = all.failure->got[i];
+    const std::string got = all.outputs[i] == shader::Scalar::float_
+                                ? numeric::to_text(check::from_word<float>(word))
+                                : fmt::format("0x{:08x}", word);
+    return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
+}
+
+report::KernelReplay replay_of(const check::Reproduction& all, const catalogue::Entry& entry,
+                               const CheckTask& task, const std::string& device) {
+    report::KernelReplay replay{
+        .assembly = all.assembly, .inputs = all.inputs, .specialized = all.specialized};
+    replay.comments = {
+        fmt::format("{}: {} of {}, variant {}", task.equation, entry.description.function,
+                    entry.description.file, task.variant),
+        fmt::format("Found on: {}", device),
+        fmt::format("Input: {}", check::describe_inputs(entry.check_case.signature, all.inputs)),
+        "Run it with: amber -v 1.2 -t spv1.5 repro.amber"};
+    if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
+    for (const auto& image : all.images) replay.images.push_back({.name = image.name, .words = image.words});
+    for (std::size_t i = 0; i < all.outputs.size(); ++i) {
+        report::KernelReplay::Output output{.is_float = all.outputs[i] == shader::Scalar::float_,
+                                            .allowed = {},
+                                            .comment = output_comment(all, i)};
+        if (i < all.allowed.size()) {
+            const numeric::Bounds& bounds = all.allowed[i];
+            output.allowed.push_back({.low = bounds.low, .high = bounds.high, .nan = bounds.nan});
+        }
+        replay.outputs.push_back(std::move(output));
+    }
+    return replay;
+}
+
+check::Reproduction reproduction_of(const check::Lab& lab, const check::Case& check_case,
+                                    const HandOverRequest& request, const check::RunOptions& options) {
+    if (!request.ran) return check::reproduce(lab, check_case, options);
+    if (request.worst) return check::reproduce(lab, check_case, options, sample_of(*request.worst));
+    return check::reproduce_fault(lab, check_case, options);
+}
+
+}  // namespace
+
+std::string to_line(const HandOverRequest& request) {
+    return json{
+        {"hand_over", to_line(request.task)}, {"ran", request.ran}, {"worst", worst_text(request.worst)}}
+        .dump();
+}
+
+bool is_hand_over_request(std::string_view line) {
+    const json object = json::parse(line, nullptr, false);
+    return object.is_object() && object.contains("hand_over");
+}
+
+HandOverRequest hand_over_request_from(std::string_view line) {
+    const json object = json::parse(line);
+    return {.task = task_from(object.at("hand_over").get<std::string>()),
+            .ran = object.at("ran").get<bool>(),
+            .worst = report::row_from_json(object.at("worst").get<std::string>()).worst};
+}
+
+std::string to_line(const HandOver& hand_over) {
+    return json{{"glsl", hand_over.glsl},
+                {"assembly", hand_over.assembly},
+                {"spirv", hand_over.spirv},
+                {"amber", hand_over.amber},
+                {"smallest", worst_text(hand_over.smallest)},
+                {"error", hand_over.error}}
+        .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+HandOver hand_over_from(std::string_view line) {
+    const json object = json::parse(line, nullptr, false);
+    if (!object.is_object()) throw std::runtime_error("expected a JSON object");
+    return {.glsl = object.at("glsl").get<std::string>(),
+            .assembly = object.at("assembly").get<std::string>(),
+            .spirv = object.at("spirv").get<std::vector<std::uint32_t>>(),
+            .amber = object.at("amber").get<std::string>(),
+            .smallest = report::row_from_json(object.at("smallest").get<std::string>()).worst,
+            .error = object.at("error").get<std::string>()};
+}
+
+HandOverRequest request_for(const CheckTask& task, const report::CheckRow& row) {
+    HandOverRequest request{.task = task, .ran = row.ran(), .worst = std::nullopt};
+    if (row.outside > 0) request.worst = row.worst;
+    return request;
+}
+
+HandOver make_hand_over(const check::Lab& lab, const catalogue::Entry& entry, const HandOverRequest& request,
+                        const check::RunOptions& options) {
+    const check::Reproduction all = reproduction_of(lab, entry.check_case, request, options);
+    const gpu::DeviceInfo& info = lab.device().info();
+    HandOver hand_over{
+        .glsl = all.glsl,
+        .assembly = all.assembly,
+        .spirv = all.spirv,
+        .amber = report::to_amber(replay_of(all, entry, request.task, info.name + " (" + info.driver + ")"))};
+    if (all.failure) {
+        hand_over.smallest = report::worst_of(entry.check_case.signature, *all.failure);
+        hand_over.smallest->allowed.clear();
+        for (const numeric::Bounds& bounds : all.allowed) {
+            hand_over.smallest->allowed.push_back(
+                {.low = bounds.low, .high = bounds.high, .nan = bounds.nan});
+        }
+    }
+    return hand_over;
+}
+
+}  // namespace gloam::cli
