@@ -46,7 +46,7 @@ layout(push_constant) uniform Parameters {
     uint orthographic;     // 1, or 0 for perspective
     uint skip_background;  // 1: background returns at once; 0: it goes the long way, with the same result
     uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by confidence
-    float change_tolerance;  // invalidation 1: change of a distance that counts, world units
+    float change_tolerance;  // change of a distance that is taken for rounding, world units
     float weight_small;    // invalidation 1: samples
     float confidence_factor;  // invalidation 2: S, per radius of change
 } parameters;
@@ -107,12 +107,13 @@ float gloam_fetch_depth(ivec2 pixel) {
 // Weight that the history keeps after what the probes have seen (TSSAO-SI).
 float weight_after_change(float weight) {
     if (!moving_objects) return weight;
-    float change = neighborhood.change;
     if (parameters.invalidation == CLAMP) {
-        bool unchanged = gloam_neighborhood_unchanged(change, parameters.change_tolerance);
+        bool unchanged = gloam_neighborhood_unchanged(neighborhood.change, parameters.change_tolerance);
         return unchanged ? weight : gloam_invalidate_clamp(weight, parameters.weight_small);
     }
     if (parameters.invalidation != CONFIDENCE) return weight;
+    // Only what exceeds the tolerance: the rounding of positions must not eat the history of a scene at rest.
+    float change = max(neighborhood.change - parameters.change_tolerance, 0.0);
     return gloam_invalidate_confidence(weight, gloam_confidence(change / parameters.radius, parameters.confidence_factor));
 }
 

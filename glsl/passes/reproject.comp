@@ -39,7 +39,6 @@ layout(push_constant) uniform Parameters {
 
 const uint NEAREST = 0u;
 const uint BILINEAR = 1u;
-const float ANY_DEPTH = uintBitsToFloat(0x7f800000u);
 
 vec4 gloam_fetch_history(ivec2 pixel) {
     return imageLoad(previous_history, pixel);
@@ -67,7 +66,7 @@ GloamHistory history_at(vec2 uv, float expected_depth) {
     GloamHistory nearest = gloam_reprojected_history(gloam_pixel_center(uv, parameters.size), parameters.size, expected_depth,
                                                      parameters.tolerance);
     if (parameters.taps == NEAREST || (parameters.taps == BILINEAR && !(nearest.weight > 0.0))) return nearest;
-    float tolerance = parameters.taps == BILINEAR ? ANY_DEPTH : parameters.tolerance;
+    float tolerance = parameters.taps == BILINEAR ? gloam_background_depth() : parameters.tolerance;
     GloamHistory bilinear = gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
     if (parameters.nearest_index == 0u && bilinear.weight > 0.0) bilinear.index = interpolated_index(uv);
     return bilinear;

@@ -13,20 +13,25 @@ Settings paper() {
             .range = 2.0F,
             .epsilon = 0.5F,
             .samples = 32,
+            .samples_converged = 16,
+            .c_spatial = 0.3F,
             .weight_max = 500.0F,
             .c_rot = 0.5F,
-            .c_adaptive = 0.2F};
+            .c_adaptive = 0.2F,
+            .change_tolerance = 0.005F};
 }
 
 Settings fast() {
     Settings settings = paper();
     settings.samples = 8;
+    settings.samples_converged = 4;
     return settings;
 }
 
 Settings quality() {
     Settings settings = paper();
     settings.samples = 128;
+    settings.samples_converged = 64;
     settings.weight_max = 1500.0F;
     return settings;
 }

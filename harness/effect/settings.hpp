@@ -51,9 +51,9 @@ struct Settings {
     HistoryTaps taps = HistoryTaps::validated;
     bool nearest_index = true;  // off, for comparison: the start of the sequence is interpolated
     Invalidation invalidation = Invalidation::confidence;
-    float change_tolerance = 0.015F;  // clamp: change of a distance that counts, world units, > 0
-    float weight_small = 48.0F;       // clamp: samples, >= 0
-    float confidence_factor = 20.0F;  // confidence: S, per radius of change, >= 0
+    float change_tolerance = 0.0025F;  // change of a distance that is taken for rounding, world units, > 0
+    float weight_small = 48.0F;        // clamp: samples, >= 0
+    float confidence_factor = 20.0F;   // confidence: S, per radius of change, >= 0
     HistoryPrecision precision = HistoryPrecision::float32;
     bool filter = true;
     int filter_half_width = 2;  // pixels on each side: 2 is 5 x 5

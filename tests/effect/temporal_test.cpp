@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// The history on moving cameras and objects: it survives what it should and dies when it must.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
+#include "effect/presets.hpp"
+#include "scene/primitives.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr gpu::Extent extent{96, 64};
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+// A floor before a wall. With `box`, a box that slides along the wall by `speed` world units a frame.
+scene::Scene floor_and_wall(bool box, double speed = 0.05) {
+    scene::Scene scene{.name = "test"};
+    scene.mesh = scene::make_parallelogram({-4, 0, -1}, {0, 0, 5}, {8, 0, 0}, 0.5);
+    append(scene.mesh, scene::make_parallelogram({-4, 0, -1}, {8, 0, 0}, {0, 4, 0}, 0.5));
+    scene.camera = {.eye = {0, 1.2, 3}, .target = {0, 0.4, -1}, .near = 0.1, .far = 50};
+    scene.ao_radius = 0.5;
+    if (box) {
+        scene.objects.push_back({scene::make_box({-0.3, 0, -0.3}, {0.3, 0.6, 0.3}, 0.2), [speed](int frame) {
+                                     glm::dmat4 move(1.0);
+                                     move[3] = glm::dvec4(-0.5 + speed * frame, 0.0, -0.5, 1.0);
+                                     return move;
+                                 }});
+    }
+    return scene;
+}
+
+scene::Scene panned(scene::Scene scene, double speed) {
+    scene.camera_path = [start = scene.camera, speed](int frame) {
+        scene::Camera camera = start;
+        camera.eye.x += speed * frame;
+        camera.target.x += speed * frame;
+        return camera;
+    };
+    return scene;
+}
+
+Settings paper() {
+    return with_radius(preset_named("paper").settings, 0.5F);
+}
+
+double mean_of(const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
+    return largest;
+}
+
+class Temporal : public testing::Test {
+  protected:
+    Temporal()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame, bool motion = true) const {
+        return scene::rasterize(device_, passes_, scene, extent, {.frame = frame, .motion = motion});
+    }
+
+    // The last of `frames` frames; each result is passed on.
+    Frame run(const scene::Scene& scene, const Settings& settings, int frames,
+              const std::function<void(int, const Frame&)>& seen = {}) const {
+        AmbientOcclusion effect(device_, passes_, extent);
+        Frame frame;
+        for (int i = 0; i < frames; ++i) {
+            const scene::GBuffer now = view(scene, i);
+            i == 0 ? effect.begin(now, settings) : effect.advance(now);
+            frame = effect.next();
+            if (seen) seen(i, frame);
+        }
+        return frame;
+    }
+
+    // Many samples of that view alone.
+    [[nodiscard]] std::vector<float> converged(const scene::Scene& scene, int frame,
+                                               const Settings& settings) const {
+        Settings many = settings;
+        many.samples = many.samples_converged = 1024;
+        AmbientOcclusion effect(device_, passes_, extent);
+        effect.begin(view(scene, frame), many);
+        return effect.next().occlusion;
+    }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+};
+
+TEST_F(Temporal, ACameraThatStandsStillLosesAndBlursNothing) {
+    const scene::Scene scene = floor_and_wall(false);
+    const Settings settings = paper();
+    AmbientOcclusion still(device_, passes_, extent);
+    still.begin(view(scene, 0), settings);
+    Frame expected;
+    for (int i = 0; i < 6; ++i) expected = still.next();
+    const Frame moved = run(scene, settings, 6);
+    EXPECT_EQ(moved.occlusion, expected.occlusion);
+    EXPECT_EQ(moved.convergence, expected.convergence);
+}
+
+TEST_F(Temporal, HistoryFollowsAPanningCamera) {
+    const scene::Scene scene = panned(floor_and_wall(false), 0.02);
+    const Settings settings = paper();
+    const Frame moving = run(scene, settings, 8);
+    Settings single = settings;
+    single.depth_tolerance = 1e-9F;  // no history passes
+    const Frame alone = run(scene, single, 8);
+    const std::vector<float> truth = converged(scene, 7, settings);
+    const double with_history = errors_of(moving.occlusion, truth).rmse;
+    const double without = errors_of(alone.occlusion, truth).rmse;
+    EXPECT_LT(with_history, 0.6 * without) << with_history << " against " << without;
+    EXPECT_GT(mean_of(moving.convergence), 0.8 * 8 * 32 / 500.0);
+}
+
+TEST_F(Temporal, WhatComesIntoViewStartsAfresh) {
+    const scene::Scene scene = panned(floor_and_wall(false), 0.1);
+    run(scene, paper(), 3, [](int i, const Frame& frame) {
+        const float* last_row = frame.kept.data() + extent.width * (extent.height - 1);
+        EXPECT_EQ(frame.kept[extent.width - 1], 0.0F) << "frame " << i << ": the right edge is new";
+        EXPECT_EQ(last_row[extent.width / 2] > 0.0F, i > 0) << "frame " << i;
+    });
+}
+
+TEST_F(Temporal, DisoccludedPixelsHaveNoHistory) {
+    const scene::Scene scene = floor_and_wall(true, 0.15);
+    AmbientOcclusion effect(device_, passes_, extent);
+    scene::GBuffer before = view(scene, 0);
+    effect.begin(before, paper());
+    (void)effect.next();
+    for (int i = 1; i < 4; ++i) {
+        const scene::GBuffer now =
+            scene::rasterize(device_, passes_, scene, extent, {.frame = i, .motion = true, .ids = true});
+        effect.advance(now);
+        const Frame frame = effect.next();
+        std::size_t uncovered = 0;
+        for (std::size_t p = 0; p < now.depth.size(); ++p) {
+            // The background came out from behind the box, which was nearer by far more than the tolerance.
+            const bool freed = now.object[p] == 0 && before.depth[p] < 0.9F * now.depth[p];
+            if (!freed) continue;
+            ++uncovered;
+            EXPECT_EQ(frame.kept[p], 0.0F) << "pixel " << p;
+        }
+        EXPECT_GT(uncovered, 10U);
+        before = now;
+    }
+}
+
+TEST_F(Temporal, HistoryMovesWithAnObject) {
+    const scene::Scene scene = floor_and_wall(true, 0.04);
+    AmbientOcclusion effect(device_, passes_, extent);
+    effect.begin(view(scene, 0), paper());
+    Frame frame = effect.next();
+    scene::GBuffer now;
+    for (int i = 1; i < 5; ++i) {
+        now = scene::rasterize(device_, passes_, scene, extent, {.frame = i, .motion = true, .ids = true});
+        effect.advance(now);
+        frame = effect.next();
+    }
+    std::size_t on_box = 0;
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < now.depth.size(); ++p) {
+        on_box += now.object[p] == 1;
+        kept += now.object[p] == 1 && frame.kept[p] > 0.0F;
+    }
+    EXPECT_GT(on_box, 100U);
+    EXPECT_GT(static_cast<double>(kept), 0.9 * static_cast<double>(on_box));
+}
+
+TEST_F(Temporal, ACutAndAnotherSizeForget) {
+    const scene::Scene scene = panned(floor_and_wall(false), 0.01);
+    AmbientOcclusion effect(device_, passes_, extent);
+    effect.begin(view(scene, 0), paper());
+    (void)effect.next();
+    effect.advance(view(scene, 1));
+    EXPECT_GT(mean_of(effect.next().kept), 1.0);
+    effect.advance(view(scene, 0));  // frame 0 knows no frame before: a cut
+    EXPECT_EQ(mean_of(effect.next().kept), 0.0);
+    const gpu::Extent other{40, 30};
+    effect.advance(scene::rasterize(device_, passes_, scene, other, {.frame = 2, .motion = true}));
+    const Frame resized = effect.next();
+    EXPECT_EQ(resized.occlusion.size(), std::size_t{other.width} * other.height);
+    EXPECT_EQ(mean_of(resized.kept), 0.0);
+}
+
+TEST_F(Temporal, AZoomKeepsTheHistoryWhereItWasInView) {
+    scene::Scene scene = floor_and_wall(false);
+    scene.camera_path = [start = scene.camera](int frame) {
+        scene::Camera camera = start;
+        camera.fovy_rad = 0.9 - 0.05 * frame;
+        return camera;
+    };
+    const Frame frame = run(scene, paper(), 4);
+    EXPECT_GT(mean_of(frame.convergence), 0.9 * 4 * 32 / 500.0) << "the projection of each frame is its own";
+}
+
+TEST_F(Temporal, ProbesRemoveTheTrailOfAMovingObject) {
+    const scene::Scene scene = floor_and_wall(true, 0.05);
+    Settings settings = paper();
+    const auto error_near_box = [&](Invalidation invalidation) {
+        settings.invalidation = invalidation;
+        constexpr int frames = 10;
+        const Frame frame = run(scene, settings, frames);
+        const std::vector<float> truth = converged(scene, frames - 1, settings);
+        // Static pixels where the box has just been, or comes near.
+        const scene::GBuffer now = view(scene, frames - 1);
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (std::size_t p = 0; p < truth.size(); ++p) {
+            const bool old = frame.kept[p] > 0.0F;
+            const float error = frame.occlusion[p] - truth[p];
+            if (old && truth[p] > 0.02F) sum += error * error, ++count;
+        }
+        return std::sqrt(sum / static_cast<double>(count));
+    };
+    const double without = error_near_box(Invalidation::none);
+    EXPECT_LT(error_near_box(Invalidation::confidence), 0.9 * without);
+    EXPECT_LT(error_near_box(Invalidation::clamp), 0.98 * without);
+}
+
+TEST_F(Temporal, HalfPrecisionStaysCloseToFull) {
+    const scene::Scene scene = panned(floor_and_wall(false), 0.02);
+    Settings settings = paper();
+    settings.table_size = 2048;
+    const Frame full = run(scene, settings, 8);
+    settings.precision = HistoryPrecision::float16;
+    const Frame half = run(scene, settings, 8);
+    EXPECT_LT(errors_of(half.occlusion, full.occlusion).rmse, 2e-3);
+    EXPECT_GT(largest_difference(half.occlusion, full.occlusion), 0.0)
+        << "the same bits would be the same format";
+}
+
+TEST_F(Temporal, EverySettingOfTheHistoryChangesTheOutput) {
+    const scene::Scene scene = panned(floor_and_wall(true, 0.05), 0.013);
+    const Settings base = paper();
+    const std::vector<float> expected = run(scene, base, 6).filtered;
+    const std::map<std::string, std::function<void(Settings&)>> changes{
+        {"samples", [](Settings& s) { s.samples = 24; }},
+        {"samples when converged", [](Settings& s) { s.samples_converged = 8, s.c_spatial = 0.1F; }},
+        {"c_spatial", [](Settings& s) { s.c_spatial = 0.1F; }},
+        {"largest weight", [](Settings& s) { s.weight_max = 64.0F; }},
+        {"table size", [](Settings& s) { s.table_size = 64; }},
+        {"c_rot", [](Settings& s) { s.c_rot = 0.1F; }},
+        {"c_adaptive", [](Settings& s) { s.c_adaptive = 0.6F; }},
+        {"depth tolerance", [](Settings& s) { s.depth_tolerance = 1e-4F; }},
+        {"nearest taps", [](Settings& s) { s.taps = HistoryTaps::nearest; }},
+        {"bilinear taps", [](Settings& s) { s.taps = HistoryTaps::bilinear; }},
+        {"interpolated index", [](Settings& s) { s.nearest_index = false; }},
+        {"no invalidation", [](Settings& s) { s.invalidation = Invalidation::none; }},
+        {"clamping invalidation", [](Settings& s) { s.invalidation = Invalidation::clamp; }},
+        {"small weight", [](Settings& s) { s.invalidation = Invalidation::clamp, s.weight_small = 4.0F; }},
+        {"change tolerance",
+         [](Settings& s) { s.change_tolerance = 0.02F; }},
+        {"confidence factor", [](Settings& s) { s.confidence_factor = 200.0F; }},
+    };
+    std::map<std::string, std::vector<float>> seen;
+    for (const auto& [name, change] : changes) {
+        Settings settings = base;
+        change(settings);
+        const std::vector<float> changed = run(scene, settings, 6).filtered;
+        EXPECT_GT(largest_difference(changed, expected), 1e-6) << name;
+        for (const auto& [other, image] : seen)
+            EXPECT_NE(changed, image) << name << " does what " << other << " does";
+        seen.emplace(name, changed);
+    }
+}
+
+TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
+    AmbientOcclusion effect(device_, passes_, extent);
+    const scene::GBuffer first = view(floor_and_wall(false), 0);
+    EXPECT_THROW(effect.advance(first), std::logic_error);
+    Settings settings = paper();
+    settings.precision = HistoryPrecision::float16;
+    EXPECT_THAT([&] { effect.begin(first, settings); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("at most 2048")));
+    settings = paper();
+    settings.depth_tolerance = 0.0F;
+    EXPECT_THAT([&] { effect.begin(first, settings); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("depth tolerance")));
+    effect.begin(first, paper());
+    scene::GBuffer wrong = first;
+    wrong.camera.previous_from_current = glm::mat4(1.0F);
+    wrong.previous_position.resize(7);
+    EXPECT_THAT([&] { effect.advance(wrong); }, testing::ThrowsMessage<std::invalid_argument>(
+                                                    testing::HasSubstr("previous positions: 7 pixels")));
+}
+
+}  // namespace
+}  // namespace gloam::effect
