@@ -116,6 +116,15 @@ TEST_F(RulesTest, HalfPrecisionHasItsOwnRules) {
              .passed()));
 }
 
+TEST(Rules, AFunctionOfYourOwn) {
+    const auto reciprocal = [](auto x) { return decltype(x)(1) / x; };
+    const Lab strict({.include_roots = {FIXTURES}, .variant = shader::variant("strict")});
+    const Result result =
+        compare_by_rules<float(float)>(strict, "rules.glsl", "reciprocal", reciprocal, {uniform(1, 2)});
+    EXPECT_TRUE(result.passed()) << result;
+    EXPECT_LE(result.census.guarantee.ulp, 4.0);
+}
+
 TEST_F(RulesTest, AReferenceInDoubleAloneCannotJudge) {
     Case check_case{
         .file = "rules.glsl",
