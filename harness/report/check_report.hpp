@@ -38,7 +38,7 @@ struct CheckReport {
 };
 
 // Column titles, and one line for each row: ID, function, variant, inputs, worst ULP, worst absolute error,
-// verdict.
+// how much of what is allowed that used, by what it was judged ("budget" or "rules"), verdict.
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_line(const CheckRow& row);
 
