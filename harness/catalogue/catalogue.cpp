@@ -32,12 +32,14 @@ void require_unique(const Entries& entries) {
 
 Entries all_entries() {
     Entries entries;
+    append_numeric(entries);
     append_sampling(entries);
     append_geometry(entries);
     append_occlusion(entries);
     append_temporal(entries);
     append_filter(entries);
     append_shading(entries);
+    append_builtins(entries);
     require_unique(entries);
     return entries;
 }

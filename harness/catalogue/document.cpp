@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace gloam::catalogue {
 namespace {
 
@@ -24,6 +26,25 @@ std::string room_of(const std::string& file) {
     return file.substr(begin, file.find('/', begin) - begin);
 }
 
+// GLSL's own functions have no accuracy of their own: a line each.
+std::string rules_table(const Entries& entries) {
+    std::string text =
+        "\n## GLSL's own operators and functions\n\n"
+        "What Vulkan promises of them, in [Precision and Operation of SPIR-V Instructions]"
+        "(https://registry.khronos.org/vulkan/specs/latest/html/vkspec.html#spirvenv-precision-operation); a "
+        "device is\njudged by that alone. The probes ask what is not promised, or was got wrong by some "
+        "driver or "
+        "compiler.\n\n"
+        "| entry | expression | |\n| --- | --- | --- |\n";
+    for (const Entry& entry : entries) {
+        const Description& d = entry.description;
+        if (entry.check_case.only_rules) {
+            text += fmt::format("| {} | `{}` | {} |\n", d.id, d.formula, d.title);
+        }
+    }
+    return text;
+}
+
 std::string section(const Entry& entry) {
     const Description& d = entry.description;
     return fmt::format("\n### {}: {}\n\n    {}\n\n`{}` in [{}](../glsl/{})  \nError: {}. Source: {}.\n", d.id,
@@ -37,11 +58,15 @@ std::string to_markdown(const Entries& entries) {
     std::string text(introduction);
     std::string room;
     for (const Entry& entry : entries) {
+        if (entry.check_case.only_rules) continue;
         if (room_of(entry.description.file) != room) {
             room = room_of(entry.description.file);
             text += fmt::format("\n## {}\n", room);
         }
         text += section(entry);
+    }
+    if (std::ranges::any_of(entries, [](const Entry& entry) { return entry.check_case.only_rules; })) {
+        text += rules_table(entries);
     }
     return text;
 }

@@ -214,7 +214,7 @@ void append_filtering(Entries& entries) {
         },
         {.domain = {image_pixel(), axis, image_size(), integers(0, 6).and_near_integers({0, 2147483646L}),
                     uniform(0, 1).and_near({0.2}).and_special(), sigmas()},
-         .budget = {.absolute = 1.2e-6},
+         .budget = {.absolute = 8e-7},
          .codomain = {0, 1},
          .scenarios = surfaces()}));
 }

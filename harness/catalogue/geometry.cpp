@@ -133,7 +133,7 @@ void append_background_depths(Entries& entries) {
          .source = "convention"},
         GLOAM_REFERENCE(gloam_depth_quotient),
         {.domain = {part.and_special(), part.and_special().and_near({0x1p126})},
-         .budget = {.ulp = 2.5},
+         .budget = {.ulp = 1.5},
          .codomain = {0x1p-126, std::numeric_limits<double>::infinity()},
          .promised = make_predicate<float(float, float)>(
              [](double a, double b) { return moderate(1e-30, 1e30, a) && !(std::abs(a / b) < 1e-37); })}));

@@ -118,7 +118,7 @@ void append_plane(Entries& entries) {
         GLOAM_REFERENCE(gloam_plane_depth),
         {.domain = Domain{image_pixel(), view_positions(), unit_vector(3).and_special(), cameras()}.adjusted(
              place_before_camera(2, 8)),
-         .budget = {.ulp = 24},
+         .budget = {.ulp = 14},
          .codomain = {0, std::numeric_limits<double>::infinity()},
          .promised = make_predicate<PlaneDepth>(well_conditioned),
          .scenarios = {{.name = "40 x 30", .size = {40, 30}}}}));

@@ -45,7 +45,7 @@ void append_uv(Entries& entries) {
          .source = source},
         GLOAM_REFERENCE(gloam_reproject_clip),
         {.domain = {clip_points().and_special(), reprojection_matrices().and_special()},
-         .budget = {.absolute = 2.4e-6, .backward_ulp = 4},
+         .budget = {.absolute = 1.2e-6, .backward_ulp = 4},
          .codomain = {0, 1},
          .promised = make_predicate<bool(glm::vec4, glm::mat4, Out<glm::vec2>)>(
              [](const glm::dvec4& clip, const glm::dmat4& matrix) {
@@ -82,7 +82,7 @@ void append_clip(Entries& entries) {
                     rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
                     rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
                     projection_matrices().and_special()},
-         .budget = {.ulp = 4, .absolute = 8e-4, .of_largest_component = true},
+         .budget = {.ulp = 4, .absolute = 6e-4, .of_largest_component = true},
          .codomain = {-huge, huge},
          .promised = make_predicate<MovingSignature>(
              [](const auto&... values) { return moderate(smallest, largest, values...); })}));

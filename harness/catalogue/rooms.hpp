@@ -6,11 +6,13 @@
 // One function for each room of the shader library; each appends its equations.
 namespace gloam::catalogue {
 
+void append_numeric(Entries& entries);
 void append_sampling(Entries& entries);
 void append_geometry(Entries& entries);
 void append_occlusion(Entries& entries);
 void append_temporal(Entries& entries);
 void append_filter(Entries& entries);
 void append_shading(Entries& entries);
+void append_builtins(Entries& entries);
 
 }  // namespace gloam::catalogue

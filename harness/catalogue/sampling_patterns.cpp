@@ -49,7 +49,7 @@ void append_poisson(Entries& entries) {
                                                                             uniform(0.9999995, 1.0000005)))),
                            vector_of_length(2, log_uniform(1e-37, 1e38)))
                         .and_special()},
-         .budget = {.absolute = 5e-6},
+         .budget = {.absolute = 4e-6},
          .codomain = {-1.000001, 1.000001}}));
 }
 
@@ -69,7 +69,7 @@ void append_sample_patterns(Entries& entries) {
               log_integers(32768).and_near_integers({0, 32768, 2147483647}),
               either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647}),
               uniform(-7, 7).and_near({65536.0}).and_special()},
-         .budget = {.absolute = 1e-6},
+         .budget = {.absolute = 5e-7},
          .codomain = {-1.000001, 1.000001}}));
     append_poisson(entries);
     entries.push_back(equation<glm::vec2(glm::vec2, int)>(

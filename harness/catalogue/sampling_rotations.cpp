@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include "catalogue/inputs.hpp"
 #include "catalogue/sampling_parts.hpp"
 #include "reference/sampling/hash_rotation.hpp"
@@ -22,6 +25,14 @@ Values angles() {
         .and_special();
 }
 
+// Whether the largest component is above 1e-30, or the vector zero: products of shorter ones may be flushed.
+template <class V>
+bool not_tiny(const V& v) {
+    float largest = 0.0F;
+    for (glm::length_t i = 0; i < V::length(); ++i) largest = std::max(largest, std::abs(v[i]));
+    return !(largest > 0.0F && largest < 1e-30F);
+}
+
 // The unit vectors about an axis, shifted by little: where a normal or its square cancels.
 Values normals() {
     return either(unit_vector(3), vector_of_length(3, log_uniform(1e-37, 1e38)))
@@ -34,38 +45,32 @@ Values normals() {
 }
 
 void append_rotation(Entries& entries) {
-    entries.push_back(equation<float(float)>({.id = "ANGLE",
-                                              .function = "gloam_wrap_angle",
-                                              .file = "gloam/sampling/rotation.glsl",
-                                              .title = "angle modulo 2 pi, in [-pi, pi]",
-                                              .formula = "a - 2 pi floor(a / (2 pi) + 1/2)",
-                                              .source = "Cody and Waite 1980"},
-                                             GLOAM_REFERENCE(gloam_wrap_angle),
-                                             {.domain = {angles()},
-                                              .budget = {.absolute = 6e-7, .backward_ulp = 1},
-                                              .codomain = {-3.1415926, 3.1415926}}));
-    entries.push_back(
-        equation<glm::vec2(glm::vec2, float)>({.id = "TSSAO-ROT-disc",
-                                               .function = "gloam_rotate_disc",
-                                               .file = "gloam/sampling/rotation.glsl",
-                                               .title = "disc sample rotated about the centre",
-                                               .formula = "(c x - s y, s x + c y)",
-                                               .source = "TSSAO (Mattausch et al.), random rotation"},
-                                              GLOAM_REFERENCE(gloam_rotate_disc),
-                                              {.domain = {kernel_points(2), angles()},
-                                               .budget = {.ulp = 8, .of_largest_component = true},
-                                               .codomain = {-2e19, 2e19}}));
-    entries.push_back(
-        equation<glm::vec3(glm::vec3, float)>({.id = "TSSAO-ROT-hemisphere",
-                                               .function = "gloam_rotate_hemisphere",
-                                               .file = "gloam/sampling/rotation.glsl",
-                                               .title = "hemisphere sample rotated about the normal",
-                                               .formula = "(c x - s y, s x + c y, z)",
-                                               .source = "TSSAO (Mattausch et al.), random rotation"},
-                                              GLOAM_REFERENCE(gloam_rotate_hemisphere),
-                                              {.domain = {kernel_points(3), angles()},
-                                               .budget = {.ulp = 8, .of_largest_component = true},
-                                               .codomain = {-2e19, 2e19}}));
+    entries.push_back(equation<glm::vec2(glm::vec2, float)>(
+        {.id = "TSSAO-ROT-disc",
+         .function = "gloam_rotate_disc",
+         .file = "gloam/sampling/rotation.glsl",
+         .title = "disc sample rotated about the centre",
+         .formula = "(c x - s y, s x + c y)",
+         .source = "TSSAO (Mattausch et al.), random rotation"},
+        GLOAM_REFERENCE(gloam_rotate_disc),
+        {.domain = {kernel_points(2), angles()},
+         .budget = {.ulp = 4, .of_largest_component = true},
+         .codomain = {-2e19, 2e19},
+         .promised =
+             make_predicate<glm::vec2(glm::vec2, float)>([](const auto& s, float) { return not_tiny(s); })}));
+    entries.push_back(equation<glm::vec3(glm::vec3, float)>(
+        {.id = "TSSAO-ROT-hemisphere",
+         .function = "gloam_rotate_hemisphere",
+         .file = "gloam/sampling/rotation.glsl",
+         .title = "hemisphere sample rotated about the normal",
+         .formula = "(c x - s y, s x + c y, z)",
+         .source = "TSSAO (Mattausch et al.), random rotation"},
+        GLOAM_REFERENCE(gloam_rotate_hemisphere),
+        {.domain = {kernel_points(3), angles()},
+         .budget = {.ulp = 4, .of_largest_component = true},
+         .codomain = {-2e19, 2e19},
+         .promised =
+             make_predicate<glm::vec3(glm::vec3, float)>([](const auto& s, float) { return not_tiny(s); })}));
 }
 
 void append_hash(Entries& entries) {
@@ -98,17 +103,19 @@ void append_reflections(Entries& entries) {
                              .and_value(glm::vec3(0.5F))
                              .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
                              .and_special();
-    entries.push_back(
-        equation<glm::vec3(glm::vec3, glm::vec3)>({.id = "REFLECT",
-                                                   .function = "gloam_reflect_sample",
-                                                   .file = "gloam/sampling/reflect.glsl",
-                                                   .title = "sample reflected at a random plane",
-                                                   .formula = "s - 2 (s . n) n, n = normalize(2 t - 1)",
-                                                   .source = "Mittring 2007"},
-                                                  GLOAM_REFERENCE(gloam_reflect_sample),
-                                                  {.domain = {kernel_points(3), texel},
-                                                   .budget = {.ulp = 12, .of_largest_component = true},
-                                                   .codomain = {-4e19, 4e19}}));
+    entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
+        {.id = "REFLECT",
+         .function = "gloam_reflect_sample",
+         .file = "gloam/sampling/reflect.glsl",
+         .title = "sample reflected at a random plane",
+         .formula = "s - 2 (s . n) n, n = normalize(2 t - 1)",
+         .source = "Mittring 2007"},
+        GLOAM_REFERENCE(gloam_reflect_sample),
+        {.domain = {kernel_points(3), texel},
+         .budget = {.ulp = 12, .of_largest_component = true},
+         .codomain = {-4e19, 4e19},
+         .promised = make_predicate<glm::vec3(glm::vec3, glm::vec3)>(
+             [](const glm::vec3& s, const glm::vec3&) { return not_tiny(s); })}));
     entries.push_back(equation<glm::vec3(glm::vec3, glm::vec3)>(
         {.id = "FLIP",
          .function = "gloam_hemisphere_flip",

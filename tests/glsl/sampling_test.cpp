@@ -221,11 +221,14 @@ TEST_F(Sampling, RotationKeepsLengthAndAngleToTheNormal) {
 }
 
 TEST_F(Sampling, LargeAnglesLoseNoDigits) {
-    const Kernel<float(float)> wrap(lab, "gloam/sampling/rotation.glsl", "gloam_wrap_angle");
+    const Kernel<glm::vec2(glm::vec2, float)> rotate(lab, "gloam/sampling/rotation.glsl",
+                                                     "gloam_rotate_disc");
+    const glm::vec2 x(1.0F, 0.0F);
     for (const float angle : {0.5F, 12345.678F, -65535.99F, 65536.0F}) {
-        EXPECT_NEAR(wrap(angle), std::remainder(static_cast<double>(angle), 2 * pi), 5e-7) << angle;
+        EXPECT_NEAR(rotate(x, angle).x, std::cos(static_cast<double>(angle)), 3e-7) << angle;
+        EXPECT_NEAR(rotate(x, angle).y, std::sin(static_cast<double>(angle)), 3e-7) << angle;
     }
-    for (const float angle : {65536.01F, INFINITY, NAN}) EXPECT_EQ(wrap(angle), 0.0F) << angle;
+    for (const float angle : {65536.01F, INFINITY, NAN}) EXPECT_EQ(rotate(x, angle), x) << angle;
 }
 
 TEST_F(Sampling, HashRotationIsExactForLargePixels) {

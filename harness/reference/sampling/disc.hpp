@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "reference/numeric/square_root.hpp"
 #include "reference/sampling/circle.hpp"
 
 namespace gloam::reference {
 
 template <class T>
 vec2<T> gloam_disc_sample(vec2<T> zeta) {
-    return sqrt(gloam_unit_interval(zeta.y)) * gloam_circle_point(zeta.x);
+    return gloam_sqrt(gloam_unit_interval(zeta.y)) * gloam_circle_point(zeta.x);
 }
 
 }  // namespace gloam::reference

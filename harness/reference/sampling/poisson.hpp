@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/geometry/safe_normalize.hpp"
+#include "reference/numeric/square_root.hpp"
 
 namespace gloam::reference {
 
@@ -19,7 +20,7 @@ vec3<T> gloam_hemisphere_lift(vec2<T> disc) {
     if (!(dot(disc, disc) <= T(1.5))) return rim;
     const vec2<T> head = floor(disc * T(4096)) * T(0.000244140625);
     const T height_squared = ((T(1) - head.x * head.x) - head.y * head.y) - dot(disc - head, disc + head);
-    if (height_squared > T(0)) return vec3<T>(disc.x, disc.y, sqrt(height_squared));
+    if (height_squared > T(0)) return vec3<T>(disc.x, disc.y, gloam_sqrt(height_squared));
     return vec3<T>(rim.x, rim.y, T(0));
 }
 

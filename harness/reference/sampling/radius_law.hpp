@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "reference/numeric/square_root.hpp"
 #include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
@@ -12,7 +13,7 @@ T gloam_radius_linear(T zeta) {
 
 template <class T>
 T gloam_radius_quadratic(T zeta) {
-    return sqrt(gloam_unit_interval(zeta));
+    return gloam_sqrt(gloam_unit_interval(zeta));
 }
 
 template <class T>

@@ -8,7 +8,7 @@ namespace gloam::reference {
 template <class T>
 mat3<T> gloam_tangent_frame(vec3<T> normal) {
     const vec3<T> n = gloam_safe_normalize(normal, vec3<T>(T(0), T(0), T(1)));
-    const T side = n.z < T(0) ? T(-1) : T(1);
+    const T side = n.z > T(0) || !(normal.z < T(0)) ? T(1) : T(-1);
     const T a = T(-1) / (side + n.z);
     const T b = n.x * n.y * a;
     const vec3<T> tangent(T(1) + side * n.x * n.x * a, side * b, -side * n.x);

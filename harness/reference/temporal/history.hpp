@@ -21,10 +21,11 @@ GloamHistory<T> gloam_history_empty(T depth) {
 
 template <class T>
 GloamHistory<T> gloam_history_sanitize(GloamHistory<T> h) {
-    const bool usable =
-        h.occlusion >= T(0) && h.occlusion <= T(1) && h.weight > T(0) && h.weight <= float_max<T>();
+    const bool usable = h.occlusion > -float_min<T>() && h.occlusion <= T(1) && h.weight >= float_min<T>() &&
+                        h.weight <= float_max<T>();
     if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
-    return GloamHistory<T>{h.occlusion, h.weight, h.index % 16777216U, h.depth};
+    return GloamHistory<T>{h.occlusion >= float_min<T>() ? h.occlusion : T(0), h.weight, h.index % 16777216U,
+                           h.depth};
 }
 
 template <class T>

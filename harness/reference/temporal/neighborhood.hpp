@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/geometry/safe_normalize.hpp"
+#include "reference/numeric/square_root.hpp"
 
 namespace gloam::reference {
 
@@ -17,7 +18,7 @@ T gloam_neighborhood_change(vec3<T> sample_position, vec3<T> position, vec3<T> p
     const T scale = detail::squarable_scale(largest);
     a = a * scale;
     b = b * scale;
-    const T sum = sqrt(dot(a, a)) + sqrt(dot(b, b));
+    const T sum = gloam_sqrt(dot(a, a)) + gloam_sqrt(dot(b, b));
     return min(abs(dot(a - b, a + b)) / sum / scale, float_max<T>());
 }
 

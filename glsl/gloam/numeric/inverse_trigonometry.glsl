@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_NUMERIC_INVERSE_TRIGONOMETRY_GLSL
+#define GLOAM_NUMERIC_INVERSE_TRIGONOMETRY_GLSL
+
+#include "gloam/numeric/length_ratio.glsl"
+#include "gloam/numeric/square_root.glsl"
+
+// Inverse trigonometric functions. Vulkan lets those of the device err by 4096 ulp, 2e-4 at the least; the error of these stays
+// below 1e-6 on every conforming driver. The coefficients are printed by tools/minimax.py.
+
+// Arc sine near 0.
+// x: in [-1/2, 1/2]; beyond, the polynomial parts from the function.
+// Returns radians. Error: 2 ulp whatever the rounding, 1 ulp where it is to nearest.
+float gloam_asin_half(float x) {
+    float z = x * x;
+    return x + (x * z) * (0.166667521 + z * (0.0749529749 + z * (0.0454703756 + z * (0.0241795145 + z * 0.0421663076))));
+}
+
+// Magnitude of a sine or cosine.
+// x: any float.
+// Returns |x|, at most 1; 0 for NaN. Error: none.
+float gloam_unit_magnitude(float x) {
+    float magnitude = abs(x);
+    return magnitude <= 1.0 ? magnitude : (magnitude > 1.0 ? 1.0 : 0.0);
+}
+
+// Arc sine of m where m <= 1/2, else half the arc cosine of m, which is asin(sqrt((1 - m) / 2)): both small angles.
+// m: in [0, 1].
+// Returns radians in [0, pi / 6]. Error: 4e-7 whatever the rounding, 1e-7 where it is to nearest.
+float gloam_small_arc(float m) {
+    return gloam_asin_half(m > 0.5 ? gloam_sqrt(0.5 * (1.0 - m)) : m);
+}
+
+// Arc cosine.
+// x: cosine; taken to the nearer end outside [-1, 1].
+// Returns radians in [0, pi] (pi as a float); pi / 2 for NaN. 0 exactly at 1.
+// Error: 1e-6 whatever the rounding, 4e-7 where it is to nearest.
+float gloam_acos(float x) {
+    float m = gloam_unit_magnitude(x);
+    float arc = gloam_small_arc(m);
+    if (m > 0.5) return x < 0.0 ? 3.141592654 - 2.0 * arc : 2.0 * arc;
+    return 1.570796327 - (x < 0.0 ? -arc : arc);
+}
+
+// Arc sine.
+// x: sine; taken to the nearer end outside [-1, 1].
+// Returns radians in [-pi / 2, pi / 2] (pi / 2 as a float); 0 for NaN, x itself near 0.
+// Error: 1e-6 whatever the rounding, 3e-7 where it is to nearest.
+float gloam_asin(float x) {
+    float m = gloam_unit_magnitude(x);
+    float arc = gloam_small_arc(m);
+    float angle = m > 0.5 ? 1.570796327 - 2.0 * arc : arc;
+    return x < 0.0 ? -angle : angle;
+}
+
+// Direction of a point, counter-clockwise from the x axis: the angle of (x, y).
+// y, x: coordinates; subnormal ones may be read as 0. Note the order, that of atan(y, x).
+// Returns radians in [-pi, pi] (pi as a float); pi on the negative x axis whatever the sign of y = 0; multiples of pi / 4 where
+// both are infinite. 0 where both are zero or subnormal, and where either is NaN.
+// Error: 1e-6 whatever the rounding, 3e-7 where it is to nearest.
+float gloam_atan2(float y, float x) {
+    float across = abs(x);
+    float up = abs(y);
+    bool steep = up > across;
+    float larger = steep ? up : across;
+    float smaller = steep ? across : up;
+    if (!(larger >= 1.175494351e-38 && smaller >= 0.0)) return 0.0;
+    float r = gloam_length_ratio(smaller, larger);
+    float z = r * r;
+    float tail = -0.0755221471 + z * (0.0432118662 + z * (-0.0163679309 + z * 0.00292069302));
+    float angle = r + (r * z) * (-0.333331525 + z * (0.199937731 + z * (-0.142110556 + z * (0.106660046 + z * tail))));
+    if (steep) {
+        angle = x < 0.0 ? 1.570796327 + angle : 1.570796327 - angle;
+    } else if (x < 0.0) {
+        angle = 3.141592654 - angle;
+    }
+    return y < 0.0 ? -angle : angle;
+}
+
+// Arc tangent.
+// x: any float.
+// Returns radians in [-pi / 2, pi / 2]; 0 for NaN. Error: 1e-6 whatever the rounding, 2e-7 where it is to nearest.
+float gloam_atan(float x) {
+    return gloam_atan2(x, 1.0);
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_NUMERIC_SINCOS_GLSL
+#define GLOAM_NUMERIC_SINCOS_GLSL
+
+// Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by anything outside;
+// these are the same within 4e-7 on every conforming driver. The coefficients are printed by tools/minimax.py.
+
+// Cosine and sine of at most an eighth of a turn.
+// angle: radians, in [-pi / 4, pi / 4]; beyond, the polynomials part from the functions.
+// Returns (cos, sin). Error: 4e-7 whatever the rounding, 1e-7 where it is to nearest; (1, 0) exactly at 0.
+vec2 gloam_sincos_octant(float angle) {
+    float z = angle * angle;
+    float c = (1.0 - 0.5 * z) + (z * z) * (0.0416666456 + z * (-0.00138873677 + z * 2.44384519e-05));
+    float s = angle + (angle * z) * (-0.166666552 + z * (0.0083321603 + z * -0.000195152839));
+    return vec2(c, s);
+}
+
+// Vector turned by quarters of a turn, counter-clockwise.
+// v: any vector. quarters: any integer; only its two lowest bits count.
+// Returns the vector with its components exchanged and negated. Error: none.
+vec2 gloam_quarter_turn(vec2 v, int quarters) {
+    vec2 turned = (quarters & 1) != 0 ? vec2(-v.y, v.x) : v;
+    return (quarters & 2) != 0 ? -turned : turned;
+}
+
+// Cosine and sine of an angle in turns: (cos 2 pi t, sin 2 pi t).
+// turns: t, any finite number (from 2^23 on every float is a whole number of turns); infinity and NaN count as 0.
+// Returns (cos, sin); exact at multiples of a quarter turn. Error: 5e-7 whatever the rounding, 2e-7 where it is to nearest.
+vec2 gloam_sincos_turns(float turns) {
+    float magnitude = abs(turns) <= 3.402823466e38 ? abs(turns) : 0.0;
+    // Exact up to the last product: nothing is rounded when whole turns, and then quarters, are taken off.
+    float part = magnitude - floor(magnitude);
+    int quarters = (int(part * 8.0) + 1) >> 1;
+    float rest = part - 0.25 * float(quarters);
+    vec2 p = gloam_quarter_turn(gloam_sincos_octant(rest * 6.283185307), quarters);
+    return vec2(p.x, turns < 0.0 ? -p.y : p.y);
+}
+
+// Cosine and sine of an angle in radians.
+// angle: |angle| <= 65536; anything else, NaN included, counts as 0.
+// Returns (cos, sin). Error: 5e-7 whatever the rounding, 2e-7 where it is to nearest.
+vec2 gloam_sincos(float angle) {
+    float a = abs(angle) <= 65536.0 ? angle : 0.0;
+    float quarters = floor(a * 0.636619772 + 0.5);
+    // pi / 2 in three parts, the first two of eight bits: their products and the subtractions of them are exact.
+    float rest = ((a - quarters * 1.5703125) - quarters * 0.0004825592041015625) - quarters * 1.26759079506e-6;
+    return gloam_quarter_turn(gloam_sincos_octant(rest), int(quarters));
+}
+
+#endif
