@@ -37,7 +37,7 @@ TEST_P(Languages, EveryIncludeCompilesAlone) {
 
 TEST_P(Languages, EveryIncludeCompilesPacked) {
     for (const std::string& name : library_includes()) {
-        const std::string packed = shader::flatten({roots.front() / name}, roots);
+        const std::string packed = shader::flatten(std::vector{roots.front() / name}, roots);
         EXPECT_EQ(packed.find("#include"), std::string::npos) << name;
         EXPECT_NO_THROW(shader::check_compiles({.name = name, .text = packed}, GetParam(), {})) << name;
     }
