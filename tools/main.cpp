@@ -12,6 +12,7 @@
 #include "cli/list.hpp"
 #include "cli/pack.hpp"
 #include "cli/render.hpp"
+#include "cli/report.hpp"
 
 namespace {
 
@@ -36,6 +37,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_list(app);
     gloam::cli::add_check(app, status);
     gloam::cli::add_check_worker(app);
+    gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);
     gloam::cli::add_pack(app);
     try {

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 TEST(Usage, HelpNamesEveryCommand) {
     const CommandResult result = run_command({"--help"});
     expect_success(result);
-    for (const char* command : {"demo", "devices", "list", "check", "render", "pack"}) {
+    for (const char* command : {"demo", "devices", "list", "check", "report", "render", "pack"}) {
         EXPECT_THAT(result.out, HasSubstr(command));
         const CommandResult help = run_command({command, "--help"});
         expect_success(help);

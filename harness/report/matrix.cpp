@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "report/matrix.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "report/merge.hpp"
+
+namespace gloam::report {
+namespace {
+
+using Line = std::vector<std::string>;
+
+std::string cell(const CheckRow& row) {
+    if (!row.ran()) return std::string(name_of(row.reason));
+    if (!row.fault.empty()) return "FAULT";
+    if (row.outside > 0) return fmt::format("FAIL {}/{}", row.outside, row.inputs);
+    return fmt::format("ok {:.2f}", fraction_of(row));
+}
+
+std::vector<std::string> variants_of(const CheckReport& report) {
+    std::vector<std::string> variants;
+    for (const CheckRow& row : report.rows) {
+        if (!row.variant.empty() && std::ranges::find(variants, row.variant) == variants.end()) {
+            variants.push_back(row.variant);
+        }
+    }
+    return variants;
+}
+
+// The column titles, then a line for each equation.
+std::vector<Line> lines_of(const std::vector<CheckReport>& reports) {
+    std::vector<Line> lines{{"equation"}};
+    std::map<std::string, Line> by_equation;
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+        const std::vector<std::string> variants = variants_of(reports[i]);
+        const std::size_t first = lines.front().size();
+        for (const std::string& variant : variants) {
+            lines.front().push_back(reports.size() == 1 ? variant : fmt::format("{} {}", i + 1, variant));
+        }
+        for (const CheckRow& row : reports[i].rows) {
+            if (row.variant.empty()) continue;  // the device itself: the summary tells
+            Line& line = by_equation.try_emplace(row.equation, Line{row.equation}).first->second;
+            const auto at = std::ranges::find(variants, row.variant) - variants.begin();
+            line.resize(std::max(line.size(), first + static_cast<std::size_t>(at) + 1), "-");
+            line[first + static_cast<std::size_t>(at)] = cell(row);
+        }
+    }
+    for (auto& [equation, line] : by_equation) {
+        line.resize(lines.front().size(), "-");
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+std::string summary(const CheckReport& report) {
+    std::map<std::string, std::size_t> reasons;
+    const CheckRow* worst = nullptr;
+    for (const CheckRow& row : report.rows) {
+        if (!row.passed())
+            ++reasons[row.reason == Reason::none ? "outside" : std::string(name_of(row.reason))];
+        if (row.ran() && (worst == nullptr || fraction_of(row) > fraction_of(*worst))) worst = &row;
+    }
+    std::string text = fmt::format("{} checks, {} failed", report.rows.size(), report.failures());
+    std::string separator = " (";
+    for (const auto& [reason, count] : reasons) {
+        text += fmt::format("{}{} {}", separator, count, reason);
+        separator = ", ";
+    }
+    if (!reasons.empty()) text += ")";
+    if (worst != nullptr) {
+        text += fmt::format("; worst error {:.3g} of what is allowed: {} {}", fraction_of(*worst),
+                            worst->equation, worst->variant);
+    }
+    for (const CheckRow& row : report.rows) {
+        if (row.variant.empty()) text += "; " + row.error;
+    }
+    return text;
+}
+
+std::string aligned(const std::vector<Line>& lines) {
+    std::vector<std::size_t> widths(lines.front().size(), 0);
+    for (const Line& line : lines) {
+        for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+    }
+    std::string text;
+    for (const Line& line : lines) {
+        std::string row;
+        for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}  ", line[i], widths[i]);
+        text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+// Text inside a Markdown table.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) out += c == '|' ? "\\|" : c == '\n' ? std::string(" ") : std::string(1, c);
+    return out;
+}
+
+std::string markdown_line(const Line& line) {
+    std::string text = "|";
+    for (const std::string& one : line) text += " " + escaped(one) + " |";
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string to_matrix(const std::vector<CheckReport>& reports) {
+    std::string text;
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+        text += fmt::format("driver {}: {}\n", i + 1, name_of(reports[i].device));
+    }
+    text += "\n" + aligned(lines_of(reports)) + "\n";
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+        text += fmt::format("driver {}: {}\n", i + 1, summary(reports[i]));
+    }
+    return text;
+}
+
+std::string to_matrix_markdown(const std::vector<CheckReport>& reports) {
+    std::string text = "# Equations on drivers\n\n| driver | | result |\n| --- | --- | --- |\n";
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+        text += markdown_line({std::to_string(i + 1), name_of(reports[i].device), summary(reports[i])});
+    }
+    const std::vector<Line> lines = lines_of(reports);
+    text += "\n" + markdown_line(lines.front()) + markdown_line(Line(lines.front().size(), "---"));
+    for (std::size_t i = 1; i < lines.size(); ++i) text += markdown_line(lines[i]);
+    return text;
+}
+
+}  // namespace gloam::report

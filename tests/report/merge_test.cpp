@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "report/merge.hpp"
+
+#include <gmock/gmock.h>
+
+#include "report/matrix.hpp"
+#include "report/rows.hpp"
+
+namespace gloam::report {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> equations_of(const CheckReport& report) {
+    std::vector<std::string> names;
+    for (const CheckRow& row : report.rows) names.push_back(row.equation + " " + row.variant);
+    return names;
+}
+
+CheckRow crashed(const std::string& equation) {
+    CheckRow row = passing_row(equation);
+    row.error = "ended";
+    row.reason = Reason::crash;
+    return row;
+}
+
+TEST(Merge, ShardsBecomeTheWhole) {
+    const MergedReports merged =
+        merge({{"a", report_of("A", {passing_row("EQ-1"), passing_row("EQ-3")})},
+               {"b", report_of("A", {passing_row("EQ-2", "strict"), passing_row("EQ-2")})}});
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    ASSERT_EQ(merged.reports.size(), 1U);
+    EXPECT_THAT(equations_of(merged.reports[0]),
+                ElementsAre("EQ-1 shipped", "EQ-2 shipped", "EQ-2 strict", "EQ-3 shipped"));
+}
+
+TEST(Merge, DriversAreToldApartByAllTheySay) {
+    CheckReport newer = report_of("A", {passing_row("EQ-1")});
+    newer.device.driver = "driver 1.3";
+    const MergedReports merged = merge({{"a", report_of("A", {passing_row("EQ-1")})},
+                                        {"b", newer},
+                                        {"c", report_of("B", {crashed("EQ-1")})}});
+    ASSERT_EQ(merged.reports.size(), 3U);
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_EQ(merged.reports[1].device.driver, "driver 1.3");
+    EXPECT_EQ(merged.reports[2].failures(), 1U);
+}
+
+TEST(Merge, TheSameRowTwiceIsOneWhateverItsTime) {
+    CheckRow later = passing_row("EQ-1");
+    later.seconds = 9.0;
+    const MergedReports merged =
+        merge({{"a", report_of("A", {passing_row("EQ-1")})}, {"b", report_of("A", {later})}});
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_EQ(merged.reports.at(0).rows.size(), 1U);
+}
+
+TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
+    CheckRow little = passing_row("EQ-1");
+    little.outside = 1;
+    CheckRow larger_error = passing_row("EQ-1");
+    larger_error.budget_fraction = 0.9;
+    CheckRow fault = passing_row("EQ-1");
+    fault.fault = "pixel";
+    const std::vector<CheckRow> ascending{passing_row("EQ-1"), larger_error, little, fault, crashed("EQ-1")};
+    for (std::size_t i = 1; i < ascending.size(); ++i) {
+        for (const bool swapped : {false, true}) {
+            const CheckRow& first = ascending[swapped ? i : i - 1];
+            const CheckRow& second = ascending[swapped ? i - 1 : i];
+            const MergedReports merged =
+                merge({{"a.json", report_of("A", {first})}, {"b.json", report_of("A", {second})}});
+            ASSERT_EQ(merged.reports.at(0).rows.size(), 1U);
+            EXPECT_EQ(to_json(merged.reports[0].rows[0]), to_json(ascending[i])) << i;
+            ASSERT_EQ(merged.conflicts.size(), 1U);
+            EXPECT_THAT(merged.conflicts[0], HasSubstr("EQ-1 shipped on A (driver 1.2): a.json says "));
+            EXPECT_THAT(merged.conflicts[0], HasSubstr("b.json says "));
+        }
+    }
+}
+
+TEST(Merge, NothingIsNothing) {
+    EXPECT_THAT(merge({}).reports, IsEmpty());
+}
+
+std::vector<CheckReport> two_drivers() {
+    CheckRow lost{.equation = "device", .error = "the device cannot be opened", .reason = Reason::crash};
+    CheckRow strict = passing_row("EQ-2", "strict");
+    strict.width_fraction = 0.5;
+    CheckRow wrong = passing_row("EQ-2");
+    wrong.outside = 3;
+    return {report_of("A", {passing_row("EQ-1"), strict}), report_of("B|C", {crashed("EQ-1"), wrong, lost})};
+}
+
+TEST(Matrix, HasALineForEachEquationAndAColumnForEachDriverAndVariant) {
+    EXPECT_EQ(to_matrix(two_drivers()),
+              "driver 1: A (driver 1.2)\n"
+              "driver 2: B|C (driver 1.2)\n"
+              "\n"
+              "equation  1 shipped  1 strict  2 shipped\n"
+              "EQ-1      ok 0.25    -         crash\n"
+              "EQ-2      -          ok 0.50   FAIL 3/50\n"
+              "\n"
+              "driver 1: 2 checks, 0 failed; worst error 0.5 of what is allowed: EQ-2 strict\n"
+              "driver 2: 3 checks, 3 failed (2 crash, 1 outside); worst error 0.25 of what is allowed: EQ-2 "
+              "shipped; "
+              "the device cannot be opened\n");
+}
+
+TEST(Matrix, MarkdownHoldsTheSame) {
+    const std::string page = to_matrix_markdown(two_drivers());
+    EXPECT_THAT(page,
+                HasSubstr("| equation | 1 shipped | 1 strict | 2 shipped |\n| --- | --- | --- | --- |\n"));
+    EXPECT_THAT(page, HasSubstr("| EQ-2 | - | ok 0.50 | FAIL 3/50 |\n"));
+    EXPECT_THAT(page, HasSubstr("| 2 | B\\|C (driver 1.2) | 3 checks, 3 failed"));
+}
+
+TEST(Matrix, OneDriverNeedsNoNumbers) {
+    EXPECT_THAT(to_matrix({report_of("A", {passing_row("EQ-1")})}), HasSubstr("equation  shipped\n"));
+}
+
+}  // namespace
+}  // namespace gloam::report

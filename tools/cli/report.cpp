@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "cli/report.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "report/matrix.hpp"
+#include "report/merge.hpp"
+#include "report/output_file.hpp"
+
+namespace gloam::cli {
+namespace {
+
+struct ReportOptions {
+    std::vector<std::string> files;
+    std::filesystem::path json;
+    bool markdown = false;
+};
+
+std::string read_file(const std::string& file) {
+    std::error_code none;
+    errno = std::filesystem::is_directory(file, none) ? EISDIR : 0;
+    std::ifstream stream;
+    if (errno == 0) stream.open(file, std::ios::binary);
+    if (!stream.is_open()) {
+        throw std::runtime_error(fmt::format("cannot read {}: {}", file, std::strerror(errno)));
+    }
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<report::ReportFile> read_reports(const std::vector<std::string>& files) {
+    std::vector<report::ReportFile> all;
+    for (const std::string& file : files) {
+        const std::string text = read_file(file);
+        try {
+            for (report::CheckReport& report : report::reports_from_json(text)) {
+                all.push_back({.file = file, .report = std::move(report)});
+            }
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(
+                fmt::format("{} is not what `gloam check --json` writes: {}", file, error.what()));
+        }
+    }
+    return all;
+}
+
+int run_report(const ReportOptions& options) {
+    const report::OutputFile json(options.json);
+    const report::MergedReports merged = report::merge(read_reports(options.files));
+    fmt::print("{}", options.markdown ? report::to_matrix_markdown(merged.reports)
+                                      : report::to_matrix(merged.reports));
+    for (const std::string& conflict : merged.conflicts)
+        fmt::print("\n{}{}\n", options.markdown ? "- " : "", conflict);
+    json.write(report::to_json(merged.reports));
+    std::size_t failures = 0;
+    for (const report::CheckReport& report : merged.reports) failures += report.failures();
+    return failures == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& status) {
+    auto options = std::make_shared<ReportOptions>();
+    CLI::App* command =
+        app.add_subcommand("report", "merge the results of `gloam check --json` from many machines");
+    command->add_option("file", options->files, "JSON files of gloam check")->required();
+    command->add_flag("--markdown", options->markdown, "a Markdown page instead of a table for the terminal");
+    command->add_option("--json", options->json, "write the merged results to this file");
+    command->callback([options, &status] { status = run_report(*options); });
+}
+
+}  // namespace gloam::cli
