@@ -274,8 +274,7 @@ TEST_F(Temporal, EverySettingOfTheHistoryChangesTheOutput) {
         {"no invalidation", [](Settings& s) { s.invalidation = Invalidation::none; }},
         {"clamping invalidation", [](Settings& s) { s.invalidation = Invalidation::clamp; }},
         {"small weight", [](Settings& s) { s.invalidation = Invalidation::clamp, s.weight_small = 4.0F; }},
-        {"change tolerance",
-         [](Settings& s) { s.change_tolerance = 0.02F; }},
+        {"change tolerance", [](Settings& s) { s.change_tolerance = 0.02F; }},
         {"confidence factor", [](Settings& s) { s.confidence_factor = 200.0F; }},
     };
     std::map<std::string, std::vector<float>> seen;
