@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "report/color_map.hpp"
+
 namespace gloam::report {
 namespace {
 
@@ -27,6 +29,19 @@ void append_bytes(void* out, void* data, int size) {
 void append_little_endian(std::string& out, float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     for (unsigned shift = 0; shift < 32; shift += 8) out += static_cast<char>(bits >> shift & 0xFFU);
+}
+
+std::string compressed(std::span<const std::uint8_t> texels, std::uint32_t width, std::uint32_t height,
+                       int channels) {
+    require_texels(texels.size(), width, height, channels);
+    constexpr auto largest = static_cast<std::uint32_t>(std::numeric_limits<int>::max()) / 4U;
+    if (width > largest || height > largest) throw std::invalid_argument("image too large for a PNG");
+    std::string file;
+    const int made =
+        stbi_write_png_to_func(append_bytes, &file, static_cast<int>(width), static_cast<int>(height),
+                               channels, texels.data(), channels * static_cast<int>(width));
+    if (made == 0) throw std::runtime_error("cannot compress a PNG: out of memory");
+    return file;
 }
 
 std::uint8_t visibility_byte(float occlusion) {
@@ -52,15 +67,25 @@ std::string to_pfm(std::span<const float> texels, std::uint32_t width, std::uint
 }
 
 std::string to_png(std::span<const std::uint8_t> grey, std::uint32_t width, std::uint32_t height) {
-    require_texels(grey.size(), width, height, 1);
-    constexpr auto largest = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
-    if (width > largest || height > largest) throw std::invalid_argument("image too large for a PNG");
-    std::string file;
-    const int made =
-        stbi_write_png_to_func(append_bytes, &file, static_cast<int>(width), static_cast<int>(height), 1,
-                               grey.data(), static_cast<int>(width));
-    if (made == 0) throw std::runtime_error("cannot compress a PNG: out of memory");
-    return file;
+    return compressed(grey, width, height, 1);
+}
+
+std::string to_rgb_png(std::span<const std::uint8_t> rgb, std::uint32_t width, std::uint32_t height) {
+    return compressed(rgb, width, height, 3);
+}
+
+std::string to_heat_png(std::span<const float> errors, std::uint32_t width, std::uint32_t height,
+                        double full) {
+    if (!(full > 0.0)) throw std::invalid_argument("heat map: expected a scale > 0");
+    constexpr std::uint8_t unknown = 96;
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(3 * errors.size());
+    for (const float error : errors) {
+        const Color color =
+            std::isnan(error) ? Color{unknown, unknown, unknown} : heat_color(std::abs(double{error}) / full);
+        rgb.insert(rgb.end(), color.begin(), color.end());
+    }
+    return to_rgb_png(rgb, width, height);
 }
 
 std::string to_visibility_png(std::span<const float> occlusion, std::uint32_t width, std::uint32_t height) {

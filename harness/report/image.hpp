@@ -24,4 +24,13 @@ namespace gloam::report {
 [[nodiscard]] std::string to_visibility_png(std::span<const float> occlusion, std::uint32_t width,
                                             std::uint32_t height);
 
+// PNG of 8-bit red, green and blue, three bytes for each pixel.
+[[nodiscard]] std::string to_rgb_png(std::span<const std::uint8_t> rgb, std::uint32_t width,
+                                     std::uint32_t height);
+
+// PNG of the magnitudes of errors as a heat map: 0 nearly black, `full` (> 0) and more pale yellow, in the
+// colours of heat_color(); grey where the error is NaN, which is to say not known.
+[[nodiscard]] std::string to_heat_png(std::span<const float> errors, std::uint32_t width,
+                                      std::uint32_t height, double full);
+
 }  // namespace gloam::report

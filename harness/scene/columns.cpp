@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "scene/internal/columns.hpp"
+#include "scene/internal/built_in_scenes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/primitives.hpp"
 
@@ -70,9 +71,11 @@ Mesh make_bay(double z) {
     return mesh;
 }
 
-// The near end: a parapet that the camera looks over, a ball on it, and balls on the floor behind.
+// The near end: a cable a hand's breadth before the eye, a parapet that the camera looks over, a ball on it,
+// and balls on the floor behind.
 Mesh make_foreground() {
     Mesh mesh = make_box({0.1, 0, 0.2}, {2.0, 1.5, 0.72}, cell);
+    append(mesh, make_cylinder({0.222, 0, 0.89}, 0.008, hall_height, 24));
     append(mesh, make_sphere({0.75, 1.65, 0.4}, 0.15, 24, 48));
     append(mesh, make_sphere({-1.2, 0.5, -5.0}, 0.5, 24, 48));
     append(mesh, make_sphere({-2.1, 0.3, -5.4}, 0.3, 24, 48));
@@ -93,9 +96,15 @@ Scene make_columns() {
     scene.camera = {.eye = {0.3, 1.75, 1.0},
                     .target = {0.0, 1.9, -12.0},
                     .fovy_rad = 1.0,
-                    .near = 0.1,
+                    .near = 0.05,
                     .far = 250.0,
                     .reversed_z = true};
+    // Sways from side to side, so that everything near slides over what is far.
+    scene.camera_path = [start = scene.camera](int frame) {
+        Camera camera = start;
+        camera.eye += glm::dvec3(0.12 * std::sin(0.05 * frame), 0.02 * std::sin(0.11 * frame), 0.0);
+        return camera;
+    };
     scene.ao_radius = 0.5;
     return scene;
 }

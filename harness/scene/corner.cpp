@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/internal/corner_scene.hpp"
+#include "scene/internal/built_in_scenes.hpp"
 #include "scene/primitives.hpp"
 
 namespace gloam::scene {

@@ -29,12 +29,17 @@ class Connections {
 
     // Between two neighbouring pixels, (x, y) and (x + dx, y + dy).
     [[nodiscard]] bool connected(long x, long y, long dx, long dy) const {
-        if (std::isinf(thickness_)) return true;
         const float a = at(x, y);
         const float b = at(x + dx, y + dy);
         if (!is_surface(a) || !is_surface(b)) return false;
-        if (std::abs(double{a} - double{b}) <= thickness_) return true;
+        if (std::isinf(thickness_) || std::abs(double{a} - double{b}) <= thickness_) return true;
         return continues(at(x - dx, y - dy), a, b) || continues(at(x + 2 * dx, y + 2 * dy), b, a);
+    }
+
+    // Between all four pixels of a block, of which (x, y) is the first.
+    [[nodiscard]] bool block(long x, long y) const {
+        return connected(x, y, 1, 0) && connected(x, y, 0, 1) && connected(x, y + 1, 1, 0) &&
+               connected(x + 1, y, 0, 1);
     }
 
   private:
@@ -57,13 +62,6 @@ class Connections {
     bool orthographic_;
     double thickness_;
 };
-
-double farthest(const GBuffer& view) {
-    double depth = 0.0;
-    for (const float d : view.depth)
-        if (is_surface(d)) depth = std::max(depth, double{d});
-    return depth;
-}
 
 // The difference of positions towards the neighbour on an axis that is nearer in depth, as if it lay on the
 // positive side; 0 without one.
@@ -112,32 +110,28 @@ void check(const GBuffer& view, double thickness) {
 
 }  // namespace
 
-Mesh depth_field(const GBuffer& view, double reach, double thickness) {
+Mesh depth_field(const GBuffer& view, double thickness) {
     check(view, thickness);
     const PixelPositions positions(view);
-    const Connections connections(view, thickness);
     const auto width = static_cast<long>(view.extent.width);
-    const auto height = static_cast<long>(view.extent.height);
-    const double back = farthest(view) + 2.0 * reach;
     Mesh mesh;
-    for (long y = 0; y < height; ++y) {
-        for (long x = 0; x < width; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * width + x);
-            const bool surface = is_surface(view.depth[pixel]);
-            mesh.positions.emplace_back(positions.at(pixel, surface ? double{view.depth[pixel]} : back));
-            mesh.normals.push_back(!surface              ? glm::vec3(0)
-                                   : view.normal.empty() ? normal_at(view, positions, x, y)
-                                                         : view.normal[pixel]);
-        }
+    for (std::size_t pixel = 0; pixel < view.depth.size(); ++pixel) {
+        const auto x = static_cast<long>(pixel) % width;
+        const auto y = static_cast<long>(pixel) / width;
+        const bool surface = is_surface(view.depth[pixel]);
+        mesh.positions.emplace_back(surface ? positions.at(pixel, double{view.depth[pixel]}) : glm::dvec3(0));
+        mesh.normals.push_back(!surface              ? glm::vec3(0)
+                               : view.normal.empty() ? normal_at(view, positions, x, y)
+                                                     : view.normal[pixel]);
     }
-    for (long y = 0; y + 1 < height; ++y) {
+    const Connections connections(view, thickness);
+    for (long y = 0; y + 1 < static_cast<long>(view.extent.height); ++y) {
         for (long x = 0; x + 1 < width; ++x) {
+            if (!connections.block(x, y)) continue;
             const auto corner = static_cast<std::uint32_t>(y * width + x);
             const auto below = static_cast<std::uint32_t>(corner + width);
-            if (connections.connected(x, y, 1, 0) && connections.connected(x, y, 0, 1) &&
-                connections.connected(x, y + 1, 1, 0) && connections.connected(x + 1, y, 0, 1))
-                mesh.indices.insert(mesh.indices.end(),
-                                    {corner, below, corner + 1, corner + 1, below, below + 1});
+            mesh.indices.insert(mesh.indices.end(),
+                                {corner, below, corner + 1, corner + 1, below, below + 1});
         }
     }
     return mesh;

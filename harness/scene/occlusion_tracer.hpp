@@ -57,7 +57,7 @@ class OcclusionTracer {
     // The estimate for one point; each seed scrambles the directions in its own way.
     [[nodiscard]] OcclusionEstimate occlusion(const Receiver& receiver, std::uint64_t seed) const;
 
-    // The first surface between the distances `near` and `far` from an origin along a unit direction, seen
+    // The first surface between the distances `near` and `far` from an origin along a unit direction, lit
     // from that side: the point in double on its triangle, both normals the triangle's own.
     [[nodiscard]] std::optional<Receiver> surface(const glm::dvec3& origin, const glm::dvec3& direction,
                                                   double near, double far) const;

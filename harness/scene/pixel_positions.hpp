@@ -17,11 +17,12 @@ class PixelPositions {
           scale_(view.camera.p00_p11()),
           orthographic_(view.camera.orthographic()) {}
 
-    // The point at an eye-linear depth under the centre of a pixel, counted by rows from the top.
-    [[nodiscard]] glm::dvec3 at(std::size_t pixel, double depth) const {
+    // The point at an eye-linear depth under the centre of a pixel, counted by rows from the top, or `aside`
+    // of it by a part of a pixel.
+    [[nodiscard]] glm::dvec3 at(std::size_t pixel, double depth, const glm::dvec2& aside = {0, 0}) const {
         const glm::dvec2 center(static_cast<double>(pixel % width_) + 0.5,
                                 static_cast<double>(pixel / width_) + 0.5);
-        const glm::dvec2 ndc = 2.0 * center / size_ - 1.0;
+        const glm::dvec2 ndc = 2.0 * (center + aside) / size_ - 1.0;
         return {ndc / scale_ * (orthographic_ ? 1.0 : depth), -depth};
     }
 

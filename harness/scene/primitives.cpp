@@ -94,4 +94,32 @@ Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segment
     });
 }
 
+Mesh make_tube(const std::function<glm::dvec3(double)>& closed_curve, double radius, int along, int around) {
+    require(radius > 0.0 && along >= 3 && around >= 3, "tube: expected radius > 0 and segments >= 3");
+    return make_grid(around, along, [&](int x, int y) -> Vertex {
+        const double t = static_cast<double>(y % along) / along;
+        constexpr double step = 1e-4;
+        const glm::dvec3 forward = glm::normalize(closed_curve(t + step) - closed_curve(t - step));
+        const glm::dvec3 side = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
+        const double angle = turn(x % around, around);
+        const glm::dvec3 out = std::cos(angle) * side + std::sin(angle) * glm::cross(forward, side);
+        return {closed_curve(t) + radius * out, out};
+    });
+}
+
+Mesh make_strip(const std::vector<glm::dvec3>& left, const std::vector<glm::dvec3>& right) {
+    require(left.size() == right.size() && left.size() >= 2, "strip: expected two or more pairs of points");
+    const int rows = static_cast<int>(left.size()) - 1;
+    return make_grid(1, rows, [&](int x, int y) -> Vertex {
+        const auto row = static_cast<std::size_t>(y);
+        const std::size_t before = row == 0 ? 0 : row - 1;
+        const std::size_t after = std::min(row + 1, left.size() - 1);
+        const glm::dvec3 way = left[after] + right[after] - left[before] - right[before];
+        // The tip may be a point: the width of the row before gives the direction.
+        glm::dvec3 across = right[row] - left[row];
+        if (!(glm::length(across) > 0.0)) across = right[before] - left[before];
+        return {x == 0 ? left[row] : right[row], glm::normalize(glm::cross(across, way))};
+    });
+}
+
 }  // namespace gloam::scene

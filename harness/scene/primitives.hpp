@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "scene/mesh.hpp"
 
 namespace gloam::scene {
@@ -20,5 +23,14 @@ namespace gloam::scene {
 
 // A sphere of latitude rings (from 2) and segments around (from 3), smooth normals outwards.
 [[nodiscard]] Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segments);
+
+// A tube of a radius around a closed curve, given for 0 to 1, whose tangent is nowhere along z; smooth
+// normals outwards, from 3 segments along and around.
+[[nodiscard]] Mesh make_tube(const std::function<glm::dvec3(double)>& closed_curve, double radius, int along,
+                             int around);
+
+// A flat strip through pairs of points (from 2), left and right, seen from the side of
+// (right - left) x (the way along): a leaf, a blade of grass. Smooth normals.
+[[nodiscard]] Mesh make_strip(const std::vector<glm::dvec3>& left, const std::vector<glm::dvec3>& right);
 
 }  // namespace gloam::scene

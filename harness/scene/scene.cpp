@@ -5,8 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "scene/internal/columns.hpp"
-#include "scene/internal/corner_scene.hpp"
+#include "scene/internal/built_in_scenes.hpp"
 #include "scene/primitives.hpp"
 
 namespace gloam::scene {
@@ -19,8 +18,16 @@ struct BuiltIn {
 
 const std::vector<BuiltIn>& all_built_in() {
     static const std::vector<BuiltIn> scenes{
-        {{"columns", "a column hall, from 0.3 m before the eye to 200 m away"}, make_columns},
-        {{"corner", "a floor and two walls, whose occlusion is known in closed form"}, make_corner}};
+        {{"columns", "a column hall, from a cable 0.1 m before the eye to 200 m away"}, make_columns},
+        {{"corner", "a floor and two walls, whose occlusion is known in closed form"}, make_corner},
+        {{"far", "a terrace and balls 128 km from the origin, under a slow camera"}, make_far},
+        {{"grass", "blades and leaves without thickness, under a moving camera"}, make_grass},
+        {{"knot", "a knotted tube on the ground before a wall, under a circling camera"}, make_knot},
+        {{"moving", "a rolling ball and a turning box before steps and a wall, under a moving camera"},
+         make_moving},
+        {{"room", "a closed room with books, boards and other small things, under a moving camera"},
+         make_room},
+        {{"sky", "masts, wires and a kite, mostly sky, under a moving camera"}, make_sky}};
     return scenes;
 }
 

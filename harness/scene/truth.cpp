@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "scene/depth_field.hpp"
@@ -22,24 +23,68 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// A point of the G-buffer as it is.
-Receiver as_it_is(const glm::dvec3& at, const glm::dvec3& normal) {
-    return {.position = at, .normal = normal, .facet = normal, .clearance = 16.0 * 0x1p-24 * largest(at)};
+// A point of the G-buffer as it is. reach: the largest coordinate of the triangles around it.
+Receiver as_it_is(const glm::dvec3& at, const glm::dvec3& normal, double reach) {
+    return {.position = at, .normal = normal, .facet = normal, .clearance = 16.0 * 0x1p-24 * reach};
 }
 
-// The point of the geometry that a pixel sees, if that is there.
+// For each vertex the largest coordinate of the triangles that it belongs to.
+std::vector<double> reaches(const Mesh& mesh) {
+    std::vector<double> reach(mesh.positions.size());
+    for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = largest(glm::dvec3(mesh.positions[i]));
+    std::vector<double> result = reach;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const std::span corners(&mesh.indices[i], 3);
+        for (const std::uint32_t a : corners)
+            for (const std::uint32_t b : corners) result[a] = std::max(result[a], reach[b]);
+    }
+    return result;
+}
+
+// The first surface along the ray through a point that was drawn, within a part of its distance.
+std::optional<Receiver> near_drawn(const OcclusionTracer& tracer, const PixelPositions& positions,
+                                   const glm::dvec3& drawn, double tolerance) {
+    const glm::dvec3 eye = positions.orthographic() ? glm::dvec3(drawn.x, drawn.y, 0.0) : glm::dvec3(0.0);
+    const double distance = glm::distance(drawn, eye);
+    return tracer.surface(eye, (drawn - eye) / distance, distance * (1.0 - tolerance),
+                          distance * (1.0 + tolerance));
+}
+
+// The point of the geometry that a pixel sees, if that is there. At the rim of an object the device, which
+// rounds corners to parts of a pixel, may draw what the ray through the centre misses or, edge-on, meets far
+// in front: then the nearest rays around it are asked, and at last more of the depth. Or it may draw the far
+// side, with a normal that points into the object: then the near side's own is taken.
 std::optional<Receiver> matched(const OcclusionTracer& tracer, const PixelPositions& positions,
-                                const glm::dvec3& seen, const glm::dvec3& normal) {
-    constexpr double tolerance = 1e-3;  // of the distance; far above the rounding of a depth buffer
-    const glm::dvec3 eye = positions.orthographic() ? glm::dvec3(seen.x, seen.y, 0.0) : glm::dvec3(0.0);
-    const double distance = glm::distance(seen, eye);
-    auto receiver = tracer.surface(eye, (seen - eye) / distance, distance * (1.0 - tolerance),
-                                   distance * (1.0 + tolerance));
-    if (receiver) receiver->normal = normal;
-    return receiver;
+                                std::size_t pixel, double depth, const glm::dvec3& normal) {
+    constexpr double aside = 1.0 / 128;  // pixels; devices keep 1/256 or better
+    std::optional<Receiver> turned_away;
+    for (const double tolerance :
+         {1e-3, 3e-2}) {  // of the distance; far above the rounding of a depth buffer
+        for (int i = 0; i < 9; ++i) {
+            const int side = (i + 4) % 9;  // the centre first
+            const glm::dvec2 offset(side % 3 - 1, side / 3 - 1);
+            auto receiver =
+                near_drawn(tracer, positions, positions.at(pixel, depth, aside * offset), tolerance);
+            if (receiver && glm::dot(receiver->facet, normal) > 0.0) {
+                receiver->normal = normal;
+                return receiver;
+            }
+            if (receiver && !turned_away) turned_away = receiver;
+        }
+    }
+    return turned_away;
 }
 
-// Calls `receiver(pixel)` for each pixel with geometry and traces from there.
+std::uint64_t count_surface(const GBuffer& view) {
+    return static_cast<std::uint64_t>(std::ranges::count_if(view.depth, is_surface));
+}
+
+TracedTruth open(const GBuffer& view) {
+    const std::vector<float> zeros(view.depth.size(), 0.0F);
+    return {.occlusion = zeros, .standard_error = zeros, .pixels = count_surface(view)};
+}
+
+// Calls `receiver_of(pixel)` for each pixel with geometry and traces from there.
 template <class ReceiverOf>
 TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const TruthSettings& settings,
                   const ReceiverOf& receiver_of) {
@@ -57,7 +102,7 @@ TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const Trut
         }
     };
     for_each_index((pixels + batch - 1) / batch, settings.threads, work, settings.progress);
-    truth.pixels = static_cast<std::uint64_t>(std::ranges::count_if(view.depth, is_surface));
+    truth.pixels = count_surface(view);
     return truth;
 }
 
@@ -80,11 +125,12 @@ TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
     const PixelPositions positions(view);
     std::atomic<std::uint64_t> unmatched = 0;
     TracedTruth truth = trace(view, tracer, settings, [&](std::size_t pixel) {
-        const glm::dvec3 seen = positions.at(pixel, double{view.depth[pixel]});
         const glm::dvec3 normal = view.normal[pixel];
-        if (const auto receiver = matched(tracer, positions, seen, normal)) return *receiver;
+        const double depth = view.depth[pixel];
+        if (const auto receiver = matched(tracer, positions, pixel, depth, normal)) return *receiver;
         ++unmatched;
-        return as_it_is(seen, normal);
+        const glm::dvec3 drawn = positions.at(pixel, depth);
+        return as_it_is(drawn, normal, largest(drawn));
     });
     truth.unmatched = unmatched;
     return truth;
@@ -92,10 +138,12 @@ TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
 
 TracedTruth trace_depth(const GBuffer& view, const TruthSettings& settings) {
     validate(settings.rays);
-    const Mesh field = depth_field(view, settings.rays.radius, settings.thickness);
+    const Mesh field = depth_field(view, settings.thickness);
+    if (field.indices.empty()) return open(view);  // no four pixels that form a surface: nothing blocks
     const OcclusionTracer tracer(field, settings.rays);
+    const std::vector<double> reach = reaches(field);
     return trace(view, tracer, settings, [&](std::size_t pixel) {
-        return as_it_is(glm::dvec3(field.positions[pixel]), glm::dvec3(field.normals[pixel]));
+        return as_it_is(glm::dvec3(field.positions[pixel]), glm::dvec3(field.normals[pixel]), reach[pixel]);
     });
 }
 

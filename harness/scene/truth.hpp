@@ -25,16 +25,16 @@ struct TracedTruth {
     std::vector<float> standard_error;  // of it
     std::uint64_t rays = 0;             // for each pixel with geometry
     std::uint64_t pixels = 0;           // with geometry
-    std::uint64_t unmatched = 0;        // of them, those under whose centre the geometry has no such surface
+    std::uint64_t unmatched = 0;        // of them, those whose surface the geometry does not have there
 };
 
 // (G): the occlusion that the whole geometry of a scene makes in a frame, at the points that a G-buffer of
 // that frame shows. The G-buffer says which surface a pixel sees, by its depth, and around which normal its
 // hemisphere is, for that is what every estimator is given; the geometry says where the surface exactly lies:
-// the point is moved along the view ray onto the triangle that it is within a thousandth of. Where there is
-// none (the outermost edge of an object, drawn but missed by the ray) it is taken as it is. Throws
-// std::invalid_argument for settings out of range, a scene that validate() refuses and images whose size
-// disagrees.
+// the point is moved along the view ray onto the triangle that it is within a thousandth of, and that is not
+// turned away from the normal. Where there is none, on rays up to a hundredth of a pixel around the centre
+// and within a thirtieth, it is taken as it is. Throws std::invalid_argument for settings out of range, a
+// scene that validate() refuses and images whose size disagrees.
 [[nodiscard]] TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
                                          const TruthSettings& settings);
 

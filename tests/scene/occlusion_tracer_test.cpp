@@ -113,9 +113,9 @@ TEST(OcclusionTracer, TiltedPlanesFarAwayDoNotShadeThemselves) {
             const glm::dvec3 normal = glm::normalize(glm::cross(u, v));
             for (int i = 0; i < 50; ++i) {
                 const glm::dvec3 point = at + (0.31 * i - 7.0) * u + (0.17 * i - 4.0) * v;
-                const auto receiver = tracer.surface(point + 2.0 * normal, -normal, 1.0, 3.0);
-                ASSERT_TRUE(receiver);
-                EXPECT_EQ(tracer.occlusion(*receiver, static_cast<std::uint64_t>(i)).occlusion, 0.0)
+                const auto found = tracer.surface(point + 2.0 * normal, -normal, 1.0, 3.0);
+                ASSERT_TRUE(found);
+                EXPECT_EQ(tracer.occlusion(*found, static_cast<std::uint64_t>(i)).occlusion, 0.0)
                     << "distance " << away << ", tilt " << tilt;
             }
         }
@@ -127,10 +127,10 @@ TEST(OcclusionTracer, FacetsOfASmoothShapeDoNotShadeThemselves) {
     const OcclusionTracer tracer(make_sphere({0, 0, 0}, 1.0, 8, 12), {.radius = 5.0, .rays = 256});
     for (int i = 0; i < 50; ++i) {
         const glm::dvec3 outwards{0.6 * std::cos(0.7 * i), 0.8, 0.6 * std::sin(0.7 * i)};
-        auto receiver = tracer.surface(3.0 * outwards, -outwards, 1.0, 3.0);
-        ASSERT_TRUE(receiver);
-        receiver->normal = outwards;
-        EXPECT_EQ(tracer.occlusion(*receiver, 1).occlusion, 0.0) << i;
+        auto found = tracer.surface(3.0 * outwards, -outwards, 1.0, 3.0);
+        ASSERT_TRUE(found);
+        found->normal = outwards;
+        EXPECT_EQ(tracer.occlusion(*found, 1).occlusion, 0.0) << i;
     }
 }
 

@@ -225,8 +225,8 @@ TEST_F(RasterizeTest, NothingInView) {
 TEST_F(RasterizeTest, TheHallIsDeep) {
     const GBuffer g = shot(make_scene("columns"), {320, 180});
     const auto [nearest, farthest] = std::ranges::minmax(g.depth);
-    EXPECT_GT(nearest, 0.2F);
-    EXPECT_LT(nearest, 0.5F);
+    EXPECT_GT(nearest, 0.09F);
+    EXPECT_LT(nearest, 0.11F);
     EXPECT_GT(farthest, 150.0F);
     EXPECT_LT(farthest, 210.0F);  // closed: no background
 }

@@ -3,18 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 
 #include "cli/environment.hpp"
+#include "cli/render_history.hpp"
 #include "cli/render_input.hpp"
 #include "cli/render_report.hpp"
+#include "cli/render_truth.hpp"
 #include "effect/presets.hpp"
 #include "report/image.hpp"
 #include "report/output_folder.hpp"
-#include "scene/pfm.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {
@@ -55,6 +57,26 @@ void write_images(report::OutputFolder& folder, int number, gpu::Extent size, co
     folder.write(prefix + "_ao.png", report::to_visibility_png(frame.filtered, size.width, size.height));
 }
 
+// The magnitude of the error; an error of 0.25 is as bright as the scale goes.
+void write_error(report::OutputFolder& folder, int number, gpu::Extent size, const std::vector<float>& image,
+                 const effect::Truth& truth) {
+    std::vector<float> errors;
+    for (std::size_t i = 0; i < image.size(); ++i) errors.push_back(std::abs(image[i] - truth[i]));
+    folder.write(scene::frame_prefix(number) + "_error.png",
+                 report::to_heat_png(errors, size.width, size.height, 0.25));
+}
+
+// depth: the truth of the depth buffer, compared with that of the geometry.
+TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {
+    const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
+    double squares = 0.0;
+    for (const float error : best.standard_error) squares += double{error} * double{error};
+    TruthReport report{.rays = best.rays, .pixels = best.pixels, .unmatched = best.unmatched};
+    report.standard_error = std::sqrt(squares / static_cast<double>(std::max<std::uint64_t>(1, best.pixels)));
+    if (traced.geometry) report.depth = effect::errors_of(depth, truth);
+    return report;
+}
+
 double mean_convergence(const effect::Frame& frame) {
     double sum = 0.0;
     for (const float value : frame.convergence) sum += double{value};
@@ -68,7 +90,7 @@ class Renderer {
     explicit Renderer(const RenderOptions& options)
         : options_(options),
           input_(open_input(options)),
-          reference_(read_reference(options)),
+          truth_(options, input_),
           out_(checked_out(options)),
           device_({.device = options.device,
                    .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
@@ -77,7 +99,7 @@ class Renderer {
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
         report_ = {.source = input_.name,
                    .preset = options.preset,
-                   .truth = reference_ ? options.truth.string() : input_.truth_name,
+                   .truth = truth_.name(),
                    .device = device_.info(),
                    .repeat = options.repeat};
     }
@@ -95,32 +117,20 @@ class Renderer {
     }
 
   private:
-    static std::optional<scene::FloatImage> read_reference(const RenderOptions& options) {
-        if (options.truth.empty()) return std::nullopt;
-        return scene::read_pfm(options.truth);
-    }
-
     // Names in the options are looked at before the folder is made.
     static std::filesystem::path checked_out(const RenderOptions& options) {
         (void)settings_for(options, 1.0);
         return options.out;
     }
 
-    effect::Truth truth_for(const scene::GBuffer& view, double radius) const {
-        if (!reference_) return input_.truth ? effect::truth_of(view, radius, input_.truth) : effect::Truth{};
-        if (reference_->extent == view.extent && reference_->channels == 1) {
-            return effect::truth_from(view, reference_->texels);
-        }
-        throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1",
-                                                options_.truth.string(), reference_->extent.width,
-                                                reference_->extent.height, reference_->channels,
-                                                view.extent.width, view.extent.height));
-    }
-
     void render_view(int number) {
         const scene::GBuffer view = input_.load(device_, passes_, number);
         const effect::Settings settings = settings_for(options_, view.ao_radius);
-        const effect::Truth truth = truth_for(view, double{settings.radius});
+        const ViewTruth truth = truth_.of(view, double{settings.radius});
+        if (truth.traced) {
+            const bool only = input_.views.size() == 1;
+            write_truth(out_, only ? "" : scene::frame_prefix(number) + "_", view.extent, *truth.traced);
+        }
         if (gbuffer_out_) write_gbuffer(*gbuffer_out_, number, view);
         if (!effect_ || extent_ != view.extent) effect_.emplace(device_, passes_, view.extent);
         extent_ = view.extent;
@@ -129,18 +139,37 @@ class Renderer {
             show_progress();
             const effect::Frame frame = effect_->next(options_.repeat);
             write_images(out_, number + i, view.extent, frame);
+            history_.advance(view, i > 0, double{settings.radius}, frame.filtered);
             FrameReport entry{.number = number + i,
                               .extent = view.extent,
                               .settings = settings,
                               .times = frame.times,
                               .work = frame.work,
-                              .mean_convergence = mean_convergence(frame)};
-            if (!truth.empty()) {
-                entry.errors = {effect::errors_of(frame.occlusion, truth),
-                                effect::errors_of(frame.filtered, truth)};
-            }
+                              .mean_convergence = mean_convergence(frame),
+                              .flicker = history_.flicker()};
+            compare(entry, view, frame, truth, i + 1 == input_.frames_per_view);
             report_.frames.push_back(std::move(entry));
         }
+    }
+
+    void compare(FrameReport& entry, const scene::GBuffer& view, const effect::Frame& frame,
+                 const ViewTruth& truth, bool last) {
+        if (truth.truth.empty()) return;
+        entry.errors = {effect::errors_of(frame.occlusion, truth.truth),
+                        effect::errors_of(frame.filtered, truth.truth)};
+        if (truth.traced) {
+            const effect::Truth depth = effect::truth_from(view, truth.traced->depth.occlusion);
+            entry.truth = report_of(*truth.traced, truth.truth, depth);
+            if (truth.traced->geometry)
+                entry.errors->filtered_depth = effect::errors_of(frame.filtered, depth);
+        }
+        if (history_.flicker() && history_.classes()) {
+            entry.errors->by_class =
+                effect::class_errors_of(frame.filtered, truth.truth, *history_.classes());
+        }
+        if (!last) return;
+        entry.errors->metrics = effect::metrics_of(frame.filtered, truth.truth, view.extent);
+        write_error(out_, entry.number, view.extent, frame.filtered, truth.truth);
     }
 
     void show_progress() const {
@@ -152,13 +181,14 @@ class Renderer {
 
     const RenderOptions& options_;
     RenderInput input_;
-    std::optional<scene::FloatImage> reference_;
+    TruthSource truth_;
     report::OutputFolder out_;
     std::optional<report::OutputFolder> gbuffer_out_;
     gpu::Device device_;
     scene::PassLibrary passes_;
     std::optional<effect::AmbientOcclusion> effect_;
     gpu::Extent extent_;
+    RenderHistory history_;
     RenderReport report_;
 };
 
@@ -174,6 +204,8 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
             "frames accumulated on a still view: a scene, a mesh, a G-buffer of one frame (default 1); of a "
             "G-buffer sequence, the first N, each of which starts afresh (default all)")
         ->check(CLI::Range(1, 9999));
+    command.add_option("--frame", options.frame, "of a scene that moves: which frame is shown, 0 and up")
+        ->check(CLI::Range(0, 1'000'000));
     command.add_option("--write-gbuffer", options.write_gbuffer, "folder for the G-buffer that was shaded");
     command.add_option("--out", options.out, "folder for pictures and render.json")->capture_default_str();
 }
@@ -188,7 +220,25 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
     command.add_option("--radius", options.radius, "world units (default: the view's)");
     command.add_option("--bias", options.bias, "world units (default: the preset's part of the radius)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
-    command.add_option("--truth", options.truth, "PFM of true occlusion to compare with");
+}
+
+void add_truth_options(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--truth",
+            [&options](const std::vector<std::string>& files) {
+                options.truth = files.empty() ? "" : files.front();
+                options.trace_truth = options.truth.empty();
+            },
+            "compare with true occlusion: traced now, or given as a PFM file (after the scene's name)")
+        ->expected(0, 1)
+        ->type_name("[FILE]");
+    command.add_option("--truth-rays", options.truth_rays, "rays for each pixel, 32 to 16777216")
+        ->capture_default_str();
+    command.add_option("--truth-falloff", options.truth_falloff, "linear, quadratic or step")
+        ->capture_default_str();
+    command.add_option("--truth-thickness", options.truth_thickness,
+                       "of what the depth buffer shows, world units (default: solid behind its surface)");
 }
 
 }  // namespace
@@ -203,6 +253,7 @@ void add_render(CLI::App& app, int& status) {
         app.add_subcommand("render", "ambient occlusion of a scene, a mesh or an engine's G-buffer");
     add_view_options(*command, *options);
     add_effect_options(*command, *options);
+    add_truth_options(*command, *options);
     command->add_option("--repeat", options->repeat, "runs of each frame, of which times are the median")
         ->check(CLI::Range(1, 10'000))
         ->capture_default_str();

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,7 @@ struct RenderOptions {
     std::string preset = "paper";
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;
+    int frame = 0;  // of a scene that moves
     std::string size = "640x360";
     std::optional<float> radius;  // world units; otherwise the view's own
     std::optional<float> bias;    // world units; otherwise a part of the radius
@@ -24,8 +26,12 @@ struct RenderOptions {
     int repeat = 1;
     std::string device;
     bool validation = false;
-    std::filesystem::path truth;          // PFM
-    std::filesystem::path write_gbuffer;  // folder
+    bool trace_truth = false;  // --truth without a file
+    std::string truth;         // PFM; empty: none
+    std::string truth_falloff = "linear";
+    int truth_rays = 1024;                                             // for each pixel
+    double truth_thickness = std::numeric_limits<double>::infinity();  // world units
+    std::filesystem::path write_gbuffer;                               // folder
     std::filesystem::path out = "gloam-out";
 };
 

@@ -66,9 +66,11 @@ RenderInput from_scene(const RenderOptions& options) {
     const gpu::Extent extent = parse_size(options.size);
     const auto scene = std::make_shared<const scene::Scene>(load_scene(options.source));
     RenderInput input{.name = scene->name, .views = {0}, .frames_per_view = options.frames.value_or(1)};
-    input.load = [scene, extent](const gpu::Device& device, const scene::PassLibrary& passes, int) {
+    input.scene = scene;
+    input.load = [scene, extent, frame = options.frame](const gpu::Device& device,
+                                                        const scene::PassLibrary& passes, int) {
         require_allowed(extent, device.info());
-        scene::GBuffer view = scene::rasterize(device, passes, *scene, extent);
+        scene::GBuffer view = scene::rasterize(device, passes, *scene, extent, {.frame = frame});
         view.ao_radius = scene->ao_radius;
         return view;
     };
@@ -80,6 +82,7 @@ RenderInput from_scene(const RenderOptions& options) {
 }
 
 RenderInput from_gbuffer(const RenderOptions& options) {
+    if (options.frame != 0) throw std::invalid_argument("--frame goes with a scene, not with --gbuffer");
     if (!options.source.empty()) {
         throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two",
                                                 options.source, options.gbuffer.string()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "gpu/device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
+#include "scene/scene.hpp"
 
 namespace gloam::cli {
 
@@ -20,7 +22,8 @@ struct RenderInput {
     std::vector<int> views;  // their numbers
     int frames_per_view = 1;
     std::function<scene::GBuffer(const gpu::Device&, const scene::PassLibrary&, int view)> load;
-    effect::TrueOcclusion truth;  // empty where it is not known
+    std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere
+    effect::TrueOcclusion truth;                // empty where it is not known
     std::string truth_name;
 };
 

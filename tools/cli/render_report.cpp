@@ -25,6 +25,44 @@ ordered_json errors_json(const effect::Errors& errors) {
             {"bias", errors.bias}};
 }
 
+ordered_json metrics_json(const effect::Metrics& metrics) {
+    return {{"ssim", metrics.similarity},
+            {"remap", {{"a", metrics.remap.a}, {"b", metrics.remap.b}, {"c", metrics.remap.c}}},
+            {"remapped", errors_json(metrics.after_remap)},
+            {"remapped_ssim", metrics.similarity_after_remap}};
+}
+
+// null where a class has no pixels.
+ordered_json class_json(const effect::Errors& errors) {
+    if (errors.compared == 0) return nullptr;
+    ordered_json json{{"compared", errors.compared}};
+    json.update(errors_json(errors));
+    return json;
+}
+
+ordered_json frame_errors_json(const FrameErrors& errors) {
+    ordered_json json{{"compared", errors.raw.compared},
+                      {"raw", errors_json(errors.raw)},
+                      {"filtered", errors_json(errors.filtered)}};
+    if (errors.filtered_depth) json["filtered_against_depth"] = errors_json(*errors.filtered_depth);
+    if (errors.metrics) json["filtered_metrics"] = metrics_json(*errors.metrics);
+    if (errors.by_class) {
+        json["filtered_by_class"] = {{"disoccluded", class_json(errors.by_class->disoccluded)},
+                                     {"near_moving", class_json(errors.by_class->near_moving)},
+                                     {"settled", class_json(errors.by_class->settled)}};
+    }
+    return json;
+}
+
+ordered_json truth_json(const TruthReport& truth) {
+    ordered_json json{{"rays", truth.rays},
+                      {"pixels", truth.pixels},
+                      {"unmatched", truth.unmatched},
+                      {"standard_error", truth.standard_error}};
+    if (truth.depth) json["depth_against_geometry"] = errors_json(*truth.depth);
+    return json;
+}
+
 ordered_json settings_json(const effect::Settings& s) {
     return {{"radius", s.radius},
             {"falloff", falloff_of(s.method)},
@@ -67,11 +105,9 @@ ordered_json frame_json(const FrameReport& frame) {
                       {"tiles_skipped",
                        {{"background", work.tiles_background},
                         {"nothing_to_sample", work.tiles_skipped - work.tiles_background}}}};
-    if (frame.errors) {
-        json["errors"] = {{"compared", frame.errors->raw.compared},
-                          {"raw", errors_json(frame.errors->raw)},
-                          {"filtered", errors_json(frame.errors->filtered)}};
-    }
+    if (frame.flicker) json["flicker"] = *frame.flicker;
+    if (frame.truth) json["truth"] = truth_json(*frame.truth);
+    if (frame.errors) json["errors"] = frame_errors_json(*frame.errors);
     return json;
 }
 
@@ -128,6 +164,17 @@ std::string to_text(const RenderReport& report) {
     text += fmt::format("against {}, {} pixels compared:\n", report.truth, last.errors->raw.compared);
     text += errors_line("  raw", last.errors->raw);
     if (s.filter) text += errors_line("  filtered", last.errors->filtered);
+    if (last.errors->filtered_depth) text += errors_line("  (D)", *last.errors->filtered_depth);
+    if (last.errors->metrics) {
+        const effect::Metrics& m = *last.errors->metrics;
+        text += fmt::format(
+            "  SSIM {:.4f}; best remap ({:.3f} (v {:+.3f}))^{:.3f}: rmse {:.5f}, SSIM {:.4f}\n", m.similarity,
+            m.remap.b, m.remap.a, m.remap.c, m.after_remap.rmse, m.similarity_after_remap);
+    }
+    if (last.truth) {
+        text += fmt::format("  truth: {} rays a pixel, standard error {:.5f}\n", last.truth->rays,
+                            last.truth->standard_error);
+    }
     return text;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
+#include "effect/metrics.hpp"
 #include "gpu/device.hpp"
 
 namespace gloam::cli {
@@ -15,6 +17,18 @@ namespace gloam::cli {
 struct FrameErrors {
     effect::Errors raw;
     effect::Errors filtered;
+    std::optional<effect::Errors> filtered_depth;  // against the truth of the depth buffer alone
+    std::optional<effect::Metrics> metrics;        // of the filtered image; in a view's last frame
+    std::optional<effect::ClassErrors> by_class;   // of the filtered image; from the second frame on
+};
+
+// What is told of a traced truth.
+struct TruthReport {
+    std::uint64_t rays = 0;               // for each pixel
+    std::uint64_t pixels = 0;             // with geometry
+    std::uint64_t unmatched = 0;          // of them, those that the rays did not find again
+    double standard_error = 0.0;          // root mean square over the pixels
+    std::optional<effect::Errors> depth;  // of the depth buffer's truth, against that of the geometry
 };
 
 // What is told of a frame; its images lie in files.
@@ -25,6 +39,8 @@ struct FrameReport {
     std::vector<effect::PassTime> times;
     effect::Work work;
     double mean_convergence = 0.0;  // over the pixels with geometry
+    std::optional<double> flicker;  // of the filtered image, from the frame before
+    std::optional<TruthReport> truth;
     std::optional<FrameErrors> errors;
 };
 

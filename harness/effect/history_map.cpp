@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "effect/history_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "scene/pixel_positions.hpp"
+
+namespace gloam::effect {
+namespace {
+
+void require_same_size(const char* what, std::size_t found, std::size_t expected) {
+    if (found == expected) return;
+    throw std::invalid_argument(fmt::format("{}: {} pixels, expected {}", what, found, expected));
+}
+
+bool is_surface(float depth) {
+    return depth > 0.0F && std::isfinite(depth);
+}
+
+glm::dmat4 camera_change(const scene::CameraFrame& camera) {
+    if (camera.previous_from_current) return glm::dmat4(*camera.previous_from_current);
+    if (camera.previous_view)
+        return glm::dmat4(*camera.previous_view) * glm::inverse(glm::dmat4(camera.view));
+    return glm::dmat4(1.0);
+}
+
+// The earlier places of a view's surface points.
+class Earlier {
+  public:
+    Earlier(const scene::GBuffer& view, const scene::GBuffer& previous)
+        : view_(view), now_(view), then_(previous), change_(camera_change(view.camera)) {}
+
+    struct Point {
+        glm::dvec3 position{0};  // view space of the frame before
+        glm::dvec3 normal{0};
+        glm::dvec3 if_still{0};  // where the position would be if only the camera had moved
+        double footprint = 0.0;  // width of a pixel there, world units
+    };
+
+    [[nodiscard]] std::optional<Point> of(std::size_t pixel) const {
+        const double depth = view_.depth[pixel];
+        const glm::dvec3 here = now_.at(pixel, depth);
+        Point point;
+        point.if_still = glm::dvec3(change_ * glm::dvec4(here, 1.0));
+        point.normal = glm::dmat3(change_) * glm::dvec3(view_.normal[pixel]);
+        point.position = position_of(pixel, point.if_still);
+        const double d = -point.position.z;
+        if (!(d > 0.0) && !then_.orthographic()) return std::nullopt;
+        if (!view_.motion.empty() && view_.previous_position.empty() && !(view_.motion[pixel].z > 0.5F))
+            return std::nullopt;
+        point.footprint = 1.0 / then_.pixels_of_length(1.0, d);
+        return point;
+    }
+
+  private:
+    [[nodiscard]] glm::dvec3 position_of(std::size_t pixel, const glm::dvec3& if_still) const {
+        if (!view_.previous_position.empty()) return view_.previous_position[pixel];
+        if (view_.motion.empty()) return if_still;
+        return then_.at(pixel, -if_still.z, -glm::dvec2(view_.motion[pixel]));
+    }
+
+    const scene::GBuffer& view_;
+    scene::PixelPositions now_;
+    scene::PixelPositions then_;
+    glm::dmat4 change_;
+};
+
+struct Candidate {
+    long x;
+    long y;
+    double weight;
+};
+
+// The four pixels around a place, with bilinear weights.
+std::array<Candidate, 4> around(const glm::dvec2& place) {
+    const double left = std::floor(place.x - 0.5);
+    const double top = std::floor(place.y - 0.5);
+    const double u = place.x - 0.5 - left;
+    const double v = place.y - 0.5 - top;
+    const auto x = static_cast<long>(left);
+    const auto y = static_cast<long>(top);
+    return {
+        {{x, y, (1 - u) * (1 - v)}, {x + 1, y, u * (1 - v)}, {x, y + 1, (1 - u) * v}, {x + 1, y + 1, u * v}}};
+}
+
+// Near enough for a pixel of the image to be among the four around the place; false for NaN.
+bool near_image(const glm::dvec2& place, gpu::Extent extent) {
+    return place.x > -1.0 && place.y > -1.0 && place.x < extent.width + 1.0 && place.y < extent.height + 1.0;
+}
+
+}  // namespace
+
+HistoryMap::HistoryMap(const scene::GBuffer& view, const scene::GBuffer& previous)
+    : taps_(view.depth.size()), moved_(view.depth.size(), 0) {
+    require_same_size("the frame before", previous.depth.size(), view.depth.size());
+    require_same_size("normals", view.normal.size(), view.depth.size());
+    const Earlier earlier(view, previous);
+    const scene::PixelPositions then(previous);
+    const auto width = static_cast<long>(view.extent.width);
+    const auto height = static_cast<long>(view.extent.height);
+    for (std::size_t i = 0; i < taps_.size(); ++i) {
+        if (!is_surface(view.depth[i])) continue;
+        const auto point = earlier.of(i);
+        if (!point) continue;
+        moved_[i] = glm::distance(point->position, point->if_still) > 0.02 * point->footprint ? 1 : 0;
+        const glm::dvec2 place = then.pixel_of(point->position);
+        if (!near_image(place, view.extent)) continue;
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (const Candidate& c : around(place)) {
+            if (c.x < 0 || c.y < 0 || c.x >= width || c.y >= height || !(c.weight > 1e-6)) continue;
+            const auto pixel = static_cast<std::size_t>(c.y * width + c.x);
+            if (!is_surface(previous.depth[pixel])) continue;
+            const glm::dvec3 there = then.at(pixel, previous.depth[pixel]);
+            if (std::abs(glm::dot(there - point->position, point->normal)) > 2.0 * point->footprint) continue;
+            taps_[i][count++] = {static_cast<std::uint32_t>(pixel), static_cast<float>(c.weight)};
+            sum += c.weight;
+        }
+        for (Tap& tap : taps_[i]) tap.weight = static_cast<float>(tap.weight / (sum > 0.0 ? sum : 1.0));
+        std::ranges::stable_sort(taps_[i], std::greater{}, &Tap::weight);
+    }
+}
+
+double HistoryMap::sample(std::size_t pixel, std::span<const float> previous) const {
+    double sum = 0.0;
+    for (const Tap& tap : taps_[pixel]) {
+        if (tap.weight > 0.0F) sum += double{tap.weight} * double{previous[tap.pixel]};
+    }
+    return sum;
+}
+
+double mean_change(const HistoryMap& history, std::span<const float> image, std::span<const float> previous,
+                   std::span<const std::uint8_t> mask) {
+    require_same_size("the image before", previous.size(), image.size());
+    if (!mask.empty()) require_same_size("mask", mask.size(), image.size());
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (!history.seen(i) || (!mask.empty() && mask[i] == 0)) continue;
+        sum += std::abs(double{image[i]} - history.sample(i, previous));
+        ++count;
+    }
+    return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
+}  // namespace gloam::effect

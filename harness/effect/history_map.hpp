@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/gbuffer.hpp"
+
+namespace gloam::effect {
+
+// Where the surface point of each pixel was seen in the frame before, calculated in double on the host: what
+// a temporal method is judged by, independent of its own reprojection. A point was seen by those of the four
+// pixels around its earlier place whose surface lies within two pixels' width of its tangent plane.
+class HistoryMap {
+  public:
+    // view: its earlier positions come from previous_position; without those from its motion, and the depth
+    // from the cameras; without that from the cameras alone, previous_from_current before previous_view. A
+    // view without any of them stands still. Both views need normals. Throws std::invalid_argument when the
+    // sizes disagree.
+    HistoryMap(const scene::GBuffer& view, const scene::GBuffer& previous);
+
+    // Whether the point of a pixel was seen; false at the background.
+    [[nodiscard]] bool seen(std::size_t pixel) const { return taps_[pixel][0].weight > 0.0F; }
+
+    // The pixel that saw it best. Only where seen() holds.
+    [[nodiscard]] std::size_t nearest(std::size_t pixel) const { return taps_[pixel][0].pixel; }
+
+    // The value of an image of the frame before at the point's earlier place, bilinear over the pixels that
+    // saw it. Only where seen() holds.
+    [[nodiscard]] double sample(std::size_t pixel, std::span<const float> previous) const;
+
+    // Whether the surface point moved in the world: by more than a fiftieth of a pixel's width.
+    [[nodiscard]] bool moved(std::size_t pixel) const { return moved_[pixel] != 0; }
+
+  private:
+    struct Tap {
+        std::uint32_t pixel = 0;
+        float weight = 0.0F;  // 0: did not see it; the largest comes first, and they sum to 1
+    };
+    std::vector<std::array<Tap, 4>> taps_;
+    std::vector<std::uint8_t> moved_;
+};
+
+// Mean magnitude of the change of an image from frame to frame at the same surface points: flicker. Over the
+// points that were seen before and, when `mask` is not empty, are set in it; 0 when there are none. Throws
+// std::invalid_argument when the sizes disagree.
+[[nodiscard]] double mean_change(const HistoryMap& history, std::span<const float> image,
+                                 std::span<const float> previous, std::span<const std::uint8_t> mask = {});
+
+}  // namespace gloam::effect

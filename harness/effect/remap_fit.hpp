@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "effect/errors.hpp"
+
+namespace gloam::effect {
+
+// CS-REMAP: v' = (b (v + a))^c of a visibility v in [0, 1], clamped to [0, 1]; 0 for a base below 0.
+struct Remap {
+    double a = 0.0;
+    double b = 1.0;
+    double c = 1.0;
+
+    [[nodiscard]] double operator()(double visibility) const;
+};
+
+// The remap that brings an occlusion image nearest to the truth, by root mean square: how good a method is
+// when its constant factors do not count. Always the same for the same images, never worse than none. Where
+// no truth is known: none. Throws std::invalid_argument when the sizes disagree.
+[[nodiscard]] Remap best_remap(std::span<const float> occlusion, std::span<const float> truth);
+
+// The occlusion image after a remap.
+[[nodiscard]] std::vector<float> remapped(std::span<const float> occlusion, const Remap& remap);
+
+}  // namespace gloam::effect

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "scene/truth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "scene/corner.hpp"
+#include "scene/pixel_positions.hpp"
+#include "scene/primitives.hpp"
+#include "scene/rasterize.hpp"
+#include "scene/support.hpp"
+#include "scene/truth_cache.hpp"
+
+namespace gloam::scene::test {
+namespace {
+
+class TruthTest : public gpu::test::GpuTest {
+  protected:
+    GBuffer shot(const Scene& scene, gpu::Extent extent, int frame = 0) {
+        return rasterize(device(), passes_, scene, extent, {.frame = frame});
+    }
+
+  private:
+    PassLibrary passes_{GLOAM_GLSL_DIR};
+};
+
+TruthSettings settings(double radius, int rays, unsigned threads = 0) {
+    return {.rays = {.radius = radius, .rays = rays}, .threads = threads};
+}
+
+// A rendered view of the corner against its closed form, pixel by pixel: as often beyond one, two and three
+// standard errors as Student's t with 15 degrees of freedom is.
+TEST_F(TruthTest, OfTheCornerIsItsClosedForm) {
+    const Scene scene = make_scene("corner");
+    const GBuffer view = shot(scene, {64, 48});
+    const TracedTruth truth = trace_geometry(scene, 0, view, settings(1.0, 256));
+    const PixelPositions positions(view);
+    const glm::dmat3 turn = glm::transpose(view_rotation(scene.camera));
+    double judged = 0.0;
+    std::array<double, 3> beyond{};
+    for (std::size_t i = 0; i < view.depth.size(); ++i) {
+        const glm::dvec3 world = scene.camera.eye + turn * positions.at(i, double{view.depth[i]});
+        const double error = std::abs(double{truth.occlusion[i]} - corner_occlusion_at(world, 1.0));
+        const double deviation = truth.standard_error[i];
+        ASSERT_LT(error, 8.0 * deviation + 1e-3)
+            << i;  // where a ray in a hundred is blocked few parts see one
+        if (!(deviation > 1e-3)) continue;
+        judged += 1.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            beyond[k] += error > static_cast<double>(k + 1) * deviation ? 1 : 0;
+    }
+    std::printf("%.0f pixels; beyond 1, 2, 3 standard errors: %.4f %.4f %.4f\n", judged, beyond[0] / judged,
+                beyond[1] / judged, beyond[2] / judged);
+    EXPECT_GT(judged, 1000.0);
+    EXPECT_NEAR(beyond[0] / judged, 0.333, 0.05);
+    EXPECT_NEAR(beyond[1] / judged, 0.064, 0.03);
+    EXPECT_LT(beyond[2] / judged, 0.02);
+    EXPECT_EQ(truth.unmatched, 0U);
+}
+
+TEST_F(TruthTest, IsTheSameForAnyNumberOfThreads) {
+    const Scene scene = make_scene("moving");
+    const GBuffer view = shot(scene, {48, 27}, 3);
+    const TracedTruth one = trace_geometry(scene, 3, view, settings(0.4, 64, 1));
+    const TracedTruth depth_one = trace_depth(view, settings(0.4, 64, 1));
+    for (const unsigned threads : {2U, 3U, 7U, 0U}) {
+        const TracedTruth many = trace_geometry(scene, 3, view, settings(0.4, 64, threads));
+        EXPECT_EQ(bits(many.occlusion), bits(one.occlusion));
+        EXPECT_EQ(bits(many.standard_error), bits(one.standard_error));
+        EXPECT_EQ(bits(trace_depth(view, settings(0.4, 64, threads)).occlusion), bits(depth_one.occlusion));
+    }
+}
+
+// A hundred kilometres away the same shapes have the same occlusion, to the rays' error.
+TEST_F(TruthTest, FarFromTheOriginIsAsGoodAsNearIt) {
+    Scene far = make_scene("far");
+    Scene near = far;
+    const glm::dvec3 shift = -glm::round(far.camera.target);
+    near.mesh = placed(far.mesh, 1.0, shift);
+    near.camera.eye += shift;
+    near.camera.target += shift;
+    near.camera_path = nullptr;
+    far.camera_path = nullptr;
+    for (MovingObject& object : near.objects) {
+        object.transform = [move = object.transform, shift](int frame) {
+            glm::dmat4 matrix = move(frame);
+            matrix[3] += glm::dvec4(shift, 0.0);
+            return matrix;
+        };
+    }
+    const GBuffer far_view = shot(far, {64, 36});
+    const GBuffer near_view = shot(near, {64, 36});
+    EXPECT_EQ(bits(far_view.depth), bits(near_view.depth));
+    const TracedTruth far_truth = trace_geometry(far, 0, far_view, settings(0.4, 64));
+    EXPECT_EQ(bits(far_truth.occlusion),
+              bits(trace_geometry(near, 0, near_view, settings(0.4, 64)).occlusion));
+}
+
+// Every pixel finds its surface again, and no point is shut in by accident: dots that are blocked all around
+// between neighbours that are not.
+TEST_F(TruthTest, OfEveryBuiltInSceneHasNoHolesAndNoDots) {
+    for (const SceneInfo& info : built_in_scenes()) {
+        const Scene scene = make_scene(info.name);
+        for (const int frame : {0, 17}) {
+            const GBuffer view = shot(scene, {96, 54}, frame);
+            const TracedTruth truth = trace_geometry(scene, frame, view, settings(scene.ao_radius, 32));
+            EXPECT_LE(truth.unmatched, 3U) << info.name;
+            int dots = 0;
+            for (std::size_t i = 97; i + 97 < truth.occlusion.size(); ++i) {
+                const float around = std::max({truth.occlusion[i - 1], truth.occlusion[i + 1],
+                                               truth.occlusion[i - 96], truth.occlusion[i + 96]});
+                if (truth.occlusion[i] > 0.97F && around < 0.4F) ++dots;
+            }
+            EXPECT_EQ(dots, 0) << info.name << ", frame " << frame;
+        }
+    }
+}
+
+TEST_F(TruthTest, TellsHowFarItIs) {
+    const Scene scene = make_scene("corner");
+    const GBuffer view = shot(scene, {32, 18});
+    TruthSettings watched = settings(0.5, 32, 2);
+    std::vector<double> told;
+    watched.progress = [&](double part) { told.push_back(part); };
+    (void)trace_geometry(scene, 0, view, watched);
+    ASSERT_FALSE(told.empty());
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_LE(told.back(), 1.0);
+    EXPECT_GT(told.front(), 0.0);
+}
+
+TEST_F(TruthTest, OfWhatCannotBeTraced) {
+    Scene scene = make_scene("corner");
+    GBuffer view = shot(scene, {8, 8});
+    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 0)); },
+                                        {"0 rays", "32"});
+    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(-1.0, 64)); },
+                                        {"radius"});
+    scene.mesh.positions[3].y = std::numeric_limits<float>::quiet_NaN();
+    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 64)); },
+                                        {"corner", "vertex 3", "finite"});
+    scene = {.name = "void"};
+    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 64)); },
+                                        {"void", "no triangles"});
+    scene = make_scene("corner");
+    view.normal.clear();
+    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 64)); },
+                                        {"0 normals", "64 pixels"});
+}
+
+TEST_F(TruthTest, IsKept) {
+    const Folder folder;
+    const TruthCache cache(folder.path() / "truth");
+    const Scene scene = make_scene("moving");
+    const GBuffer view = shot(scene, {16, 9});
+    int traced = 0;
+    TruthSettings watched = settings(0.4, 64, 1);
+    watched.progress = [&](double part) { traced += part == 1.0 ? 1 : 0; };
+    const TracedTruth first = cache.geometry(scene, 0, view, watched);
+    const TracedTruth again = cache.geometry(scene, 0, view, watched);
+    EXPECT_EQ(traced, 1);
+    EXPECT_EQ(bits(again.occlusion), bits(first.occlusion));
+    EXPECT_EQ(bits(again.standard_error), bits(first.standard_error));
+    EXPECT_EQ(again.rays, first.rays);
+    EXPECT_EQ(again.pixels, first.pixels);
+    // Anything that counts makes it another one.
+    (void)cache.geometry(scene, 1, view, watched);
+    EXPECT_EQ(traced, 2);
+    watched.rays.rays = 128;
+    (void)cache.geometry(scene, 0, view, watched);
+    watched.rays.falloff = Falloff::step;
+    (void)cache.geometry(scene, 0, view, watched);
+    (void)cache.depth(view, watched);
+    watched.thickness = 0.3;
+    (void)cache.depth(view, watched);
+    EXPECT_EQ(traced, 6);
+    (void)cache.depth(view, watched);
+    EXPECT_EQ(traced, 6);
+}
+
+TEST_F(TruthTest, ThatIsDamagedIsTracedAgain) {
+    const Folder folder;
+    const TruthCache cache(folder.path());
+    const Scene scene = make_scene("moving");
+    const GBuffer view = shot(scene, {16, 9});
+    const TracedTruth first = cache.depth(view, settings(0.4, 64));
+    const auto file = *std::filesystem::directory_iterator(folder.path());
+    const std::string whole = read_all(file.path());
+    for (const std::size_t place : {std::size_t{0}, whole.size() / 2, whole.size() - 1}) {
+        std::string damaged = whole;
+        damaged[place] ^= 1;
+        std::ofstream(file.path(), std::ios::binary) << damaged;
+        EXPECT_EQ(bits(cache.depth(view, settings(0.4, 64)).occlusion), bits(first.occlusion));
+        EXPECT_EQ(read_all(file.path()), whole);
+    }
+    std::filesystem::resize_file(file.path(), whole.size() / 2);
+    EXPECT_EQ(bits(cache.depth(view, settings(0.4, 64)).occlusion), bits(first.occlusion));
+}
+
+}  // namespace
+}  // namespace gloam::scene::test

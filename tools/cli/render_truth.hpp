@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/render.hpp"
+#include "cli/render_input.hpp"
+#include "effect/errors.hpp"
+#include "report/output_folder.hpp"
+#include "scene/pfm.hpp"
+#include "scene/truth_cache.hpp"
+
+namespace gloam::cli {
+
+// Truth of one view that was traced.
+struct TracedView {
+    std::optional<scene::TracedTruth> geometry;  // (G); not for a G-buffer from elsewhere
+    scene::TracedTruth depth;                    // (D)
+};
+
+// What a view is compared with.
+struct ViewTruth {
+    effect::Truth truth;               // empty: nothing is known
+    std::optional<TracedView> traced;  // with --truth
+};
+
+// Where the truth of a call of `gloam render` comes from: rays, a file, or a closed form.
+class TruthSource {
+  public:
+    // Reads the file that the options name. Throws std::runtime_error that names it, std::invalid_argument
+    // for options that do not go together.
+    TruthSource(const RenderOptions& options, const RenderInput& input);
+
+    [[nodiscard]] std::string name() const;  // empty: there is none
+
+    [[nodiscard]] ViewTruth of(const scene::GBuffer& view, double radius) const;
+
+  private:
+    [[nodiscard]] TracedView traced(const scene::GBuffer& view, double radius) const;
+
+    const RenderOptions& options_;
+    const RenderInput& input_;
+    std::optional<scene::FloatImage> reference_;
+    scene::Falloff falloff_ = scene::Falloff::linear;
+};
+
+// Writes the traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm
+// (the standard errors).
+void write_truth(report::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
+                 const TracedView& traced);
+
+}  // namespace gloam::cli
