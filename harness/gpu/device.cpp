@@ -7,6 +7,7 @@
 #include "gpu/internal/barrier.hpp"
 #include "gpu/internal/context.hpp"
 #include "gpu/internal/describe.hpp"
+#include "gpu/internal/features.hpp"
 #include "gpu/internal/guarded.hpp"
 #include "gpu/internal/select.hpp"
 
@@ -21,13 +22,10 @@ Physical choose(const vk::raii::Instance& instance, const std::string& selector)
     return {std::move(devices[chosen]), std::move(infos[chosen])};
 }
 
-vk::raii::Device open_device(const Physical& physical) {
+vk::raii::Device open_device(const Physical& physical, const vk::PhysicalDeviceFeatures& features) {
     constexpr float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = physical.queue_family, .queueCount = 1, .pQueuePriorities = &priority};
-    // Every Vulkan device has it. A shader under test that reads past its buffer must not take the process
-    // with it.
-    const vk::PhysicalDeviceFeatures features{.robustBufferAccess = VK_TRUE};
     return {physical.handle,
             {.queueCreateInfoCount = 1, .pQueueCreateInfos = &queue, .pEnabledFeatures = &features}};
 }
@@ -70,7 +68,7 @@ Device::Impl::Impl(const DeviceOptions& options)
       messenger(options.validation == Validation::on ? std::optional(create_messenger(instance, log))
                                                      : std::nullopt),
       physical(choose(instance, options.device)),
-      device(open_device(physical)),
+      device(open_device(physical, features_of(options))),
       queue(device, physical.queue_family, 0),
       command_pool(device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eTransient,
                                                      .queueFamilyIndex = physical.queue_family}),

@@ -50,6 +50,9 @@ struct DeviceOptions {
     Validation validation = Validation::off;
     std::filesystem::path cache_directory;      // where compiled pipelines are kept; empty: nowhere
     std::chrono::milliseconds timeout{60'000};  // longest wait for one submission; positive
+    // On: a shader that reaches past its buffers harms nothing. Off: that is undefined, as in engines that
+    // leave it off; only for shaders that do not.
+    bool robust_buffer_access = true;
     // Called with each validation message as it comes, also with those of closing the device, when nobody can
     // ask for them any more. May be called from any thread, never from two at once; must not throw nor call
     // back into the device.

@@ -6,6 +6,7 @@
 
 #include "gpu/environment.hpp"
 #include "gpu/gpu_test.hpp"
+#include "gpu/internal/features.hpp"
 
 namespace gloam::gpu::test {
 namespace {
@@ -34,6 +35,14 @@ TEST(Devices, DescribeThemselves) {
         EXPECT_GE(device.subgroup_size, 1u);
         EXPECT_GE(device.timestamp_period_ns, 0.0);
     }
+}
+
+TEST_F(DeviceTest, RobustBufferAccessIsOnUnlessSwitchedOff) {
+    EXPECT_EQ(features_of({}).robustBufferAccess, VK_TRUE);
+    EXPECT_EQ(features_of({.robust_buffer_access = false}).robustBufferAccess, VK_FALSE);
+    open({.robust_buffer_access = false});
+    Buffer buffer(device(), 16);
+    EXPECT_EQ(buffer.size(), 16U);
 }
 
 TEST_F(DeviceTest, OpensByIndexAndByName) {
