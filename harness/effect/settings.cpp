@@ -40,9 +40,9 @@ void validate(const Settings& s) {
     require_length(s.range, "range");
     require_length(s.epsilon, "epsilon");
     require(s.bias >= 0.0F && s.bias <= largest, "bias", s.bias, "a length from 0 to 1e18");
-    require(s.samples >= 1 && s.samples <= 65'536, "samples", s.samples, "1 to 65536");
-    require(s.samples_converged >= 1 && s.samples_converged <= 65'536, "samples when converged",
-            s.samples_converged, "1 to 65536");
+    require(s.samples >= 1 && s.samples <= most_samples, "samples", s.samples, "1 to 2048");
+    require(s.samples_converged >= 1 && s.samples_converged <= most_samples, "samples when converged",
+            s.samples_converged, "1 to 2048");
     require(s.c_spatial >= 0.0F, "c_spatial", s.c_spatial, "0 or more");
     require(s.depth_tolerance > 0.0F, "depth tolerance", s.depth_tolerance, "more than 0");
     require_length(s.change_tolerance, "change tolerance");

@@ -31,6 +31,11 @@ enum class HistoryPrecision { float32, float16 };
 // The smallest projected radius worth sampling: below it all samples fall on the pixel itself.
 constexpr float one_pixel = 1.0F;
 
+// The most samples of a frame. llvmpipe ends a shader's loops after 65,535 rounds in all, without a word, and
+// a sample of a high index takes up to 26 (the digits of its Halton point): more than these could be lost.
+// More samples are a matter of more frames.
+constexpr std::uint32_t most_samples = 2'048;
+
 // Everything that decides what a frame looks like.
 struct Settings {
     Method method = Method::hemisphere;
@@ -38,9 +43,10 @@ struct Settings {
     float bias = 0.005F;  // world units, >= 0: differences below it are rounding, not occlusion
     float range =
         1.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
-    float epsilon = 0.025F;                // disc: distance at which a patch counts fully, world units, > 0
-    std::uint32_t samples = 32;            // k_1, for each pixel that has not converged, in each frame, >= 1
-    std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, >= 1
+    float epsilon = 0.025F;  // disc: distance at which a patch counts fully, world units, > 0
+    std::uint32_t samples =
+        32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples
+    std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, 1 to most_samples
     float c_spatial = 0.3F;                // convergence from which a pixel takes k_2; above 1: never
     std::uint32_t table_size =
         65'536;                 // samples after which the sequence starts over, 1 to 2^24, to 2048 in float16

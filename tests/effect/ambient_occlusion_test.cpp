@@ -211,7 +211,22 @@ TEST_F(Effect, WhatCannotBeIsRefused) {
         settings.radius = bad;
         EXPECT_THROW(effect.begin(view, settings), std::invalid_argument) << bad;
     }
+    for (const std::uint32_t bad : {0U, most_samples + 1}) {
+        Settings settings;
+        settings.samples = bad;
+        EXPECT_THROW(effect.begin(view, settings), std::invalid_argument) << bad;
+    }
     EXPECT_THROW((AmbientOcclusion{device_, passes_, {0, 0}}), std::runtime_error);
+}
+
+// Some drivers end long loops early and say nothing.
+TEST_F(Effect, TheMostSamplesAreAllTaken) {
+    for (const Method method : {Method::hemisphere, Method::disc}) {
+        Settings settings = settings_for(1.0F);
+        settings.method = method;
+        settings.samples = most_samples;
+        EXPECT_EQ(run(wall({9, 1}, 3.0F), settings).work.samples, 9U * most_samples);
+    }
 }
 
 }  // namespace

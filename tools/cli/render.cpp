@@ -216,7 +216,7 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--samples", options.samples,
                     "samples for each pixel in each frame (default: the preset's)")
-        ->check(CLI::Range(1U, 65'536U));
+        ->check(CLI::Range(1U, effect::most_samples));
     command.add_option("--radius", options.radius, "world units (default: the view's)");
     command.add_option("--bias", options.bias, "world units (default: the preset's part of the radius)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
