@@ -25,7 +25,8 @@ float gloam_history_weight(float history, float weight, float weight_max) {
 // weight_max: w_max in samples, 500 to 1500, at most 2^24 - k for exact counts; 0, negative or NaN keeps no history.
 // Returns (AO, new weight). An unusable history (outside [0, 1], NaN) has weight 0. Weight 0 gives C exactly. k = 0, negative, infinite
 // or NaN, and an infinite or NaN C leave the history as it is; with weight 0 that is (0, 0). Subnormal numbers are read as 0.
-// Error: 1e-7; of the weight 0.5 ULP.
+// Error: 1e-7; of the weight 0.5 ULP. Over any number of frames errors add up to no more than
+// 1e-7 (w_max + k) / k.
 vec2 gloam_blend(float history, float weight, float contribution, float k, float weight_max) {
     float w = gloam_history_weight(history, weight, weight_max);
     float old = w > 0.0 && history >= 1.175494351e-38 ? history : 0.0;

@@ -34,7 +34,8 @@ GloamHistory gloam_history_sanitize(GloamHistory h) {
 }
 
 // Texel of the history buffer: (occlusion, weight, index, depth), each as a float, sanitized first. 32 bits a channel hold everything
-// exactly; 16 bits hold integers to 2048 only (index and weight) and make the depth too coarse for TSSAO-9.
+// exactly; 16 bits hold integers to 2048 only (index and weight), make the depth too coarse for TSSAO-9, and stop the mean short of where
+// it should be by up to 2.5e-4 (w_max + k) / k: 0.0041 for k = 32 and w_max = 500, 0.046 for 8 and 1500 (docs/stress.md).
 // h: any history. Error: none.
 vec4 gloam_history_pack(GloamHistory h) {
     GloamHistory s = gloam_history_sanitize(h);
