@@ -13,6 +13,7 @@
 #include "cli/pack.hpp"
 #include "cli/render.hpp"
 #include "cli/report.hpp"
+#include "cli/stress.hpp"
 
 namespace {
 
@@ -39,6 +40,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_check_worker(app);
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);
+    gloam::cli::add_stress(app, status);
     gloam::cli::add_pack(app);
     try {
         app.parse(argc, argv);

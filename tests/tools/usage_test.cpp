@@ -12,7 +12,7 @@ using testing::HasSubstr;
 TEST(Usage, HelpNamesEveryCommand) {
     const CommandResult result = run_command({"--help"});
     expect_success(result);
-    for (const char* command : {"demo", "devices", "list", "check", "report", "render", "pack"}) {
+    for (const char* command : {"demo", "devices", "list", "check", "report", "render", "stress", "pack"}) {
         EXPECT_THAT(result.out, HasSubstr(command));
         const CommandResult help = run_command({command, "--help"});
         expect_success(help);
@@ -22,7 +22,7 @@ TEST(Usage, HelpNamesEveryCommand) {
 
 TEST(Usage, UnknownOptionIsNamed) {
     expect_could_not_run(run_command({"--no-such-option"}), "--no-such-option");
-    for (const char* command : {"demo", "devices", "list", "check", "render"}) {
+    for (const char* command : {"demo", "devices", "list", "check", "render", "stress"}) {
         expect_could_not_run(run_command({command, "--no-such-option"}), "--no-such-option");
     }
     expect_could_not_run(run_command({"pack", "gloam/geometry/background.glsl", "--no-such-option"}),

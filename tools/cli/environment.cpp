@@ -18,16 +18,27 @@ fs::path from_environment(const char* name) {
     return value == nullptr ? fs::path{} : fs::path(value);
 }
 
+// The first of share/gloam/NAME beside the installed program and the source tree's `source` that holds
+// `content`.
+fs::path shaders_in(const char* name, const fs::path& source, const char* content) {
+    std::error_code none;
+    const fs::path program = fs::read_symlink("/proc/self/exe", none);
+    const fs::path installed = program.parent_path().parent_path() / "share" / "gloam" / name;
+    for (const fs::path& candidate : {installed, source}) {
+        if (fs::exists(candidate / content, none)) return candidate;
+    }
+    throw std::runtime_error("no shader library: looked in " + installed.string() + " and " +
+                             source.string());
+}
+
 }  // namespace
 
 fs::path glsl_directory() {
-    std::error_code none;
-    const fs::path program = fs::read_symlink("/proc/self/exe", none);
-    const fs::path installed = program.parent_path().parent_path() / "share" / "gloam" / "glsl";
-    for (const fs::path& candidate : {installed, fs::path(GLOAM_GLSL_DIR)}) {
-        if (fs::is_directory(candidate / "gloam", none)) return candidate;
-    }
-    throw std::runtime_error("no shader library: looked in " + installed.string() + " and " + GLOAM_GLSL_DIR);
+    return shaders_in("glsl", GLOAM_GLSL_DIR, "gloam");
+}
+
+fs::path stress_shaders_directory() {
+    return shaders_in("stress", GLOAM_STRESS_SHADERS, "accumulate.glsl");
 }
 
 fs::path cache_directory() {

@@ -9,6 +9,9 @@ namespace gloam::cli {
 // built from. Throws std::runtime_error when neither is there.
 [[nodiscard]] std::filesystem::path glsl_directory();
 
+// The folder of the shaders that only `gloam stress` runs, found likewise.
+[[nodiscard]] std::filesystem::path stress_shaders_directory();
+
 // Where compiled shaders are kept: $GLOAM_CACHE_DIR, else gloam in $XDG_CACHE_HOME or ~/.cache; empty without
 // a home.
 [[nodiscard]] std::filesystem::path cache_directory();

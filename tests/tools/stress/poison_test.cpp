@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "stress/poison.hpp"
+
+#include "stress/footprint.hpp"
+#include "stress/poison_parts.hpp"
+#include "stress/views.hpp"
+#include "tools/installation.hpp"
+#include "tools/stress/support.hpp"
+
+namespace gloam::stress::test {
+namespace {
+
+using gloam::test::Installation;
+
+TEST(Poison, PassesStayWithinTheFootprint) {
+    const Bench bench;
+    const Rows rows = poisoned_passes(bench.context());
+    expect_all_passed(rows);
+    // Something did change, as far away as the kernel reaches: the footprint is not empty by mistake.
+    for (const char* method : {"hemisphere: depth", "disc: depth"}) {
+        for (const Row& row : rows_of(rows, "farthest pixel changed, pixels", method)) {
+            EXPECT_GE(row.measured, 3.0) << row.varied;
+            EXPECT_LE(row.bound.value(), 9.0) << row.varied;
+        }
+    }
+}
+
+TEST(Poison, NothingIsFetchedOutside) {
+    const Bench bench;
+    expect_all_passed(poisoned_fetches(bench.context()));
+}
+
+TEST(Poison, HistoriesHealAsStated) {
+    const Bench bench;
+    expect_all_passed(poisoned_history(bench.context()));
+}
+
+struct Fault {
+    const char* file;
+    const char* from;
+    const char* to;
+    const char* quantity;
+    Rows (*part)(const Context&);
+};
+
+TEST(Poison, NoticesWhatIsBroken) {
+    for (const Fault& fault :
+         {Fault{"gloam/filter/weighted_mean.glsl", "if (!(value >= 0.0 && value <= 1.0 &&", "if (!(",
+                "results outside their range", poisoned_fetches},
+          Fault{"gloam/geometry/pixel_center.glsl", "(uv.x, resolution.x)", "(uv.x, resolution.x) - 1",
+                "fetches outside the image", poisoned_fetches},
+          Fault{"gloam/temporal/blend.glsl", "return vec2(old, w);", "return vec2(contribution, w);",
+                "damage other than stated", poisoned_history},
+          Fault{"gloam/temporal/history.glsl", "return gloam_history_empty(h.depth);\n    return",
+                "return h;\n    return", "not healed (a fresh start) after one frame", poisoned_history},
+          Fault{"passes/ambient_occlusion.comp", "float gloam_fetch_depth(ivec2 pixel) {\n",
+                "float gloam_fetch_depth(ivec2 pixel) {\n    pixel += ivec2(5, 0);\n",
+                "pixels changed beyond the footprint", poisoned_passes}}) {
+        const Installation broken;
+        broken.replace(fault.file, fault.from, fault.to);
+        const Bench bench(broken.glsl());
+        bool noticed = false;
+        for (const Row& row : rows_of(fault.part(bench.context()), fault.quantity)) noticed |= !row.passed();
+        EXPECT_TRUE(noticed) << fault.to;
+    }
+}
+
+// A pixel in the middle of the image, 90 degrees wide: a ball of radius 1 at depth 4 is seen to
+// tan(asin(1/4)) = 0.2582 on each side.
+TEST(Footprint, IsTheBallAsTheEyeSeesIt) {
+    scene::GBuffer view = plane({101, 101});
+    view.camera.proj_vk[0][0] = 1.0F;
+    view.camera.proj_vk[1][1] = -1.0F;
+    view.depth.assign(view.depth.size(), std::numeric_limits<float>::infinity());
+    view.depth[50 * 101 + 50] = 4.0F;
+    // 0.2582 * 50.5 = 13.04 pixels, and one and a half more.
+    const auto reached_from = [&](int x) { return depth_footprint(view, 1.0, {x, 50})[50 * 101 + 50]; };
+    EXPECT_TRUE(reached_from(50 - 14));
+    EXPECT_FALSE(reached_from(50 - 15));
+    EXPECT_TRUE(reached_from(50 + 14));
+    EXPECT_FALSE(reached_from(50 + 15));
+}
+
+TEST(Footprint, WidensAndMeasures) {
+    constexpr gpu::Extent extent{7, 5};
+    const Mask one = single_pixel(extent, {0, 2});
+    EXPECT_EQ(std::ranges::count(one, true), 1);
+    EXPECT_EQ(reach_of(one, extent, {0, 2}), 0);
+    EXPECT_EQ(reach_of(one, extent, {3, 2}), 3);
+    const Mask wide = widened(one, extent, 2);
+    EXPECT_EQ(std::ranges::count(wide, true), 15);
+    EXPECT_EQ(reach_of(wide, extent, {0, 2}), 2);
+    EXPECT_EQ(reach_of(Mask(35), extent, {0, 2}), 0);
+}
+
+}  // namespace
+}  // namespace gloam::stress::test

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "stress/shapes.hpp"
+
+#include "tools/installation.hpp"
+#include "tools/stress/support.hpp"
+
+namespace gloam::stress::test {
+namespace {
+
+TEST(Shapes, AllAreAsTheyMustBe) {
+    const Bench bench;
+    expect_all_passed(shapes(bench.context()));
+}
+
+// A sample that is always blocked, and a pass that leaves out the last pixel of each row.
+TEST(Shapes, NoticesWhatIsBroken) {
+    for (const auto& [file, from, to] :
+         {std::array{"gloam/occlusion/blocked.glsl", "in_front > bias", "in_front > -10.0"},
+          std::array{"passes/ambient_occlusion.comp", "pixel.x < parameters.size.x &&",
+                     "pixel.x < parameters.size.x - 1 &&"}}) {
+        const gloam::test::Installation broken;
+        broken.replace(file, from, to);
+        const Bench bench(broken.glsl());
+        EXPECT_FALSE(one_size(bench.context(), {9, 8}).passed()) << to;
+    }
+}
+
+}  // namespace
+}  // namespace gloam::stress::test

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include "stress/report.hpp"
+#include "stress/run.hpp"
+#include "support/lab.hpp"
+
+namespace gloam::stress::test {
+
+// A brief run on the default device with validation, its shaders from `glsl`.
+class Bench {
+  public:
+    explicit Bench(const std::filesystem::path& glsl = GLOAM_GLSL_DIR,
+                   const std::filesystem::path& stress_shaders = GLOAM_STRESS_SHADERS)
+        : lab_(options(glsl, stress_shaders)), passes_(glsl, gloam::test::cache_directory()) {}
+
+    [[nodiscard]] Context context(std::uint64_t frames = 20'000) const {
+        return {.lab = lab_, .passes = passes_, .extent = Extent::brief, .seed = 1, .frames = frames};
+    }
+
+    [[nodiscard]] const check::Lab& lab() const { return lab_; }
+
+  private:
+    static check::LabOptions options(const std::filesystem::path& glsl,
+                                     const std::filesystem::path& stress_shaders) {
+        check::LabOptions all = gloam::test::make_lab().options();
+        all.include_roots = {glsl, stress_shaders};
+        return all;
+    }
+
+    check::Lab lab_;
+    scene::PassLibrary passes_;
+};
+
+inline void expect_all_passed(const Rows& rows) {
+    EXPECT_FALSE(rows.empty());
+    for (const Row& row : rows) EXPECT_TRUE(row.passed()) << table_line(row);
+}
+
+// The rows of that quantity whose `varied` holds a text.
+inline Rows rows_of(const Rows& rows, const std::string& quantity, const std::string& varied = "") {
+    Rows found;
+    std::ranges::copy_if(rows, std::back_inserter(found), [&](const Row& row) {
+        return row.quantity == quantity && row.varied.find(varied) != std::string::npos;
+    });
+    return found;
+}
+
+// That one row.
+inline Row row_of(const Rows& rows, const std::string& quantity, const std::string& varied = "") {
+    const Rows found = rows_of(rows, quantity, varied);
+    EXPECT_EQ(found.size(), 1U) << quantity << ", " << varied;
+    return found.empty() ? Row{} : found.front();
+}
+
+}  // namespace gloam::stress::test

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "cli/stress.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "cli/environment.hpp"
+#include "report/output_file.hpp"
+#include "stress/report.hpp"
+#include "stress/run.hpp"
+
+namespace gloam::cli {
+namespace {
+
+// One line on a terminal that is written over and over; nothing elsewhere.
+void show_progress(const std::string& text) {
+    if (on_terminal()) fmt::print(stderr, "\r\033[K{}", text);
+}
+
+stress::Rows make_runs(const std::vector<stress::Run>& runs, const stress::Context& context) {
+    stress::Rows all;
+    for (const stress::Run& run : runs) {
+        const stress::Rows rows = run.go(context);
+        context.progress("");
+        for (const stress::Row& row : rows) fmt::print("{}\n", stress::table_line(row));
+        std::fflush(stdout);
+        all.insert(all.end(), rows.begin(), rows.end());
+    }
+    return all;
+}
+
+}  // namespace
+
+int run_stress(const StressOptions& options) {
+    const std::vector<stress::Run> runs = stress::select_runs(options.only);
+    const report::OutputFile json(options.json);
+    const check::Lab lab({.device = options.device,
+                          .validation = options.validation,
+                          .include_roots = {glsl_directory(), stress_shaders_directory()},
+                          .cache_directory = cache_directory()});
+    const scene::PassLibrary passes(glsl_directory(), cache_directory());
+    const gpu::DeviceInfo& device = lab.device().info();
+    fmt::print("device: {} ({})\n{}\n", device.name, device.driver, stress::table_header());
+    const stress::Rows rows =
+        make_runs(runs, {.lab = lab,
+                         .passes = passes,
+                         .extent = options.brief ? stress::Extent::brief : stress::Extent::full,
+                         .seed = options.seed,
+                         .frames = options.frames,
+                         .progress = show_progress});
+    const auto broken = std::ranges::count_if(rows, [](const stress::Row& row) { return !row.passed(); });
+    fmt::print("{} numbers, {} bounds broken\n", rows.size(), broken);
+    json.write(stress::to_json(device, rows));
+    return broken == 0 ? 0 : 1;
+}
+
+void add_stress(CLI::App& app, int& status) {
+    auto options = std::make_shared<StressOptions>();
+    CLI::App* command = app.add_subcommand(
+        "stress", "long runs, far places, poisoned buffers and odd shapes, each against what is promised");
+    std::string runs;
+    for (const stress::Run& run : stress::all_runs()) runs += (runs.empty() ? "" : ", ") + run.name;
+    command->add_option("--only", options->only, "one run: " + runs);
+    command->add_option("--device", options->device, "name or index of the device");
+    command->add_option("--seed", options->seed, "seed of noise and points")->capture_default_str();
+    command->add_option("--frames", options->frames, "frames of the long runs")
+        ->check(CLI::Range(std::uint64_t{4}, std::uint64_t{1'000'000'000}))
+        ->capture_default_str();
+    command->add_flag("--brief", options->brief, "fewer sizes and distances: seconds instead of minutes");
+    command->add_flag("--validation", options->validation,
+                      "Vulkan validation layers on; any message is an error");
+    command->add_option("--json", options->json, "write the numbers to this file");
+    command->callback([options, &status] { status = run_stress(*options); });
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace gloam::cli {
+
+// What `gloam stress` was asked.
+struct StressOptions {
+    std::string only;    // name of one run; empty: all
+    std::string device;  // name or index; empty: the default
+    std::uint64_t seed = 1;
+    std::uint64_t frames = 1'000'000;
+    bool brief = false;
+    bool validation = false;
+    std::filesystem::path json;
+};
+
+// Makes the runs and prints a line for each number. Returns the exit status: 1 when a bound is broken, else
+// 0.
+[[nodiscard]] int run_stress(const StressOptions& options);
+
+// Adds the subcommand; `status` receives what it returns.
+void add_stress(CLI::App& app, int& status);
+
+}  // namespace gloam::cli

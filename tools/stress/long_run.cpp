@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "stress/long_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/ulp.hpp"
+#include "stress/history_lane.hpp"
+
+namespace gloam::stress {
+namespace {
+
+constexpr const char* name = "long-run";
+constexpr double blend_error = 1e-7;  // of gloam_blend, as its comment states
+constexpr float half_integers = 2048.0F;
+constexpr unsigned seeds = 3;  // lanes of each pattern
+
+struct Accumulation {
+    unsigned k;
+    float weight_max;
+    unsigned table_size;
+    bool half;
+
+    // Limits that gloam_history_pack states for 16 bits a channel.
+    [[nodiscard]] bool promised() const {
+        return !half || (weight_max <= half_integers && static_cast<float>(table_size) <= half_integers);
+    }
+    [[nodiscard]] std::string text() const {
+        return fmt::format("k {}, w_max {}, {}", k, weight_max, half ? "float16" : "float32");
+    }
+};
+
+const std::vector<Accumulation>& accumulations() {
+    static const std::vector<Accumulation> all{{32, 500, 65'536, false},
+                                               {8, 1500, 1'500, false},
+                                               {1, 1500, 1U << 24U, false},
+                                               {16, 8'388'608, 16'777'213, false},
+                                               {1, 1, 7, false},
+                                               {65'536, 8'388'608, 1U << 24U, false},
+                                               {32, 500, 2048, true},
+                                               {8, 1500, 1500, true},
+                                               {1, 1500, 2039, true},
+                                               {16, 2048, 2048, true},
+                                               {1, 1, 7, true},
+                                               {16, 8'388'608, 1U << 24U, true}};
+    return all;
+}
+
+// What was seen of the lanes of one accumulation.
+struct Seen {
+    double farthest = 0.0;  // from the exact mean
+    double signed_sum = 0.0;
+    double readings = 0.0;
+    double weight = 0.0;  // difference from the exact one
+    double index = 0.0;
+    double outside = 0.0;  // how far the occlusion left [0, 1]
+};
+
+void look(const HistoryLane& lane, Seen& seen) {
+    const double difference = double{lane.texel.x} - lane.mean;
+    // Not std::max, which would lose a NaN.
+    if (!(std::abs(difference) <= seen.farthest)) seen.farthest = std::abs(difference);
+    if (lane.sequence.pattern == noise) {
+        seen.signed_sum += difference;
+        seen.readings += 1.0;
+    }
+    const auto index = static_cast<double>(lane.samples % lane.sequence.table_size);
+    seen.weight = std::max(seen.weight, std::abs(double{lane.texel.y} - lane.weight));
+    seen.index = std::max(seen.index, std::abs(double{lane.texel.z} - index));
+    seen.outside = std::max({seen.outside, -double{lane.range.x}, double{lane.range.y} - 1.0});
+}
+
+std::vector<HistoryLane> lanes_of(const Accumulation& a, std::uint64_t seed) {
+    std::vector<HistoryLane> lanes;
+    for (unsigned pattern = 0; pattern < pattern_count; ++pattern) {
+        for (unsigned i = 0; i < seeds; ++i) {
+            lanes.push_back({.sequence = {.pattern = pattern,
+                                          .seed = static_cast<unsigned>(seed) * seeds + i,
+                                          .first = 0,
+                                          .frames = 0,
+                                          .k = a.k,
+                                          .table_size = a.table_size,
+                                          .weight_max = a.weight_max,
+                                          .stored_half = a.half}});
+        }
+    }
+    return lanes;
+}
+
+// Half the spacing of float16 below 1, or all of it where the driver does not round to nearest.
+double half_store_error(const check::Lab& lab) {
+    const check::Kernel<glm::vec4(glm::vec4)> to_half(lab, accumulate_file, "stress_half");
+    const double spacing = std::ldexp(1.0, -11);
+    const double above = to_half(glm::vec4(static_cast<float>(0.5 + 0.75 * spacing))).x;
+    return above == 0.5 + spacing ? 0.5 * spacing : spacing;
+}
+
+std::vector<Seen> accumulate(const Context& context) {
+    const Accumulate kernel(context.lab, accumulate_file, "stress_accumulate");
+    std::vector<HistoryLane> lanes;
+    for (const Accumulation& a : accumulations()) {
+        const std::vector<HistoryLane> more = lanes_of(a, context.seed);
+        lanes.insert(lanes.end(), more.begin(), more.end());
+    }
+    std::vector<Seen> seen(accumulations().size());
+    constexpr std::uint64_t longest = 9'973;  // a prime: readings fall on every phase of the patterns
+    const std::uint64_t step = std::clamp<std::uint64_t>(context.frames / 4, 1, longest);
+    for (std::uint64_t done = 0; done < context.frames;) {
+        const std::uint64_t frames = std::min(step, context.frames - done);
+        advance(kernel, lanes, static_cast<unsigned>(frames));
+        done += frames;
+        for (std::size_t i = 0; i < lanes.size(); ++i) look(lanes[i], seen[i / (pattern_count * seeds)]);
+        context.progress(fmt::format("{}: frame {} of {}", name, done, context.frames));
+    }
+    return seen;
+}
+
+void append_rows(const Accumulation& a, const Seen& seen, double store_error, Rows& rows) {
+    if (!a.promised()) {
+        rows.push_back(
+            {name, a.text() + " (too large for float16)", "farthest outside [0, 1]", seen.outside, 0.0});
+        return;
+    }
+    const double frame_error = blend_error + (a.half ? store_error : 0.0);
+    const double bound = frame_error * (double{a.weight_max} + a.k) / a.k;
+    const double bias = std::abs(seen.signed_sum) / seen.readings;
+    rows.push_back({name, a.text(), "farthest from the exact mean", seen.farthest, bound});
+    rows.push_back({name, a.text(), "bias under noise", bias, bound});
+    rows.push_back({name, a.text(), "farthest outside [0, 1]", seen.outside, 0.0});
+    rows.push_back({name, a.text(), "weight off, samples", seen.weight, 0.0});
+    rows.push_back({name, a.text(), "index off, samples", seen.index, 0.0});
+}
+
+// Radical inverse of the digits of index modulo 2^24.
+double radical_inverse(std::uint32_t index, unsigned base) {
+    double value = 0.0;
+    double digit = 1.0;
+    for (std::uint32_t rest = index & 0xFFFFFFU; rest > 0; rest /= base) {
+        digit /= base;
+        value += (rest % base) * digit;
+    }
+    return value;
+}
+
+// The points of a sequence whose index passes a power of two and begins again.
+Row points_past(const check::Lab& lab, std::uint32_t boundary, const char* text) {
+    const check::Kernel<glm::vec3(unsigned)> halton(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
+    constexpr std::uint32_t around = 20'000;
+    std::vector<std::tuple<unsigned>> inputs;
+    for (std::uint32_t i = 0; i < 2 * around; ++i) inputs.emplace_back(boundary - around + i);
+    const std::vector<glm::vec3> points = halton(inputs);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const unsigned base = std::array{2U, 3U, 5U}.at(static_cast<std::size_t>(axis));
+            const double exact = radical_inverse(std::get<0>(inputs[i]), base);
+            worst = std::max(worst, numeric::ulp_error(points[i][axis], exact));
+        }
+    }
+    return {name, fmt::format("Halton points around {}", text), "error, ULP", worst, 2.0};
+}
+
+// Every pair of these, against 64-bit arithmetic.
+Row next_index(const check::Lab& lab) {
+    const check::Kernel<unsigned(unsigned, unsigned, unsigned)> next(lab, "gloam/temporal/history.glsl",
+                                                                     "gloam_next_index");
+    constexpr std::array values{0U, 1U, 6U, 7U, 65'535U, 16'777'215U, 16'777'216U, 0x7FFFFFFFU, 0xFFFFFFFFU};
+    double worst = 0.0;
+    for (const unsigned size : {1U, 7U, 2048U, 65'536U, 16'777'213U, 16'777'216U}) {
+        for (const unsigned j : values) {
+            for (const unsigned k : values) {
+                const auto exact = static_cast<double>((std::uint64_t{j} + k) % size);
+                worst = std::max(worst, std::abs(next(j, k, size) - exact));
+            }
+        }
+    }
+    return {name, "index and count up to 2^32 - 1", "next index off", worst, 0.0};
+}
+
+}  // namespace
+
+Rows long_run(const Context& context) {
+    Rows rows;
+    const double store_error = half_store_error(context.lab);
+    const std::vector<Seen> seen = accumulate(context);
+    for (std::size_t i = 0; i < seen.size(); ++i) append_rows(accumulations()[i], seen[i], store_error, rows);
+    rows.push_back(points_past(context.lab, 1U << 24U, "2^24"));
+    rows.push_back(points_past(context.lab, 0U, "2^32"));
+    rows.push_back(next_index(context.lab));
+    return rows;
+}
+
+}  // namespace gloam::stress

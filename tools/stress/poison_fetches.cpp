@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "check/kernel.hpp"
+#include "stress/gathers.hpp"
+#include "stress/poison_parts.hpp"
+#include "stress/views.hpp"
+
+namespace gloam::stress {
+namespace {
+
+constexpr glm::ivec2 size{9, 7};
+
+constexpr Camera camera{{1.2F, -1.5F}, size, false};
+
+// Fetches outside an image, and results that are outside their range, over all calls.
+struct Count {
+    std::size_t fetches_outside = 0;
+    std::size_t results_outside = 0;
+};
+
+// The function on all inputs; `good` judges one result.
+template <class Kernel, class Good>
+void call(const Kernel& kernel, const std::vector<typename Kernel::Inputs>& inputs,
+          const check::ImageSet& images, Good&& good, Count& count) {
+    std::vector<check::Word> words;
+    for (const auto& input : inputs)
+        std::apply([&words](const auto&... value) { (check::append_words(value, words), ...); }, input);
+    const check::KernelCore::Result result = kernel.core().run(words, inputs.size(), images);
+    if (result.fault) count.fetches_outside += result.fault->count;
+    std::span<const check::Word> rest = result.outputs;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto output = check::take_words<typename Kernel::Output>(rest);
+        count.results_outside += good(output) ? 0 : 1;
+    }
+}
+
+// Depth 3 with a bad value at one pixel, or everywhere.
+check::Image depths(float bad, glm::ivec2 at, bool everywhere) {
+    return check::make_image<float>(size,
+                                    [=](glm::ivec2 pixel) { return everywhere || pixel == at ? bad : 3.0F; });
+}
+
+glm::vec3 position_at(glm::ivec2 pixel, float depth) {
+    const glm::vec2 ndc = 2.0F * (glm::vec2(pixel) + 0.5F) / glm::vec2(size) - 1.0F;
+    return {ndc / camera.p00_p11 * depth, -depth};
+}
+
+template <class Visit>
+void for_each_pixel(Visit&& visit) {
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) visit(glm::ivec2(x, y));
+}
+
+// Images of bad depths: at the middle, at a corner, everywhere.
+template <class Visit>
+void for_each_image(Visit&& visit) {
+    for (const BadValue& bad : bad_values()) {
+        visit(bad.value, depths(bad.value, size / 2, false));
+        visit(bad.value, depths(bad.value, glm::ivec2(0), false));
+        visit(bad.value, depths(bad.value, glm::ivec2(0), true));
+    }
+}
+
+// Every pixel of the image, and bad positions, normals, radii and angles.
+std::vector<Gather::Inputs> gather_inputs(float bad) {
+    const GatherKernel kernel{0.5F, 0.001F, 0.0F, 4'294'967'280U, 33};  // its index passes 2^32
+    const glm::vec3 position = position_at(size / 2, 3.0F);
+    const glm::vec3 normal(0, 0, 1);
+    std::vector<Gather::Inputs> inputs;
+    for_each_pixel(
+        [&](glm::ivec2 at) { inputs.emplace_back(position_at(at, 3.0F), normal, camera, kernel, 1.0F); });
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 moved = position;
+        glm::vec3 turned = normal;
+        moved[axis] = bad;
+        turned[axis] = bad;
+        inputs.emplace_back(moved, normal, camera, kernel, 1.0F);
+        inputs.emplace_back(position, turned, camera, kernel, 1.0F);
+    }
+    inputs.emplace_back(position, normal, camera, GatherKernel{bad, 0.001F, 0.0F, 0, 33}, 1.0F);
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, bad, 0.0F, 0, 33}, 1.0F);
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, bad, 0, 33}, 1.0F);
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, 0.0F, 0, 0}, 1.0F);
+    inputs.emplace_back(position, normal, camera, kernel, bad);
+    return inputs;
+}
+
+// (sum, count) of a gather: a mean in [0, 1] of at most 33 samples.
+bool good_sum(glm::vec2 sum) {
+    return sum.x >= 0.0F && sum.x <= sum.y && sum.y <= 33.0F;
+}
+
+Count gathers(const check::Lab& lab, const GatherFunction& function) {
+    const Gather gather(lab, function.file, function.name);
+    Count count;
+    for_each_image([&](float bad, const check::Image& image) {
+        call(gather, gather_inputs(bad), {{"gloam_fetch_depth", image}}, good_sum, count);
+    });
+    return count;
+}
+
+Count normals(const check::Lab& lab) {
+    const check::Kernel<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)> normal(
+        lab, "gloam/geometry/normal_from_depth.glsl", "gloam_normal_from_depth");
+    std::vector<decltype(normal)::Inputs> inputs;
+    for_each_pixel([&](glm::ivec2 at) { inputs.emplace_back(at, size, camera.p00_p11); });
+    for (const int far : {-1, 1000, -2'147'483'647 - 1, 2'147'483'647})
+        inputs.emplace_back(glm::ivec2(far, far), size, camera.p00_p11);
+    const auto unit_or_zero = [](glm::vec3 n) {
+        return n == glm::vec3(0) || std::abs(glm::length(n) - 1.0F) < 1e-6F;
+    };
+    Count count;
+    for_each_image([&](float, const check::Image& image) {
+        call(normal, inputs, {{"gloam_fetch_depth", image}}, unit_or_zero, count);
+    });
+    return count;
+}
+
+// Bad values among occlusion, convergence and positions, and as settings.
+Count filters(const check::Lab& lab) {
+    const check::Kernel<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)> filter(
+        lab, "gloam/filter/convergence_filter.glsl", "gloam_convergence_filter");
+    const auto in_unit = [](float occlusion) { return occlusion >= 0.0F && occlusion <= 1.0F; };
+    Count count;
+    for_each_image([&](float bad, const check::Image& image) {
+        std::vector<decltype(filter)::Inputs> inputs;
+        for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+            for_each_pixel([&](glm::ivec2 at) {
+                for (const int half_width : {2, 0, -5, 2'000'000'000})
+                    inputs.emplace_back(at, axis, size, half_width, 0.2F, 0.5F);
+                inputs.emplace_back(at, axis, size, 2, bad, 0.5F);
+                inputs.emplace_back(at, axis, size, 2, 0.2F, bad);
+            });
+        }
+        const check::Image position = check::make_image<glm::vec3>(
+            size, [&](glm::ivec2 at) { return position_at(at, image.at<float>(at)); });
+        for (const glm::vec2 mask : {glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(0)}) {
+            const check::Image value = check::make_image<glm::vec2>(size, [&](glm::ivec2 at) {
+                const float here = image.at<float>(at);
+                return glm::vec2(mask.x == 1.0F ? here : 0.5F, mask.y == 1.0F ? here : 0.05F);
+            });
+            call(filter, inputs,
+                 {{"gloam_fetch_occlusion_convergence", value}, {"gloam_fetch_position", position}}, in_unit,
+                 count);
+        }
+    });
+    return count;
+}
+
+void append_rows(const char* function, const Count& count, Rows& rows) {
+    const std::string varied = fmt::format("{}, every argument", function);
+    rows.push_back(
+        {poison_name, varied, "fetches outside the image", static_cast<double>(count.fetches_outside), 0.0});
+    rows.push_back({poison_name, varied, "results outside their range",
+                    static_cast<double>(count.results_outside), 0.0});
+}
+
+}  // namespace
+
+Rows poisoned_fetches(const Context& context) {
+    const check::Lab& lab = context.lab;
+    context.progress(fmt::format("{}: fetches", poison_name));
+    Rows rows;
+    for (const GatherFunction& function : gather_functions())
+        append_rows(function.name, gathers(lab, function), rows);
+    append_rows("gloam_normal_from_depth", normals(lab), rows);
+    append_rows("gloam_convergence_filter", filters(lab), rows);
+    lab.require_silent_validation();
+    return rows;
+}
+
+}  // namespace gloam::stress

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "stress/run.hpp"
+
+#include <stdexcept>
+
+#include "stress/far_away.hpp"
+#include "stress/long_run.hpp"
+#include "stress/poison.hpp"
+#include "stress/shapes.hpp"
+
+namespace gloam::stress {
+
+std::vector<Run> all_runs() {
+    return {{"long-run", "the history over very many frames, in float32 and float16", long_run},
+            {"far-away", "scene and camera moved far from the origin together", far_away},
+            {"poison", "NaN, infinities and other bad values in every buffer", poison},
+            {"shapes", "image sizes, radii and sample counts at their ends", shapes}};
+}
+
+std::vector<Run> select_runs(const std::string& name) {
+    if (name.empty()) return all_runs();
+    std::string names;
+    for (const Run& run : all_runs()) {
+        if (run.name == name) return {run};
+        names += (names.empty() ? "" : ", ") + run.name;
+    }
+    throw std::invalid_argument("unknown stress run \"" + name + "\": expected " + names);
+}
+
+}  // namespace gloam::stress
