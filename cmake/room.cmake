@@ -22,12 +22,14 @@ function(gloam_room NAME)
   target_compile_features(${target} ${scope} cxx_std_20)
 endfunction()
 
-# gloam_test(NAME SOURCES file... USES room... LIBRARIES target...): a GoogleTest program, its tests found by ctest.
+# gloam_test(NAME SOURCES file... USES room... LIBRARIES target... [SWIFTSHADER filter])
+# A GoogleTest program, its tests found by ctest. Those of the filter run once more, as one test, on a browser's
+# SwiftShader where there is one.
 function(gloam_test NAME)
-  cmake_parse_arguments(TEST "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "" "SWIFTSHADER" "SOURCES;USES;LIBRARIES" ${ARGN})
   list(TRANSFORM TEST_USES PREPEND gloam_)
   add_executable(${NAME} ${TEST_SOURCES})
-  target_link_libraries(${NAME} PRIVATE ${TEST_USES} ${TEST_LIBRARIES} gloam_glsl gloam_warnings GTest::gmock GTest::gtest_main)
+  target_link_libraries(${NAME} PRIVATE ${TEST_USES} ${TEST_LIBRARIES} gloam_glsl gloam_warnings GTest::gmock)
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)  # nothing in a test is worth optimising for longer
   # Parsing GoogleMock is most of the cost of a test file.
@@ -35,6 +37,13 @@ function(gloam_test NAME)
   if(sources GREATER 2)
     target_precompile_headers(${NAME} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
   endif()
-  gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300
-    ENVIRONMENT "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
+  set(environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
+  gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 ENVIRONMENT "${environment}")
+  if(TEST_SWIFTSHADER)
+    target_sources(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/device_main.cpp)
+    add_test(NAME ${NAME}.swiftshader COMMAND ${NAME} --swiftshader "--gtest_filter=${TEST_SWIFTSHADER}" --gtest_brief=1)
+    set_tests_properties(${NAME}.swiftshader PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
+  else()
+    target_link_libraries(${NAME} PRIVATE GTest::gtest_main)
+  endif()
 endfunction()

@@ -31,15 +31,19 @@ std::string version_text(std::uint32_t version) {
                        VK_API_VERSION_PATCH(version));
 }
 
-std::string driver_text(const vk::PhysicalDeviceDriverProperties& driver) {
-    return fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+// The driver's name and its own text, or its version where it has no text.
+std::string driver_text(const vk::PhysicalDeviceProperties& properties,
+                        const vk::PhysicalDeviceDriverProperties& driver) {
+    const std::string info = driver.driverInfo;
+    return fmt::format("{} {}", driver.driverName.data(),
+                       info.empty() ? version_text(properties.driverVersion) : info);
 }
 
 // By the specification pipelineCacheUUID alone should do. Mesa's lavapipe has the same one in every version,
 // and always driver version 1: only its texts tell of another Mesa or LLVM.
 std::string identity(const vk::PhysicalDeviceProperties& properties,
                      const vk::PhysicalDeviceDriverProperties& driver) {
-    const auto texts = fmt::format("{}|{}", properties.deviceName.data(), driver_text(driver));
+    const auto texts = fmt::format("{}|{}", properties.deviceName.data(), driver_text(properties, driver));
     const auto& uuid = properties.pipelineCacheUUID;
     return fmt::format("{:08x}{:08x}{:08x}{:016x}{:02x}", properties.vendorID, properties.deviceID,
                        properties.driverVersion, fnv1a(std::as_bytes(std::span(texts))),
@@ -83,7 +87,7 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index) {
         .index = index,
         .name = properties.deviceName,
         .type = type_name(properties.deviceType),
-        .driver = driver_text(driver),
+        .driver = driver_text(properties, driver),
         .api_version = version_text(properties.apiVersion),
         .identity = identity(properties, driver),
         .max_image_size =

@@ -27,7 +27,7 @@ struct DeviceInfo {
     std::size_t index = 0;
     std::string name;         // "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string type;         // "cpu", "integrated", "discrete", "virtual" or "other"
-    std::string driver;       // driver name and its own version text
+    std::string driver;       // driver name and its own version text (or, where it has none, its version)
     std::string api_version;  // "1.3.230"
     std::string identity;     // hexadecimal; changes whenever a compiled pipeline can no longer be used
     std::uint32_t max_image_size = 0;  // pixels, each side of a 2-D image
@@ -38,7 +38,8 @@ struct DeviceInfo {
     FloatControls float32;
 };
 
-// All devices that the Vulkan loader finds and that support Vulkan 1.2. Empty when there is none.
+// All devices that the Vulkan loader finds and that support Vulkan 1.2: hardware, then lavapipe, then other
+// software, SwiftShader last. Empty when there is none.
 // Throws std::runtime_error when there is no Vulkan loader or driver at all.
 [[nodiscard]] std::vector<DeviceInfo> list_devices();
 

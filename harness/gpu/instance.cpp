@@ -78,6 +78,21 @@ vk::raii::Instance create_validated(const vk::raii::Context& loader, vk::Instanc
     return create(loader, info);
 }
 
+// The loader puts drivers that are added to those of the system in front of them.
+int rank(const vk::raii::PhysicalDevice& device) {
+    if (device.getProperties().deviceType != vk::PhysicalDeviceType::eCpu) return 0;
+    const auto chain =
+        device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+    switch (chain.get<vk::PhysicalDeviceDriverProperties>().driverID) {
+        case vk::DriverId::eMesaLlvmpipe:
+            return 1;
+        case vk::DriverId::eGoogleSwiftshader:
+            return 3;
+        default:
+            return 2;
+    }
+}
+
 }  // namespace
 
 void MessageLog::add(std::string message) {
@@ -121,6 +136,7 @@ std::vector<vk::raii::PhysicalDevice> physical_devices(const vk::raii::Instance&
     } catch (const vk::InitializationFailedError&) {
         // The loader's word for drivers that are installed but find no hardware.
     }
+    std::ranges::stable_sort(devices, {}, rank);
     return devices;
 }
 

@@ -23,6 +23,15 @@ std::filesystem::path file_in(const std::filesystem::path& directory, const std:
     return directory.empty() ? std::filesystem::path{} : directory / ("pipelines-" + identity + ".bin");
 }
 
+// SwiftShader gives back what it was given behind one more header, so that its file would grow with every
+// use.
+bool is_news(std::span<const std::byte> data, std::span<const std::byte> loaded) {
+    if (std::ranges::equal(data, loaded)) return false;
+    const bool one_header_more =
+        !loaded.empty() && data.size() == loaded.size() + sizeof(VkPipelineCacheHeaderVersionOne);
+    return !(one_header_more && std::ranges::equal(data.last(loaded.size()), loaded));
+}
+
 }  // namespace
 
 PipelineCache::PipelineCache(const vk::raii::Device& device, const vk::PhysicalDeviceProperties& properties,
@@ -38,7 +47,7 @@ void PipelineCache::save() const noexcept {
     try {
         const auto data = cache_.getData();
         const auto bytes = std::as_bytes(std::span(data));
-        if (!std::ranges::equal(bytes, loaded_)) write_cache_file(file_, bytes);
+        if (is_news(bytes, loaded_)) write_cache_file(file_, bytes);
     } catch (...) {
         // The next process compiles again.
     }

@@ -7,12 +7,16 @@
 
 namespace gloam::gpu::test {
 
-// Sets an environment variable as long as it lives.
+// Sets an environment variable as long as it lives, or unsets it (nullptr).
 class ScopedVariable {
   public:
     ScopedVariable(const char* name, const char* value) : name_(name) {
         if (const char* old = std::getenv(name)) old_ = old;
-        ::setenv(name, value, 1);
+        if (value == nullptr) {
+            ::unsetenv(name);
+        } else {
+            ::setenv(name, value, 1);
+        }
     }
     ~ScopedVariable() {
         if (old_) {

@@ -10,15 +10,16 @@ from pathlib import Path
 
 SETUP = Path(__file__).resolve().parents[2] / "tools" / "setup"
 AS_NOBODY = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
-PROGRAMS = ("awk", "bash", "cat", "dirname", "env", "grep", "mktemp", "rm", "sed", "tail", "tr")
+PROGRAMS = ("awk", "bash", "cat", "dirname", "env", "grep", "mktemp", "rm", "sed", "tail", "tr", "true")
 
 # Each reads and writes plain files of the pretended machine: installed, offered, log.
 PRETENDED = {
     "dpkg-query": 'cd "$MACHINE"\nfor p; do if grep -qx -- "$p" installed; then echo "$p installed"; fi; done',
     "dpkg": ":",
-    "sudo": '[ "$1" = -v ] || exec "$@"',
+    "sudo": '[ "$1" != -n ] || shift; [ "$1" = -v ] || exec "$@"',
     "apt-cache": 'cd "$MACHINE"; shift\n'
-                 'for p; do if grep -qx -- "$p" offered; then printf "%s:\\n  Candidate: 1.0\\n" "$p"; fi; done',
+                 'for p; do if grep -qx -- "$p" offered; then printf "%s:\\n  Candidate: 1.0\\n" "$p"; fi\n'
+                 'if grep -qx -- "$p" snaps; then printf "%s:\\n  Candidate: 2:1snap1-0\\n" "$p"; fi; done',
     "apt-get": 'cd "$MACHINE"; echo "$*" >>log\n'
                'case "$*" in\n*" update") exit 0 ;;\n*) [ ! -e broken ] || { echo "E: disk full"; exit 100; } ;;\nesac\n'
                'for p; do if grep -qx -- "$p" offered; then echo "$p" >>installed; fi; done',
@@ -37,6 +38,7 @@ class Machine:
         self.write("tools/packages.txt", ["# the list", *(f"{name}   # why" for name in wanted)])
         self.write("installed", installed)
         self.write("offered", offered)
+        self.write("snaps", ())
         self.write("log", ())
         for name in PROGRAMS:
             (self.folder / "bin" / name).symlink_to(shutil.which(name))
@@ -111,6 +113,65 @@ class Setup(unittest.TestCase):
     def test_neither_root_nor_sudo(self):
         result = self.machine(installed=("g++",), without=("sudo",)).setup(**AS_NOBODY)
         self.assert_one_line(result, "neither root nor sudo", "apt-get install --no-install-recommends libfmt-dev")
+
+
+class Optional(unittest.TestCase):
+    """A package marked with ?: browser? is wanted, g++ is needed."""
+
+    def setUp(self):
+        self.place = tempfile.TemporaryDirectory()
+        self.addCleanup(self.place.cleanup)
+
+    def machine(self, installed=("g++",), offered=("g++", "browser"), **kinds):
+        return Machine(self.place.name, wanted=("g++", "browser?"), installed=installed, offered=offered, **kinds)
+
+    def assert_goes_on(self, result, *lines):
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+        self.assertEqual(result.stderr.splitlines(), list(lines))
+
+    def test_is_installed_where_it_is_offered_and_only_once(self):
+        machine = self.machine(installed=())
+        self.assert_goes_on(machine.setup(), "tools/setup: installing g++", "tools/setup: installing browser")
+        calls = len(machine.log())
+        self.assert_goes_on(machine.setup())
+        self.assertEqual(len(machine.log()), calls)
+
+    def test_is_installed_later_too(self):
+        machine = self.machine()
+        self.assert_goes_on(machine.setup(), "tools/setup: installing browser")
+        self.assert_goes_on(machine.setup())
+
+    def test_is_done_without_where_nobody_offers_it(self):
+        machine = self.machine(installed=(), offered=("g++",))
+        self.assert_goes_on(machine.setup(), "tools/setup: installing g++",
+                            "tools/setup: going on without browser: no package source of this machine offers it")
+        calls = len(machine.log())
+        self.assert_goes_on(machine.setup())
+        self.assertEqual(len(machine.log()), calls)
+
+    def test_a_snap_is_not_installed(self):
+        machine = self.machine(installed=(), offered=("g++",))
+        machine.write("snaps", ("browser",))
+        self.assert_goes_on(machine.setup(), "tools/setup: installing g++",
+                            "tools/setup: going on without browser: no package source of this machine offers it")
+        self.assertNotIn("browser", " ".join(machine.log()))
+
+    def test_one_that_cannot_be_installed_does_not_stop_the_rest(self):
+        machine = self.machine()
+        machine.write("broken", ())
+        self.assert_goes_on(machine.setup(), "tools/setup: installing browser",
+                            "tools/setup: going on without browser: E: disk full")
+
+    def test_is_installed_with_a_sudo_that_asks_nothing(self):
+        machine = self.machine()
+        self.assert_goes_on(machine.setup(**AS_NOBODY), "tools/setup: installing browser")
+        self.assert_goes_on(machine.setup(**AS_NOBODY))
+
+    def test_nobody_is_asked_for_a_password(self):
+        machine = self.machine(without=("sudo",))
+        self.assert_goes_on(machine.setup(**AS_NOBODY),
+                            "tools/setup: going on without browser: not root, and no sudo without a password")
+        self.assertEqual(machine.log(), [])
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@
 #include "cli/check/run_device.hpp"
 #include "cli/check/shard.hpp"
 #include "cli/check/worker.hpp"
+#include "cli/drivers.hpp"
 #include "cli/variant.hpp"
 #include "report/check_report.hpp"
 #include "report/output_file.hpp"
@@ -149,6 +150,7 @@ void add_check(CLI::App& app, int& status) {
     command->add_option("--failures", options->failures,
                         "folder that receives each failure ready to report: the smallest input found, the "
                         "shader, an AmberScript");
+    add_driver_option(*command);
     command->callback([options, &status] { status = run_check(*options); });
 }
 

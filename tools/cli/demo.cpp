@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cli/check.hpp"
+#include "cli/drivers.hpp"
 #include "cli/render.hpp"
 
 namespace gloam::cli {
@@ -56,6 +57,7 @@ void add_demo(CLI::App& app, int& status) {
         "demo", "check the default device, render three scenes, say where the pictures are");
     command->add_option("--device", options->device, "name or index of the device (gloam devices)");
     command->add_option("--out", options->out, "folder for the pictures")->capture_default_str();
+    add_driver_option(*command);
     command->callback([options, &status] { status = run_demo(*options); });
 }
 

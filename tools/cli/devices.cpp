@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/drivers.hpp"
 #include "gpu/device.hpp"
 
 namespace gloam::cli {
@@ -69,6 +70,7 @@ void add_devices(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("devices", "the Vulkan devices here, and what their float controls report");
     command->add_flag("--json", *json, "as JSON");
+    add_driver_option(*command);
     command->callback([json] { run_devices(*json); });
 }
 

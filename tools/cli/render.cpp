@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/render_history.hpp"
 #include "cli/render_input.hpp"
@@ -259,6 +260,7 @@ void add_render(CLI::App& app, int& status) {
         ->capture_default_str();
     command->add_option("--device", options->device, "name or index of the device (gloam devices)");
     command->add_flag("--validation", options->validation, "Vulkan validation layers on; any message fails");
+    add_driver_option(*command);
     command->callback([options, &status] { status = run_render(*options); });
 }
 

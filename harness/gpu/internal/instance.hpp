@@ -38,7 +38,8 @@ class MessageLog {
 [[nodiscard]] vk::raii::DebugUtilsMessengerEXT create_messenger(const vk::raii::Instance& instance,
                                                                 MessageLog& log);
 
-// Vulkan 1.2 devices in the loader's order: DeviceInfo::index counts through these.
+// Vulkan 1.2 devices: hardware first, then lavapipe, then other software, SwiftShader last, and within these
+// in the loader's order. DeviceInfo::index counts through them.
 [[nodiscard]] std::vector<vk::raii::PhysicalDevice> physical_devices(const vk::raii::Instance& instance);
 
 }  // namespace gloam::gpu

@@ -21,7 +21,7 @@ class PipelineCache {
     // For pipeline creation.
     [[nodiscard]] const vk::raii::PipelineCache& handle() const { return cache_; }
 
-    // Writes the file when it would differ from what was loaded. Failure costs only speed the next time.
+    // Writes the file when it would tell more than what was loaded. Failure costs only speed the next time.
     void save() const noexcept;
 
   private:

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string_view>
+
+#include "gpu/drivers.hpp"
+
+// main() of tests that open devices. With --swiftshader they run on a browser's SwiftShader; without one they
+// leave with the exit status that ctest takes for "skipped".
+int main(int argc, char** argv) {
+    constexpr int skipped = 77;
+    testing::InitGoogleMock(&argc, argv);
+    const std::span arguments(argv, static_cast<std::size_t>(argc));
+    if (std::ranges::any_of(arguments,
+                            [](const char* a) { return std::string_view(a) == "--swiftshader"; })) {
+        const auto manifest = gloam::gpu::find_swiftshader();
+        if (!manifest) {
+            std::puts("skipped: no SwiftShader here (Debian's package chromium has it)");
+            return skipped;
+        }
+        gloam::gpu::add_drivers(std::array{*manifest});
+        ::setenv("GLOAM_TEST_DEVICE", "SwiftShader", 1);
+    }
+    return RUN_ALL_TESTS();
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace gloam::cli {
+
+// Adds --driver to a command that opens devices. Before the command runs, the Vulkan loader is told of these
+// drivers, and of a browser's SwiftShader, unless the environment chooses the drivers itself.
+void add_driver_option(CLI::App& command);
+
+}  // namespace gloam::cli
