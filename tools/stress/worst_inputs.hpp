@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "stress/run.hpp"
+
+namespace gloam::stress {
+
+// For every equation of the catalogue, the worst input that a guided search finds (check/search.hpp), as a
+// fraction of what its documentation states, beside the worst of its random inputs alone. The search is made
+// of the default variant: inputs that break a budget are rows that fail.
+[[nodiscard]] Rows worst_inputs(const Context& context);
+
+}  // namespace gloam::stress
