@@ -9,6 +9,8 @@
 namespace gloam::shader {
 namespace {
 
+using Files = std::vector<std::filesystem::path>;
+
 using test::fixture;
 using test::message_of;
 using test::TempDir;
@@ -101,7 +103,7 @@ TEST(Flatten, OtherConditionsAreNoGuards) {
                              "#ifndef A\n#define B\n#endif\n",                               // another name
                              "#ifndef A\n#define A\nfloat x;\n#else\nfloat y;\n#endif\n",  // a second branch
                              "#ifndef A\n#define A\n#endif\n#ifndef B\n#define B\n#endif\n"}) {  // ends early
-        EXPECT_EQ(flatten({dir.write("f.glsl", text)}, {}), text);
+        EXPECT_EQ(flatten(Files{dir.write("f.glsl", text)}, {}), text);
     }
 }
 
@@ -109,7 +111,7 @@ TEST(Flatten, OtherExtensionsMoveToTheTop) {
     const TempDir dir;
     const auto first = dir.write("a.glsl", "// SPDX-License-Identifier: MIT\nfloat a;\n");
     const auto second = dir.write("b.glsl", "# extension GL_X : enable // why\n#version 450\nfloat b;\n");
-    EXPECT_EQ(flatten({first, second}, {}),
+    EXPECT_EQ(flatten(Files{first, second}, {}),
               "// SPDX-License-Identifier: MIT\n#extension GL_X : enable\n\nfloat a;\n\nfloat b;\n");
 }
 
@@ -118,15 +120,15 @@ TEST(Flatten, EveryLicenceStaysOnce) {
     const auto mit = dir.write("a.glsl", "// SPDX-License-Identifier: MIT\nfloat a;\n");
     const auto other = dir.write("b.glsl", "// SPDX-License-Identifier: Apache-2.0\r\nfloat b;\r\n");
     const auto again = dir.write("c.glsl", "// SPDX-License-Identifier: MIT \nfloat c;\n");
-    EXPECT_EQ(flatten({mit, other, again}, {}),
+    EXPECT_EQ(flatten(Files{mit, other, again}, {}),
               "// SPDX-License-Identifier: MIT\n// SPDX-License-Identifier: Apache-2.0\n\n"
               "float a;\n\nfloat b;\n\nfloat c;\n");
 }
 
 TEST(Flatten, NothingMakesNothing) {
     const TempDir dir;
-    EXPECT_EQ(flatten({}, {}), "");
-    EXPECT_EQ(flatten({dir.write("empty.glsl", "")}, {}), "");
+    EXPECT_EQ(flatten(Files{}, {}), "");
+    EXPECT_EQ(flatten(Files{dir.write("empty.glsl", "")}, {}), "");
 }
 
 TEST(Flatten, RefusesAnIncludeUnderACondition) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "report/output_file.hpp"
 #include "stress/report.hpp"
@@ -73,6 +74,7 @@ void add_stress(CLI::App& app, int& status) {
     command->add_flag("--validation", options->validation,
                       "Vulkan validation layers on; any message is an error");
     command->add_option("--json", options->json, "write the numbers to this file");
+    add_driver_option(*command);
     command->callback([options, &status] { status = run_stress(*options); });
 }
 
