@@ -10,6 +10,9 @@ thread_local Paths* Paths::current_ = nullptr;
 
 namespace {
 
+// A run that asks more often is a loop that nothing in its intervals ends.
+constexpr std::size_t most_choices = 4096;
+
 // Sets a pointer for as long as it lives.
 template <class T>
 class Guard {
@@ -55,6 +58,7 @@ std::size_t Paths::choose(std::size_t count) {
     }
     if (count < 2) return 0;
     auto& choices = current_->choices_;
+    if (current_->position_ == most_choices) throw Undetermined{};
     if (current_->position_ == choices.size()) choices.push_back({.taken = 0, .count = count});
     return choices[current_->position_++].taken;
 }

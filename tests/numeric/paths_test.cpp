@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -50,6 +51,14 @@ TEST(Paths, StopsWhereAnythingIsPermitted) {
         return {};
     });
     EXPECT_EQ(outcome, Paths::Outcome::undetermined);
+}
+
+TEST(Paths, ALoopThatNothingEndsPermitsAnything) {
+    const auto halvings = [] {
+        Interval x = Interval::within(1.0, std::numeric_limits<double>::infinity());
+        while (x >= Interval(1.0)) x = x * Interval(0.5);
+    };
+    EXPECT_EQ(Paths::explore(float32, 1000, halvings), Paths::Outcome::undetermined);
 }
 
 TEST(Paths, PutsTheOuterExplorationBack) {

@@ -50,6 +50,14 @@ TEST_F(ReportCommand, ShardsMergeIntoTheWhole) {
     EXPECT_EQ(run_command({"report", merged}).out, again.out);  // what it writes it reads
 }
 
+TEST_F(ReportCommand, MakesTheAccuracyPage) {
+    const CommandResult result = run_command({"report", "--accuracy", shard("0/1")});
+    expect_success(result);
+    EXPECT_THAT(result.out, HasSubstr("# Accuracy"));
+    EXPECT_THAT(result.out, HasSubstr("| TSSAO-5 |"));
+    EXPECT_THAT(result.out, testing::Not(HasSubstr("not calculated"))) << "the strict variant was among them";
+}
+
 TEST_F(ReportCommand, AFailureIsStatusOneAndConflictsAreSaid) {
     const std::string good = shard("0/1");
     json report = json::parse(read_file(good));

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "report/accuracy.hpp"
 #include "report/matrix.hpp"
 #include "report/merge.hpp"
 #include "report/output_file.hpp"
@@ -25,6 +26,7 @@ struct ReportOptions {
     std::vector<std::string> files;
     std::filesystem::path json;
     bool markdown = false;
+    bool accuracy = false;
 };
 
 std::string read_file(const std::string& file) {
@@ -54,13 +56,17 @@ std::vector<report::ReportFile> read_reports(const std::vector<std::string>& fil
     return all;
 }
 
+std::string page_of(const report::MergedReports& merged, const ReportOptions& options) {
+    if (options.accuracy) return report::to_accuracy_markdown(merged.reports);
+    return options.markdown ? report::to_matrix_markdown(merged.reports) : report::to_matrix(merged.reports);
+}
+
 int run_report(const ReportOptions& options) {
     const report::OutputFile json(options.json);
     const report::MergedReports merged = report::merge(read_reports(options.files));
-    fmt::print("{}", options.markdown ? report::to_matrix_markdown(merged.reports)
-                                      : report::to_matrix(merged.reports));
+    fmt::print("{}", page_of(merged, options));
     for (const std::string& conflict : merged.conflicts)
-        fmt::print("\n{}{}\n", options.markdown ? "- " : "", conflict);
+        fmt::print("\n{}{}\n", options.markdown || options.accuracy ? "- " : "", conflict);
     json.write(report::to_json(merged.reports));
     std::size_t failures = 0;
     for (const report::CheckReport& report : merged.reports) failures += report.failures();
@@ -75,6 +81,10 @@ void add_report(CLI::App& app, int& status) {
         app.add_subcommand("report", "merge the results of `gloam check --json` from many machines");
     command->add_option("file", options->files, "JSON files of gloam check")->required();
     command->add_flag("--markdown", options->markdown, "a Markdown page instead of a table for the terminal");
+    command
+        ->add_flag("--accuracy", options->accuracy,
+                   "a Markdown page of the accuracy of each equation: documented, guaranteed, measured")
+        ->excludes("--markdown");
     command->add_option("--json", options->json, "write the merged results to this file");
     command->callback([options, &status] { status = run_report(*options); });
 }

@@ -24,7 +24,7 @@ ivec2 gloam_nearest_pixel(vec2 uv, ivec2 resolution) {
 // Centre of that pixel in texture coordinates (TSSAO-7): (floor(uv resolution) + 1/2) / resolution. The brackets of the printed
 // equation are a floor.
 // uv: texture coordinates, [0, 1]^2 inside the image. resolution: image size in pixels, at most 2^22 a side.
-// Returns a point in (0, 1)^2, its own pixel centre; a resolution below 1 is read as 1. Error: at most 1 ulp, for the pixel that
+// Returns a point in (0, 1)^2, its own pixel centre; a resolution below 1 is read as 1. Error: at most 1.5 ulp, for the pixel that
 // gloam_nearest_pixel gives.
 vec2 gloam_pixel_center(vec2 uv, ivec2 resolution) {
     ivec2 size = max(resolution, ivec2(1));

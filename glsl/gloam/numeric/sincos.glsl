@@ -5,6 +5,14 @@
 // Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by anything outside;
 // these are the same within 4e-7 on every conforming driver. The coefficients are printed by tools/minimax.py.
 
+// Keeps the order of operations where a language has the word: compilers may otherwise add up the parts of pi / 2 below before they
+// subtract them, which undoes the reduction.
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define GLOAM_PRECISE precise
+#else
+#define GLOAM_PRECISE
+#endif
+
 // Cosine and sine of at most an eighth of a turn.
 // angle: radians, in [-pi / 4, pi / 4]; beyond, the polynomials part from the functions.
 // Returns (cos, sin). Error: 4e-7 whatever the rounding, 1e-7 where it is to nearest; (1, 0) exactly at 0.
@@ -43,7 +51,7 @@ vec2 gloam_sincos(float angle) {
     float a = abs(angle) <= 65536.0 ? angle : 0.0;
     float quarters = floor(a * 0.636619772 + 0.5);
     // pi / 2 in three parts, the first two of eight bits: their products and the subtractions of them are exact.
-    float rest = ((a - quarters * 1.5703125) - quarters * 0.0004825592041015625) - quarters * 1.26759079506e-6;
+    GLOAM_PRECISE float rest = ((a - quarters * 1.5703125) - quarters * 0.0004825592041015625) - quarters * 1.26759079506e-6;
     return gloam_quarter_turn(gloam_sincos_octant(rest), int(quarters));
 }
 
