@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "catalogue/rooms.hpp"
+#include "catalogue/worst_inputs.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -41,6 +42,7 @@ Entries all_entries() {
     append_shading(entries);
     append_builtins(entries);
     require_unique(entries);
+    add_worst_inputs(entries);
     return entries;
 }
 

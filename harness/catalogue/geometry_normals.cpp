@@ -65,7 +65,7 @@ void append_neighbors(Entries& entries, Description description, Reference refer
         std::move(description), reference,
         {.domain = Domain{centers(), steps(true), steps(true), steps(false), steps(false)}.adjusted(
              place_neighbors),
-         .budget = {.absolute = 5e-7, .backward_ulp = 1},
+         .budget = {.absolute = orthographic ? 4e-6 : 5e-7, .backward_ulp = 1},
          .codomain = {-1.000001, 1.000001},
          .promised = make_predicate<NeighborSignature>(promised_normal<orthographic>)}));
 }

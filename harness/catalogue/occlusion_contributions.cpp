@@ -111,7 +111,7 @@ void append_fox_compton(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), eq 12 corrected; Fox and Compton 2008"},
         GLOAM_REFERENCE(gloam_contribution_fox_compton),
         {.domain = domain,
-         .budget = {.absolute = 1e-6},
+         .budget = {.absolute = 3e-6},
          .codomain = {0, 8.6e37},
          .promised = make_predicate<Signature>([](glm::dvec3 p, glm::dvec3 n, glm::dvec3 s, double epsilon) {
              return epsilon >= 0.1 && short_enough(n) && short_enough(p) && short_enough(s);

@@ -49,7 +49,7 @@ void append_poisson(Entries& entries) {
                                                                             uniform(0.9999995, 1.0000005)))),
                            vector_of_length(2, log_uniform(1e-37, 1e38)))
                         .and_special()},
-         .budget = {.absolute = 4e-6},
+         .budget = {.absolute = 6e-6},
          .codomain = {-1.000001, 1.000001}}));
 }
 

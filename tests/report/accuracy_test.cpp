@@ -68,6 +68,12 @@ TEST(Accuracy, TellsWhatConstantFoldingChanged) {
     EXPECT_THAT(to_accuracy_markdown({device("one", {folded})}), HasSubstr("0.25 (3 differ)"));
 }
 
+TEST(Accuracy, AFunctionThatIsJudgedByTheRulesAloneDocumentsNothing) {
+    CheckRow alone = strict("E", 0.5, 2);
+    alone.variant = "shipped";
+    EXPECT_THAT(to_accuracy_markdown({device("one", {alone})}), HasSubstr("| E | Vulkan's rules |"));
+}
+
 TEST(Accuracy, WithoutAStrictRunThereIsNoGuarantee) {
     EXPECT_THAT(to_accuracy_markdown({device("one", {row("E", "shipped", 0.25)})}),
                 AllOf(HasSubstr("not calculated"), Not(HasSubstr("open"))));

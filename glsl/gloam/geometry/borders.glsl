@@ -38,7 +38,7 @@ ivec2 gloam_guard_band_size(ivec2 size, float guard) {
 
 // Guard actually rendered: border / size.
 // size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0 to 1.
-// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 1.5 ulp.
+// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 1.5 ulp, 5 ulp for sides beyond 2^21 pixels.
 vec2 gloam_guard_band_guard(ivec2 size, float guard) {
     return vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1)));
 }

@@ -46,7 +46,7 @@ vec3 gloam_normal_from_neighbors(vec3 center, vec3 left, vec3 right, vec3 up, ve
 // The same for an orthographic view, in which every surface is seen along -z: the normal is turned to n.z >= 0.
 // center, left, right, up, down: as for gloam_normal_from_neighbors.
 // Returns a unit vector n with n.z >= 0; (0, 0, 1) where too few neighbours are usable or the differences are parallel; the zero
-// vector where the centre is background. Error: 5e-7 for differences at 0.02 radians or more to each other and coordinates of 1e-30 to 1e6.
+// vector where the centre is background. Error: 4e-6 for differences at 0.02 radians or more to each other and coordinates of 1e-30 to 1e6.
 vec3 gloam_normal_from_neighbors_orthographic(vec3 center, vec3 left, vec3 right, vec3 up, vec3 down) {
     if (gloam_is_background(-center.z)) return vec3(0.0);
     return gloam_facing_normal(gloam_neighbor_direction(center, left, right), gloam_neighbor_direction(center, down, up),

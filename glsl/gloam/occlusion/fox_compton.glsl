@@ -14,7 +14,7 @@
 // Returns a contribution in 1 / world units, at most 1 / epsilon: multiply by a length before it is read as occlusion. 0 for s = p, for
 // epsilon infinite or NaN, and where s - p is not finite. An epsilon of 0 or less bounds nothing. The larger of
 // epsilon and |s - p| is taken into [2^-126, 2^126], where division is accurate.
-// Error: 1e-7 / epsilon.
+// Error: 3e-6 for an epsilon of 0.03 or more, 1e-7 / epsilon below.
 float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
     float cosine = gloam_sample_cosine(offset, normal);

@@ -20,7 +20,7 @@ bool gloam_poisson_accepts(vec2 candidate, vec2 other, float min_distance) {
 // disc: point of the unit disc; one outside is pulled to the rim.
 // Returns a unit vector in tangent space (z along the normal). Uniform disc points become cosine-weighted directions, so an
 // average over them carries no further cosine. The normal (0, 0, 1) for an infinite or NaN point.
-// Error: 4e-6, where the point is within 1e-9 of the rim; 2e-7 elsewhere.
+// Error: 6e-6, where the point is within 1e-9 of the rim; 2e-7 elsewhere.
 vec3 gloam_hemisphere_lift(vec2 disc) {
     vec3 rim = gloam_safe_normalize(vec3(disc, 0.0), vec3(0.0, 0.0, 1.0));
     if (!(dot(disc, disc) <= 1.5)) return rim;

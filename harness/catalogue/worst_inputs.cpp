@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "catalogue/worst_inputs.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace gloam::catalogue {
+namespace {
+
+struct WorstInput {
+    std::string equation;
+    std::vector<check::Word> words;
+};
+
+// As `gloam stress --only worst-inputs` found them on llvmpipe (LLVM 15): the climb went beyond what as many
+// random inputs show.
+std::vector<WorstInput> found() {
+    return {
+        {"SMALL-ARC", {0x3f029205U}},
+        {"ACOS", {0xbf01ba1dU}},
+        {"ASIN", {0xbf01ee88U}},
+        {"ATAN2", {0xbf5038b6U, 0xbf5312c6U}},
+        {"HALTON", {0x00000ad9U, 0x00000457U}},
+        {"TSSAO-13", {0x3f21cce4U, 0x3f7efec8U}},
+        {"TSSAO-14", {0x3e5f1971U, 0x3f7f3c64U, 0x3b838541U}},
+        {"TSSAO-14-uniform", {0x3be44cfeU, 0x3f7dc365U, 0x3e576215U}},
+        {"FRAME", {0x3f7f9cbbU, 0x3d57773cU, 0x3c78974bU}},
+        {"TSSAO-ROT-disc", {0xbd56ff1cU, 0x3f2e625bU, 0xc019c067U}},
+        {"TSSAO-ROT-hemisphere", {0x3e1c7e64U, 0xbf1f60b5U, 0xbdf03558U, 0x447b0fcbU}},
+        {"REFLECT", {0xbd8b46efU, 0xbe97cbafU, 0xbdf2ea0aU, 0x3f0b7898U, 0x3f7d5e7bU, 0x3ed45094U}},
+        {"SPIRAL", {0x000018d6U, 0x00001906U, 0xffffffecU, 0x4016e7e9U}},
+        {"POISSON-lift", {0xbf30a03dU, 0xbf394f01U}},
+        {"DEPTH-perspective-vk", {0x3efff847U, 0xbf80013aU, 0xc000013eU}},
+        {"DEPTH-perspective-gl", {0x33a00000U, 0xbf8001f4U, 0xbd7fc06bU}},
+        {"DEPTH-orthographic-vk", {0x3efffe03U, 0x39006504U, 0x3f8000ebU}},
+        {"DEPTH-orthographic-gl", {0x33bfffffU, 0x3b004025U, 0x3f805d4cU}},
+        {"POSITION-perspective", {0xbf57ad61U, 0x3f8b76eaU, 0x417674c7U, 0x3f7ffff0U, 0xbf881e93U}},
+        {"NDC-perspective", {0xbf085a79U, 0xbd17033aU, 0xbd8265a3U, 0x4072f97eU, 0x3fc8ae64U}},
+        {"RADIUS-px", {0x3d07e593U, 0x3d04722dU, 0x4079c4a0U, 0x3fd10d1bU, 0x00003fb7U, 0x00000796U}},
+        {"RADIUS-px-orthographic",
+         {0x422f396cU, 0x3d55c3a4U, 0x403c9482U, 0x403b97c6U, 0x0000007eU, 0x00000d06U}},
+        {"NORMALIZE", {0x47754b61U, 0x48b5a738U, 0xc6c163b6U, 0x3e87edb4U, 0xbf29e761U, 0x3f33061dU}},
+        {"NORMAL-orthographic",
+         {0xc09c5c17U, 0x2ecd4e04U, 0xbfdeb491U, 0xc09d277bU, 0xbbbe633aU, 0xc068c675U, 0xc09a9141U,
+          0x3bdd0cd4U, 0xbfd8e67eU, 0xc09c1ef2U, 0x3d5c288eU, 0xc09dd989U, 0xc0bc5c17U, 0xbdc03113U,
+          0xc024080eU}},
+        {"NORMAL-facing",
+         {0x3f1d4d1fU, 0x3f25b23fU, 0x3ee6f8e7U, 0xbf178967U, 0xbf29f22cU, 0xbeea044fU, 0x3bb8b5f4U,
+          0x3ce72d14U, 0xbbcc9ea8U}},
+        {"TSSAO-RP-uv", {0xbeef99beU, 0x3efc767aU, 0xbda4c0b1U, 0x3f027dd0U}},
+        {"TSSAO-RP",
+         {0x3f7cfeffU, 0xbf2269d1U, 0x3f429383U, 0x3f800000U, 0x3f712a10U, 0x3e470dffU, 0xbe9a12d9U,
+          0xbe9a12d9U, 0xbd95bc61U, 0x3f7cf42aU, 0xbd19bb0eU, 0xbd19bb0eU, 0x40b6246eU, 0xbf865d77U,
+          0x4041b7b1U, 0x4001b7b1U, 0xc0abbd93U, 0x3fa27a11U, 0xc0053bfbU, 0xbf8a77f7U}},
+        {"TSSAO-RP-static",
+         {0x406f96acU, 0x3f3a8bb7U, 0x410bcc4bU, 0x4114de33U, 0x3f69900eU, 0x00000000U, 0x80000000U,
+          0x80000000U, 0x00000000U, 0xbf09dba0U, 0x00000000U, 0x80000000U, 0x80000000U, 0x00000000U,
+          0x80000000U, 0x41066c4cU, 0x00000000U, 0x80000000U, 0xbf800000U, 0x80000000U, 0xbf5c80a0U,
+          0xbebbc8f7U, 0x3eb3fcc7U, 0x00000000U, 0x3e94767aU, 0x3e5a60afU, 0x3f6ed75dU, 0x00000000U,
+          0xbed5951fU, 0x3f67d171U, 0xbd9e6372U, 0x00000000U, 0x40b1d482U, 0x4030c48eU, 0xc06f8683U,
+          0x3f800000U, 0x3ef05261U, 0x3dbe678fU, 0xbf60ca70U, 0x00000000U, 0x3ede0e7eU, 0x3f5789c6U,
+          0x3ea45758U, 0x00000000U, 0x3f44e6b4U, 0xbf080fd5U, 0x3eb5b173U, 0x00000000U, 0xc11301e9U,
+          0x3f95040fU, 0x4038656eU, 0x3f800000U, 0x4048f15cU, 0x00000000U, 0x00000000U, 0x00000000U,
+          0x00000000U, 0xbff885b0U, 0x00000000U, 0x00000000U, 0x00000000U, 0x00000000U, 0xbf8039f8U,
+          0xbf800000U, 0x00000000U, 0x00000000U, 0xbe7ba127U, 0x00000000U}},
+        {"CAMERA-uv",
+         {0xbf89ec2aU, 0xc00db2d9U, 0xc00808beU, 0x3fb89a06U, 0xbf749014U, 0x00000001U, 0x00000001U,
+          0x00000000U}},
+        {"CAMERA-position",
+         {0xffdbc4e7U, 0x00000031U, 0x41763fedU, 0x3f36d9ffU, 0x3f3d00ceU, 0x00000001U, 0x00000001U,
+          0x00000000U}},
+        {"CAMERA-radius",
+         {0x3bf5d7a8U, 0x3eec0577U, 0x3f81b986U, 0x3ff30059U, 0x00000001U, 0x00000001U, 0x00000000U}},
+        {"TSSAO-BORDER-guard", {0x00000dd2U, 0x00400001U, 0x3f3fffffU}},
+        {"TSSAO-BORDER-tan", {0x3fff8487U, 0x3f0017d9U}},
+        {"FALLOFF-linear", {0xb6810001U, 0x3f007e84U}},
+        {"FALLOFF-quadratic", {0xbf074c33U, 0x3fcc4d0dU}},
+        {"FALLOFF-cubic", {0xbc436540U, 0x3f82ebd5U}},
+        {"FALLOFF-sao", {0xbf6b3dc1U, 0x3ff9c736U}},
+        {"FALLOFF-exponential", {0xc07eaee6U, 0x3f7102bdU}},
+        {"FALLOFF-alchemy", {0x5f800001U, 0x1ffffffeU}},
+        {"FALLOFF-filion", {0x3b0103b5U, 0x37132b80U}},
+        {"TSSAO-1-cos", {0xf2b1480dU, 0x7197a2f2U, 0xf1491dbbU, 0xbf6c80e2U, 0x3c85bad3U, 0xbec3cd79U}},
+        {"TSSAO-3", {0x3e80de65U, 0x3dffffffU, 0x3cfd8978U}},
+        {"TSSAO-3-uniform", {0x3e8f0195U, 0x26665546U, 0x3bfc5005U}},
+        {"TSSAO-12",
+         {0xbc07525fU, 0x372b0ac6U, 0x303b2170U, 0x3f6f2eebU, 0xbd4e4202U, 0x3eb4adb0U, 0x9f601bdbU,
+          0xb31ae986U, 0xa1ed484aU, 0x3dcd9ec1U}},
+        {"TSSAO-12-scaled",
+         {0xc04ef8dfU, 0x3ff6e3c1U, 0xc0a317a2U, 0x3f2ccdb7U, 0x3e73f6eaU, 0x3f32c276U, 0x402bf016U,
+          0x3fb9e1bcU, 0xbf7b5104U, 0x53d5e7b9U}},
+        {"BILINEAR", {0x3e29506eU, 0x3ecd83dfU}},
+        {"BILINEAR-valid",
+         {0x39687000U, 0x3f1694d2U, 0x3d7f2470U, 0x3f7503dcU, 0x00000001U, 0x00000000U, 0x00000001U,
+          0x00000001U}},
+        {"TSSAO-9",
+         {0xbda40093U, 0x3eb2bb28U, 0x3eae77eaU, 0xbde4cd8bU, 0xbebd7fafU, 0xbdf289abU, 0x40e301b5U,
+          0xc0fe2843U, 0x4063f246U, 0x40dd603fU, 0x40ff1e8aU, 0x41000000U}},
+        {"TSSAO-SI-b", {0x4912a873U, 0x41e036f5U}},
+        {"TSSAO-11", {0x3ea0d100U, 0x43006dd0U}},
+        {"TSSAO-10-g", {0x3f693ce9U, 0x4034394bU}},
+        {"TSSAO-10-sigma", {0x3f7fffffU, 0x3f812a84U, 0x467bc153U, 0x40f3e46bU}},
+        {"CS-REMAP", {0x3f7bd5d3U, 0xbed0fa25U, 0x3fde2474U, 0x40ff5f02U}},
+    };
+}
+
+}  // namespace
+
+void add_worst_inputs(Entries& entries) {
+    for (const WorstInput& worst : found()) {
+        const auto entry =
+            std::ranges::find_if(entries, [&](const Entry& e) { return e.description.id == worst.equation; });
+        if (entry == entries.end())
+            throw std::logic_error("worst input of an unknown equation: " + worst.equation);
+        check::Domain& domain = entry->check_case.domain;
+        domain = domain.and_words(worst.words);
+    }
+}
+
+}  // namespace gloam::catalogue
