@@ -18,9 +18,8 @@
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 0) const uint method = 0u;         // 0: points in the hemisphere (TSSAO-3), 1: disc (TSSAO-12)
-layout(constant_id = 1) const bool count_work = false;  // fill binding 4
-layout(constant_id = 2) const bool moving_objects = false;  // watch the neighbourhood through binding 5
+layout(constant_id = 0) const bool count_work = false;      // fill binding 4
+layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -34,8 +33,8 @@ layout(push_constant) uniform Parameters {
     ivec2 size;            // of the images, pixels
     float radius;          // of influence, world units
     float bias;            // world units
-    float range;           // hemisphere: blockers further in front than this are other objects; world units
-    float epsilon;         // disc: distance at which a patch counts fully, world units
+    float range;           // see GloamMethod
+    float epsilon;         // see GloamMethod
     uint samples;          // k_1, for each pixel that has not converged
     uint samples_converged;  // k_2, for each pixel that has
     float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
@@ -49,11 +48,15 @@ layout(push_constant) uniform Parameters {
     float change_tolerance;  // change of a distance that is taken for rounding, world units
     float weight_small;    // invalidation 1: samples
     float confidence_factor;  // invalidation 2: S, per radius of change
+    float intensity;       // see GloamMethod
+    float thickness;       // see GloamMethod
+    float angle_bias;      // see GloamMethod
+    uint steps;            // see GloamMethod
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/occlusion/disc_gather.glsl"
-#include "gloam/occlusion/hemisphere_gather.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/sampling/hash_rotation.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
@@ -62,6 +65,8 @@ layout(push_constant) uniform Parameters {
 #include "gloam/temporal/rotation_switch.glsl"
 #include "gloam/temporal/sample_budget.glsl"
 #include "gloam/temporal/smooth_invalidation.glsl"
+// The method: any file of this folder.
+#include "methods/hemisphere.glsl"
 
 shared uint counted[4];
 
@@ -117,6 +122,11 @@ float weight_after_change(float weight) {
     return gloam_invalidate_confidence(weight, gloam_confidence(change / parameters.radius, parameters.confidence_factor));
 }
 
+GloamMethod this_method() {
+    return GloamMethod(parameters.range, parameters.epsilon, parameters.intensity, parameters.thickness,
+                       parameters.angle_bias, parameters.steps);
+}
+
 void count(uint what, uint amount) {
     if (count_work && amount > 0u) atomicAdd(counted[what], amount);
 }
@@ -130,8 +140,7 @@ vec2 gather(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
     if (moving_objects) neighborhood = Neighborhood(position, imageLoad(previous_position_image, pixel).xyz, normal, 0.0);
-    return method == 0u ? gloam_hemisphere_gather(position, normal, camera, kernel, parameters.range)
-                        : gloam_disc_gather(position, normal, camera, kernel, parameters.epsilon);
+    return gloam_method_gather(position, normal, camera, kernel, this_method());
 }
 
 uint samples_for(GloamHistory before) {

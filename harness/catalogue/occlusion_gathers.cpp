@@ -3,8 +3,8 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "catalogue/scenarios.hpp"
-#include "reference/occlusion/disc_gather.hpp"
-#include "reference/occlusion/hemisphere_gather.hpp"
+#include "reference/methods/disc.hpp"
+#include "reference/methods/hemisphere.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -12,15 +12,17 @@ namespace {
 using namespace check;
 using Camera = reference::GloamCamera<float>;
 using Kernel = reference::GloamKernel<float>;
+using Method = reference::GloamMethod<float>;
 using reference::GloamCamera;
 using reference::GloamKernel;
+using reference::GloamMethod;
 using reference::mat3;
 using reference::vec2;
 using reference::vec3;
 
 constexpr const char* prototype = "gloam_fetch_depth";
-constexpr const char* hemisphere_file = "gloam/occlusion/hemisphere_gather.glsl";
-constexpr const char* disc_file = "gloam/occlusion/disc_gather.glsl";
+constexpr const char* hemisphere_file = "passes/methods/hemisphere.glsl";
+constexpr const char* disc_file = "passes/methods/disc.glsl";
 constexpr double most_samples = 64;
 
 // A sample near the border of two pixels, or near the depth at which it is blocked, may fall to either side:
@@ -51,15 +53,19 @@ Values frames() {
            })
         .and_special();
 }
-// Range of the visibility test, or epsilon.
-Values extra() {
+Values length() {
     return log_uniform(0.01, 4).and_special();
+}
+// Range of the visibility test and epsilon; the rest is for other methods.
+Values methods() {
+    return vector({length(), length(), constant(1.0F), constant(1.0F), constant(0.0F), constant(1U)});
 }
 
 // Where coordinates and lengths are such that no product overflows.
 bool usual(const glm::vec3& position, const glm::vec3& normal, const Camera& camera, const Kernel& kernel,
-           float extra) {
-    return moderate(1e-9, 1e9, position, normal, camera.p00_p11, kernel.radius, kernel.bias, extra);
+           const Method& method) {
+    return moderate(1e-9, 1e9, position, normal, camera.p00_p11, kernel.radius, kernel.bias, method.range,
+                    method.epsilon);
 }
 
 void append_can_gather(Entries& entries) {
@@ -71,54 +77,56 @@ void append_can_gather(Entries& entries) {
          .title = "whether there is anything to gather at a point",
          .formula = "surface in front of the eye, normal not zero, 0 < R < infinity",
          .source = "edges of TSSAO (Mattausch et al.), eq 2"},
-        GLOAM_REFERENCE(gloam_can_gather), {.domain = {vectors, vectors, extra()}}));
+        GLOAM_REFERENCE(gloam_can_gather), {.domain = {vectors, vectors, length()}}));
 }
 
 void append_tap(Entries& entries) {
-    using Tap = glm::vec2(glm::vec2, glm::vec3, glm::mat3, Camera, Kernel, float, unsigned);
+    using Tap = glm::vec2(glm::vec2, glm::vec3, glm::mat3, Camera, Kernel, Method, unsigned);
     const Values index = log_integers(16777216).and_near_integers({16777216, 4294967295});
     entries.push_back(equation<Tap>(
         {
             .id = "TSSAO-3-hemisphere",
-            .function = "gloam_hemisphere_tap",
+            .function = "gloam_point_tap",
             .file = hemisphere_file,
             .title = "one point of the half ball against the depth buffer",
             .formula = "(sum + V(p, s_i), n + 1), s_i of TSSAO-14",
             .source = "TSSAO (Mattausch et al.), eqs 3 and 14",
         },
         []<class T>(const ImageSet& images, vec2<T> accumulated, vec3<T> position, const mat3<T>& frame,
-                    const GloamCamera<T>& camera, const GloamKernel<T>& kernel, T range, unsigned i) {
-            return reference::gloam_hemisphere_tap(accumulated, position, frame, camera, kernel, range, i,
-                                                   depth_of<T>(images));
+                    const GloamCamera<T>& camera, const GloamKernel<T>& kernel, const GloamMethod<T>& method,
+                    unsigned i) {
+            return reference::gloam_point_tap(accumulated, position, frame, camera, kernel, method, i,
+                                              reference::HemisphereMethod<T>{}, depth_of<T>(images));
         },
         {.domain =
-             Domain{constant(glm::vec2(3, 7)), positions(), frames(), cameras(), kernels(), extra(), index}
+             Domain{constant(glm::vec2(3, 7)), positions(), frames(), cameras(), kernels(), methods(), index}
                  .adjusted(place_before_camera(2, 14)),
          .budget = hemisphere_budget,
          .codomain = {0, most_samples},
          .promised = make_predicate<Tap>([](glm::vec2, const glm::vec3& p, const glm::mat3& frame,
-                                            const Camera& c, const Kernel& k, float range, unsigned) {
-             return moderate(1e-9, 4, frame) && usual(p, glm::vec3(0), c, k, range);
+                                            const Camera& c, const Kernel& k, const Method& m, unsigned) {
+             return moderate(1e-9, 4, frame) && usual(p, glm::vec3(0), c, k, m);
          }),
          .scenarios = depth_scenarios(prototype)}));
 }
 
 void append_hemisphere(Entries& entries) {
-    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, float);
+    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
     entries.push_back(equation<Gather>(
         {.id = "TSSAO-2-hemisphere",
-         .function = "gloam_hemisphere_gather",
+         .function = "gloam_point_gather",
          .file = hemisphere_file,
          .title = "occlusion of a pixel by points of the half ball",
          .formula = "(sum of V(p, s_i), n), s_i of TSSAO-14, i = j + 1 ... j + k",
          .source = "TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009"},
         []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, T range) {
-            return reference::gloam_hemisphere_gather(position, normal, camera, kernel, range,
-                                                      depth_of<T>(images));
+                    const GloamKernel<T>& kernel, const GloamMethod<T>& method) {
+            return reference::gloam_point_gather(position, normal, camera, kernel, method,
+                                                 reference::HemisphereMethod<T>{}, depth_of<T>(images));
         },
-        {.domain = Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), extra()}.adjusted(
-             place_before_camera(0, 6)),
+        {.domain =
+             Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), methods()}.adjusted(
+                 place_before_camera(0, 6)),
          .budget = hemisphere_budget,
          .codomain = {0, most_samples},
          .promised = make_predicate<Gather>(usual),
@@ -126,43 +134,45 @@ void append_hemisphere(Entries& entries) {
 }
 
 void append_disc(Entries& entries) {
-    using Contribution = float(glm::vec3, glm::vec3, glm::ivec2, Camera, Kernel, float);
-    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, float);
+    using Contribution = float(glm::vec3, glm::vec3, glm::ivec2, Camera, Kernel, Method);
+    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
     entries.push_back(equation<Contribution>(
         {.id = "TSSAO-12-disc",
-         .function = "gloam_disc_contribution",
+         .function = "gloam_tap_at",
          .file = disc_file,
          .title = "contribution of the surface at a tap",
          .formula = "epsilon C(p, s), s the surface under the pixel, |s - p| <= R, (s - p) . n > bias",
          .source = "TSSAO (Mattausch et al.), eqs 12 and 13"},
         []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, glm::ivec2 at,
-                    const GloamCamera<T>& camera, const GloamKernel<T>& kernel, T epsilon) {
-            return reference::gloam_disc_contribution(position, normal, at, camera, kernel, epsilon,
-                                                      depth_of<T>(images));
+                    const GloamCamera<T>& camera, const GloamKernel<T>& kernel,
+                    const GloamMethod<T>& method) {
+            return reference::gloam_tap_at(position, normal, at, camera, kernel, method,
+                                           reference::DiscMethod<T>{}, depth_of<T>(images));
         },
         {.domain =
-             Domain{positions(), unit_vector(3).and_special(), image_pixel(), cameras(), kernels(), extra()}
+             Domain{positions(), unit_vector(3).and_special(), image_pixel(), cameras(), kernels(), methods()}
                  .adjusted(place_before_camera(0, 8)),
          .budget = contribution_budget,
          .codomain = {0, 1},
          .promised = make_predicate<Contribution>([](const glm::vec3& p, const glm::vec3& n, glm::ivec2,
                                                      const Camera& c, const Kernel& k,
-                                                     float epsilon) { return usual(p, n, c, k, epsilon); }),
+                                                     const Method& m) { return usual(p, n, c, k, m); }),
          .scenarios = depth_scenarios(prototype)}));
     entries.push_back(equation<Gather>(
         {.id = "TSSAO-2-disc",
-         .function = "gloam_disc_gather",
+         .function = "gloam_tap_gather",
          .file = disc_file,
          .title = "crease shading of a pixel by surface points under a disc",
          .formula = "(sum of epsilon C(p, s_i), n), s_i under TSSAO-13, i = j + 1 ... j + k",
          .source = "TSSAO (Mattausch et al.), eqs 2, 4, 12 and 13; Fox and Compton 2008"},
         []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, T epsilon) {
-            return reference::gloam_disc_gather(position, normal, camera, kernel, epsilon,
-                                                depth_of<T>(images));
+                    const GloamKernel<T>& kernel, const GloamMethod<T>& method) {
+            return reference::gloam_tap_gather(position, normal, camera, kernel, method,
+                                               reference::DiscMethod<T>{}, depth_of<T>(images));
         },
-        {.domain = Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), extra()}.adjusted(
-             place_before_camera(0, 6)),
+        {.domain =
+             Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), methods()}.adjusted(
+                 place_before_camera(0, 6)),
          .budget = disc_budget,
          .codomain = {0, most_samples},
          .promised = make_predicate<Gather>(usual),

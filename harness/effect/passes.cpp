@@ -14,6 +14,10 @@ std::uint32_t flag(bool value) {
     return value ? 1U : 0U;
 }
 
+std::string method_include(const std::string& method) {
+    return "methods/" + method + ".glsl";
+}
+
 std::vector<std::string> defines_for(HistoryPrecision precision) {
     if (precision == HistoryPrecision::float32) return {};
     return {"GLOAM_HISTORY rgba16f"};
@@ -44,7 +48,11 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .invalidation = static_cast<std::uint32_t>(settings.invalidation),
             .change_tolerance = settings.change_tolerance,
             .weight_small = settings.weight_small,
-            .confidence_factor = settings.confidence_factor};
+            .confidence_factor = settings.confidence_factor,
+            .intensity = settings.intensity,
+            .thickness = settings.thickness,
+            .angle_bias = settings.angle_bias,
+            .steps = settings.steps};
 }
 
 ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
@@ -81,15 +89,15 @@ gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::
 
 gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::PassLibrary& library,
                                        const Program& program) {
-    const shader::Spirv spirv = library.compile("ambient_occlusion.comp", defines_for(program.precision));
+    const shader::Spirv spirv =
+        library.compile("ambient_occlusion.comp", defines_for(program.precision),
+                        {{method_include("hemisphere"), method_include(program.method)}});
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
                           storage_image},
              .push_constant_bytes = sizeof(OcclusionParameters),
-             .constants = {{.id = 0, .bits = flag(program.method == Method::disc)},
-                           {.id = 1, .bits = 1},
-                           {.id = 2, .bits = flag(program.moving_objects)}}}};
+             .constants = {{.id = 0, .bits = 1}, {.id = 1, .bits = flag(program.moving_objects)}}}};
 }
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,

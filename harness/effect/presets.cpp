@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "effect/presets.hpp"
 
-#include <stdexcept>
+#include "effect/internal/named.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -36,25 +36,7 @@ Settings quality() {
     return settings;
 }
 
-template <class Item>
-const Item& named(const std::vector<Item>& items, std::string_view name, const char* what) {
-    std::string names;
-    for (const Item& item : items) {
-        if (item.name == name) return item;
-        names += (names.empty() ? "" : ", ") + item.name;
-    }
-    throw std::invalid_argument("unknown " + std::string(what) + " \"" + std::string(name) + "\": expected " +
-                                names);
-}
-
 }  // namespace
-
-std::vector<MethodInfo> methods() {
-    return {{"hemisphere", "occlusion with a linear falloff, by points in the half ball (TSSAO-3, TSSAO-14)",
-             Method::hemisphere},
-            {"disc", "how concave the surface is, by surface points under a disc (TSSAO-12, TSSAO-13)",
-             Method::disc}};
-}
 
 std::vector<Preset> presets() {
     return {{"paper", "the TSSAO paper's table 1: 32 samples a frame, 500 in the mean", paper()},
@@ -62,21 +44,9 @@ std::vector<Preset> presets() {
             {"quality", "128 samples a frame, 1500 in the mean", quality()}};
 }
 
-Method method_named(std::string_view name) {
-    const std::vector<MethodInfo> all = methods();
-    return named(all, name, "method").method;
-}
-
 Preset preset_named(std::string_view name) {
     const std::vector<Preset> all = presets();
     return named(all, name, "preset");
-}
-
-std::string name_of(Method method) {
-    for (const MethodInfo& info : methods()) {
-        if (info.method == method) return info.name;
-    }
-    throw std::invalid_argument("a method without a name");
 }
 
 }  // namespace gloam::effect

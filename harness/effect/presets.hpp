@@ -9,12 +9,6 @@
 
 namespace gloam::effect {
 
-struct MethodInfo {
-    std::string name;
-    std::string description;
-    Method method = Method::hemisphere;
-};
-
 // A set of settings that goes together; its lengths are for a radius of 1.
 struct Preset {
     std::string name;
@@ -22,12 +16,9 @@ struct Preset {
     Settings settings;
 };
 
-[[nodiscard]] std::vector<MethodInfo> methods();
 [[nodiscard]] std::vector<Preset> presets();
 
-// By name. Throw std::invalid_argument that lists the names.
-[[nodiscard]] Method method_named(std::string_view name);
+// By name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] Preset preset_named(std::string_view name);
-[[nodiscard]] std::string name_of(Method method);
 
 }  // namespace gloam::effect

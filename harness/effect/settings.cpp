@@ -31,6 +31,7 @@ Settings with_radius(Settings settings, float radius) {
     settings.bias *= scale;
     settings.range *= scale;
     settings.epsilon *= scale;
+    settings.thickness *= scale;
     settings.change_tolerance *= scale;
     return settings;
 }
@@ -39,6 +40,7 @@ void validate(const Settings& s) {
     require_length(s.radius, "radius");
     require_length(s.range, "range");
     require_length(s.epsilon, "epsilon");
+    require_length(s.thickness, "thickness");
     require(s.bias >= 0.0F && s.bias <= largest, "bias", s.bias, "a length from 0 to 1e18");
     require(s.samples >= 1 && s.samples <= most_samples, "samples", s.samples, "1 to 2048");
     require(s.samples_converged >= 1 && s.samples_converged <= most_samples, "samples when converged",
@@ -61,6 +63,9 @@ void validate(const Settings& s) {
     require(s.c_adaptive >= 0.0F, "c_adaptive", s.c_adaptive, "0 or more");
     require(s.filter_half_width >= 0 && s.filter_half_width <= 64, "filter half width", s.filter_half_width,
             "0 to 64");
+    require(s.intensity >= 0.0F && s.intensity <= largest, "intensity", s.intensity, "0 to 1e18");
+    require(s.angle_bias >= 0.0F && s.angle_bias <= 1.5707964F, "angle bias", s.angle_bias, "0 to pi / 2");
+    require(s.steps >= 1 && s.steps <= 64, "steps", s.steps, "1 to 64");
     require(s.least_radius >= 0.0F, "least radius", s.least_radius, "0 or more");
 }
 

@@ -2,14 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace gloam::effect {
-
-// How the occlusion of a pixel is estimated.
-enum class Method {
-    hemisphere,  // TSSAO-3: points in the half ball above the surface, linear falloff
-    disc,        // TSSAO-12: surface points under a disc around the pixel: how concave the surface is
-};
 
 // What the history of a pixel is worth when its neighbourhood has changed but it has not been disoccluded
 // (TSSAO-9, -SI).
@@ -38,12 +33,16 @@ constexpr std::uint32_t most_samples = 2'048;
 
 // Everything that decides what a frame looks like.
 struct Settings {
-    Method method = Method::hemisphere;
-    float radius = 0.5F;  // of influence, world units, > 0
-    float bias = 0.005F;  // world units, >= 0: differences below it are rounding, not occlusion
+    std::string method = "hemisphere";  // how the occlusion of a pixel is estimated: a name of methods()
+    float radius = 0.5F;                // of influence, world units, > 0
+    float bias = 0.005F;                // world units, >= 0: differences below it are rounding, not occlusion
     float range =
         1.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
-    float epsilon = 0.025F;  // disc: distance at which a patch counts fully, world units, > 0
+    float epsilon = 0.025F;   // disc: distance at which a patch counts fully, world units, > 0
+    float intensity = 1.0F;   // factor of the estimate, for methods that have one, >= 0
+    float thickness = 0.5F;   // bitmask: how far behind its front a surface blocks, world units, > 0
+    float angle_bias = 0.0F;  // horizons: radians above the tangent plane, 0 to pi / 2
+    std::uint32_t steps = 4;  // horizons: taps along each half of a slice, 1 to 64
     std::uint32_t samples =
         32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples
     std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, 1 to most_samples

@@ -27,14 +27,24 @@ std::string with_defines(const std::string& text, const std::vector<std::string>
     return text.substr(0, end + 1) + lines + text.substr(end + 1);
 }
 
+std::string with_include(std::string text, const PassLibrary::Replacement& replacement) {
+    const std::string line = "#include \"" + replacement.include + "\"";
+    const std::size_t at = text.find(line);
+    if (at == std::string::npos) throw std::invalid_argument("a pass without the line " + line);
+    return text.replace(at, line.size(), "#include \"" + replacement.instead + "\"");
+}
+
 }  // namespace
 
 PassLibrary::PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache)
     : glsl_(std::move(glsl)), cache_(cache) {}
 
-shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines) const {
+shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines,
+                                   const std::vector<Replacement>& replacements) const {
     const std::filesystem::path file = glsl_ / "passes" / name;
-    return cache_.compile({.name = file.string(), .text = with_defines(shader::read_text(file), defines)},
+    std::string text = with_defines(shader::read_text(file), defines);
+    for (const Replacement& replacement : replacements) text = with_include(std::move(text), replacement);
+    return cache_.compile({.name = file.string(), .text = text},
                           {.stage = stage_of(file),
                            .include_roots = {glsl_},
                            .variant = {.optimization = shader::Optimization::performance}});

@@ -15,11 +15,18 @@ class PassLibrary {
     // glsl: the folder that holds gloam/ and passes/. cache: where compiled passes are kept; empty: nowhere.
     explicit PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache = {});
 
+    // An #include of a pass, as written, and what is included instead.
+    struct Replacement {
+        std::string include;
+        std::string instead;
+    };
+
     // The pass in passes/NAME, whose suffix (.comp, .vert, .frag) says its stage, optimised for speed. Each
     // of `defines` is defined before the first line. Throws std::runtime_error for a missing file,
-    // shader::CompileError for one that does not compile.
-    [[nodiscard]] shader::Spirv compile(const std::string& name,
-                                        const std::vector<std::string>& defines = {}) const;
+    // std::invalid_argument for a replacement of what the pass does not include, shader::CompileError for a
+    // pass that does not compile.
+    [[nodiscard]] shader::Spirv compile(const std::string& name, const std::vector<std::string>& defines = {},
+                                        const std::vector<Replacement>& replacements = {}) const;
 
   private:
     std::filesystem::path glsl_;

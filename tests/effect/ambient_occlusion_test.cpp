@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "effect/errors.hpp"
+#include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "scene/corner.hpp"
 #include "scene/rasterize.hpp"
@@ -72,9 +73,8 @@ scene::GBuffer wall(gpu::Extent extent, float depth) {
 }
 
 TEST_F(Effect, AnOpenPlaneIsOpen) {
-    for (const Method method : {Method::hemisphere, Method::disc}) {
-        Settings settings = settings_for(1.0F);
-        settings.method = method;
+    for (const MethodInfo& method : methods()) {
+        const Settings settings = with_method(settings_for(1.0F), method.name);
         for (const bool normals : {true, false}) {
             scene::GBuffer view = wall({64, 48}, 3.0F);
             if (!normals) view.normal.clear();
@@ -185,7 +185,7 @@ TEST_F(Effect, EverySettingMatters) {
     };
     const std::vector<float> before = filtered([](Settings&) {});
     const std::vector<std::pair<const char*, std::function<void(Settings&)>>> changes{
-        {"method", [](Settings& s) { s.method = Method::disc; }},
+        {"method", [](Settings& s) { s.method = "disc"; }},
         {"radius", [](Settings& s) { s.radius = 0.5F; }},
         {"bias", [](Settings& s) { s.bias = 0.1F; }},
         {"range", [](Settings& s) { s.range = 0.05F; }},
@@ -221,9 +221,8 @@ TEST_F(Effect, WhatCannotBeIsRefused) {
 
 // Some drivers end long loops early and say nothing.
 TEST_F(Effect, TheMostSamplesAreAllTaken) {
-    for (const Method method : {Method::hemisphere, Method::disc}) {
-        Settings settings = settings_for(1.0F);
-        settings.method = method;
+    for (const MethodInfo& method : methods()) {
+        Settings settings = with_method(settings_for(1.0F), method.name);
         settings.samples = most_samples;
         settings.least_radius = 0.0F;  // in so small an image no radius is a pixel
         EXPECT_EQ(run(wall({9, 1}, 3.0F), settings).work.samples, 9U * most_samples);

@@ -26,7 +26,21 @@ struct Samples {
     unsigned count;
 };
 
-using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Samples, float);
+struct Method {
+    float range = 0.0F;
+    float epsilon = 0.0F;
+    float intensity = 1.0F;
+    float thickness = 1.0F;
+    float angle_bias = 0.0F;
+    unsigned steps = 1;
+};
+
+// Of a method that reads one length.
+Method of_length(float length) {
+    return {.range = length, .epsilon = length};
+}
+
+using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Samples, Method);
 
 check::ImageSet depth_image(glm::ivec2 size, const std::function<float(glm::ivec2)>& depth) {
     return {{"gloam_fetch_depth", check::make_image<float>(size, depth)}};
@@ -35,9 +49,8 @@ check::ImageSet depth_image(glm::ivec2 size, const std::function<float(glm::ivec
 class Gathering : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
-    check::Kernel<Gather> hemisphere{lab, "gloam/occlusion/hemisphere_gather.glsl",
-                                     "gloam_hemisphere_gather"};
-    check::Kernel<Gather> disc{lab, "gloam/occlusion/disc_gather.glsl", "gloam_disc_gather"};
+    check::Kernel<Gather> hemisphere{lab, "passes/methods/hemisphere.glsl", "gloam_method_gather"};
+    check::Kernel<Gather> disc{lab, "passes/methods/disc.glsl", "gloam_method_gather"};
 };
 
 // A plane through (0, 0, -5) with the given normal.
@@ -60,12 +73,13 @@ struct Plane {
         return depth_image(camera.size, [this](glm::ivec2 p) { return static_cast<float>(-point(p).z); });
     }
     // Every pixel with the given samples.
-    std::vector<std::tuple<glm::vec3, glm::vec3, Camera, Samples, float>> inputs(const Samples& samples,
-                                                                                 float last) const {
-        std::vector<std::tuple<glm::vec3, glm::vec3, Camera, Samples, float>> all;
+    std::vector<std::tuple<glm::vec3, glm::vec3, Camera, Samples, Method>> inputs(const Samples& samples,
+                                                                                  float last) const {
+        std::vector<std::tuple<glm::vec3, glm::vec3, Camera, Samples, Method>> all;
         for (int y = 0; y < camera.size.y; ++y) {
             for (int x = 0; x < camera.size.x; ++x) {
-                all.emplace_back(glm::vec3(point({x, y})), glm::vec3(normal), camera, samples, last);
+                all.emplace_back(glm::vec3(point({x, y})), glm::vec3(normal), camera, samples,
+                                 of_length(last));
             }
         }
         return all;
@@ -94,7 +108,7 @@ TEST_F(Gathering, NothingBlocksAPlane) {
 TEST_F(Gathering, CeilingByAKernelOfUniformRadii) {
     const Camera camera{glm::vec2(1, -1), glm::ivec2(8, 8), false};
     const auto ceiling = depth_image(camera.size, [](glm::ivec2) { return 5.25F; });
-    std::vector<std::tuple<glm::vec3, glm::vec3, Camera, Samples, float>> inputs;
+    std::vector<std::tuple<glm::vec3, glm::vec3, Camera, Samples, Method>> inputs;
     constexpr unsigned batches = 256;
     constexpr unsigned batch = 256;
     for (unsigned b = 0; b < batches; ++b) {
@@ -103,7 +117,7 @@ TEST_F(Gathering, CeilingByAKernelOfUniformRadii) {
                               .angle = 0.1F * static_cast<float>(b),
                               .first = b * batch,
                               .count = batch};
-        inputs.emplace_back(glm::vec3(0, 0, -5), glm::vec3(0, 0, -1), camera, samples, infinity);
+        inputs.emplace_back(glm::vec3(0, 0, -5), glm::vec3(0, 0, -1), camera, samples, of_length(infinity));
     }
     double sum = 0.0;
     for (const glm::vec2 part : hemisphere(inputs, ceiling)) {
@@ -119,8 +133,8 @@ TEST_F(Gathering, StepThatRisesBesideThePoint) {
     const auto image = depth_image(camera.size, [](glm::ivec2 p) { return p.x < 32 ? 5.0F : 4.7F; });
     const Samples samples{.radius = 0.5F, .bias = 0.005F, .angle = 0.0F, .first = 0, .count = 64};
     const auto occlusion = [&](const auto& gather, float x, float last) {
-        const glm::vec2 sum =
-            gather.with_images(image, {glm::vec3(x, 0.04F, -5), glm::vec3(0, 0, 1), camera, samples, last});
+        const glm::vec2 sum = gather.with_images(
+            image, {glm::vec3(x, 0.04F, -5), glm::vec3(0, 0, 1), camera, samples, of_length(last)});
         EXPECT_EQ(sum.y, 64.0F);
         return sum.x / sum.y;
     };
@@ -141,8 +155,8 @@ TEST_F(Gathering, BackgroundNeverBlocks) {
             const auto image = depth_image(size, [&](glm::ivec2) { return background; });
             for (const auto* gather : {&hemisphere, &disc}) {
                 const auto at = [&](float depth) {
-                    return gather->with_images(
-                        image, {glm::vec3(0, 0, -depth), glm::vec3(0, 0, 1), camera, samples, 1.0F});
+                    return gather->with_images(image, {glm::vec3(0, 0, -depth), glm::vec3(0, 0, 1), camera,
+                                                       samples, of_length(1.0F)});
                 };
                 EXPECT_EQ(at(5.0F), glm::vec2(0, 16));
                 EXPECT_EQ(at(background), glm::vec2(0));
@@ -156,7 +170,7 @@ TEST_F(Gathering, WhatCannotBeSampledIsNotCounted) {
     const auto image = depth_image(camera.size, [](glm::ivec2) { return 0.5F; });
     const auto run = [&](glm::vec3 position, glm::vec3 normal, float radius, unsigned count) {
         const Samples samples{.radius = radius, .bias = 0.01F, .angle = 0.0F, .first = 0, .count = count};
-        return hemisphere.with_images(image, {position, normal, camera, samples, infinity});
+        return hemisphere.with_images(image, {position, normal, camera, samples, of_length(infinity)});
     };
     const glm::vec3 near_eye(0, 0, -0.5F);
     const glm::vec2 partly =
@@ -183,9 +197,9 @@ TEST_F(Gathering, LargeKernelsStayInTheImage) {
             const Samples samples{.radius = radius, .bias = 0.001F, .angle = 2.0F, .first = 100, .count = 64};
             for (const auto* gather : {&hemisphere, &disc}) {
                 glm::vec2 sum(0);
-                EXPECT_NO_THROW(
-                    sum = gather->with_images(
-                        image, {glm::vec3(0.1F, 0.2F, -2), glm::vec3(0, 0, 1), camera, samples, infinity}));
+                EXPECT_NO_THROW(sum =
+                                    gather->with_images(image, {glm::vec3(0.1F, 0.2F, -2), glm::vec3(0, 0, 1),
+                                                                camera, samples, of_length(infinity)}));
                 EXPECT_LE(sum.x, sum.y);
                 EXPECT_LE(sum.y, 64.0F);
             }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/names.hpp"
 
+#include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "scene/scene.hpp"
 

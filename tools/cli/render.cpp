@@ -15,6 +15,7 @@
 #include "cli/render_input.hpp"
 #include "cli/render_report.hpp"
 #include "cli/render_truth.hpp"
+#include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "report/image.hpp"
 #include "report/output_folder.hpp"
@@ -25,8 +26,7 @@ namespace {
 
 // Settings for a view: the preset, then what the options and the view say.
 effect::Settings settings_for(const RenderOptions& options, const std::optional<double>& view_radius) {
-    effect::Settings settings = effect::preset_named(options.preset).settings;
-    settings.method = effect::method_named(options.method);
+    effect::Settings settings = with_method(effect::preset_named(options.preset).settings, options.method);
     if (options.samples) settings.samples = *options.samples;
     if (options.no_filter) settings.filter = false;
     if (!options.radius && !view_radius) {

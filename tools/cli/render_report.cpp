@@ -6,15 +6,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "effect/presets.hpp"
+#include "effect/methods.hpp"
 
 namespace gloam::cli {
 namespace {
 
 using nlohmann::ordered_json;
 
-const char* falloff_of(effect::Method method) {
-    return method == effect::Method::hemisphere ? "linear" : "none";
+std::string falloff_of(const effect::Settings& settings) {
+    return effect::method_named(settings.method).falloff;
 }
 
 ordered_json errors_json(const effect::Errors& errors) {
@@ -65,7 +65,7 @@ ordered_json truth_json(const TruthReport& truth) {
 
 ordered_json settings_json(const effect::Settings& s) {
     return {{"radius", s.radius},
-            {"falloff", falloff_of(s.method)},
+            {"falloff", falloff_of(s)},
             {"bias", s.bias},
             {"range", s.range},
             {"epsilon", s.epsilon},
@@ -138,10 +138,10 @@ std::string to_json(const RenderReport& report) {
                         {"type", report.device.type},
                         {"api_version", report.device.api_version}}},
                       {"source", report.source},
-                      {"method", effect::name_of(last.settings.method)},
+                      {"method", last.settings.method},
                       {"preset", report.preset},
                       {"radius", last.settings.radius},
-                      {"falloff", falloff_of(last.settings.method)},
+                      {"falloff", falloff_of(last.settings)},
                       {"width", last.extent.width},
                       {"height", last.extent.height},
                       {"settings", settings_json(last.settings)},
@@ -157,8 +157,8 @@ std::string to_text(const RenderReport& report) {
     const effect::Settings& s = last.settings;
     std::string text = fmt::format(
         "{}: {} ({}), {} samples a frame, radius {:g}, bias {:g}, {} x {}, {} frame{} on {}\n", report.source,
-        effect::name_of(s.method), report.preset, s.samples, s.radius, s.bias, last.extent.width,
-        last.extent.height, report.frames.size(), report.frames.size() == 1 ? "" : "s", report.device.name);
+        s.method, report.preset, s.samples, s.radius, s.bias, last.extent.width, last.extent.height,
+        report.frames.size(), report.frames.size() == 1 ? "" : "s", report.device.name);
     text += (report.frames.size() > 1 ? "last frame: " : "") + work_lines(last);
     if (!last.errors) return text;
     text += fmt::format("against {}, {} pixels compared:\n", report.truth, last.errors->raw.compared);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <glm/glm.hpp>
+#include <string>
 
 #include "check/kernel.hpp"
+#include "effect/methods.hpp"
 
 namespace gloam::stress {
 
@@ -22,17 +23,26 @@ struct GatherKernel {
     unsigned count;
 };
 
-// (position, normal, camera, kernel, range or epsilon) to (sum, count); reads depths by gloam_fetch_depth.
-using Gather = check::Kernel<glm::vec2(glm::vec3, glm::vec3, Camera, GatherKernel, float)>;
-
-struct GatherFunction {
-    const char* file;
-    const char* name;
+struct GatherMethod {
+    float range;
+    float epsilon;
+    float intensity = 1.0F;
+    float thickness = 1.0F;
+    float angle_bias = 0.0F;
+    unsigned steps = 1;
 };
 
-[[nodiscard]] constexpr std::array<GatherFunction, 2> gather_functions() {
-    return {{{"gloam/occlusion/hemisphere_gather.glsl", "gloam_hemisphere_gather"},
-             {"gloam/occlusion/disc_gather.glsl", "gloam_disc_gather"}}};
+// (position, normal, camera, kernel, method) to (sum, count); reads depths by gloam_fetch_depth.
+using Gather = check::Kernel<glm::vec2(glm::vec3, glm::vec3, Camera, GatherKernel, GatherMethod)>;
+
+[[nodiscard]] constexpr GatherMethod method_of_length(float length) {
+    return {.range = length, .epsilon = length};
+}
+
+constexpr const char* gather_function = "gloam_method_gather";
+
+[[nodiscard]] inline std::string gather_file(const effect::MethodInfo& method) {
+    return "passes/methods/" + method.name + ".glsl";
 }
 
 }  // namespace gloam::stress

@@ -71,21 +71,26 @@ std::vector<Gather::Inputs> gather_inputs(float bad) {
     const glm::vec3 position = position_at(size / 2, 3.0F);
     const glm::vec3 normal(0, 0, 1);
     std::vector<Gather::Inputs> inputs;
-    for_each_pixel(
-        [&](glm::ivec2 at) { inputs.emplace_back(position_at(at, 3.0F), normal, camera, kernel, 1.0F); });
+    for_each_pixel([&](glm::ivec2 at) {
+        inputs.emplace_back(position_at(at, 3.0F), normal, camera, kernel, method_of_length(1.0F));
+    });
     for (int axis = 0; axis < 3; ++axis) {
         glm::vec3 moved = position;
         glm::vec3 turned = normal;
         moved[axis] = bad;
         turned[axis] = bad;
-        inputs.emplace_back(moved, normal, camera, kernel, 1.0F);
-        inputs.emplace_back(position, turned, camera, kernel, 1.0F);
+        inputs.emplace_back(moved, normal, camera, kernel, method_of_length(1.0F));
+        inputs.emplace_back(position, turned, camera, kernel, method_of_length(1.0F));
     }
-    inputs.emplace_back(position, normal, camera, GatherKernel{bad, 0.001F, 0.0F, 0, 33}, 1.0F);
-    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, bad, 0.0F, 0, 33}, 1.0F);
-    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, bad, 0, 33}, 1.0F);
-    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, 0.0F, 0, 0}, 1.0F);
-    inputs.emplace_back(position, normal, camera, kernel, bad);
+    inputs.emplace_back(position, normal, camera, GatherKernel{bad, 0.001F, 0.0F, 0, 33},
+                        method_of_length(1.0F));
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, bad, 0.0F, 0, 33},
+                        method_of_length(1.0F));
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, bad, 0, 33},
+                        method_of_length(1.0F));
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, 0.0F, 0, 0},
+                        method_of_length(1.0F));
+    inputs.emplace_back(position, normal, camera, kernel, method_of_length(bad));
     return inputs;
 }
 
@@ -94,8 +99,8 @@ bool good_sum(glm::vec2 sum) {
     return sum.x >= 0.0F && sum.x <= sum.y && sum.y <= 33.0F;
 }
 
-Count gathers(const check::Lab& lab, const GatherFunction& function) {
-    const Gather gather(lab, function.file, function.name);
+Count gathers(const check::Lab& lab, const std::string& file) {
+    const Gather gather(lab, file, gather_function);
     Count count;
     for_each_image([&](float bad, const check::Image& image) {
         call(gather, gather_inputs(bad), {{"gloam_fetch_depth", image}}, good_sum, count);
@@ -151,7 +156,7 @@ Count filters(const check::Lab& lab) {
     return count;
 }
 
-void append_rows(const char* function, const Count& count, Rows& rows) {
+void append_rows(const std::string& function, const Count& count, Rows& rows) {
     const std::string varied = fmt::format("{}, every argument", function);
     rows.push_back(
         {poison_name, varied, "fetches outside the image", static_cast<double>(count.fetches_outside), 0.0});
@@ -165,8 +170,8 @@ Rows poisoned_fetches(const Context& context) {
     const check::Lab& lab = context.lab;
     context.progress(fmt::format("{}: fetches", poison_name));
     Rows rows;
-    for (const GatherFunction& function : gather_functions())
-        append_rows(function.name, gathers(lab, function), rows);
+    for (const effect::MethodInfo& method : effect::methods())
+        append_rows("method " + method.name, gathers(lab, gather_file(method)), rows);
     append_rows("gloam_normal_from_depth", normals(lab), rows);
     append_rows("gloam_convergence_filter", filters(lab), rows);
     lab.require_silent_validation();

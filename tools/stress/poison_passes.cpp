@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "stress/footprint.hpp"
 #include "stress/poison_parts.hpp"
@@ -47,10 +48,9 @@ void put(scene::GBuffer& view, Target target, std::size_t pixel, float value) {
 // The passes on one device.
 class Passes {
   public:
-    Passes(const gpu::Device& device, const scene::PassLibrary& library, effect::Method method)
+    Passes(const gpu::Device& device, const scene::PassLibrary& library, const effect::MethodInfo& method)
         : effect_(device, library, extent),
-          settings_(effect::with_radius(effect::preset_named("paper").settings, radius)) {
-        settings_.method = method;
+          settings_(with_radius(with_method(effect::preset_named("paper").settings, method.name), radius)) {
         settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
     }
 
@@ -92,7 +92,7 @@ std::size_t count_beyond(const Mask& mask, const Mask& allowed) {
 
 class Experiment {
   public:
-    Experiment(const Context& context, const gpu::Device& fragile, effect::Method method)
+    Experiment(const Context& context, const gpu::Device& fragile, const effect::MethodInfo& method)
         : full_(context.extent == Extent::full),
           robust_(context.lab.device(), context.passes, method),
           fragile_(fragile, context.passes, method) {}
@@ -179,7 +179,7 @@ Rows poisoned_passes(const Context& context) {
                          .robust_buffer_access = false});
     Rows rows;
     for (const effect::MethodInfo& method : effect::methods()) {
-        Experiment experiment(context, fragile, method.method);
+        Experiment experiment(context, fragile, method);
         for (const Place& place : places(context.extent)) {
             const std::string varied = fmt::format("{}: {}", method.name, place.text);
             context.progress(fmt::format("{}: {}", poison_name, varied));

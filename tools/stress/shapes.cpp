@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "stress/gathers.hpp"
 #include "stress/views.hpp"
@@ -22,9 +23,9 @@ constexpr int frames = 2;
 
 using Size = gpu::Extent;
 
-effect::Settings settings_for(effect::Method method) {
-    effect::Settings settings = effect::with_radius(effect::preset_named("paper").settings, radius);
-    settings.method = method;
+effect::Settings settings_for(const effect::MethodInfo& method) {
+    effect::Settings settings =
+        with_radius(with_method(effect::preset_named("paper").settings, method.name), radius);
     settings.least_radius = 0.0F;
     return settings;
 }
@@ -121,7 +122,7 @@ void append_radii(const Context& context, Rows& rows) {
     for (const float r : {2e-18F, 1e-6F, 3.0F, 1e6F, 1e18F}) {
         std::size_t wrong = 0;
         for (const effect::MethodInfo& method : effect::methods()) {
-            effect::Settings settings = settings_for(method.method);
+            effect::Settings settings = settings_for(method);
             settings.radius = r;
             effect.begin(steps(size), settings);
             const effect::Frame frame = effect.next();
@@ -139,7 +140,7 @@ void append_counts(const Context& context, Rows& rows) {
     for (const std::uint32_t samples : {1U, 2U, 31U, 33U, 1024U, effect::most_samples}) {
         double missing = 0.0;
         for (const effect::MethodInfo& method : effect::methods()) {
-            effect::Settings settings = settings_for(method.method);
+            effect::Settings settings = settings_for(method);
             settings.samples = samples;
             settings.weight_max = 8'388'608.0F;
             effect.begin(plane(size), settings);
@@ -151,21 +152,23 @@ void append_counts(const Context& context, Rows& rows) {
 }
 
 // The most samples of a frame where their Halton points take the most digits.
-Row highest_points(const Gather& gather, const char* function) {
+Row highest_points(const Gather& gather, const std::string& method) {
     constexpr glm::ivec2 size{3, 1};
     const Camera camera{{1.0F, -1.0F}, size, false};
     const GatherKernel kernel{0.4F, 0.001F, 0.0F, (1U << 24U) - effect::most_samples - 1,
                               effect::most_samples};
     const check::Image wall = check::make_image<float>(size, [](glm::ivec2) { return 3.0F; });
-    const glm::vec2 sum = gather.with_images({{"gloam_fetch_depth", wall}},
-                                             {glm::vec3(0, 0, -3), glm::vec3(0, 0, 1), camera, kernel, 1.0F});
-    return {name, fmt::format("{}, {} points up to 2^24", function, effect::most_samples), "samples missing",
-            effect::most_samples - double{sum.y}, 0.0};
+    const glm::vec2 sum =
+        gather.with_images({{"gloam_fetch_depth", wall}},
+                           {glm::vec3(0, 0, -3), glm::vec3(0, 0, 1), camera, kernel, method_of_length(1.0F)});
+    return {name, fmt::format("method {}, {} points up to 2^24", method, effect::most_samples),
+            "samples missing", effect::most_samples - double{sum.y}, 0.0};
 }
 
 void append_highest_points(const Context& context, Rows& rows) {
-    for (const GatherFunction& function : gather_functions())
-        rows.push_back(highest_points(Gather(context.lab, function.file, function.name), function.name));
+    for (const effect::MethodInfo& method : effect::methods())
+        rows.push_back(
+            highest_points(Gather(context.lab, gather_file(method), gather_function), method.name));
 }
 
 }  // namespace
@@ -180,9 +183,9 @@ Row one_size(const Context& context, Size size) {
             scene::GBuffer flat = plane(size);
             scene::GBuffer stepped = steps(size);
             if (!normals) flat.normal.clear(), stepped.normal.clear();
-            wrong += wrong_pixels(effect, flat, settings_for(method.method), true);
+            wrong += wrong_pixels(effect, flat, settings_for(method), true);
             if (once) break;
-            wrong += wrong_pixels(effect, stepped, settings_for(method.method), false);
+            wrong += wrong_pixels(effect, stepped, settings_for(method), false);
         }
     }
     context.lab.require_silent_validation();

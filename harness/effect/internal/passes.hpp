@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "effect/settings.hpp"
 #include "gpu/compute.hpp"
@@ -40,6 +41,10 @@ struct OcclusionParameters {
     float change_tolerance;
     float weight_small;
     float confidence_factor;
+    float intensity;
+    float thickness;
+    float angle_bias;
+    std::uint32_t steps;
 };
 
 struct ReprojectionParameters {
@@ -79,7 +84,7 @@ struct View {
 
 // What a pipeline is compiled for.
 struct Program {
-    Method method = Method::hemisphere;
+    std::string method;
     HistoryPrecision precision = HistoryPrecision::float32;
     bool moving_objects = false;
 

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_METHOD_PARAMETERS_GLSL
+#define GLOAM_OCCLUSION_METHOD_PARAMETERS_GLSL
+
+// What a method may need besides its kernel. Each method says which of these it reads, and how.
+struct GloamMethod {
+    float range;       // world units: blockers further in front than this are other objects
+    float epsilon;     // world units: distance below which a patch counts no more
+    float intensity;   // factor of the result
+    float thickness;   // world units: how far behind its front a surface blocks
+    float angle_bias;  // radians above the tangent plane below which nothing blocks
+    uint steps;        // taps along each half of a slice, at least 1
+};
+
+#endif

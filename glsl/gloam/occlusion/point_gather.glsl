@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_POINT_GATHER_GLSL
+#define GLOAM_OCCLUSION_POINT_GATHER_GLSL
+
+#include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/plane_depth.glsl"
+#include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/method_parameters.glsl"
+#include "gloam/sampling/tangent_frame.glsl"
+
+// Methods that compare points of the space around a pixel with the depth buffer (TSSAO-2 to -4): the loop over the points. A method
+// says where they lie and what one of them contributes.
+
+// Defined by the user: eye-linear depth of a pixel inside the image, in world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the method: a point of the unit ball.
+// index: number of the Halton point, 1 for the first. angle: rotation of the kernel, radians.
+// Returns the point in tangent space, z along the normal; the zero vector for none.
+vec3 gloam_method_point(uint index, float angle);
+
+// Defined by the method: what a point contributes.
+// depth: of the point, moved to the centre of its pixel along the plane parallel to the surface, so that a bare plane is the same at
+// any tilt. buffer_depth: what the eye sees there; both eye-linear, world units.
+// Returns an occlusion; background blocks nothing.
+float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method);
+
+// One sample point.
+// accumulated: (sum, count) so far. position: view space, world units. frame: columns tangent, bitangent, normal.
+// index: number of the Halton point.
+// Returns (sum, count) with the sample added; outside the image the nearest pixel counts. Unchanged for a point at or
+// behind the eye, one that is not finite, and one at the centre (index 0).
+// Error: none, but a point within rounding of a pixel's border or of the blocking depth may fall to either side.
+vec2 gloam_point_tap(vec2 accumulated, vec3 position, mat3 frame, GloamCamera camera, GloamKernel kernel, GloamMethod method,
+                     uint index) {
+    vec3 point = gloam_method_point(index, kernel.angle);
+    vec3 at = position + kernel.radius * (frame * point);
+    if (point == vec3(0.0) || gloam_is_background(-at.z) || !gloam_is_finite2(at.xy)) return accumulated;
+    ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
+    float depth = gloam_plane_depth(pixel, at, frame[2], camera);
+    return gloam_estimator_add(accumulated, gloam_method_point_occlusion(depth, gloam_fetch_depth(pixel), kernel, method));
+}
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns (sum, count) for gloam_estimator_mean; count may be below kernel.count (see above), and is 0 where there is nothing to
+// gather: background, no normal, no radius. Error: none, but for points within rounding, as above.
+vec2 gloam_point_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
+    vec2 accumulated = vec2(0.0);
+    if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
+    mat3 frame = gloam_tangent_frame(normal);
+    for (uint i = 0u; i < kernel.count; ++i) {
+        accumulated = gloam_point_tap(accumulated, position, frame, camera, kernel, method, kernel.first + i + 1u);
+    }
+    return accumulated;
+}
+
+#endif

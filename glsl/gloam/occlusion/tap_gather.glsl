@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_TAP_GATHER_GLSL
+#define GLOAM_OCCLUSION_TAP_GATHER_GLSL
+
+#include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/method_parameters.glsl"
+
+// Methods that look at the surface points under a disc around the pixel: the loop over the taps. A method says where in the disc they
+// lie and what the surface seen there contributes.
+
+// Defined by the user: eye-linear depth of a pixel inside the image, in world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the method: a tap in the unit disc.
+// i: number of the tap in this frame, from 0.
+vec2 gloam_method_tap(uint i, GloamKernel kernel);
+
+// Defined by the method: what the surface seen at a tap contributes.
+// offset: from the shaded point to it, view space, world units. normal: of the shaded point, unit. depth: of the shaded point,
+// eye-linear, world units.
+// Returns an occlusion, scaled so that the mean over the taps is the result.
+float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method);
+
+// Contribution of the surface at a pixel; 0 for background.
+// position, normal: of the shaded point, view space, world units; unit normal. at: inside the image.
+float gloam_tap_at(vec3 position, vec3 normal, ivec2 at, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
+    float depth = gloam_fetch_depth(at);
+    if (gloam_is_background(depth)) return 0.0;
+    vec3 offset = gloam_camera_position(at, depth, camera) - position;
+    return gloam_method_tap_occlusion(offset, normal, -position.z, kernel, method);
+}
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns (sum, count) for gloam_estimator_mean; outside the image the nearest pixel counts. (0, 0) where there is nothing to
+// gather: background, no normal, no radius. Error: that of the contributions, but for taps within rounding of a pixel's border.
+vec2 gloam_tap_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
+    vec2 accumulated = vec2(0.0);
+    if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec2 center = gloam_camera_uv(position, camera);
+    vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
+    for (uint i = 0u; i < kernel.count; ++i) {
+        ivec2 at = gloam_nearest_pixel(center + reach * gloam_method_tap(i, kernel), camera.size);
+        accumulated = gloam_estimator_add(accumulated, gloam_tap_at(position, n, at, camera, kernel, method));
+    }
+    return accumulated;
+}
+
+#endif

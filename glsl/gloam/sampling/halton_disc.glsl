@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_SAMPLING_HALTON_DISC_GLSL
+#define GLOAM_SAMPLING_HALTON_DISC_GLSL
+
+#include "gloam/sampling/disc.glsl"
+#include "gloam/sampling/halton.glsl"
+#include "gloam/sampling/rotation.glsl"
+
+// Point of the rotated disc kernel: the disc map (TSSAO-13) of a Halton point, turned about the centre (TSSAO-ROT).
+// index: number of the Halton point, 1 for the first. angle: radians, |angle| <= 65536; anything else, NaN included, counts as 0.
+// Returns a point of the unit disc; the zero vector for index 0. Error: 5e-7.
+vec2 gloam_halton_disc(uint index, float angle) {
+    return gloam_rotate_disc(gloam_disc_sample(gloam_halton_2d(index)), angle);
+}
+
+#endif

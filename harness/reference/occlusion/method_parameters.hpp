@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace gloam::reference {
+
+template <class T>
+struct GloamMethod {
+    T range;
+    T epsilon;
+    T intensity;
+    T thickness;
+    T angle_bias;
+    unsigned steps;
+};
+
+}  // namespace gloam::reference
