@@ -94,12 +94,15 @@ struct AmbientOcclusion::Impl {
         gpu::Image filtered;
         gpu::Buffer tiles;
         std::optional<gpu::Image> previous_position;
+        std::optional<gpu::Image> mapped;           // what is shown of the history, where it is mapped at all
+        std::optional<gpu::Image> filtered_mapped;  // and of the filter's result
     };
 
     const gpu::Device* device;
     scene::PassLibrary library;
     gpu::ComputePipeline normals_pipeline;
     std::map<HistoryPrecision, gpu::ComputePipeline> filter_pipelines;  // by what they read
+    std::map<HistoryPrecision, gpu::ComputePipeline> remap_pipelines;   // likewise
     std::map<Program, gpu::ComputePipeline> occlusion_pipelines;
     std::map<Program, gpu::ComputePipeline> reprojection_pipelines;
     View view;
@@ -115,6 +118,7 @@ struct AmbientOcclusion::Impl {
     OcclusionParameters occlusion_constants{};
     FilterParameters filter_x_constants{};
     FilterParameters filter_y_constants{};
+    RemapParameters remap_constants{};
 
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
@@ -122,6 +126,7 @@ struct AmbientOcclusion::Impl {
     [[nodiscard]] Program program() const;
     [[nodiscard]] const gpu::Image& history() const { return moved ? images->reprojected : images->before; }
     [[nodiscard]] std::vector<Step> steps() const;
+    void append_remap(std::vector<Step>& passes) const;
     [[nodiscard]] std::vector<PassTime> run(const std::vector<Step>& passes, int repeat) const;
     [[nodiscard]] Frame collect() const;
 };
@@ -146,10 +151,15 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
         images->previous_position.emplace(*device, view.extent, rgba32f);
         images->previous_position->upload(texels_of(new_view.previous_position));
     }
+    if (remaps(settings) && !images->mapped) {
+        images->mapped.emplace(*device, view.extent, rgba32f);
+        images->filtered_mapped.emplace(*device, view.extent, rgba32f);
+    }
     normal_constants = normal_parameters(view);
     occlusion_constants = occlusion_parameters(view, settings);
     filter_x_constants = filter_parameters(view, settings, {1, 0});
     filter_y_constants = filter_parameters(view, settings, {0, 1});
+    remap_constants = remap_parameters(view, settings);
 }
 
 Program AmbientOcclusion::Impl::program() const {
@@ -169,6 +179,9 @@ void AmbientOcclusion::Impl::prepare_pipelines() {
     for (const HistoryPrecision precision : {settings.precision, HistoryPrecision::float32}) {
         if (settings.filter && !filter_pipelines.contains(precision)) {
             filter_pipelines.emplace(precision, convergence_filter(*device, library, precision));
+        }
+        if (remaps(settings) && !remap_pipelines.contains(precision)) {
+            remap_pipelines.emplace(precision, remap(*device, library, precision));
         }
     }
 }
@@ -202,7 +215,22 @@ std::vector<Step> AmbientOcclusion::Impl::steps() const {
                           {images->depth, images->half_filtered, images->filtered},
                           bytes_of(filter_y_constants)});
     }
+    append_remap(passes);
     return passes;
+}
+
+// What is shown, of the history and of the filter's result.
+void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) const {
+    if (!remaps(settings)) return;
+    passes.push_back({"remap",
+                      &remap_pipelines.at(settings.precision),
+                      {images->depth, images->after, *images->mapped},
+                      bytes_of(remap_constants)});
+    if (!settings.filter) return;
+    passes.push_back({"remap_filtered",
+                      &remap_pipelines.at(HistoryPrecision::float32),
+                      {images->depth, images->filtered, *images->filtered_mapped},
+                      bytes_of(remap_constants)});
 }
 
 // Each run reads the same history and writes the same images, so running again changes nothing.
@@ -226,10 +254,12 @@ std::vector<PassTime> AmbientOcclusion::Impl::run(const std::vector<Step>& passe
 
 Frame AmbientOcclusion::Impl::collect() const {
     const std::vector<float> result = images->after.download();
-    Frame frame{.occlusion = channel(result, 0),
+    const bool mapped = remaps(settings);
+    Frame frame{.occlusion = channel(mapped ? images->mapped->download() : result, 0),
                 .convergence = channel(result, 1),
                 .kept = channel(history().download(), 1)};
-    frame.filtered = settings.filter ? channel(images->filtered.download(), 0) : frame.occlusion;
+    const gpu::Image& filtered = mapped ? *images->filtered_mapped : images->filtered;
+    frame.filtered = settings.filter ? channel(filtered.download(), 0) : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
 
     std::vector<TileWork> counts(images->tiles.size() / sizeof(TileWork));

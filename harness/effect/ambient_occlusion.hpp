@@ -35,7 +35,7 @@ struct Work {
 
 // One frame, rows from the top. Occlusion is 1 where blocked, 0 at the background, always in [0, 1].
 struct Frame {
-    std::vector<float> occlusion;    // the accumulated estimate
+    std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so
     std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
     std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background
     std::vector<float> kept;         // samples that the history brought to the pixel; 0: it had none

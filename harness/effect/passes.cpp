@@ -79,6 +79,10 @@ FilterParameters filter_parameters(const View& view, const Settings& settings, g
             .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1)};
 }
 
+RemapParameters remap_parameters(const View& view, const Settings& settings) {
+    return {size_of(view.extent), settings.remap_a, settings.remap_b, settings.remap_c};
+}
+
 gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::PassLibrary& library) {
     const shader::Spirv spirv = library.compile("normals_from_depth.comp");
     return {device,
@@ -117,6 +121,15 @@ gpu::ComputePipeline convergence_filter(const gpu::Device& device, const scene::
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image},
              .push_constant_bytes = sizeof(FilterParameters)}};
+}
+
+gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
+                           HistoryPrecision precision) {
+    const shader::Spirv spirv = library.compile("remap.comp", defines_for(precision));
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_image, storage_image},
+             .push_constant_bytes = sizeof(RemapParameters)}};
 }
 
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {

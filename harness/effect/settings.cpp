@@ -36,6 +36,10 @@ Settings with_radius(Settings settings, float radius) {
     return settings;
 }
 
+bool remaps(const Settings& settings) {
+    return settings.remap_a != 0.0F || settings.remap_b != 1.0F || settings.remap_c != 1.0F;
+}
+
 void validate(const Settings& s) {
     require_length(s.radius, "radius");
     require_length(s.range, "range");
@@ -66,6 +70,9 @@ void validate(const Settings& s) {
     require(s.intensity >= 0.0F && s.intensity <= largest, "intensity", s.intensity, "0 to 1e18");
     require(s.angle_bias >= 0.0F && s.angle_bias <= 1.5707964F, "angle bias", s.angle_bias, "0 to pi / 2");
     require(s.steps >= 1 && s.steps <= 64, "steps", s.steps, "1 to 64");
+    require(s.remap_a >= -1.0F && s.remap_a <= 1.0F, "remap a", s.remap_a, "-1 to 1");
+    require(s.remap_b >= 0.0F && s.remap_b <= largest, "remap b", s.remap_b, "0 to 1e18");
+    require(s.remap_c >= 0.0F && s.remap_c <= largest, "remap c", s.remap_c, "0 to 1e18");
     require(s.least_radius >= 0.0F, "least radius", s.least_radius, "0 or more");
 }
 

@@ -62,10 +62,16 @@ struct Settings {
     HistoryPrecision precision = HistoryPrecision::float32;
     bool filter = true;
     int filter_half_width = 2;  // pixels on each side: 2 is 5 x 5
+    float remap_a = 0.0F;       // what is shown is (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
+    float remap_b = 1.0F;       // 0 to 1e18
+    float remap_c = 1.0F;       // 0 to 1e18
     float least_radius =
         one_pixel;  // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
     bool skip_background = true;  // off: background goes the long way, to the same result
 };
+
+// Whether what is shown is not the estimate itself.
+[[nodiscard]] bool remaps(const Settings& settings);
 
 // The same settings for another radius: bias, range, epsilon and change tolerance keep their proportion to
 // it.

@@ -70,6 +70,13 @@ struct FilterParameters {
     float sigma_pixels;
 };
 
+struct RemapParameters {
+    glm::ivec2 size;
+    float a;
+    float b;
+    float c;
+};
+
 // What stays the same from frame to frame of a view.
 struct View {
     scene::CameraFrame camera;
@@ -81,6 +88,8 @@ struct View {
 [[nodiscard]] ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
                                                              const Settings& settings);
 [[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis);
+
+[[nodiscard]] RemapParameters remap_parameters(const View& view, const Settings& settings);
 
 // What a pipeline is compiled for.
 struct Program {
@@ -103,6 +112,9 @@ struct Program {
 [[nodiscard]] gpu::ComputePipeline convergence_filter(const gpu::Device& device,
                                                       const scene::PassLibrary& library,
                                                       HistoryPrecision precision);
+
+[[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
+                                         HistoryPrecision precision);
 
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Maps the occlusion to what is shown (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel. Only for display: the
+// history must not see the result.
+//
+// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  r32f     eye-linear depth, world units; background 0 or not finite
+//   1  history  occlusion in x: the history, or the filter's result
+//   2  rgba32f  written: mapped occlusion in x, in [0, 1], yzw of binding 1; background as it is
+#ifndef GLOAM_HISTORY
+#define GLOAM_HISTORY rgba32f
+#endif
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D source_image;
+layout(binding = 2, rgba32f) uniform writeonly image2D mapped_image;
+
+layout(push_constant) uniform Parameters {
+    ivec2 size;  // of the images, pixels
+    float a;     // added to the visibility
+    float b;     // brightness
+    float c;     // contrast
+} parameters;
+
+#include "gloam/geometry/background.glsl"
+#include "gloam/shading/remap.glsl"
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    vec4 texel = imageLoad(source_image, pixel);
+    if (!gloam_is_background(imageLoad(depth_image, pixel).x)) {
+        texel.x = 1.0 - gloam_remap(1.0 - texel.x, parameters.a, parameters.b, parameters.c);
+    }
+    imageStore(mapped_image, pixel, texel);
+}
