@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "catalogue/inputs.hpp"
+#include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 #include "catalogue/scenarios.hpp"
 #include "reference/filter/convergence_filter.hpp"
@@ -226,6 +227,7 @@ void append_filter(Entries& entries) {
     append_window(entries);
     append_mean(entries);
     append_filtering(entries);
+    append_filter_keys(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -3,6 +3,7 @@
 
 #include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
+#include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 #include "reference/geometry/background.hpp"
 #include "reference/geometry/finite.hpp"
@@ -181,6 +182,7 @@ void append_geometry(Entries& entries) {
     append_reprojections(entries);
     append_cameras(entries);
     append_pixels(entries);
+    append_geometry_lengths(entries);
 }
 
 }  // namespace gloam::catalogue

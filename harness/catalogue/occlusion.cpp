@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/occlusion_parts.hpp"
+#include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 
 namespace gloam::catalogue {
@@ -8,6 +9,7 @@ void append_occlusion(Entries& entries) {
     append_falloffs(entries);
     append_contributions(entries);
     append_gathers(entries);
+    append_occlusion_scalable(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
+#include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 #include "catalogue/sampling_parts.hpp"
 #include "reference/sampling/circle.hpp"
@@ -153,6 +154,7 @@ void append_sampling(Entries& entries) {
     append_sample_maps(entries);
     append_sample_rotations(entries);
     append_sample_patterns(entries);
+    append_sampling_levels(entries);
 }
 
 }  // namespace gloam::catalogue

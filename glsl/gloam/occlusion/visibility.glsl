@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_VISIBILITY_GLSL
+#define GLOAM_OCCLUSION_VISIBILITY_GLSL
+
+// Visibility that stands for an amount of occlusion: 1 - x inside [0, 1]. What cannot be read is taken as open.
+// occlusion: x, any float.
+// Returns visibility in [0, 1]; 1 for NaN. Error: 0.5 ULP.
+float gloam_visibility(float occlusion) {
+    return occlusion > 0.0 ? (occlusion < 1.0 ? 1.0 - occlusion : 0.0) : 1.0;
+}
+
+// Visibility kept inside [0, 1].
+// visibility: any float.
+// Returns visibility in [0, 1]: the nearer end outside; 1 for NaN. Error: none.
+float gloam_visibility_clamp(float visibility) {
+    return visibility < 1.0 ? (visibility > 0.0 ? visibility : 0.0) : 1.0;
+}
+
+#endif

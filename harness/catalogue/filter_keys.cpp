@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "catalogue/inputs.hpp"
+#include "catalogue/relatives_parts.hpp"
+#include "reference/filter/depth_key.hpp"
+#include "reference/filter/mssao_downsample.hpp"
+#include "reference/filter/quad_box.hpp"
+#include "reference/filter/sao_blur.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+
+constexpr const char* sao = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance)";
+constexpr const char* mssao = "Hoang and Low 2012 (MSSAO)";
+constexpr const char* key_file = "gloam/filter/depth_key.glsl";
+constexpr const char* downsample_file = "gloam/filter/mssao_downsample.glsl";
+
+void append_quad(Entries& entries) {
+    entries.push_back(equation<float(float, float, float, int, float)>(
+        {.id = "CS-Q-quad",
+         .function = "gloam_quad_box",
+         .file = "gloam/filter/quad_box.glsl",
+         .title = "mean of the two pixels of a quad along one axis",
+         .formula = "A - dA ((x & 1) - 1/2), if |dz| < edge",
+         .source = sao},
+        GLOAM_REFERENCE(gloam_quad_box),
+        {.domain = Domain{uniform(0, 1).and_special(), uniform(-1, 1).and_special(),
+                          signed_log_uniform(1e-3, 1).and_special(), integers(0, 9),
+                          log_uniform(0.01, 1).and_special()}
+                       .tied(2, 4),
+         .budget = {.absolute = 1e-7},
+         .codomain = {0, 1}}));
+}
+
+void append_keys(Entries& entries) {
+    const Values depth = either(uniform(0.5, 320), log_uniform(1e-37, 1e38)).and_special();
+    entries.push_back(equation<float(float, float)>(
+        {.id = "CS-Q-key",
+         .function = "gloam_depth_key",
+         .file = key_file,
+         .title = "depth as a key for a blur",
+         .formula = "clamp(d / z_key, 0, 1)",
+         .source = sao},
+        GLOAM_REFERENCE(gloam_depth_key),
+        {.domain = Domain{depth, either(constant(300.0F), log_uniform(1e-37, 1e38)).and_special()}.tied(0, 1),
+         .budget = {.ulp = 1},
+         .codomain = {0, 1}}));
+    entries.push_back(equation<glm::vec2(float)>(
+        {.id = "CS-Q-pack",
+         .function = "gloam_pack_key",
+         .file = key_file,
+         .title = "key as two bytes",
+         .formula = "k = round(65535 key); (k >> 8, k & 255) / 255",
+         .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance), made exact"},
+        GLOAM_REFERENCE(gloam_pack_key),
+        {.domain = {uniform(0, 1).and_near({0.5}).and_special()},
+         .budget = {.ulp = 1, .backward_ulp = 2},
+         .codomain = {0, 1}}));
+    const Values byte = made_by<float>(
+        [](numeric::Random& random) { return static_cast<float>(random.below(256)) / 255.0F; });
+    entries.push_back(equation<float(glm::vec2)>(
+        {.id = "CS-Q-unpack",
+         .function = "gloam_unpack_key",
+         .file = key_file,
+         .title = "key from its two bytes",
+         .formula = "(256 high + low) / 65535",
+         .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance), made exact"},
+        GLOAM_REFERENCE(gloam_unpack_key),
+        {.domain = {either(vector(2, byte), vector(2, uniform(0, 1))).and_special()},
+         .budget = {.ulp = 1, .backward_ulp = 2},
+         .codomain = {0, 1}}));
+}
+
+void append_blur(Entries& entries) {
+    entries.push_back(equation<float(int, float, float)>(
+        {.id = "CS-Q-blur",
+         .function = "gloam_sao_blur_weight",
+         .file = "gloam/filter/sao_blur.glsl",
+         .title = "weight of a tap of SAO's blur",
+         .formula = "(0.3 + g_r) max(0, 1 - slope |dkey|)",
+         .source = sao},
+        GLOAM_REFERENCE(gloam_sao_blur_weight),
+        {.domain = {integers(-6, 6).and_near_integers({-2147483647, 2147483646}),
+                    either(signed_log_uniform(1e-6, 1), any_float()).and_special(),
+                    either(log_uniform(10, 10000), any_float()).and_special()},
+         .budget = {.absolute = 1e-7},
+         .codomain = {0, 0.445}}));
+}
+
+void append_downsample(Entries& entries) {
+    const Values depth = either(uniform(1, 3), log_uniform(1e-37, 1e38)).and_special();
+    const Values near_ones = made_by<glm::vec4>([](numeric::Random& random) {
+        glm::vec4 depths(0);
+        for (int i = 0; i < 4; ++i) depths[i] = 2.0F + 0.125F * static_cast<float>(random.below(5));
+        return depths;
+    });
+    entries.push_back(
+        equation<int(glm::vec4, int)>({.id = "CS-F-rank",
+                                       .function = "gloam_depth_rank",
+                                       .file = downsample_file,
+                                       .title = "place of one of four depths in their order",
+                                       .formula = "how many are smaller, or equal and before it",
+                                       .source = "definition"},
+                                      GLOAM_REFERENCE(gloam_depth_rank),
+                                      {.domain = {either(vector(4, depth), near_ones), integers(-1, 4)}}));
+    entries.push_back(equation<glm::vec4(glm::vec4, float)>(
+        {.id = "CS-F-weights",
+         .function = "gloam_mssao_weights",
+         .file = downsample_file,
+         .title = "weights of four pixels in the one that stands for them",
+         .formula = "z_4 - z_1 <= tolerance: (0, 1/2, 1/2, 0), else (0, 1, 0, 0), by depth",
+         .source = mssao},
+        GLOAM_REFERENCE(gloam_mssao_weights),
+        {.domain = {either(vector(4, depth), near_ones),
+                    either(uniform(0, 1), constant(0.25F)).and_special()},
+         .budget = {.backward_ulp = 1},
+         .codomain = {0, 1}}));
+    using Normals = glm::vec3(glm::vec3, glm::vec3);
+    entries.push_back(
+        equation<Normals>({.id = "CS-F-normal",
+                           .function = "gloam_mssao_normal",
+                           .file = downsample_file,
+                           .title = "normal of the pixel that stands for two",
+                           .formula = "(n_2 + n_3) / |n_2 + n_3|, n_2 if opposite",
+                           .source = mssao},
+                          GLOAM_REFERENCE(gloam_mssao_normal),
+                          {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special()},
+                           .budget = {.absolute = 4e-7},
+                           .promised = make_predicate<Normals>([](glm::dvec3 a, glm::dvec3 b) {
+                               return moderate(0.0, 1e18, a, b) && glm::length(a + b) >= 0.25;
+                           })}));
+}
+
+}  // namespace
+
+void append_filter_keys(Entries& entries) {
+    append_quad(entries);
+    append_keys(entries);
+    append_blur(entries);
+    append_downsample(entries);
+}
+
+}  // namespace gloam::catalogue

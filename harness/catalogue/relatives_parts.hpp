@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "catalogue/entry.hpp"
+
+// The equations of the relatives of the study's methods; each belongs to the room that its name begins with.
+namespace gloam::catalogue {
+
+void append_sampling_levels(Entries& entries);     // depth mip chain, samples by distance
+void append_geometry_lengths(Entries& entries);    // length of any vector, cap on a projected radius
+void append_occlusion_scalable(Entries& entries);  // SAO and MSSAO
+void append_filter_keys(Entries& entries);  // SAO's quad filter, depth keys and blur; MSSAO's coarser level
+
+}  // namespace gloam::catalogue

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reference/geometry/safe_normalize.hpp"
+
+namespace gloam::reference {
+
+template <class T>
+T gloam_length(vec3<T> v) {
+    return max(dot(v, gloam_safe_normalize(v, vec3<T>(T(0), T(0), T(0)))), T(0));
+}
+
+}  // namespace gloam::reference

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+// Scalable ambient obscurance, multi-resolution ambient occlusion, and how many samples a pixel takes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "support/lab.hpp"
+
+namespace gloam {
+namespace {
+
+using check::Kernel;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+const glm::vec3 up(0, 0, 1);
+
+class Scalable : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab();
+
+    using Divided = float(glm::vec3, glm::vec3, float, float, float);
+    using Undivided = float(glm::vec3, glm::vec3, float, float);
+    template <class Signature>
+    Kernel<Signature> sao(const std::string& name) const {
+        return {lab, "gloam/occlusion/sao.glsl", "gloam_" + name};
+    }
+};
+
+// A published port takes the distance in texture coordinates, and so always reads the full image.
+TEST_F(Scalable, LevelOfAPixelRadius) {
+    const Kernel<int(float, float, int)> level(lab, "gloam/sampling/depth_mip.glsl", "gloam_depth_mip_level");
+    const std::vector<std::pair<float, int>> known{
+        {0.0F, 0},   {8.0F, 0},   {15.99F, 0}, {16.0F, 1},   {31.99F, 1},   {32.0F, 2}, {64.0F, 3},
+        {128.0F, 4}, {255.9F, 4}, {256.0F, 5}, {4096.0F, 5}, {infinity, 5}, {NAN, 0}};
+    for (const auto& [pixels, want] : known) EXPECT_EQ(level(pixels, 16.0F, 5), want) << pixels;
+    EXPECT_EQ(level(256.0F, 8.0F, 9), 6);
+    EXPECT_EQ(level(256.0F, 16.0F, 3), 3);
+    EXPECT_EQ(level(256.0F, 0.0F, 5), 0);
+    EXPECT_EQ(level(256.0F, NAN, 5), 0);
+}
+
+TEST_F(Scalable, ChainOfAnyImageSizeStaysInsideIt) {
+    const std::string file = "gloam/sampling/depth_mip.glsl";
+    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> pixel(lab, file, "gloam_depth_mip_pixel");
+    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> source(lab, file, "gloam_depth_mip_source");
+    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2)> grid(lab, file, "gloam_rotated_grid");
+    EXPECT_EQ(grid(glm::ivec2(3, 2), glm::ivec2(16)), glm::ivec2(6, 5));
+    EXPECT_EQ(grid(glm::ivec2(2, 3), glm::ivec2(16)), glm::ivec2(5, 6));
+    for (const glm::ivec2 size :
+         {glm::ivec2(1, 1), glm::ivec2(7, 5), glm::ivec2(8, 1), glm::ivec2(1920, 1081)}) {
+        for (const int level : {0, 1, 2, 5}) {
+            const glm::ivec2 last = pixel(size - 1, size, level);
+            const glm::ivec2 from = source(last, size, level);
+            EXPECT_TRUE(glm::all(glm::greaterThanEqual(from, glm::ivec2(0))) &&
+                        glm::all(glm::lessThan(from, size)))
+                << size.x << "x" << size.y << " level " << level;
+        }
+    }
+    // No half-texel drift: a level's pixel lies over the pixel that it came from.
+    for (const glm::ivec2 at : {glm::ivec2(0, 0), glm::ivec2(13, 21), glm::ivec2(31, 17)}) {
+        for (const int level : {1, 2, 5}) {
+            EXPECT_EQ(source(at, glm::ivec2(2048), level) >> level, at) << level;
+        }
+    }
+    EXPECT_EQ(source(glm::ivec2(13, 21), glm::ivec2(64), 0), glm::ivec2(13, 21));
+}
+
+TEST_F(Scalable, SamplesByDistance) {
+    const Kernel<int(float, float, int, int)> count(lab, "gloam/sampling/sample_count.glsl",
+                                                    "gloam_sample_count");
+    EXPECT_EQ(count(0.0F, 100.0F, 64, 4), 64);
+    EXPECT_EQ(count(100.0F, 100.0F, 64, 4), 4);
+    EXPECT_EQ(count(100.0F / 64.0F, 100.0F, 64, 4), 32);
+    EXPECT_EQ(count(50.0F, 100.0F, 0, 4), 4);
+    for (const float bad : {infinity, NAN, -1.0F}) EXPECT_EQ(count(bad, 100.0F, 64, 4), 4);
+    int before = 65;
+    for (float d = 0; d <= 120; d += 0.75F) {
+        const int now = count(d, 100.0F, 64, 2);
+        EXPECT_LE(now, before);
+        before = now;
+    }
+}
+
+TEST_F(Scalable, RadiusCapKeepsTheShape) {
+    const Kernel<glm::vec2(glm::vec2, float)> cap(lab, "gloam/geometry/radius_cap.glsl", "gloam_radius_cap");
+    EXPECT_EQ(cap(glm::vec2(40, 20), 64.0F), glm::vec2(40, 20));
+    EXPECT_EQ(cap(glm::vec2(128, 64), 64.0F), glm::vec2(64, 32));
+    EXPECT_EQ(cap(glm::vec2(NAN, 64), 32.0F), glm::vec2(0, 32));
+    EXPECT_EQ(cap(glm::vec2(128, 64), NAN), glm::vec2(0));
+}
+
+TEST_F(Scalable, ContributionsOfAPointStraightAbove) {
+    const auto b = sao<Divided>("contribution_sao");
+    const auto a = sao<Divided>("contribution_sao_paper");
+    const auto c = sao<Undivided>("contribution_sao_medium");
+    const auto d = sao<Undivided>("contribution_sao_low");
+    const auto hq = sao<Divided>("contribution_deep");
+    const glm::vec3 v = 0.5F * up;
+    // v^2 = 1/4, v . n = 1/2.
+    EXPECT_NEAR(b(v, up, 1.0F, 0.01F, 0.01F), std::pow(0.75, 3) * 0.49 / 0.26, 1e-6);
+    EXPECT_NEAR(a(v, up, 1.0F, 0.01F, 0.01F), 0.6 * 0.49 / 0.26, 1e-6);
+    EXPECT_NEAR(c(v, up, 1.0F, 0.01F), 4 * 0.75 * 0.49, 1e-6);
+    EXPECT_NEAR(d(v, up, 1.0F, 0.01F), 2 * 0.49, 1e-6);
+    EXPECT_NEAR(hq(v, up, 1.0F, 0.01F, 0.01F), 0.75 * 0.49 / std::sqrt(0.26), 1e-6);
+    // All are 1 / length (the last a number): the scene twice as large halves them.
+    EXPECT_NEAR(b(2.0F * v, up, 2.0F, 0.02F, 0.04F), b(v, up, 1.0F, 0.01F, 0.01F) / 2, 1e-6);
+    EXPECT_NEAR(a(2.0F * v, up, 2.0F, 0.02F, 0.04F), a(v, up, 1.0F, 0.01F, 0.01F) / 2, 1e-6);
+    EXPECT_NEAR(c(2.0F * v, up, 2.0F, 0.02F), c(v, up, 1.0F, 0.01F) / 2, 1e-6);
+    EXPECT_NEAR(d(2.0F * v, up, 2.0F, 0.02F), d(v, up, 1.0F, 0.01F) / 2, 1e-6);
+    EXPECT_NEAR(hq(2.0F * v, up, 2.0F, 0.02F, 0.04F), hq(v, up, 1.0F, 0.01F, 0.01F), 1e-6);
+}
+
+TEST_F(Scalable, EveryParameterChangesEveryContribution) {
+    const glm::vec3 v(0.3F, 0.1F, 0.4F);
+    for (const char* name : {"contribution_sao", "contribution_deep"}) {
+        const auto f = sao<Divided>(name);
+        const float base = f(v, up, 1.0F, 0.01F, 0.01F);
+        EXPECT_NE(f(v, up, 1.5F, 0.01F, 0.01F), base) << name;
+        EXPECT_NE(f(v, up, 1.0F, 0.05F, 0.01F), base) << name;
+        EXPECT_NE(f(v, up, 1.0F, 0.01F, 0.10F), base) << name;
+        EXPECT_NE(f(v, glm::vec3(1, 0, 0), 1.0F, 0.01F, 0.01F), base) << name;
+    }
+    const auto a = sao<Divided>("contribution_sao_paper");
+    EXPECT_EQ(a(v, up, 0.5F, 0.01F, 0.01F), 0.0F);
+    EXPECT_GT(a(v, up, 0.6F, 0.01F, 0.01F), 0.0F);
+    for (const char* name : {"contribution_sao_medium", "contribution_sao_low"}) {
+        const auto f = sao<Undivided>(name);
+        EXPECT_NE(f(v, up, 1.5F, 0.01F), f(v, up, 1.0F, 0.01F)) << name;
+        EXPECT_NE(f(v, up, 1.0F, 0.05F), f(v, up, 1.0F, 0.01F)) << name;
+    }
+}
+
+TEST_F(Scalable, NothingBlocksOnABarePlaneOrAtTheEdges) {
+    const auto level = [](const Kernel<Divided>& f, glm::vec3 v, glm::vec3 n, float r, float bias, float e) {
+        return f(v, n, r, bias, e);
+    };
+    for (const char* name : {"contribution_sao", "contribution_sao_paper", "contribution_deep"}) {
+        const auto f = sao<Divided>(name);
+        for (const float tilt : {0.0F, 0.5F, 1.0F, 1.5F}) {
+            const glm::vec3 n(std::sin(tilt), 0, std::cos(tilt));
+            const glm::vec3 along(std::cos(tilt), 0, -std::sin(tilt));
+            for (const float t : {-0.9F, -0.1F, 0.2F, 0.7F}) {
+                EXPECT_EQ(level(f, t * along + glm::vec3(0, 0.3F, 0), n, 1.0F, 0.01F, 0.01F), 0.0F) << name;
+            }
+        }
+        EXPECT_EQ(f(glm::vec3(0), up, 1.0F, 0.0F, 0.0F), 0.0F) << name;   // 0 / 0
+        EXPECT_EQ(f(glm::vec3(0), up, 1.0F, 0.0F, 0.01F), 0.0F) << name;  // at the point
+        EXPECT_EQ(f(up, up, 1.0F, 0.01F, 0.01F), 0.0F) << name;           // at the radius
+        EXPECT_EQ(f(glm::vec3(0, 0, -1e30F), up, 1.0F, 0.01F, 0.01F), 0.0F) << name;
+        EXPECT_EQ(f(glm::vec3(0, 0, -infinity), up, 1.0F, 0.01F, 0.01F), 0.0F) << name;
+        EXPECT_EQ(f(glm::vec3(NAN), up, 1.0F, 0.01F, 0.01F), 0.0F) << name;
+        EXPECT_EQ(f(0.5F * up, glm::vec3(NAN), 1.0F, 0.01F, 0.01F), 0.0F) << name;
+        EXPECT_EQ(f(0.5F * up, up, NAN, 0.01F, 0.01F), 0.0F) << name;
+        EXPECT_EQ(f(0.5F * up, up, 1.0F, NAN, 0.01F), 0.0F) << name;
+    }
+}
+
+TEST_F(Scalable, VisibilityOfTheSum) {
+    const auto visible = sao<float(glm::vec2, float)>("visibility_sao");
+    const auto deep = sao<float(glm::vec2, float)>("visibility_deep");
+    EXPECT_EQ(visible(glm::vec2(0, 9), 1.0F), 1.0F);
+    EXPECT_NEAR(visible(glm::vec2(0.9F, 9), 1.0F), 0.5, 1e-6);
+    EXPECT_NEAR(visible(glm::vec2(0.9F, 9), 0.5F), 0.75, 1e-6);
+    EXPECT_EQ(visible(glm::vec2(9, 9), 1.0F), 0.0F);
+    EXPECT_NEAR(deep(glm::vec2(0.75F, 9), 1.0F), 0.5, 1e-6);
+    EXPECT_NEAR(deep(glm::vec2(0.75F, 9), 2.0F), 0.25, 1e-6);
+    for (const auto* f : {&visible, &deep}) {
+        EXPECT_EQ((*f)(glm::vec2(0), 1.0F), 1.0F);
+        EXPECT_EQ((*f)(glm::vec2(NAN, 9), 1.0F), 1.0F);
+        EXPECT_EQ((*f)(glm::vec2(1, 0), 1.0F), 1.0F);
+    }
+}
+
+// The mean of the contributions over an infinite wall beside the point, against a quadrature in double.
+TEST_F(Scalable, WallConvergesToItsOwnIntegral) {
+    const auto f = sao<Divided>("contribution_sao");
+    const double a = 0.25;
+    std::vector<std::tuple<glm::vec3, glm::vec3, float, float, float>> inputs;
+    double want = 0;
+    for (int i = 0; i < 64; ++i) {
+        for (int j = 0; j < 64; ++j) {
+            const glm::dvec3 v(a, (i - 31.5) / 32, (j + 0.5) / 64);
+            inputs.emplace_back(glm::vec3(v), up, 1.0F, 0.01F, 0.01F);
+            const double vv = glm::dot(v, v);
+            want += std::pow(std::max(1 - vv, 0.0), 3) * std::max(v.z - 0.01, 0.0) / (vv + 0.01);
+        }
+    }
+    double got = 0;
+    for (const float c : f(inputs)) got += static_cast<double>(c);
+    EXPECT_NEAR(got / want, 1.0, 1e-6);
+}
+
+TEST_F(Scalable, ContributionAndCombinationOfLevels) {
+    const std::string file = "gloam/occlusion/mssao.glsl";
+    const Kernel<float(glm::vec3, glm::vec3, float)> c(lab, file, "gloam_contribution_mssao");
+    EXPECT_NEAR(c(up, up, 2.0F), 0.75, 1e-6);
+    EXPECT_NEAR(c(glm::vec3(0.6F, 0, 0.8F), up, 2.0F), 0.75 * 0.8, 1e-6);
+    EXPECT_EQ(c(2.0F * up, up, 2.0F), 0.0F);
+    EXPECT_EQ(c(glm::vec3(0), up, 2.0F), 0.0F);
+    EXPECT_EQ(c(glm::vec3(1, 0, 0), up, 2.0F), 0.0F);
+    EXPECT_EQ(c(glm::vec3(NAN), up, 2.0F), 0.0F);
+    const Kernel<float(float, float)> combine(lab, file, "gloam_mssao_combine");
+    EXPECT_EQ(combine(0.0F, 0.0F), 0.0F);
+    EXPECT_EQ(combine(1.0F, 0.2F), 1.0F);
+    for (const float x : {0.1F, 0.25F, 0.5F, 0.9F}) {
+        EXPECT_NEAR(combine(x, x), 1 - (1 - x) * (1 - x), 1e-6);  // one level
+        for (const float mean : {0.0F, x / 3, x}) {
+            EXPECT_GE(combine(x, mean), x);
+            EXPECT_GE(combine(x, x), combine(x, mean));
+        }
+    }
+    EXPECT_EQ(combine(NAN, 0.5F), 0.5F);
+}
+
+TEST_F(Scalable, FourPixelsIntoOne) {
+    const std::string file = "gloam/filter/mssao_downsample.glsl";
+    const Kernel<glm::vec4(glm::vec4, float)> weights(lab, file, "gloam_mssao_weights");
+    EXPECT_EQ(weights(glm::vec4(3, 1, 2, 4), 5.0F), glm::vec4(0.5F, 0, 0.5F, 0));
+    EXPECT_EQ(weights(glm::vec4(3, 1, 2, 4), 3.0F), glm::vec4(0.5F, 0, 0.5F, 0));
+    EXPECT_EQ(weights(glm::vec4(3, 1, 2, 4), 2.5F), glm::vec4(0, 0, 1, 0));
+    EXPECT_EQ(weights(glm::vec4(2), 0.0F), glm::vec4(0, 0.5F, 0.5F, 0));
+    EXPECT_EQ(weights(glm::vec4(infinity, 1, 2, 1.5F), 5.0F), glm::vec4(0, 0, 0, 1));
+    EXPECT_EQ(weights(glm::vec4(infinity, 0, 2, NAN), 5.0F), glm::vec4(0, 0, 1, 0));
+    EXPECT_EQ(weights(glm::vec4(infinity, 0, -1, NAN), 5.0F), glm::vec4(0));
+    EXPECT_EQ(weights(glm::vec4(3, 1, 2, 4), NAN), glm::vec4(0, 0, 1, 0));
+    const Kernel<glm::vec3(glm::vec3, glm::vec3)> normal(lab, file, "gloam_mssao_normal");
+    EXPECT_EQ(normal(up, -up), up);
+    EXPECT_NEAR(normal(up, glm::vec3(1, 0, 0)).x, std::numbers::sqrt2 / 2, 1e-6);
+    EXPECT_EQ(normal(up, glm::vec3(NAN)), up);
+    EXPECT_EQ(normal(glm::vec3(NAN), up), glm::vec3(0));
+}
+
+TEST_F(Scalable, QuadFilterIsTheMeanOfTheQuad) {
+    const Kernel<float(float, float, float, int, float)> f(lab, "gloam/filter/quad_box.glsl",
+                                                           "gloam_quad_box");
+    const float even = 0.25F;
+    const float odd = 0.75F;
+    EXPECT_EQ(f(even, odd - even, 0.01F, 6, 0.02F), 0.5F);
+    EXPECT_EQ(f(odd, odd - even, 0.01F, 7, 0.02F), 0.5F);
+    EXPECT_EQ(f(odd, odd - even, -0.03F, 7, 0.02F), odd);
+    EXPECT_EQ(f(odd, odd - even, NAN, 7, 0.02F), odd);
+    EXPECT_EQ(f(odd, NAN, 0.0F, 7, 0.02F), odd);
+    EXPECT_EQ(f(NAN, 0.5F, 0.0F, 7, 0.02F), 1.0F);
+}
+
+// Through two 8-bit channels: every key comes back within half a step, which the printed packing does not
+// manage.
+TEST_F(Scalable, KeysSurviveEightBitChannels) {
+    const std::string file = "gloam/filter/depth_key.glsl";
+    const Kernel<glm::vec2(float)> pack(lab, file, "gloam_pack_key");
+    const Kernel<float(glm::vec2)> unpack(lab, file, "gloam_unpack_key");
+    const auto stored = [](double x) { return std::round(x * 255.0) / 255.0; };
+    double worst = 0;
+    double printed_worst = 0;
+    std::vector<float> keys;
+    for (int i = 0; i <= 4000; ++i) keys.push_back(static_cast<float>(i) / 4000.0F);
+    const std::vector<glm::vec2> packed = pack(std::vector<std::tuple<float>>(keys.begin(), keys.end()));
+    std::vector<std::tuple<glm::vec2>> bytes;
+    for (const glm::vec2 p : packed) bytes.emplace_back(glm::vec2(glm::dvec2(stored(p.x), stored(p.y))));
+    const std::vector<float> back = unpack(bytes);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const double key = keys[i];
+        worst = std::max(worst, std::abs(static_cast<double>(back[i]) - key));
+        const double whole = std::floor(key * 256.0);
+        const double printed = stored(std::min(whole / 256.0, 1.0)) * 256.0 / 257.0 +
+                               stored(std::min(key * 256.0 - whole, 1.0)) / 257.0;
+        printed_worst = std::max(printed_worst, std::abs(printed - key));
+    }
+    EXPECT_LT(worst, 0.51 / 65535.0);
+    EXPECT_GT(printed_worst, 1.0 / 512.0);
+    const Kernel<float(float, float)> key(lab, file, "gloam_depth_key");
+    EXPECT_EQ(key(150.0F, 300.0F), 0.5F);
+    EXPECT_EQ(key(400.0F, 300.0F), 1.0F);
+    for (const float background : {infinity, NAN, 0.0F, -1.0F}) EXPECT_EQ(key(background, 300.0F), 1.0F);
+}
+
+TEST_F(Scalable, BlurWeights) {
+    const Kernel<float(int, float, float)> w(lab, "gloam/filter/sao_blur.glsl", "gloam_sao_blur_weight");
+    const double g[] = {0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
+    EXPECT_NEAR(w(0, 1.0F, 2000.0F), g[0], 1e-7);
+    double sum = g[0];
+    for (int r = 1; r <= 4; ++r) {
+        EXPECT_NEAR(w(r, 0.0F, 2000.0F), 0.3 + g[r], 1e-7);
+        EXPECT_EQ(w(r, 0.0F, 2000.0F), w(-r, 0.0F, 2000.0F));
+        EXPECT_NEAR(w(r, -0.00025F, 2000.0F), (0.3 + g[r]) / 2, 1e-6);
+        EXPECT_EQ(w(r, 0.001F, 2000.0F), 0.0F);
+        EXPECT_NEAR(g[r] / g[0], std::exp(-r * r / 18.0),
+                    1e-4);  // standard deviation 3, not the 2 that is said
+        sum += 2 * g[r];
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-5);
+    EXPECT_EQ(w(5, 0.0F, 2000.0F), 0.0F);
+    EXPECT_EQ(w(1, NAN, 2000.0F), 0.0F);
+    EXPECT_GT(w(1, 0.0F, infinity), 0.4F);
+}
+
+}  // namespace
+}  // namespace gloam
