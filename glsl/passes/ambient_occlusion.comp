@@ -30,7 +30,8 @@ layout(binding = 5, rgba32f) uniform readonly image2D previous_position_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
-    ivec2 size;            // of the images, pixels
+    ivec2 size;            // of the images, pixels, with the guard band
+    ivec2 border;          // guard band on each side, pixels (TSSAO-BORDER): samples read it; 0 for none
     float radius;          // of influence, world units
     float bias;            // world units
     float range;           // see GloamMethod
@@ -43,6 +44,7 @@ layout(push_constant) uniform Parameters {
     float c_rot;           // kernels are rotated below this convergence; 0 never
     float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
     uint orthographic;     // 1, or 0 for perspective
+    uint shade_border;     // 1: the band has occlusion as well, a history for what moves in; 0: it is left out
     uint skip_background;  // 1: background returns at once; 0: it goes the long way, with the same result
     uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by confidence
     float change_tolerance;  // change of a distance that is taken for rounding, world units
@@ -54,6 +56,7 @@ layout(push_constant) uniform Parameters {
     uint steps;            // see GloamMethod
 } parameters;
 
+#include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
@@ -135,7 +138,7 @@ void count(uint what, uint amount) {
 vec2 gather(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     GloamCamera camera = this_camera();
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
-    float angle = gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel) : 0.0;
+    float angle = gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
     GloamKernel kernel = GloamKernel(parameters.radius, parameters.bias, angle, before.index, samples);
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
@@ -159,8 +162,15 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples, parameters.table_size), depth);
 }
 
+bool left_out(ivec2 pixel) {
+    if (parameters.shade_border != 0u) return false;
+    ivec2 inner = pixel - parameters.border;
+    return inner != gloam_clamp_to_edge(inner, parameters.size - 2 * parameters.border);
+}
+
 GloamHistory shade(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
+    if (left_out(pixel)) return gloam_history_empty(depth);
     bool background = gloam_is_background(depth);
     count(PIXELS, 1u);
     count(BACKGROUND, background ? 1u : 0u);

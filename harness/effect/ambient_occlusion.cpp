@@ -15,6 +15,7 @@
 #include "effect/internal/passes.hpp"
 #include "effect/internal/work.hpp"
 #include "gpu/commands.hpp"
+#include "scene/guard_band.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -47,6 +48,14 @@ void require_size(const char* what, std::size_t found, gpu::Extent extent) {
     if (found == pixels_of(extent)) return;
     throw std::invalid_argument(
         fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
+}
+
+// A view without the band that the settings ask for.
+void require_guard(const scene::GBuffer& view, const Settings& settings) {
+    const gpu::Extent none;
+    const double guard = double{settings.guard};
+    if (view.border != none || scene::guard_border(view.extent, guard) == none) return;
+    throw std::invalid_argument(fmt::format("guard {:g}: the view has no guard band", guard));
 }
 
 std::vector<float> texels_of(std::span<const glm::vec3> normals) {
@@ -129,6 +138,7 @@ struct AmbientOcclusion::Impl {
     void append_remap(std::vector<Step>& passes) const;
     [[nodiscard]] std::vector<PassTime> run(const std::vector<Step>& passes, int repeat) const;
     [[nodiscard]] Frame collect() const;
+    [[nodiscard]] Work work(std::span<const float> convergence) const;
 };
 
 void AmbientOcclusion::Impl::allocate(gpu::Extent size) {
@@ -141,7 +151,10 @@ void AmbientOcclusion::Impl::allocate(gpu::Extent size) {
 void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     require_size("depth", new_view.depth.size(), view.extent);
     if (!new_view.normal.empty()) require_size("normals", new_view.normal.size(), view.extent);
+    require_guard(new_view, settings);
+    (void)scene::frame_of(new_view);
     view.camera = new_view.camera;
+    view.border = new_view.border;
     reconstruct_normals = new_view.normal.empty();
     images->depth.upload(new_view.depth);
     if (!reconstruct_normals) images->normal.upload(texels_of(new_view.normal));
@@ -261,15 +274,23 @@ Frame AmbientOcclusion::Impl::collect() const {
     const gpu::Image& filtered = mapped ? *images->filtered_mapped : images->filtered;
     frame.filtered = settings.filter ? channel(filtered.download(), 0) : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
+    frame.work = work(frame.convergence);
 
+    const scene::GBuffer shape{.extent = view.extent, .border = view.border};
+    frame.extent = scene::frame_of(shape);
+    for (std::vector<float>* image : {&frame.occlusion, &frame.filtered, &frame.convergence, &frame.kept})
+        *image = scene::cropped(shape, *image);
+    return frame;
+}
+
+Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
     std::vector<TileWork> counts(images->tiles.size() / sizeof(TileWork));
     std::memcpy(counts.data(), images->tiles.bytes().data(), images->tiles.size());
-    frame.work = summed(counts);
+    Work total = summed(counts);
     if (settings.filter) {
-        for (const float value : frame.convergence)
-            frame.work.converged += value >= settings.c_adaptive ? 1 : 0;
+        for (const float value : convergence) total.converged += value >= settings.c_adaptive ? 1 : 0;
     }
-    return frame;
+    return total;
 }
 
 AmbientOcclusion::AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes,

@@ -21,7 +21,8 @@ struct PassTime {
     double ms = 0.0;
 };
 
-// What a frame took and what it left out, counted on the device. Tiles are the passes' groups, 8 x 8 pixels.
+// What a frame took and what it left out, counted on the device: a guard band counts where it is sampled.
+// Tiles are the passes' groups, 8 x 8 pixels.
 struct Work {
     std::uint64_t pixels = 0;
     std::uint64_t background = 0;    // pixels skipped: no geometry
@@ -33,8 +34,10 @@ struct Work {
     std::uint64_t tiles_skipped = 0;     // without any pixel to sample, those without geometry included
 };
 
-// One frame, rows from the top. Occlusion is 1 where blocked, 0 at the background, always in [0, 1].
+// One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the
+// background, always in [0, 1].
 struct Frame {
+    gpu::Extent extent;
     std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so
     std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
     std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background
@@ -46,16 +49,17 @@ struct Frame {
 // The ambient-occlusion passes for images of one size, with their history.
 class AmbientOcclusion {
   public:
-    // The device must outlive this. Throws std::runtime_error for a size of 0 or beyond the device's limit,
-    // and when a shader does not compile.
+    // `extent`: of the views, guard band included. The device must outlive this. Throws std::runtime_error
+    // for a size of 0 or beyond the device's limit, and when a shader does not compile.
     AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
     ~AmbientOcclusion();
     AmbientOcclusion(AmbientOcclusion&&) noexcept;
     AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
 
     // Takes a view and forgets the history. Normals that are missing are reconstructed from depth; the next
-    // frame's times include that pass. Throws std::invalid_argument for a size that disagrees and for
-    // settings out of range.
+    // frame's times include that pass. A view with a guard band (scene/guard_band.hpp) is shaded with it, and
+    // frames are cropped. Throws std::invalid_argument for a size that disagrees, for settings out of range,
+    // and where the settings ask for a guard band that the view does not have.
     void begin(const scene::GBuffer& view, const Settings& settings);
 
     // The next view of a moving camera or scene. The history follows the surfaces: by the view's

@@ -32,6 +32,7 @@ NormalParameters normal_parameters(const View& view) {
 OcclusionParameters occlusion_parameters(const View& view, const Settings& settings) {
     return {.p00_p11 = view.camera.p00_p11(),
             .size = size_of(view.extent),
+            .border = size_of(view.border),
             .radius = settings.radius,
             .bias = settings.bias,
             .range = settings.range,
@@ -44,6 +45,7 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .c_rot = settings.c_rot,
             .least_radius = settings.least_radius,
             .orthographic = flag(view.camera.orthographic()),
+            .shade_border = flag(settings.guard_history),
             .skip_background = flag(settings.skip_background),
             .invalidation = static_cast<std::uint32_t>(settings.invalidation),
             .change_tolerance = settings.change_tolerance,

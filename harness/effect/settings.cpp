@@ -73,6 +73,7 @@ void validate(const Settings& s) {
     require(s.remap_a >= -1.0F && s.remap_a <= 1.0F, "remap a", s.remap_a, "-1 to 1");
     require(s.remap_b >= 0.0F && s.remap_b <= largest, "remap b", s.remap_b, "0 to 1e18");
     require(s.remap_c >= 0.0F && s.remap_c <= largest, "remap c", s.remap_c, "0 to 1e18");
+    require(s.guard >= 0.0F && s.guard <= 0.5F, "guard", s.guard, "0 to 0.5");
     require(s.least_radius >= 0.0F, "least radius", s.least_radius, "0 or more");
 }
 

@@ -66,7 +66,9 @@ struct Settings {
     float remap_b = 1.0F;       // 0 to 1e18
     float remap_c = 1.0F;       // 0 to 1e18
     float least_radius =
-        one_pixel;  // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
+        one_pixel;       // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
+    float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
+    bool guard_history = true;    // the band is sampled as well: what moves in from it has a history
     bool skip_background = true;  // off: background goes the long way, to the same result
 };
 

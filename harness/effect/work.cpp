@@ -14,7 +14,8 @@ Work summed(std::span<const TileWork> tiles) {
         work.background += tile.background;
         work.below_radius += tile.below_radius;
         work.samples += tile.samples;
-        work.tiles_background += tile.background == tile.pixels ? 1 : 0;
+        const bool left_out = tile.pixels == 0;  // in a guard band that is not sampled
+        work.tiles_background += !left_out && tile.background == tile.pixels ? 1 : 0;
         work.tiles_skipped += tile.background + tile.below_radius == tile.pixels ? 1 : 0;
     }
     return work;

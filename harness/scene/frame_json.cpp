@@ -106,11 +106,27 @@ CameraFrame camera_of(const json& camera, gpu::Extent extent) {
     return frame;
 }
 
+// Pixels of guard band on the left and right, and at top and bottom.
+gpu::Extent border_of(const json& root, gpu::Extent extent) {
+    if (!is_given(root, "border")) return {};
+    const json& border = root["border"];
+    const auto fits = [](const json& pixels, std::uint32_t side) {
+        return pixels.is_number_unsigned() && pixels.get<std::uint64_t>() < (side + 1) / 2;
+    };
+    if (border.is_array() && border.size() == 2 && fits(border[0], extent.width) &&
+        fits(border[1], extent.height)) {
+        return {border[0].get<std::uint32_t>(), border[1].get<std::uint32_t>()};
+    }
+    fail("\"border\": expected two whole numbers of pixels that leave a frame of at least one, found " +
+         border.dump());
+}
+
 FrameDescription parse(std::ifstream& stream) {
     const json root = json::parse(stream);
     if (!root.is_object() || !is_given(root, "camera")) fail("expected an object with \"camera\" in it");
     FrameDescription frame{.extent = {side(root, "width"), side(root, "height")}};
     frame.camera = camera_of(root["camera"], frame.extent);
+    frame.border = border_of(root, frame.extent);
     if (is_given(root, "ao_radius")) {
         frame.ao_radius = number(root, "ao_radius");
         if (!(*frame.ao_radius > 0.0))
@@ -150,6 +166,7 @@ std::string frame_json(const GBuffer& gbuffer, int frame) {
     nlohmann::ordered_json root{
         {"width", gbuffer.extent.width}, {"height", gbuffer.extent.height}, {"frame", frame}};
     if (gbuffer.ao_radius) root["ao_radius"] = *gbuffer.ao_radius;
+    if (gbuffer.border != gpu::Extent{}) root["border"] = {gbuffer.border.width, gbuffer.border.height};
     root["camera"] = {{"near", finite_or_null(planes.near)}, {"far", finite_or_null(planes.far)}};
     if (!camera.orthographic()) root["camera"]["fovy_rad"] = 2.0 * std::atan(1.0 / scale.y);
     root["camera"]["aspect"] = scale.y / scale.x;

@@ -21,6 +21,7 @@ struct GBuffer {
     std::vector<glm::vec3> motion;  // dx, dy in pixels (y down), valid. Empty: from the cameras alone
     CameraFrame camera;
     std::optional<double> ao_radius;  // world units
+    gpu::Extent border;  // guard band around the frame, pixels on each side, part of extent (guard_band.hpp)
 
     // Only from rasterize(), when asked for.
     std::vector<glm::vec3> previous_position;  // where the surface point was, in the view space of the frame

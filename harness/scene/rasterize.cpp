@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "gpu/raster.hpp"
+#include "scene/guard_band.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -110,13 +111,15 @@ std::vector<glm::vec3> motion_of(const GBuffer& view, const CameraFrame& before)
 // One frame of one scene.
 class Shot {
   public:
-    Shot(const gpu::Device& device, const Scene& scene, gpu::Extent extent, const RasterizeOptions& options)
+    Shot(const gpu::Device& device, const Scene& scene, gpu::Extent frame, const RasterizeOptions& options)
         : options_(options),
           moving_(options.motion || options.ids),
-          aspect_(static_cast<double>(extent.width) / extent.height),
-          now_(camera_at(scene, options.frame)),
-          before_(camera_at(scene, std::max(0, options.frame - 1))),
-          depth_(device, extent, gpu::Format::depth32f) {
+          border_(guard_border(frame, options.guard)),
+          now_(with_border(camera_at(scene, options.frame), frame, border_)),
+          before_(with_border(camera_at(scene, std::max(0, options.frame - 1)), frame, border_)),
+          depth_(device, with_border(frame, border_), gpu::Format::depth32f) {
+        const gpu::Extent extent = depth_.extent();
+        aspect_ = static_cast<double>(extent.width) / extent.height;
         colors_.emplace_back(device, extent, gpu::Format::r32f);
         colors_.emplace_back(device, extent, gpu::Format::rgba32f);
         if (!moving_) return;
@@ -128,7 +131,8 @@ class Shot {
         GBuffer view{
             .extent = depth_.extent(),
             .camera = options_.frame > 0 ? make_frame(now_, aspect_, before_) : make_frame(now_, aspect_),
-            .ao_radius = scene.ao_radius};
+            .ao_radius = scene.ao_radius,
+            .border = border_};
         draw(device, passes, scene, {view.camera.proj_vk});
         view.depth = colors_[0].download();
         for (float& d : view.depth) {
@@ -176,7 +180,8 @@ class Shot {
 
     RasterizeOptions options_;
     bool moving_;
-    double aspect_;
+    gpu::Extent border_;
+    double aspect_ = 1.0;
     Camera now_;
     Camera before_;
     gpu::Image depth_;

@@ -126,7 +126,8 @@ GBuffer read_gbuffer(const fs::path& directory, int frame) {
                     .normal = {},
                     .motion = with_finite_motion(to_vectors(read("_motion", 3))),
                     .camera = description.camera,
-                    .ao_radius = description.ao_radius};
+                    .ao_radius = description.ao_radius,
+                    .border = description.border};
     if (gbuffer.depth.empty()) fail(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
     gbuffer.normal = with_unit_length(to_vectors(read("_normal", 3)), gbuffer.depth);
     return gbuffer;

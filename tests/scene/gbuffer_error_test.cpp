@@ -92,6 +92,8 @@ TEST_F(GBufferError, WrongValues) {
         expect_json("/width", bad, {"f0000.json", "width"});
     for (const json& bad : {json(0), json(-0.5), json("wide")})
         expect_json("/ao_radius", bad, {"f0000.json", "ao_radius"});
+    for (const json& bad : {json(1), json({1, 0}), json({0, -1}), json({0.5, 0}), json({0, 0, 0})})
+        expect_json("/border", bad, {"f0000.json", "border"});
     expect_json("/camera", 5, {"f0000.json", "camera"});
     expect_json("/camera/view", nullptr, {"f0000.json", "view"});
     expect_json("/camera/view", json::array({1, 2, 3}), {"f0000.json", "view", "16"});

@@ -36,6 +36,7 @@ void expect_same(const GBuffer& got, const GBuffer& want) {
     EXPECT_EQ(got.camera.proj_vk, want.camera.proj_vk);
     EXPECT_EQ(got.camera.previous_view, want.camera.previous_view);
     EXPECT_EQ(got.ao_radius, want.ao_radius);
+    EXPECT_EQ(got.border, want.border);
 }
 
 TEST(GBuffer, WhatIsWrittenIsRead) {
@@ -44,6 +45,7 @@ TEST(GBuffer, WhatIsWrittenIsRead) {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         for (const bool reversed : {false, true}) {
             GBuffer gbuffer = example({.eye = {1, 2, 3}, .projection = projection, .reversed_z = reversed});
+            if (reversed) gbuffer.border = {1, 0};
             if (reversed) gbuffer.camera.previous_view = make_frame({.eye = {1, 2, 3.5}}, 1.5).view;
             write_frame(folder, frame, gbuffer);
             expect_same(read_gbuffer(folder.path(), frame), gbuffer);

@@ -64,6 +64,8 @@ TEST_F(RenderErrors, Numbers) {
     expect_refused({"corner", "--size", "16x9", "--radius", "nan"}, "radius");
     expect_refused({"corner", "--size", "16x9", "--bias", "-1"}, "-1");
     expect_refused({"corner", "--samples", "0"}, "--samples");
+    for (const char* guard : {"-0.1", "0.6", "nan"})
+        expect_refused({"corner", "--size", "16x9", "--guard", guard}, "guard");
     expect_refused({"corner", "--frames", "0"}, "--frames");
 }
 
@@ -82,6 +84,7 @@ TEST_F(RenderErrors, GBuffers) {
     expect_refused({"--gbuffer", file("missing").string()}, "missing");
     const fs::path folder = gbuffer();
     expect_refused({"corner", "--gbuffer", folder.string()}, "--gbuffer");
+    expect_refused({"--gbuffer", folder.string(), "--guard", "0.1"}, "no guard band");
 
     const fs::path depth = folder / "f0000_depth.pfm";
     const auto whole = fs::file_size(depth);

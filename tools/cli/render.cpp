@@ -19,6 +19,7 @@
 #include "effect/presets.hpp"
 #include "report/image.hpp"
 #include "report/output_folder.hpp"
+#include "scene/guard_band.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {
@@ -34,6 +35,7 @@ effect::Settings settings_for(const RenderOptions& options, const std::optional<
     }
     settings = with_radius(settings, options.radius.value_or(static_cast<float>(view_radius.value_or(1.0))));
     if (options.bias) settings.bias = *options.bias;
+    settings.guard = options.guard;
     validate(settings);
     return settings;
 }
@@ -78,10 +80,11 @@ TruthReport report_of(const TracedView& traced, const effect::Truth& truth, cons
     return report;
 }
 
-double mean_convergence(const effect::Frame& frame) {
+// Over the pixels with geometry.
+double mean_convergence(const effect::Frame& frame, const scene::GBuffer& view) {
     double sum = 0.0;
     for (const float value : frame.convergence) sum += double{value};
-    const std::uint64_t surface = frame.work.pixels - frame.work.background;
+    const auto surface = std::ranges::count_if(view.depth, [](float d) { return std::isfinite(d); });
     return surface == 0 ? 0.0 : sum / static_cast<double>(surface);
 }
 
@@ -125,17 +128,18 @@ class Renderer {
     }
 
     void render_view(int number) {
-        const scene::GBuffer view = input_.load(device_, passes_, number);
+        const scene::GBuffer wide = input_.load(device_, passes_, number);  // with its guard band
+        const scene::GBuffer view = scene::cropped(wide);
         const effect::Settings settings = settings_for(options_, view.ao_radius);
         const ViewTruth truth = truth_.of(view, double{settings.radius});
         if (truth.traced) {
             const bool only = input_.views.size() == 1;
             write_truth(out_, only ? "" : scene::frame_prefix(number) + "_", view.extent, *truth.traced);
         }
-        if (gbuffer_out_) write_gbuffer(*gbuffer_out_, number, view);
-        if (!effect_ || extent_ != view.extent) effect_.emplace(device_, passes_, view.extent);
-        extent_ = view.extent;
-        effect_->begin(view, settings);
+        if (gbuffer_out_) write_gbuffer(*gbuffer_out_, number, wide);
+        if (!effect_ || extent_ != wide.extent) effect_.emplace(device_, passes_, wide.extent);
+        extent_ = wide.extent;
+        effect_->begin(wide, settings);
         for (int i = 0; i < input_.frames_per_view; ++i) {
             show_progress();
             const effect::Frame frame = effect_->next(options_.repeat);
@@ -146,7 +150,7 @@ class Renderer {
                               .settings = settings,
                               .times = frame.times,
                               .work = frame.work,
-                              .mean_convergence = mean_convergence(frame),
+                              .mean_convergence = mean_convergence(frame, view),
                               .flicker = history_.flicker()};
             compare(entry, view, frame, truth, i + 1 == input_.frames_per_view);
             report_.frames.push_back(std::move(entry));
@@ -220,6 +224,10 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(1U, effect::most_samples));
     command.add_option("--radius", options.radius, "world units (default: the view's)");
     command.add_option("--bias", options.bias, "world units (default: the preset's part of the radius)");
+    command.add_option(
+        "--guard", options.guard,
+        "guard band: part of the image rendered around it on each side, so that what lies near "
+        "its edge has its neighbourhood; 0 to 0.5, usually 0.05 to 0.1 (default: none)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
 }
 

@@ -22,6 +22,7 @@ struct RenderOptions {
     std::string size = "640x360";
     std::optional<float> radius;  // world units; otherwise the view's own
     std::optional<float> bias;    // world units; otherwise a part of the radius
+    float guard = 0.0F;           // part of the image on each side
     bool no_filter = false;
     int repeat = 1;
     std::string device;

@@ -10,6 +10,7 @@
 
 #include "cli/names.hpp"
 #include "scene/corner.hpp"
+#include "scene/guard_band.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
 
@@ -56,10 +57,12 @@ gpu::Extent parse_size(const std::string& text) {
         fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each 1 or more, such as 640x360", text));
 }
 
-void require_allowed(gpu::Extent extent, const gpu::DeviceInfo& device) {
-    if (extent.width <= device.max_image_size && extent.height <= device.max_image_size) return;
-    throw std::invalid_argument(fmt::format("--size {}x{}: {} allows at most {} pixels a side", extent.width,
-                                            extent.height, device.name, device.max_image_size));
+// wide: with its guard band.
+void require_allowed(gpu::Extent extent, gpu::Extent wide, const gpu::DeviceInfo& device) {
+    if (wide.width <= device.max_image_size && wide.height <= device.max_image_size) return;
+    throw std::invalid_argument(
+        fmt::format("--size {}x{}: {} allows at most {} pixels a side, guard band included", extent.width,
+                    extent.height, device.name, device.max_image_size));
 }
 
 RenderInput from_scene(const RenderOptions& options) {
@@ -67,10 +70,13 @@ RenderInput from_scene(const RenderOptions& options) {
     const auto scene = std::make_shared<const scene::Scene>(load_scene(options.source));
     RenderInput input{.name = scene->name, .views = {0}, .frames_per_view = options.frames.value_or(1)};
     input.scene = scene;
-    input.load = [scene, extent, frame = options.frame](const gpu::Device& device,
-                                                        const scene::PassLibrary& passes, int) {
-        require_allowed(extent, device.info());
-        scene::GBuffer view = scene::rasterize(device, passes, *scene, extent, {.frame = frame});
+    const double guard = double{options.guard};
+    const gpu::Extent wide = scene::with_border(extent, scene::guard_border(extent, guard));
+    input.load = [scene, extent, wide, guard, frame = options.frame](const gpu::Device& device,
+                                                                     const scene::PassLibrary& passes, int) {
+        require_allowed(extent, wide, device.info());
+        scene::GBuffer view =
+            scene::rasterize(device, passes, *scene, extent, {.frame = frame, .guard = guard});
         view.ao_radius = scene->ao_radius;
         return view;
     };

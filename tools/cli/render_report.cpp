@@ -74,6 +74,7 @@ ordered_json settings_json(const effect::Settings& s) {
             {"weight_max", s.weight_max},
             {"c_rot", s.c_rot},
             {"c_adaptive", s.c_adaptive},
+            {"guard", s.guard},
             {"filter", s.filter},
             {"filter_half_width", s.filter_half_width}};
 }

@@ -24,6 +24,7 @@ struct NormalParameters {
 struct OcclusionParameters {
     glm::vec2 p00_p11;
     glm::ivec2 size;
+    glm::ivec2 border;
     float radius;
     float bias;
     float range;
@@ -36,6 +37,7 @@ struct OcclusionParameters {
     float c_rot;
     float least_radius;
     std::uint32_t orthographic;
+    std::uint32_t shade_border;
     std::uint32_t skip_background;
     std::uint32_t invalidation;
     float change_tolerance;
@@ -80,7 +82,8 @@ struct RemapParameters {
 // What stays the same from frame to frame of a view.
 struct View {
     scene::CameraFrame camera;
-    gpu::Extent extent;
+    gpu::Extent extent;  // with the guard band
+    gpu::Extent border;
 };
 
 [[nodiscard]] NormalParameters normal_parameters(const View& view);

@@ -14,6 +14,7 @@ struct FrameDescription {
     gpu::Extent extent;
     CameraFrame camera;
     std::optional<double> ao_radius;
+    gpu::Extent border;
 };
 
 // Throws std::runtime_error that names the file, the key and what was expected.

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// The guard band: what lies near the frame's edge has its neighbourhood and its history, the rest is as it
+// was.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
+#include "effect/presets.hpp"
+#include "scene/guard_band.hpp"
+#include "scene/pixel_positions.hpp"
+#include "scene/rasterize.hpp"
+#include "scene/truth.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr gpu::Extent extent{96, 54};
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+Settings settings_for(const scene::Scene& scene, float guard) {
+    Settings settings = with_radius(preset_named("paper").settings, static_cast<float>(scene.ao_radius));
+    settings.guard = guard;
+    return settings;
+}
+
+// Pixels from the nearest edge of the frame, 0 at the edge.
+std::uint32_t from_edge(std::size_t pixel, gpu::Extent size = extent) {
+    const auto x = static_cast<std::uint32_t>(pixel % size.width);
+    const auto y = static_cast<std::uint32_t>(pixel / size.width);
+    return std::min({x, y, size.width - 1 - x, size.height - 1 - y});
+}
+
+double rmse_over(const std::vector<float>& image, const std::vector<float>& truth,
+                 const std::function<bool(std::size_t)>& chosen) {
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (!chosen(i)) continue;
+        squares += std::pow(double{image[i]} - double{truth[i]}, 2.0);
+        ++count;
+    }
+    return std::sqrt(squares / static_cast<double>(count));
+}
+
+class Guard : public testing::Test {
+  protected:
+    Guard()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, float guard, int frame = 0) const {
+        return scene::rasterize(device_, passes_, scene, extent,
+                                {.frame = frame, .motion = true, .guard = double{guard}});
+    }
+
+    // The last of `frames` frames of a still view.
+    [[nodiscard]] Frame still(const scene::GBuffer& view, const Settings& settings, int frames) const {
+        AmbientOcclusion effect(device_, passes_, view.extent);
+        effect.begin(view, settings);
+        Frame frame;
+        for (int i = 0; i < frames; ++i) frame = effect.next();
+        return frame;
+    }
+
+    // The last of `frames` frames of a moving one.
+    [[nodiscard]] Frame moving(const scene::Scene& scene, const Settings& settings, int frames) const {
+        const scene::GBuffer first = view(scene, settings.guard);
+        AmbientOcclusion effect(device_, passes_, first.extent);
+        effect.begin(first, settings);
+        Frame frame = effect.next();
+        for (int i = 1; i < frames; ++i) {
+            effect.advance(view(scene, settings.guard, i));
+            frame = effect.next();
+        }
+        return frame;
+    }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+};
+
+TEST_F(Guard, WithoutABandNothingIsCroppedOrLeftOut) {
+    const scene::Scene scene = scene::make_scene("corner");
+    Settings settings = settings_for(scene, 0.0F);
+    const Frame with = still(view(scene, 0.0F), settings, 2);
+    settings.guard_history = false;
+    const Frame without = still(view(scene, 0.0F), settings, 2);
+    EXPECT_EQ(with.extent, extent);
+    EXPECT_EQ(with.occlusion, without.occlusion);
+    EXPECT_EQ(with.filtered, without.filtered);
+    EXPECT_EQ(with.work.pixels, std::uint64_t{extent.width} * extent.height);
+}
+
+// Further from the edge than any sample reaches and the filter after it. A sample that falls within rounding
+// of a pixel's border or of the surface may fall to the other side, for the projection is another: a few
+// pixels change by a sample.
+TEST_F(Guard, PixelsFurtherThanTheRadiusFromTheEdgeStayAsTheyAre) {
+    const scene::Scene scene = scene::make_scene("columns");
+    const scene::GBuffer wide = view(scene, 0.1F);
+    const scene::GBuffer plain = scene::cropped(wide);
+    constexpr float radius = 0.25F;
+    const Settings settings = with_radius(settings_for(scene, 0.0F), radius);
+    const Frame with = still(wide, settings, 4);
+    const Frame without = still(plain, settings, 4);
+    const scene::PixelPositions positions(plain);
+    std::size_t inner = 0;
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < plain.depth.size(); ++i) {
+        if (!(plain.depth[i] > 1.5F * radius) || std::isinf(plain.depth[i])) continue;
+        const double reach = positions.pixels_of_length(radius, plain.depth[i] - radius) + 4.0;
+        if (from_edge(i) < reach) continue;
+        ++inner;
+        changed += with.occlusion[i] != without.occlusion[i] ? 1 : 0;
+        EXPECT_NEAR(with.occlusion[i], without.occlusion[i], 2.01 / 128.0) << i;
+    }
+    std::printf("%zu of %zu pixels changed\n", changed, inner);
+    EXPECT_GT(inner, 500U);
+    EXPECT_LT(static_cast<double>(changed), 0.02 * static_cast<double>(inner));
+}
+
+// Against the geometry, ray-traced.
+TEST_F(Guard, TheEdgeComesCloserToTheTruth) {
+    const scene::Scene scene = scene::make_scene("room");
+    const auto error = [&](float guard) {
+        const scene::GBuffer wide = view(scene, guard);
+        const scene::TracedTruth truth = trace_geometry(scene, 0, scene::cropped(wide),
+                                                        {.rays = {.radius = scene.ao_radius, .rays = 128}});
+        const Frame frame = still(wide, settings_for(scene, guard), 8);
+        return rmse_over(frame.occlusion, truth.occlusion, [](std::size_t i) { return from_edge(i) < 4; });
+    };
+    const double without = error(0.0F);
+    const double with = error(0.1F);
+    std::printf("rmse within 4 pixels of the edge: %.5f without, %.5f with a guard band\n", without, with);
+    EXPECT_LT(with, 0.75 * without);
+}
+
+TEST_F(Guard, WhatMovesInFromTheBandHasAHistory) {
+    scene::Scene scene = scene::make_scene("room");
+    scene.camera_path = [start = scene.camera](int frame) {  // turns by about a pixel in each frame
+        scene::Camera camera = start;
+        const glm::dvec3 ahead = glm::normalize(start.target - start.eye);
+        camera.target = start.eye + ahead + 0.012 * frame * glm::normalize(glm::cross(ahead, start.up));
+        return camera;
+    };
+    const auto without_history = [&](float guard, bool sampled) {
+        Settings settings = settings_for(scene, guard);
+        settings.guard_history = sampled;
+        const Frame frame = moving(scene, settings, 6);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < frame.kept.size(); ++i)
+            count += i % extent.width >= extent.width - 2 && frame.kept[i] == 0.0F ? 1 : 0;
+        return count;
+    };
+    const auto plain = without_history(0.0F, true);
+    const auto sampled = without_history(0.1F, true);
+    const auto left_out = without_history(0.1F, false);
+    std::printf(
+        "pixels at the right edge without history: %zu without a band, %zu with one, %zu with one not "
+        "sampled\n",
+        plain, sampled, left_out);
+    EXPECT_GT(plain, 50U);
+    EXPECT_LT(sampled, plain / 10);
+    EXPECT_GT(left_out, plain * 9 / 10);
+}
+
+TEST_F(Guard, ABandThatIsNotSampledCostsNoSamplesAndServesStillViewsAsWell) {
+    const scene::Scene scene = scene::make_scene("corner");
+    const scene::GBuffer wide = view(scene, 0.1F);
+    Settings settings = settings_for(scene, 0.1F);
+    settings.filter = false;
+    const Frame all = still(wide, settings, 3);
+    settings.guard_history = false;
+    const Frame frame_only = still(wide, settings, 3);
+    EXPECT_EQ(frame_only.occlusion, all.occlusion);
+    EXPECT_EQ(frame_only.work.pixels, std::uint64_t{extent.width} * extent.height);
+    EXPECT_EQ(all.work.pixels, std::uint64_t{wide.extent.width} * wide.extent.height);
+    EXPECT_LT(frame_only.work.samples, all.work.samples);
+}
+
+TEST_F(Guard, WhatCannotBeIsRefused) {
+    const scene::Scene scene = scene::make_scene("corner");
+    scene::GBuffer plain = view(scene, 0.0F);
+    AmbientOcclusion effect(device_, passes_, extent);
+    EXPECT_THAT([&] { effect.begin(plain, settings_for(scene, 0.1F)); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("no guard band")));
+    for (const float bad : {-0.1F, 0.6F, std::nanf("")}) {
+        EXPECT_THAT([&] { effect.begin(plain, settings_for(scene, bad)); },
+                    testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("guard")));
+    }
+    plain.border = {48, 0};
+    EXPECT_THAT([&] { effect.begin(plain, settings_for(scene, 0.0F)); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("no frame")));
+}
+
+}  // namespace
+}  // namespace gloam::effect
