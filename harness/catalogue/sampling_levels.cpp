@@ -4,8 +4,8 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
+#include "reference/sampling/count_by_distance.hpp"
 #include "reference/sampling/depth_mip.hpp"
-#include "reference/sampling/sample_count.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -92,12 +92,12 @@ void append_sampling_levels(Entries& entries) {
     append_chain(entries);
     entries.push_back(equation<int(float, float, int, int)>(
         {.id = "CS-N",
-         .function = "gloam_sample_count",
-         .file = "gloam/sampling/sample_count.glsl",
+         .function = "gloam_count_by_distance",
+         .file = "gloam/sampling/count_by_distance.glsl",
          .title = "samples by distance",
          .formula = "max(int(base / (1 + base d / z_far)), N_min)",
          .source = "Aalund and Baerentzen 2013"},
-        GLOAM_REFERENCE(gloam_sample_count),
+        GLOAM_REFERENCE(gloam_count_by_distance),
         {.domain = Domain{either(uniform(0, 120), log_uniform(1e-3, 1e6)).and_special(),
                           either(log_uniform(10, 1000), log_uniform(1e-37, 1e38)).and_special(),
                           either(integers(0, 64), integers(-2, 10000)), integers(0, 16)}

@@ -69,8 +69,8 @@ TEST_F(Scalable, ChainOfAnyImageSizeStaysInsideIt) {
 }
 
 TEST_F(Scalable, SamplesByDistance) {
-    const Kernel<int(float, float, int, int)> count(lab, "gloam/sampling/sample_count.glsl",
-                                                    "gloam_sample_count");
+    const Kernel<int(float, float, int, int)> count(lab, "gloam/sampling/count_by_distance.glsl",
+                                                    "gloam_count_by_distance");
     EXPECT_EQ(count(0.0F, 100.0F, 64, 4), 64);
     EXPECT_EQ(count(100.0F, 100.0F, 64, 4), 4);
     EXPECT_EQ(count(100.0F / 64.0F, 100.0F, 64, 4), 32);
