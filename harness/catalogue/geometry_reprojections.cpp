@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+#include <initializer_list>
 
 #include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
@@ -23,6 +26,54 @@ using MovingSignature = glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, gl
 // size.
 constexpr double smallest = 1e-30;
 constexpr double largest = 1e2;
+
+// Errors through a chain of matrices are promised for those that move without scaling between a projection's
+// two ends, and for points on whose way through them no sum has terms that add up to more than `farthest` in
+// magnitude: what cancels beyond that is lost.
+constexpr double projection_scale = 2.0;
+constexpr double rigid_tolerance = 1e-3;
+constexpr double farthest = 200.0;
+
+bool finite(const glm::dmat4& matrix) {
+    bool all = true;
+    check::visit_scalars(matrix, [&](const auto& entry) { all = all && std::isfinite(entry); });
+    return all;
+}
+
+// Whether the matrix turns and shifts, and does nothing else.
+bool rigid(const glm::dmat4& matrix) {
+    const glm::dmat3 turn(matrix);
+    const glm::dmat3 identity = glm::transpose(turn) * turn - glm::dmat3(1.0);
+    bool all = true;
+    check::visit_scalars(identity, [&](double entry) { all = all && std::abs(entry) <= rigid_tolerance; });
+    const glm::dvec4 last = glm::row(matrix, 3);
+    return all && last == glm::dvec4(0, 0, 0, 1);
+}
+
+bool scales_little(const glm::dmat4& projection) {
+    bool all = true;
+    const glm::dmat3 linear(projection);
+    check::visit_scalars(linear, [&](double entry) { all = all && std::abs(entry) <= projection_scale; });
+    return all;
+}
+
+// The point behind the matrix; whether it got there without large sums.
+bool carry(glm::dvec4& point, const glm::dmat4& matrix) {
+    glm::dvec4 sums(0.0);
+    for (int column = 0; column < 4; ++column) sums += glm::abs(matrix[column] * point[column]);
+    point = matrix * point;
+    return std::max({sums.x, sums.y, sums.z, sums.w}) <= farthest;
+}
+
+// What is not finite is judged whatever it is.
+bool carried_near(glm::dvec4 point, std::initializer_list<glm::dmat4> chain, bool projections) {
+    if (!(std::ranges::all_of(chain, finite) && std::isfinite(glm::dot(point, point)))) return true;
+    for (const glm::dmat4& matrix : chain) {
+        const bool end = projections && (&matrix == chain.begin() || &matrix == chain.end() - 1);
+        if (!(end ? scales_little(matrix) : rigid(matrix)) || !carry(point, matrix)) return false;
+    }
+    return true;
+}
 
 void append_uv(Entries& entries) {
     entries.push_back(equation<bool(glm::vec4, Out<glm::vec2>)>(
@@ -68,8 +119,10 @@ void append_clip(Entries& entries) {
                     projection_matrices().and_special()},
          .budget = {.ulp = 4, .absolute = 4e-4, .of_largest_component = true},
          .codomain = {-huge, huge},
-         .promised = make_predicate<StaticSignature>(
-             [](const auto&... values) { return moderate(smallest, largest, values...); })}));
+         .promised = make_predicate<StaticSignature>([](const glm::dvec4& clip, const auto&... matrices) {
+             return moderate(smallest, largest, clip, matrices...) &&
+                    carried_near(clip, {glm::dmat4(matrices)...}, true);
+         })}));
     entries.push_back(equation<MovingSignature>(
         {.id = "TSSAO-RP-moving",
          .function = "gloam_previous_clip_moving",
@@ -82,10 +135,12 @@ void append_clip(Entries& entries) {
                     rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
                     rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
                     projection_matrices().and_special()},
-         .budget = {.ulp = 4, .absolute = 6e-4, .of_largest_component = true},
+         .budget = {.ulp = 4, .absolute = 5e-4, .of_largest_component = true},
          .codomain = {-huge, huge},
-         .promised = make_predicate<MovingSignature>(
-             [](const auto&... values) { return moderate(smallest, largest, values...); })}));
+         .promised = make_predicate<MovingSignature>([](const glm::dvec4& clip, const auto&... matrices) {
+             return moderate(smallest, largest, clip, matrices...) &&
+                    carried_near(clip, {glm::dmat4(matrices)...}, true);
+         })}));
 }
 
 // World positions in a scene of ordinary size.
@@ -103,10 +158,13 @@ void append_previous(Entries& entries) {
          .source = source},
         GLOAM_REFERENCE(gloam_previous_world),
         {.domain = {positions(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
-         .budget = {.ulp = 4, .absolute = 1e-4, .of_largest_component = true},
+         .budget = {.ulp = 4, .absolute = 2.4e-4, .of_largest_component = true},
          .codomain = {-huge, huge},
          .promised = make_predicate<glm::vec3(glm::vec3, glm::mat4, glm::mat4)>(
-             [](const auto&... values) { return moderate(smallest, largest, values...); })}));
+             [](const glm::dvec3& world, const auto&... matrices) {
+                 return moderate(smallest, largest, world, matrices...) &&
+                        carried_near(glm::dvec4(world, 1.0), {glm::dmat4(matrices)...}, false);
+             })}));
     entries.push_back(equation<float(glm::vec3, glm::mat4)>(
         {.id = "TSSAO-RP-depth",
          .function = "gloam_previous_depth",

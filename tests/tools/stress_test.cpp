@@ -41,6 +41,8 @@ TEST(Stress, BadInputIsOneClearLine) {
     expect_could_not_run(unknown, "no-such-run");
     EXPECT_THAT(unknown.err, HasSubstr("long-run, far-away"));
     expect_could_not_run(run_command({"stress", "--frames", "0"}), "--frames");
+    expect_could_not_run(run_command({"stress", "--only", "worst-inputs", "--equation", "no-such"}),
+                         "no-such");
     expect_could_not_run(run_command({"stress", "--device", "no-such-device"}), "no-such-device");
     expect_could_not_run(run_command({"stress", "--json", "/no/such/folder/stress.json"}), "/no/such/folder");
 }

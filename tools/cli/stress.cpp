@@ -51,6 +51,7 @@ int run_stress(const StressOptions& options) {
                          .extent = options.brief ? stress::Extent::brief : stress::Extent::full,
                          .seed = options.seed,
                          .frames = options.frames,
+                         .equations = options.equations,
                          .progress = show_progress});
     const auto broken = std::ranges::count_if(rows, [](const stress::Row& row) { return !row.passed(); });
     fmt::print("{} numbers, {} bounds broken\n", rows.size(), broken);
@@ -65,6 +66,8 @@ void add_stress(CLI::App& app, int& status) {
     std::string runs;
     for (const stress::Run& run : stress::all_runs()) runs += (runs.empty() ? "" : ", ") + run.name;
     command->add_option("--only", options->only, "one run: " + runs);
+    command->add_option("--equation", options->equations,
+                        "search the worst inputs of these only: IDs or functions, shell globs");
     command->add_option("--device", options->device, "name or index of the device");
     command->add_option("--seed", options->seed, "seed of noise and points")->capture_default_str();
     command->add_option("--frames", options->frames, "frames of the long runs")

@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace gloam::cli {
 
 // What `gloam stress` was asked.
 struct StressOptions {
-    std::string only;    // name of one run; empty: all
-    std::string device;  // name or index; empty: the default
+    std::string only;
+    std::vector<std::string> equations;  // name of one run; empty: all
+    std::string device;                  // name or index; empty: the default
     std::uint64_t seed = 1;
     std::uint64_t frames = 1'000'000;
     bool brief = false;

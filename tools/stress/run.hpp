@@ -21,7 +21,9 @@ struct Context {
     const scene::PassLibrary& passes;
     Extent extent = Extent::full;
     std::uint64_t seed = 1;
-    std::uint64_t frames = 1'000'000;                                              // of the long runs
+    std::uint64_t frames = 1'000'000;  // of the long runs
+    std::vector<std::string>
+        equations;  // whose worst inputs are searched: IDs or functions, shell globs; none: all
     std::function<void(const std::string&)> progress = [](const std::string&) {};  // told what is done now
 };
 

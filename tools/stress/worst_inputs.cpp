@@ -36,7 +36,7 @@ void append(Rows& rows, const std::string& equation, const check::SearchResult& 
 Rows worst_inputs(const Context& context) {
     const std::size_t inputs = context.extent == Extent::full ? full_inputs : brief_inputs;
     Rows rows;
-    for (const catalogue::Entry& entry : catalogue::all_entries()) {
+    for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(), context.equations)) {
         context.progress(fmt::format("{}: {}", name, entry.description.id));
         append(rows, entry.description.id,
                check::search(context.lab, entry.check_case, {.inputs = inputs, .seed = context.seed}));

@@ -37,7 +37,7 @@ bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out ve
 // clip: clip-space point of the current frame. inverse_projection, inverse_view: of the current frame.
 // previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
-// Error: 4 ulp of the largest component, or 4e-4 where the sums cancel: with positions of 100 units, 4e-6 of them.
+// Error: 4 ulp of the largest component, or 4e-4 where sums cancel whose terms add up to no more than 200 units: 2e-6 of them.
 vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 previous_view,
                                 mat4 previous_projection) {
     vec4 previous = previous_projection * (previous_view * (inverse_view * (inverse_projection * clip)));
@@ -49,7 +49,7 @@ vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse
 // clip: clip-space point of the current frame. inverse_projection, inverse_view, inverse_model: of the current frame.
 // previous_model, previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
-// Error: 4 ulp of the largest component, or 6e-4 where the sums cancel: with positions of 100 units, 6e-6 of them.
+// Error: 4 ulp of the largest component, or 5e-4 where sums cancel whose terms add up to no more than 200 units: 2.5e-6 of them.
 vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 inverse_model, mat4 previous_model,
                                 mat4 previous_view, mat4 previous_projection) {
     vec4 object = inverse_model * (inverse_view * (inverse_projection * clip));
@@ -59,8 +59,8 @@ vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse
 
 // Previous world-space position of a point of a moving object: M_(f-1) M_f^-1 x.
 // world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame (both affine).
-// Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component, or 1e-6 of
-// the largest distance met, where the sums cancel.
+// Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component, or 2.4e-4
+// where sums cancel whose terms add up to no more than 200 units: 1.2e-6 of them.
 vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
     vec4 previous = previous_model * (inverse_model * vec4(world, 1.0));
     return gloam_is_finite3(previous.xyz) ? previous.xyz : vec3(0.0);
