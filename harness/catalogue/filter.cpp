@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <limits>
 
+#include "catalogue/filter_parts.hpp"
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
@@ -228,6 +229,7 @@ void append_filter(Entries& entries) {
     append_mean(entries);
     append_filtering(entries);
     append_filter_keys(entries);
+    append_edge_aware(entries);
 }
 
 }  // namespace gloam::catalogue

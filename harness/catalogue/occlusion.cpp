@@ -8,6 +8,7 @@ namespace gloam::catalogue {
 void append_occlusion(Entries& entries) {
     append_falloffs(entries);
     append_contributions(entries);
+    append_points(entries);
     append_gathers(entries);
     append_occlusion_scalable(entries);
 }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_ISSAO_GLSL
+#define GLOAM_OCCLUSION_ISSAO_GLSL
+
+#include "gloam/occlusion/cosine.glsl"
+
+// ISSAO, the improved screen-space ambient occlusion whose equations 2 to 6 are lost in the copies at hand: reconstructed from its
+// prose, which describes an Alchemy-like estimator with its own attenuation. ISSAO-3 is the integral of TSSAO-1, whose contribution is
+// gloam_contribution_uniform_directions.
+
+// Attenuation (ISSAO-5): Q = phi |v| / max(mu, |v|)^2.
+// hit_distance: |v|, world units. phi: world units, >= 0, how dark. mu: world units, > 0, bounds the distance from below.
+// Returns a weight >= 0, at most phi / mu; phi / |v| beyond mu. 0 at distance 0, for mu or the larger of the two outside
+// [2^-126, 2^126], for phi not positive, and for NaN in any argument. Error: 2.5 ULP.
+float gloam_issao_attenuation(float hit_distance, float phi, float mu) {
+    float d = abs(hit_distance);
+    float larger = d > mu ? d : mu;
+    if (!(d > 0.0 && phi > 0.0 && mu >= 1.175494351e-38 && larger <= 8.507059173e37)) return 0.0;
+    float weight = phi * (d / larger) / larger;
+    return weight <= 3.402823466e38 ? weight : 0.0;
+}
+
+// Contribution of a direction (the integrand of ISSAO-4): Q(|v|) max(v . n / |v|, 0), 0 from the radius on.
+// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi, mu: see gloam_issao_attenuation.
+// Returns a contribution in [0, phi / mu], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v| >= R and NaN.
+// Error: 5e-7 of phi / mu.
+float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius, float phi, float mu) {
+    float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
+    if (!(reach < radius)) return 0.0;
+    return gloam_issao_attenuation(reach, phi, mu) * gloam_sample_cosine(offset, normal);
+}
+
+// Contribution of a tap (ISSAO-6): phi max(0, v . n - psi) / (v . v + sigma), 0 from the radius on.
+// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi: world units, >= 0, how dark.
+// bias: psi, world units, >= 0, constant or of gloam_depth_bias. sigma: world units squared, > 0, prevents 0 / 0 and grows with the scene.
+// Returns a contribution >= 0 for gloam_issao_occlusion; 0 for v = 0, for |v| >= R, in and below the tangent plane raised by psi, for
+// v . v + sigma outside [2^-126, 2^126], and for NaN in any argument. Error: 4e-7 of phi / |v|.
+float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi, float bias, float sigma) {
+    float squared = dot(offset, offset);
+    float denominator = squared + sigma;
+    float above = dot(offset, normal) - bias;
+    if (!(squared < radius * radius && radius > 0.0 && above > 0.0 && sigma >= 0.0)) return 0.0;
+    if (!(phi > 0.0 && denominator >= 1.175494351e-38 && denominator <= 8.507059173e37)) return 0.0;
+    float contribution = phi * (above / denominator);
+    return contribution <= 3.402823466e38 ? contribution : 0.0;
+}
+
+// Occlusion factor from the contributions of all taps (ISSAO-6): A_0 = (lambda / s) sum, clamped.
+// accumulated: (sum, count) of gloam_estimator_add. lambda: gain of the shadow, >= 0, 1 to 1.06 in the paper's figures.
+// Returns occlusion in [0, 1]; 0 for a count below 1 and for NaN. Error: 1.5 ULP.
+float gloam_issao_occlusion(vec2 accumulated, float lambda) {
+    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0 && lambda > 0.0)) return 0.0;
+    float occlusion = lambda * (accumulated.x / accumulated.y);
+    return occlusion < 1.0 ? occlusion : (occlusion >= 1.0 ? 1.0 : 0.0);
+}
+
+#endif

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <limits>
+
+#include "catalogue/filter_parts.hpp"
+#include "catalogue/inputs.hpp"
+#include "catalogue/scenarios.hpp"
+#include "reference/filter/bilateral.hpp"
+
+namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+
+constexpr const char* occlusion_name = "gloam_fetch_occlusion";
+constexpr const char* depth_name = "gloam_fetch_depth";
+
+template <class T>
+auto scalars_of(const ImageSet& images, const char* name) {
+    return [&images, name](glm::ivec2 pixel) { return images.at(name).at<T>(pixel); };
+}
+
+float occlusion_or_worse(numeric::Random& random) {
+    constexpr float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                             -0.25F, 1.5F};
+    return random.below(32) == 0 ? bad[random.below(4)] : static_cast<float>(random.unit());
+}
+
+// Noise of occlusion on a slanted surface with a step and holes of background.
+ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
+    const auto depth = [&](glm::ivec2 pixel) {
+        if (random.below(16) == 0)
+            return random.below(2) == 0 ? 0.0F : std::numeric_limits<float>::infinity();
+        return ((pixel.x + pixel.y) % 7 < 4 ? 2.0F : 3.0F) + 0.005F * static_cast<float>(pixel.x);
+    };
+    ImageSet images;
+    images.emplace(occlusion_name,
+                   make_image<float>(size, [&](glm::ivec2) { return occlusion_or_worse(random); }));
+    images.emplace(depth_name, make_image<float>(size, depth));
+    return images;
+}
+
+std::vector<ImageScenario> surfaces() {
+    return image_scenarios(noisy_surface);
+}
+
+void append_bilateral(Entries& entries) {
+    constexpr const char* file = "gloam/filter/bilateral.glsl";
+    constexpr const char* source = "ISSAO, eq 7; Tomasi and Manduchi 1998";
+    const Values pixels = either(uniform(0.5, 4), log_uniform(1e-30, 1e30)).and_special();
+    const Values lengths = either(log_uniform(0.01, 2), log_uniform(1e-30, 1e30)).and_special();
+    entries.push_back(equation<float(glm::vec2, float, float, float)>(
+        {.id = "ISSAO-7-weight",
+         .function = "gloam_bilateral_weight",
+         .file = "gloam/filter/bilateral_weight.glsl",
+         .title = "weight of a neighbour by distance and depth",
+         .formula = "exp(-(|xi - x| / sigma_d)^2 / 2) exp(-((dp(xi) - dp(x)) / sigma_r)^2 / 2)",
+         .source = source},
+        GLOAM_REFERENCE(gloam_bilateral_weight),
+        {.domain = {vector(2, uniform(-8, 8)).and_value(glm::vec2(0)),
+                    either(uniform(-1, 1), signed_log_uniform(1e-37, 1e38)).and_special(), pixels, lengths},
+         .budget = {.absolute = 4e-7},
+         .codomain = {0, 1},
+         .promised = make_predicate<float(glm::vec2, float, float, float)>(
+             [](glm::dvec2, double difference, double, double) {
+                 return moderate(1e-15, 1e15, difference);
+             })}));
+    using Mean = reference::GloamWeightedMean<float>;
+    using Tap = Mean(Mean, glm::ivec2, float, glm::ivec2, glm::ivec2, float, float);
+    const Values sigma_d = uniform(0.5, 4).and_special();
+    const Values sigma_r = log_uniform(0.01, 2).and_special();
+    entries.push_back(equation<Tap>(
+        {.id = "ISSAO-7-tap",
+         .function = "gloam_bilateral_tap",
+         .file = file,
+         .title = "one neighbour in the bilateral mean",
+         .formula = "(sum + g s f, k + g s)",
+         .source = source},
+        []<class T>(const ImageSet& images, const reference::GloamWeightedMean<T>& mean, glm::ivec2 pixel,
+                    T center, glm::ivec2 tap, glm::ivec2 size, T sigma_pixels, T sigma_depth) {
+            return reference::gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_pixels, sigma_depth,
+                                                  scalars_of<T>(images, occlusion_name),
+                                                  scalars_of<T>(images, depth_name));
+        },
+        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)), image_pixel(), uniform(1.9, 3.1),
+                    either(image_pixel(), vector(2, integers(-4, 4))), image_size(), sigma_d, sigma_r},
+         .budget = {.absolute = 6e-7},
+         .scenarios = surfaces()}));
+    // Few taps: an interval has more ways through each of them than can be followed for long.
+    const Values half_width = either(vector(2, integers(0, 1)), vector({integers(0, 3), integers(0, 0)}))
+                                  .and_value(glm::ivec2(0, -5));
+    entries.push_back(equation<float(glm::ivec2, glm::ivec2, glm::ivec2, float, float)>(
+        {.id = "ISSAO-7",
+         .function = "gloam_bilateral_filter",
+         .file = file,
+         .title = "bilateral smoothing of occlusion",
+         .formula = "(1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)), k the sum of g s",
+         .source = source},
+        []<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 half, glm::ivec2 size, T sigma_d,
+                    T sigma_r) {
+            return reference::gloam_bilateral_filter(pixel, half, size, sigma_d, sigma_r,
+                                                     scalars_of<T>(images, occlusion_name),
+                                                     scalars_of<T>(images, depth_name));
+        },
+        {.domain = {image_pixel(), half_width, image_size(), sigma_d, sigma_r},
+         .budget = {.absolute = 6e-7},
+         .codomain = {0, 1},
+         .scenarios = surfaces()}));
+}
+
+}  // namespace
+
+void append_edge_aware(Entries& entries) {
+    append_bilateral(entries);
+}
+
+}  // namespace gloam::catalogue
