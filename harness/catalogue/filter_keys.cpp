@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
+#include "catalogue/scenarios.hpp"
 #include "reference/filter/depth_key.hpp"
+#include "reference/filter/dual_resolution.hpp"
 #include "reference/filter/mssao_downsample.hpp"
 #include "reference/filter/quad_box.hpp"
 #include "reference/filter/sao_blur.hpp"
@@ -132,9 +136,38 @@ void append_downsample(Entries& entries) {
                            })}));
 }
 
+constexpr const char* occlusion_name = "gloam_fetch_occlusion";
+
+// Noise of little range, with a few values that are none.
+ImageSet occlusion_image(glm::ivec2 size, numeric::Random& random) {
+    const auto value = [&](glm::ivec2) {
+        if (random.below(64) == 0) return random.below(2) == 0 ? NAN : 1.5F;
+        return static_cast<float>(random.uniform(0.2, 0.4));
+    };
+    return {{occlusion_name, make_image<float>(size, value)}};
+}
+
+void append_dual(Entries& entries) {
+    entries.push_back(equation<bool(glm::ivec2, glm::ivec2, float)>(
+        {.id = "CS-E-dual",
+         .function = "gloam_dual_resolution_disagrees",
+         .file = "gloam/filter/dual_resolution.glsl",
+         .title = "where occlusion of half the resolution does not do",
+         .formula = "max - min > tolerance over 3 x 3",
+         .source = "derived, after Bavoil and Sainz 2009"},
+        []<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, T tolerance) {
+            const auto fetch = [&images](glm::ivec2 at) { return images.at(occlusion_name).at<T>(at); };
+            return reference::gloam_dual_resolution_disagrees(pixel, size, tolerance, fetch);
+        },
+        {.domain = {image_pixel(), image_size(), uniform(0, 0.3).and_special()},
+         .budget = {.backward_ulp = 1},
+         .scenarios = image_scenarios(occlusion_image)}));
+}
+
 }  // namespace
 
 void append_filter_keys(Entries& entries) {
+    append_dual(entries);
     append_quad(entries);
     append_keys(entries);
     append_blur(entries);

@@ -3,6 +3,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
+#include "reference/geometry/curvature.hpp"
 #include "reference/geometry/length.hpp"
 #include "reference/geometry/radius_cap.hpp"
 
@@ -10,7 +11,40 @@ namespace gloam::catalogue {
 
 using namespace check;
 
+namespace {
+
+void append_curvatures(Entries& entries) {
+    using Signature = glm::vec2(glm::vec3, glm::vec3, glm::vec3, glm::vec3);
+    const Values step =
+        either(vector_of_length(3, uniform(0.01, 0.02)), vector_of_length(3, log_uniform(1e-12, 1e12)))
+            .and_value(glm::vec3(0))
+            .and_special();
+    const Values turn = either(vector_of_length(3, uniform(0, 0.01)), vector_of_length(3, uniform(0, 1)))
+                            .and_value(glm::vec3(0))
+                            .and_special();
+    entries.push_back(equation<Signature>(
+        {.id = "CS-K-principal",
+         .function = "gloam_principal_curvatures",
+         .file = "gloam/geometry/curvature.glsl",
+         .title = "principal curvatures from neighbouring pixels",
+         .formula = "eigenvalues of the shape operator, -dn = S dp",
+         .source = "differential geometry"},
+        GLOAM_REFERENCE(gloam_principal_curvatures),
+        {.domain = {step, step, turn, turn},
+         .budget = {.absolute = 1e-4},
+         .promised =
+             make_predicate<Signature>([](glm::dvec3 px, glm::dvec3 py, glm::dvec3 nx, glm::dvec3 ny) {
+                 const double a = glm::length(px);
+                 const double b = glm::length(py);
+                 return a > 0.009 && a < 0.021 && b > 0.009 && b < 0.021 && glm::length(nx) < 1.1 &&
+                        glm::length(ny) < 1.1 && glm::length(glm::cross(px, py)) > 0.5 * a * b;
+             })}));
+}
+
+}  // namespace
+
 void append_geometry_lengths(Entries& entries) {
+    append_curvatures(entries);
     const Values any =
         either(vector_of_length(3, log_uniform(1e-3, 10)), vector_of_length(3, log_uniform(1e-37, 1e38)))
             .and_value(glm::vec3(0))

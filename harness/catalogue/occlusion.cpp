@@ -11,6 +11,7 @@ void append_occlusion(Entries& entries) {
     append_points(entries);
     append_gathers(entries);
     append_occlusion_scalable(entries);
+    append_occlusion_layers(entries);
 }
 
 }  // namespace gloam::catalogue

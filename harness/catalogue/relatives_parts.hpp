@@ -11,4 +11,8 @@ void append_geometry_lengths(Entries& entries);    // length of any vector, cap 
 void append_occlusion_scalable(Entries& entries);  // SAO and MSSAO
 void append_filter_keys(Entries& entries);  // SAO's quad filter, depth keys and blur; MSSAO's coarser level
 
+void append_occlusion_layers(Entries& entries);    // curvature, depth rejection, layers, separable AO
+void append_shading_bent(Entries& entries);        // bent normals and cones
+void append_temporal_smoothing(Entries& entries);  // Gears of War 2
+
 }  // namespace gloam::catalogue

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
+#include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 #include "reference/shading/remap.hpp"
 
@@ -27,6 +28,7 @@ void append_shading(Entries& entries) {
              make_predicate<float(float, float, float, float)>([](double ao, double a, double b, double c) {
                  return moderate(1e-18, 1e18, ao, a, b) && moderate(1e-3, 16, c);
              })}));
+    append_shading_bent(entries);
 }
 
 }  // namespace gloam::catalogue

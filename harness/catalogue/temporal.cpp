@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 #include "catalogue/temporal_parts.hpp"
 
@@ -9,6 +10,7 @@ void append_temporal(Entries& entries) {
     append_history(entries);
     append_validity(entries);
     append_reprojection(entries);
+    append_temporal_smoothing(entries);
 }
 
 }  // namespace gloam::catalogue

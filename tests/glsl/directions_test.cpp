@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Bent normals and cones; occlusion by curvature.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "support/lab.hpp"
+
+namespace gloam {
+namespace {
+
+using check::Kernel;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr double right = std::numbers::pi / 2;
+const glm::vec3 up(0, 0, 1);
+
+class Directions : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab();
+
+    Kernel<float(float)> cone(const std::string& name) const {
+        return {lab, "gloam/shading/bent_cone.glsl", "gloam_cone_angle" + name};
+    }
+    Kernel<glm::vec4(glm::vec4, glm::vec3, float)> add{lab, "gloam/shading/bent_normal.glsl",
+                                                       "gloam_bent_add"};
+    Kernel<glm::vec3(glm::vec4, glm::vec3)> bent{lab, "gloam/shading/bent_normal.glsl", "gloam_bent_normal"};
+    Kernel<float(glm::vec4)> agreement{lab, "gloam/shading/bent_normal.glsl", "gloam_bent_length"};
+
+    // The sums over many directions of the hemisphere, of which some are open.
+    template <class Open>
+    glm::vec4 sums(Open open) const {
+        std::vector<std::tuple<glm::vec4, glm::vec3, float>> inputs;
+        constexpr int rings = 48;
+        for (int i = 0; i < rings; ++i) {
+            for (int j = 0; j < 96; ++j) {
+                const double z = (i + 0.5) / rings;
+                const double angle = 2 * std::numbers::pi * (j + 0.5) / 96;
+                const double r = std::sqrt(1 - z * z);
+                const glm::vec3 w(r * std::cos(angle), r * std::sin(angle), z);
+                inputs.emplace_back(glm::vec4(0), w, open(w) ? 1.0F : 0.0F);
+            }
+        }
+        glm::dvec4 sum(0);
+        for (const glm::vec4 part : add(inputs)) sum += part;
+        return sum;
+    }
+};
+
+TEST_F(Directions, ConesOfKnownLength) {
+    const auto linear = cone("_linear");
+    const auto exact = cone("");
+    EXPECT_NEAR(linear(0.5F), right, 1e-6);
+    EXPECT_NEAR(exact(0.5F), right, 1e-6);
+    EXPECT_NEAR(linear(0.75F), right / 2, 1e-6);
+    EXPECT_NEAR(exact(0.75F), right * 2 / 3, 1e-6);
+    EXPECT_EQ(linear(1.0F), 0.0F);
+    EXPECT_EQ(exact(1.0F), 0.0F);
+    EXPECT_EQ(exact(1.0001F), 0.0F);  // rounding of L
+    EXPECT_NEAR(exact(0.25F), right, 1e-6);
+    EXPECT_NEAR(linear(0.25F), right, 1e-6);
+    EXPECT_NEAR(exact(NAN), right, 1e-6);
+}
+
+TEST_F(Directions, ConesOfVisibility) {
+    const auto uniform = cone("_uniform");
+    const auto cosine = cone("_cosine");
+    for (const double angle : {0.0, 0.001, 0.3, 0.785, 1.2, right}) {
+        EXPECT_NEAR(uniform(static_cast<float>(1 - std::cos(angle))), angle, 2e-4);
+        EXPECT_NEAR(cosine(static_cast<float>(std::pow(std::sin(angle), 2))), angle, 2e-4);
+    }
+    EXPECT_EQ(uniform(0.0F), 0.0F);
+    EXPECT_EQ(cosine(0.0F), 0.0F);
+    EXPECT_NEAR(cosine(1.0F), right, 1e-6);
+    EXPECT_EQ(cosine(NAN), 0.0F);
+}
+
+TEST_F(Directions, OpenHemisphereBendsNothing) {
+    const glm::vec4 sum = sums([](glm::vec3) { return true; });
+    EXPECT_NEAR(agreement(sum), 0.5, 1e-3);
+    EXPECT_NEAR(bent(sum, up).z, 1.0, 1e-6);
+}
+
+TEST_F(Directions, HalfSpaceBlockedBendsTheNormalBy45Degrees) {
+    const glm::vec4 sum = sums([](glm::vec3 w) { return w.x > 0; });
+    const glm::vec3 b = bent(sum, up);
+    EXPECT_NEAR(b.x, std::numbers::sqrt2 / 2, 2e-3);
+    EXPECT_NEAR(b.y, 0.0, 1e-5);
+    EXPECT_NEAR(b.z, std::numbers::sqrt2 / 2, 2e-3);
+}
+
+TEST_F(Directions, CapIsItsOwnCone) {
+    const glm::vec4 sum = sums([](glm::vec3 w) { return w.z > 0.5F; });
+    EXPECT_NEAR(agreement(sum), 0.75, 1e-3);
+    EXPECT_NEAR(cone("")(agreement(sum)), right * 2 / 3, 2e-3);
+}
+
+TEST_F(Directions, NothingOpen) {
+    EXPECT_EQ(bent(glm::vec4(0), up), up);
+    EXPECT_EQ(agreement(glm::vec4(0)), 1.0F);
+    EXPECT_EQ(cone("")(agreement(glm::vec4(0))), 0.0F);
+    EXPECT_EQ(bent(glm::vec4(0, 0, 0, 3), up), up);  // open directions that cancel
+    EXPECT_EQ(bent(glm::vec4(NAN), up), up);
+    const glm::vec4 sum(1, 2, 3, 4);
+    EXPECT_EQ(add(sum, glm::vec3(NAN), 1.0F), sum);
+    EXPECT_EQ(add(sum, up, NAN), sum);
+    EXPECT_EQ(add(sum, up, 0.5F), glm::vec4(1, 2, 3.5F, 4.5F));
+}
+
+class Curvature : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab();
+    Kernel<float(float, float, float)> occlusion{lab, "gloam/occlusion/curvature.glsl",
+                                                 "gloam_occlusion_curvature"};
+    Kernel<glm::vec2(glm::vec3, glm::vec3, glm::vec3, glm::vec3)> principal{
+        lab, "gloam/geometry/curvature.glsl", "gloam_principal_curvatures"};
+};
+
+// The mean over directions as it is defined, in double.
+double mean_of_sin_squared(double k_1, double k_2, double radius) {
+    constexpr int steps = 20000;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double phi = std::numbers::pi * (i + 0.5) / steps;
+        const double k = k_1 * std::pow(std::cos(phi), 2) + k_2 * std::pow(std::sin(phi), 2);
+        const double q = std::max(k, 0.0) * radius / 2;
+        sum += q * q / (1 + q * q);
+    }
+    return sum / steps;
+}
+
+TEST_F(Curvature, KnownSurfaces) {
+    EXPECT_EQ(occlusion(0.0F, 0.0F, 1.0F), 0.0F);    // plane
+    EXPECT_EQ(occlusion(-1.0F, -2.0F, 1.0F), 0.0F);  // ball
+    EXPECT_EQ(occlusion(-1.0F, 0.0F, 1.0F), 0.0F);   // ridge
+    EXPECT_NEAR(occlusion(2.0F, 2.0F, 1.0F), 0.5, 1e-6);
+    EXPECT_NEAR(occlusion(1.0F, 1.0F, 2.0F), 0.5, 1e-6);
+    EXPECT_NEAR(occlusion(1.0F, 1.0F, 1.0F), 0.2, 1e-6);  // q = 1/2: q^2 / (1 + q^2)
+    EXPECT_EQ(occlusion(infinity, infinity, 1.0F), occlusion(1e30F, 1e30F, 1.0F));
+    for (const float bad : {NAN, 0.0F, -1.0F}) EXPECT_EQ(occlusion(1.0F, 1.0F, bad), 0.0F);
+    EXPECT_EQ(occlusion(NAN, 1.0F, 1.0F), 0.0F);
+    EXPECT_EQ(occlusion(1.0F, NAN, 1.0F), 0.0F);
+}
+
+TEST_F(Curvature, ClosedFormIsTheMeanOverDirections) {
+    for (const float k_1 : {0.01F, 0.5F, 2.0F, 30.0F}) {
+        for (const float k_2 : {-20.0F, -3.0F, -0.5F, -1e-4F, 0.0F, 0.3F, 3.0F, 40.0F}) {
+            EXPECT_NEAR(occlusion(k_1, k_2, 1.5F), mean_of_sin_squared(k_1, k_2, 1.5), 2e-6)
+                << k_1 << " " << k_2;
+            EXPECT_EQ(occlusion(k_1, k_2, 1.5F), occlusion(k_2, k_1, 1.5F)) << k_1 << " " << k_2;
+        }
+    }
+    EXPECT_GT(occlusion(2.0F, -2.0F, 1.0F), 0.0F);
+}
+
+TEST_F(Curvature, OfABallACylinderAndAPlaneInAnyDirections) {
+    const double r = 4;
+    const double step = 0.01;
+    const auto near_curvatures = [](glm::vec2 got, double k_1, double k_2) {
+        EXPECT_NEAR(got.x, k_1, 1e-4);
+        EXPECT_NEAR(got.y, k_2, 1e-4);
+    };
+    for (const double turn : {0.0, 0.4, 1.1}) {
+        for (const double apart :
+             {0.6, 1.57, 2.4}) {  // angle between the two axes of the image on the surface
+            const glm::dvec3 x(std::cos(turn), std::sin(turn), 0);
+            const glm::dvec3 y(std::cos(turn + apart), std::sin(turn + apart), 0);
+            const auto curvatures = [&](auto normal_change) {
+                return principal(step * x, 1.5 * step * y, normal_change(step * x),
+                                 normal_change(1.5 * step * y));
+            };
+            near_curvatures(curvatures([&](glm::dvec3 p) { return -p / r; }), 1 / r, 1 / r);   // inside
+            near_curvatures(curvatures([&](glm::dvec3 p) { return p / r; }), -1 / r, -1 / r);  // outside
+            near_curvatures(curvatures([&](glm::dvec3 p) { return glm::dvec3(-p.x / r, 0, 0); }), 1 / r, 0);
+            near_curvatures(curvatures([&](glm::dvec3 p) { return glm::dvec3(p.x, -p.y, 0) / r; }), 1 / r,
+                            -1 / r);
+            near_curvatures(curvatures([](glm::dvec3) { return glm::dvec3(0); }), 0, 0);
+        }
+    }
+}
+
+TEST_F(Curvature, OfNothing) {
+    const glm::vec3 x(0.01F, 0, 0);
+    const glm::vec3 y(0, 0.01F, 0);
+    EXPECT_EQ(principal(glm::vec3(0), y, x, y), glm::vec2(0));
+    EXPECT_EQ(principal(x, 2.0F * x, x, y), glm::vec2(0));
+    EXPECT_EQ(principal(x, glm::vec3(NAN), x, y), glm::vec2(0));
+    EXPECT_EQ(principal(x, y, glm::vec3(NAN), y), glm::vec2(0));
+    EXPECT_EQ(principal(x, glm::vec3(infinity, 0, 0), x, y), glm::vec2(0));
+}
+
+}  // namespace
+}  // namespace gloam
