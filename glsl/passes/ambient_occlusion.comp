@@ -53,6 +53,7 @@ layout(push_constant) uniform Parameters {
     float intensity;       // see GloamMethod
     float thickness;       // see GloamMethod
     float angle_bias;      // see GloamMethod
+    float mip_distance;    // see GloamMethod
     uint steps;            // see GloamMethod
 } parameters;
 
@@ -127,7 +128,7 @@ float weight_after_change(float weight) {
 
 GloamMethod this_method() {
     return GloamMethod(parameters.range, parameters.epsilon, parameters.intensity, parameters.thickness,
-                       parameters.angle_bias, parameters.steps);
+                       parameters.angle_bias, parameters.mip_distance, parameters.steps);
 }
 
 void count(uint what, uint amount) {

@@ -56,9 +56,10 @@ Values frames() {
 Values length() {
     return log_uniform(0.01, 4).and_special();
 }
-// Range of the visibility test and epsilon; the rest is for other methods.
+// Range of the visibility test, epsilon and distance of the first mip level; the rest is for other methods.
 Values methods() {
-    return vector({length(), length(), constant(1.0F), constant(1.0F), constant(0.0F), constant(1U)});
+    return vector({length(), length(), constant(1.0F), constant(1.0F), constant(0.0F),
+                   either(constant(0.0F), log_uniform(1, 64)).and_special(), constant(1U)});
 }
 
 // Where coordinates and lengths are such that no product overflows.
@@ -133,6 +134,20 @@ void append_hemisphere(Entries& entries) {
          .scenarios = depth_scenarios(prototype)}));
 }
 
+void append_tap_pixel(Entries& entries) {
+    const Values distance = either(constant(0.0F), log_uniform(1, 64)).and_special();
+    const Values pixel = vector({integers(0, 2000), integers(0, 1000)});
+    entries.push_back(equation<glm::ivec2(glm::ivec2, glm::ivec2, glm::ivec2, float)>(
+        {.id = "TAP-pixel",
+         .function = "gloam_tap_pixel",
+         .file = "gloam/sampling/tap_pixel.glsl",
+         .title = "pixel whose depth a tap reads",
+         .formula = "the pixel that the depth chain's texel stands for, of the level for the tap's distance",
+         .source = "SAO (McGuire et al. 2012)"},
+        GLOAM_REFERENCE(gloam_tap_pixel),
+        {.domain = {pixel, pixel, constant(glm::ivec2(2001, 1001)), distance}}));
+}
+
 void append_disc(Entries& entries) {
     using Contribution = float(glm::vec3, glm::vec3, glm::ivec2, Camera, Kernel, Method);
     using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
@@ -185,6 +200,7 @@ void append_gathers(Entries& entries) {
     append_can_gather(entries);
     append_tap(entries);
     append_hemisphere(entries);
+    append_tap_pixel(entries);
     append_disc(entries);
 }
 

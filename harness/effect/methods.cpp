@@ -6,6 +6,30 @@
 #include "effect/internal/named.hpp"
 
 namespace gloam::effect {
+namespace {
+
+// The study's values at its radius of 10: sigma 2, bias 1, epsilon^2 1e-5.
+void alchemy(Settings& s) {
+    s.intensity = 0.2F;
+    s.bias = 0.1F;
+    s.epsilon = 3.2e-4F;
+}
+
+void sao(Settings& s) {
+    s.intensity = 1.0F;
+    s.bias = 0.01F;
+    s.epsilon = 0.1F;
+    s.mip_distance = 16.0F;
+}
+
+// The paper's figure 3: radius 1.75, phi 0.4, psi 0.022, lambda 1.06, sigma 0.00016.
+void issao(Settings& s) {
+    s.intensity = 1.06F * 0.4F / 1.75F;
+    s.bias = 0.022F / 1.75F;
+    s.epsilon = 0.0126491F / 1.75F;
+}
+
+}  // namespace
 
 const std::vector<MethodInfo>& methods() {
     using enum Measure;
@@ -13,6 +37,15 @@ const std::vector<MethodInfo>& methods() {
         {"hemisphere", "occlusion by points in the half ball (TSSAO-3, TSSAO-14)", cosine, "linear"},
         {"disc", "how concave the surface is, by surface points under a disc (TSSAO-12, TSSAO-13)", shape,
          "none"},
+        {"crytek", "points of a whole ball (Mittring 2007)", volume, "none",
+         [](Settings& s) { s.remap_a = 0.5F, s.bias = 0.0F; }},
+        {"filion", "points of the half ball, uniform (Filion and McNaughton 2008)", uniform,
+         "beyond the radius"},
+        {"alchemy", "surface points under a disc (McGuire et al. 2011)", cosine, "alchemy", alchemy},
+        {"sao", "surface points on a spiral, far ones from a depth chain (McGuire et al. 2012)", cosine,
+         "cubic", sao},
+        {"issao", "surface points under the covering circle, dense near the pixel (ISSAO)", cosine, "alchemy",
+         issao},
     };
     return all;
 }

@@ -54,6 +54,7 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .intensity = settings.intensity,
             .thickness = settings.thickness,
             .angle_bias = settings.angle_bias,
+            .mip_distance = settings.mip_distance,
             .steps = settings.steps};
 }
 

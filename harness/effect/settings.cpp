@@ -69,6 +69,7 @@ void validate(const Settings& s) {
             "0 to 64");
     require(s.intensity >= 0.0F && s.intensity <= largest, "intensity", s.intensity, "0 to 1e18");
     require(s.angle_bias >= 0.0F && s.angle_bias <= 1.5707964F, "angle bias", s.angle_bias, "0 to pi / 2");
+    require(s.mip_distance >= 0.0F, "mip distance", s.mip_distance, "0 or more");
     require(s.steps >= 1 && s.steps <= 64, "steps", s.steps, "1 to 64");
     require(s.remap_a >= -1.0F && s.remap_a <= 1.0F, "remap a", s.remap_a, "-1 to 1");
     require(s.remap_b >= 0.0F && s.remap_b <= largest, "remap b", s.remap_b, "0 to 1e18");

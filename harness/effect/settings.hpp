@@ -42,6 +42,7 @@ struct Settings {
     float intensity = 1.0F;   // factor of the estimate, for methods that have one, >= 0
     float thickness = 0.5F;   // bitmask: how far behind its front a surface blocks, world units, > 0
     float angle_bias = 0.0F;  // horizons: radians above the tangent plane, 0 to pi / 2
+    float mip_distance = 0.0F;  // taps: pixels from which level 1 of the depth chain is read; 0: never
     std::uint32_t steps = 4;  // horizons: taps along each half of a slice, 1 to 64
     std::uint32_t samples =
         32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples

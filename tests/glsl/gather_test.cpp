@@ -32,6 +32,7 @@ struct Method {
     float intensity = 1.0F;
     float thickness = 1.0F;
     float angle_bias = 0.0F;
+    float mip_distance = 0.0F;
     unsigned steps = 1;
 };
 

@@ -29,6 +29,7 @@ struct GatherMethod {
     float intensity = 1.0F;
     float thickness = 1.0F;
     float angle_bias = 0.0F;
+    float mip_distance = 0.0F;
     unsigned steps = 1;
 };
 

@@ -14,12 +14,27 @@ vec2 gloam_estimator_add(vec2 accumulated, float contribution) {
     return gloam_is_finite(contribution) ? accumulated + vec2(contribution, 1.0) : accumulated;
 }
 
+// Weighted mean of contributions.
+// weighted: (sum of contributions times weights, sum of weights).
+// Returns sum / weight inside [0, 1]; 0 for a weight not positive, for a subnormal one and for NaN. Error: 0.5 ULP, 1e-44 near 0.
+float gloam_weighted_ratio(vec2 weighted) {
+    if (!(weighted.y >= 1.175494351e-38 && weighted.x > 0.0)) return 0.0;
+    return weighted.x < weighted.y ? min(weighted.x / weighted.y, 1.0) : 1.0;
+}
+
 // Mean of the contributions.
 // accumulated: (sum, count).
 // Returns sum / count inside [0, 1], the occlusion; 0 for a count below 1 and for NaN. Error: 0.5 ULP.
 float gloam_estimator_mean(vec2 accumulated) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 0.0;
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
+}
+
+// A weighted mean as if of a number of samples, for gloam_estimator_mean.
+// weighted: (sum of contributions times weights, sum of weights). count: of samples.
+// Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5 ULP, 1e-41 near 0.
+vec2 gloam_estimator_of_weighted(vec2 weighted, uint count) {
+    return float(count) * vec2(gloam_weighted_ratio(weighted), 1.0);
 }
 
 #endif

@@ -8,8 +8,9 @@ struct GloamMethod {
     float epsilon;     // world units: distance below which a patch counts no more
     float intensity;   // factor of the result
     float thickness;   // world units: how far behind its front a surface blocks
-    float angle_bias;  // radians above the tangent plane below which nothing blocks
-    uint steps;        // taps along each half of a slice, at least 1
+    float angle_bias;    // radians above the tangent plane below which nothing blocks
+    float mip_distance;  // pixels from which taps read level 1 of the depth chain, twice as far level 2, and so on; 0: none does
+    uint steps;          // taps along each half of a slice, at least 1
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
+#include "gloam/sampling/tap_pixel.glsl"
 
 // Methods that look at the surface points under a disc around the pixel: the loop over the taps. A method says where in the disc they
 // lie and what the surface seen there contributes.
@@ -14,9 +15,9 @@
 // Defined by the user: eye-linear depth of a pixel inside the image, in world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the method: a tap in the unit disc.
-// i: number of the tap in this frame, from 0.
-vec2 gloam_method_tap(uint i, GloamKernel kernel);
+// Defined by the method: a tap, in units of the projected radius.
+// i: number of the tap in this frame, from 0. position: of the shaded point, view space, world units.
+vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel);
 
 // Defined by the method: what the surface seen at a tap contributes.
 // offset: from the shaded point to it, view space, world units. normal: of the shaded point, unit. depth: of the shaded point,
@@ -42,9 +43,11 @@ vec2 gloam_tap_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKerne
     if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     vec2 center = gloam_camera_uv(position, camera);
+    ivec2 pixel = gloam_nearest_pixel(center, camera.size);
     vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
     for (uint i = 0u; i < kernel.count; ++i) {
-        ivec2 at = gloam_nearest_pixel(center + reach * gloam_method_tap(i, kernel), camera.size);
+        ivec2 at = gloam_nearest_pixel(center + reach * gloam_method_tap(i, position, kernel), camera.size);
+        at = gloam_tap_pixel(at, pixel, camera.size, method.mip_distance);
         accumulated = gloam_estimator_add(accumulated, gloam_tap_at(position, n, at, camera, kernel, method));
     }
     return accumulated;

@@ -12,7 +12,7 @@
 // Reads epsilon. A point beyond the radius, or no higher than the bias above the tangent plane, contributes nothing: there noise
 // would decide.
 
-vec2 gloam_method_tap(uint i, GloamKernel kernel) {
+vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel) {
     return gloam_halton_disc(kernel.first + i + 1u, kernel.angle);
 }
 

@@ -46,6 +46,7 @@ struct OcclusionParameters {
     float intensity;
     float thickness;
     float angle_bias;
+    float mip_distance;
     std::uint32_t steps;
 };
 

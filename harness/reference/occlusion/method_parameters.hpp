@@ -10,6 +10,7 @@ struct GloamMethod {
     T intensity;
     T thickness;
     T angle_bias;
+    T mip_distance;
     unsigned steps;
 };
 

@@ -7,8 +7,9 @@
 #include "reference/occlusion/estimator.hpp"
 #include "reference/occlusion/gather_kernel.hpp"
 #include "reference/occlusion/method_parameters.hpp"
+#include "reference/sampling/tap_pixel.hpp"
 
-// What GLSL asks for by prototypes is here an argument: a Method has tap(i, kernel) and
+// What GLSL asks for by prototypes is here an argument: a Method has tap(i, position, kernel) and
 // occlusion(offset, normal, depth, kernel, method).
 namespace gloam::reference {
 
@@ -28,9 +29,12 @@ vec2<T> gloam_tap_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera
     if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
     const vec3<T> n = gloam_safe_normalize(normal, vec3<T>(T(0), T(0), T(0)));
     const vec2<T> center = gloam_camera_uv(position, camera);
+    const glm::ivec2 pixel = gloam_nearest_pixel(center, camera.size);
     const vec2<T> reach = gloam_camera_radius(kernel.radius, -position.z, camera);
     for (unsigned i = 0; i < kernel.count; ++i) {
-        const glm::ivec2 at = gloam_nearest_pixel(center + reach * method.tap(i, kernel), camera.size);
+        const vec2<T> tap = method.tap(i, position, kernel);
+        const glm::ivec2 aimed = gloam_nearest_pixel(center + reach * tap, camera.size);
+        const glm::ivec2 at = gloam_tap_pixel(aimed, pixel, camera.size, parameters.mip_distance);
         accumulated = gloam_estimator_add(
             accumulated, gloam_tap_at(position, n, at, camera, kernel, parameters, method, fetch_depth));
     }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_SAO_GLSL
+#define GLOAM_METHODS_SAO_GLSL
+
+#include "gloam/occlusion/sao.glsl"
+#include "gloam/occlusion/tap_gather.glsl"
+#include "gloam/sampling/radical_inverse.glsl"
+#include "gloam/sampling/spiral.glsl"
+
+// Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near the pixel, far ones
+// read from a depth chain (mip_distance 16). Each frame turns the spiral by another angle.
+// Reads epsilon, mip_distance and intensity: sigma as a share of the radius, which the paper has at 1 m.
+
+const int gloam_sao_turns = 7;
+
+vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel) {
+    uint frame = kernel.first / max(kernel.count, 1u);
+    float turn = 6.283185307 * gloam_radical_inverse_base2(frame);
+    return gloam_spiral_tap(int(i), int(kernel.count), gloam_sao_turns, kernel.angle + turn);
+}
+
+float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method) {
+    float sigma = method.intensity * kernel.radius;
+    return 5.0 * sigma *
+           gloam_contribution_sao(offset, normal, kernel.radius, kernel.bias, method.epsilon * method.epsilon);
+}
+
+vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
+    return gloam_tap_gather(position, normal, camera, kernel, method);
+}
+
+#endif
