@@ -103,6 +103,8 @@ CameraFrame camera_of(const json& camera, gpu::Extent extent) {
     }
     require_symmetric(frame.proj_vk, extent);
     if (is_given(camera, "prev_view")) frame.previous_view = glm::mat4(matrix(camera, "prev_view"));
+    if (is_given(camera, "previous_from_current"))
+        frame.previous_from_current = glm::mat4(matrix(camera, "previous_from_current"));
     return frame;
 }
 
@@ -174,6 +176,8 @@ std::string frame_json(const GBuffer& gbuffer, int frame) {
     root["camera"]["proj_vk"] = to_json(camera.proj_vk);
     root["camera"]["proj_gl"] = to_json(gl_from_vk(camera.proj_vk));
     root["camera"]["prev_view"] = camera.previous_view ? to_json(*camera.previous_view) : json(nullptr);
+    if (camera.previous_from_current)
+        root["camera"]["previous_from_current"] = to_json(*camera.previous_from_current);
     return root.dump(2) + "\n";
 }
 

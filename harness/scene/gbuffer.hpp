@@ -18,12 +18,14 @@ struct GBuffer {
     std::vector<float> depth;  // eye-linear, world units; background +infinity
     std::vector<glm::vec3>
         normal;  // view space, unit, facing the viewer; background 0. Empty: from the depth
-    std::vector<glm::vec3> motion;  // dx, dy in pixels (y down), valid. Empty: from the cameras alone
+    std::vector<glm::vec3> motion;      // dx, dy in pixels (y down), valid. Empty: from the cameras alone
+    std::vector<float> previous_depth;  // with motion: eye-linear depth of the surface point in the camera of
+                                        // the frame before. Empty: from the cameras
     CameraFrame camera;
     std::optional<double> ao_radius;  // world units
     gpu::Extent border;  // guard band around the frame, pixels on each side, part of extent (guard_band.hpp)
 
-    // Only from rasterize(), when asked for.
+    // Only from rasterize(), when asked for; previous_position also from link().
     std::vector<glm::vec3> previous_position;  // where the surface point was, in the view space of the frame
                                                // before; background 0
     std::vector<std::uint32_t> object;    // 0: what stands still, k: the k-th moving object; background 0

@@ -67,6 +67,7 @@ GBuffer cropped(const GBuffer& view) {
                   .depth = cropped(view, view.depth),
                   .normal = cropped(view, view.normal),
                   .motion = cropped(view, view.motion),
+                  .previous_depth = cropped(view, view.previous_depth),
                   .camera = view.camera,
                   .ao_radius = view.ao_radius,
                   .previous_position = cropped(view, view.previous_position),

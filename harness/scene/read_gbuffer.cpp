@@ -125,9 +125,12 @@ GBuffer read_gbuffer(const fs::path& directory, int frame) {
                     .depth = with_background_at_infinity(read("_depth", 1).texels),
                     .normal = {},
                     .motion = with_finite_motion(to_vectors(read("_motion", 3))),
+                    .previous_depth = read("_previous_depth", 1).texels,
                     .camera = description.camera,
                     .ao_radius = description.ao_radius,
                     .border = description.border};
+    if (!gbuffer.previous_depth.empty() && gbuffer.motion.empty())
+        fail(stem.string() + "_previous_depth.pfm", "there are no motion vectors, which it belongs to");
     if (gbuffer.depth.empty()) fail(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
     gbuffer.normal = with_unit_length(to_vectors(read("_normal", 3)), gbuffer.depth);
     return gbuffer;

@@ -33,6 +33,8 @@ inline void write_frame(const Folder& folder, int frame, const GBuffer& gbuffer)
         (void)folder.write(prefix + "_normal.pfm", pfm_text(gbuffer.extent, components(gbuffer.normal)));
     if (!gbuffer.motion.empty())
         (void)folder.write(prefix + "_motion.pfm", pfm_text(gbuffer.extent, components(gbuffer.motion)));
+    if (!gbuffer.previous_depth.empty())
+        (void)folder.write(prefix + "_previous_depth.pfm", pfm_text(gbuffer.extent, gbuffer.previous_depth));
 }
 
 }  // namespace gloam::scene::test

@@ -44,6 +44,7 @@ int run_demo(const DemoOptions& demo) {
         fmt::print("\nno bunny: {} is missing (package glmark2-data)\n", bunny);
     }
     status = std::max(status, render(demo, "columns", "columns"));
+    status = std::max(status, render(demo, "moving", "moving"));
     status = std::max(status, render(demo, "corner", "corner"));
     fmt::print("\npictures: {}\n", fs::absolute(demo.out).string());
     return status;
@@ -54,7 +55,7 @@ int run_demo(const DemoOptions& demo) {
 void add_demo(CLI::App& app, int& status) {
     auto options = std::make_shared<DemoOptions>();
     CLI::App* command = app.add_subcommand(
-        "demo", "check the default device, render three scenes, say where the pictures are");
+        "demo", "check the default device, render four scenes, say where the pictures are");
     command->add_option("--device", options->device, "name or index of the device (gloam devices)");
     command->add_option("--out", options->out, "folder for the pictures")->capture_default_str();
     add_driver_option(*command);

@@ -5,20 +5,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_files.hpp"
 #include "cli/render_history.hpp"
 #include "cli/render_input.hpp"
 #include "cli/render_report.hpp"
 #include "cli/render_truth.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
-#include "report/image.hpp"
 #include "report/output_folder.hpp"
+#include "scene/frame_link.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/read_gbuffer.hpp"
 
@@ -40,35 +43,6 @@ effect::Settings settings_for(const RenderOptions& options, const std::optional<
     return settings;
 }
 
-void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffer& view) {
-    const std::string prefix = scene::frame_prefix(number);
-    const gpu::Extent size = view.extent;
-    const auto write_vectors = [&](const char* name, const std::vector<glm::vec3>& vectors) {
-        std::vector<float> texels;
-        for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z});
-        if (!texels.empty()) folder.write(prefix + name, report::to_pfm(texels, size.width, size.height, 3));
-    };
-    folder.write(prefix + "_depth.pfm", report::to_pfm(view.depth, size.width, size.height, 1));
-    write_vectors("_normal.pfm", view.normal);
-    write_vectors("_motion.pfm", view.motion);
-    folder.write(prefix + ".json", scene::frame_json(view, number));
-}
-
-void write_images(report::OutputFolder& folder, int number, gpu::Extent size, const effect::Frame& frame) {
-    const std::string prefix = scene::frame_prefix(number);
-    folder.write(prefix + "_ao.pfm", report::to_pfm(frame.filtered, size.width, size.height, 1));
-    folder.write(prefix + "_ao.png", report::to_visibility_png(frame.filtered, size.width, size.height));
-}
-
-// The magnitude of the error; an error of 0.25 is as bright as the scale goes.
-void write_error(report::OutputFolder& folder, int number, gpu::Extent size, const std::vector<float>& image,
-                 const effect::Truth& truth) {
-    std::vector<float> errors;
-    for (std::size_t i = 0; i < image.size(); ++i) errors.push_back(std::abs(image[i] - truth[i]));
-    folder.write(scene::frame_prefix(number) + "_error.png",
-                 report::to_heat_png(errors, size.width, size.height, 0.25));
-}
-
 // depth: the truth of the depth buffer, compared with that of the geometry.
 TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {
     const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
@@ -88,6 +62,19 @@ double mean_convergence(const effect::Frame& frame, const scene::GBuffer& view) 
     return surface == 0 ? 0.0 : sum / static_cast<double>(surface);
 }
 
+HistoryReport history_of(const effect::Frame& frame, const scene::GBuffer& view) {
+    double surface = 0.0;
+    double kept = 0.0;
+    double samples = 0.0;
+    for (std::size_t i = 0; i < frame.kept.size(); ++i) {
+        if (!std::isfinite(view.depth[i])) continue;
+        surface += 1.0;
+        kept += frame.kept[i] > 0.0F ? 1.0 : 0.0;
+        samples += double{frame.kept[i]};
+    }
+    return {.kept = kept / std::max(surface, 1.0), .samples = samples / std::max(kept, 1.0)};
+}
+
 // The work of one call.
 class Renderer {
   public:
@@ -99,7 +86,8 @@ class Renderer {
           device_({.device = options.device,
                    .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
                    .cache_directory = cache_directory()}),
-          passes_(glsl_directory(), cache_directory()) {
+          passes_(glsl_directory(), cache_directory()),
+          progress_(progress_bar(input_.name + ": frames")) {
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
         report_ = {.source = input_.name,
                    .preset = options.preset,
@@ -113,7 +101,6 @@ class Renderer {
         out_.write("render.json", to_json(report_));
         if (gbuffer_out_) gbuffer_out_->keep();
         out_.keep();
-        if (on_terminal()) fmt::print(stderr, "\r\033[K");
         fmt::print("{}pictures: {}\n", to_text(report_), (out_.path() / "*_ao.png").string());
         const auto messages = device_.take_validation_messages();
         for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
@@ -128,33 +115,63 @@ class Renderer {
     }
 
     void render_view(int number) {
-        const scene::GBuffer wide = input_.load(device_, passes_, number);  // with its guard band
+        scene::GBuffer wide = input_.load(device_, passes_, number);  // with its guard band
+        const effect::Settings settings = settings_for(options_, wide.ao_radius);
+        const std::string cut = cut_before(number, wide, settings);
+        if (cut.empty()) link(wide, before_->view);
         const scene::GBuffer view = scene::cropped(wide);
-        const effect::Settings settings = settings_for(options_, view.ao_radius);
-        const ViewTruth truth = truth_.of(view, double{settings.radius});
-        if (truth.traced) {
-            const bool only = input_.views.size() == 1;
-            write_truth(out_, only ? "" : scene::frame_prefix(number) + "_", view.extent, *truth.traced);
-        }
+        const ViewTruth truth = truth_at(number, view, settings);
         if (gbuffer_out_) write_gbuffer(*gbuffer_out_, number, wide);
-        if (!effect_ || extent_ != wide.extent) effect_.emplace(device_, passes_, wide.extent);
-        extent_ = wide.extent;
-        effect_->begin(wide, settings);
+        if (!effect_ || before_->view.extent != wide.extent) effect_.emplace(device_, passes_, wide.extent);
+        cut.empty() ? effect_->advance(wide) : effect_->begin(wide, settings);
         for (int i = 0; i < input_.frames_per_view; ++i) {
-            show_progress();
+            const ViewLink linked = i > 0 ? ViewLink::same : cut.empty() ? ViewLink::follows : ViewLink::cut;
             const effect::Frame frame = effect_->next(options_.repeat);
-            write_images(out_, number + i, view.extent, frame);
-            history_.advance(view, i > 0, double{settings.radius}, frame.filtered);
-            FrameReport entry{.number = number + i,
-                              .extent = view.extent,
-                              .settings = settings,
-                              .times = frame.times,
-                              .work = frame.work,
-                              .mean_convergence = mean_convergence(frame, view),
-                              .flicker = history_.flicker()};
+            write_images(out_, number + i, frame);
+            history_.advance(view, linked, double{settings.radius}, frame.filtered);
+            FrameReport entry = entry_of(number + i, settings, frame, view);
+            if (i == 0) entry.history.cut = cut;
             compare(entry, view, frame, truth, i + 1 == input_.frames_per_view);
             report_.frames.push_back(std::move(entry));
+            progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
         }
+        before_ = Before{number, settings.radius, std::move(wide)};
+    }
+
+    // Why the view has no history; empty: it has.
+    [[nodiscard]] std::string cut_before(int number, const scene::GBuffer& view,
+                                         const effect::Settings& settings) const {
+        if (!before_) return "the first frame";
+        if (number != before_->number + 1) return "frames are missing before it";
+        if (settings.radius != before_->radius) return "the radius has changed";
+        return cut_between(before_->view, view);
+    }
+
+    // Empty where nothing is known, or it is not asked for in this view.
+    [[nodiscard]] ViewTruth truth_at(int number, const scene::GBuffer& view,
+                                     const effect::Settings& settings) {
+        if (number != input_.views.back() && !truth_.every_view()) return {};
+        ViewTruth truth = truth_.of(view, input_.first_frame + number, double{settings.radius});
+        if (truth.traced) {
+            const bool only = input_.views.size() == 1 || !truth_.every_view();
+            write_truth(out_, only ? "" : scene::frame_prefix(number) + "_", view.extent, *truth.traced);
+        }
+        return truth;
+    }
+
+    [[nodiscard]] FrameReport entry_of(int number, const effect::Settings& settings,
+                                        const effect::Frame& frame, const scene::GBuffer& view) const {
+        FrameReport entry{.number = number,
+                          .extent = frame.extent,
+                          .settings = settings,
+                          .times = frame.times,
+                          .work = frame.work,
+                          .mean_convergence = mean_convergence(frame, view),
+                          .history = history_of(frame, view),
+                          .flicker = history_.flicker()};
+        const bool follows = input_.frames_per_view == 1;
+        if (input_.scene) entry.scene_frame = input_.first_frame + (follows ? number : 0);
+        return entry;
     }
 
     void compare(FrameReport& entry, const scene::GBuffer& view, const effect::Frame& frame,
@@ -174,15 +191,19 @@ class Renderer {
         }
         if (!last) return;
         entry.errors->metrics = effect::metrics_of(frame.filtered, truth.truth, view.extent);
-        write_error(out_, entry.number, view.extent, frame.filtered, truth.truth);
+        write_error(out_, entry.number, frame, truth.truth);
     }
 
-    void show_progress() const {
-        if (!on_terminal()) return;
-        fmt::print(stderr, "\r{}: frame {} of {}", input_.name, report_.frames.size() + 1,
-                   input_.views.size() * static_cast<std::size_t>(input_.frames_per_view));
-        std::fflush(stderr);
+    [[nodiscard]] std::size_t frame_count() const {
+        return input_.views.size() * static_cast<std::size_t>(input_.frames_per_view);
     }
+
+    // The view before, with its guard band.
+    struct Before {
+        int number;
+        float radius;
+        scene::GBuffer view;
+    };
 
     const RenderOptions& options_;
     RenderInput input_;
@@ -192,8 +213,9 @@ class Renderer {
     gpu::Device device_;
     scene::PassLibrary passes_;
     std::optional<effect::AmbientOcclusion> effect_;
-    gpu::Extent extent_;
+    std::optional<Before> before_;
     RenderHistory history_;
+    std::function<void(double)> progress_;
     RenderReport report_;
 };
 
@@ -204,14 +226,14 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
     command.add_option("--size", options.size, "WIDTHxHEIGHT of a scene or mesh, pixels")
         ->capture_default_str();
     command
-        .add_option(
-            "--frames", options.frames,
-            "frames accumulated on a still view: a scene, a mesh, a G-buffer of one frame (default 1); of a "
-            "G-buffer sequence, the first N, each of which starts afresh (default all)")
+        .add_option("--frames", options.frames,
+                    "frames: of a scene that moves, followed from --frame on; of a G-buffer sequence, the "
+                    "first N (default all); else accumulated on the one view (default 1)")
         ->check(CLI::Range(1, 9999));
-    command.add_option("--frame", options.frame, "of a scene that moves: which frame is shown, 0 and up")
+    command.add_option("--frame", options.frame, "of a scene that moves: the first frame shown, 0 and up")
         ->check(CLI::Range(0, 1'000'000));
-    command.add_option("--write-gbuffer", options.write_gbuffer, "folder for the G-buffer that was shaded");
+    command.add_flag("--still", options.still, "hold the scene at --frame and accumulate frames there");
+    command.add_option("--write-gbuffer", options.write_gbuffer, "folder for the G-buffers that were shaded");
     command.add_option("--out", options.out, "folder for pictures and render.json")->capture_default_str();
 }
 
@@ -242,6 +264,9 @@ void add_truth_options(CLI::App& command, RenderOptions& options) {
             "compare with true occlusion: traced now, or given as a PFM file (after the scene's name)")
         ->expected(0, 1)
         ->type_name("[FILE]");
+    command.add_flag(
+        "--truth-every", options.truth_every,
+        "trace the truth of every frame of a sequence, not of the last alone: it takes as long for each");
     command.add_option("--truth-rays", options.truth_rays, "rays for each pixel, 32 to 16777216")
         ->capture_default_str();
     command.add_option("--truth-falloff", options.truth_falloff, "linear, quadratic or step")

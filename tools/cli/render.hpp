@@ -18,7 +18,8 @@ struct RenderOptions {
     std::string preset = "paper";
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;
-    int frame = 0;  // of a scene that moves
+    int frame = 0;       // of a scene that moves: the first
+    bool still = false;  // it is held there
     std::string size = "640x360";
     std::optional<float> radius;  // world units; otherwise the view's own
     std::optional<float> bias;    // world units; otherwise a part of the radius
@@ -28,6 +29,7 @@ struct RenderOptions {
     std::string device;
     bool validation = false;
     bool trace_truth = false;  // --truth without a file
+    bool truth_every = false;  // trace it in each frame, not in the last alone
     std::string truth;         // PFM; empty: none
     std::string truth_falloff = "linear";
     int truth_rays = 1024;                                             // for each pixel

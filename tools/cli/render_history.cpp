@@ -15,7 +15,7 @@ scene::GBuffer standing_still(scene::GBuffer view) {
 
 }  // namespace
 
-void RenderHistory::advance(const scene::GBuffer& view, bool same_view, double radius,
+void RenderHistory::advance(const scene::GBuffer& view, ViewLink link, double radius,
                             const std::vector<float>& image) {
     flicker_.reset();
     if (view.normal.empty()) {
@@ -23,10 +23,10 @@ void RenderHistory::advance(const scene::GBuffer& view, bool same_view, double r
         classes_.reset();
         return;
     }
-    const bool follows = view_ && view_->extent == view.extent;
+    const bool follows = view_ && link != ViewLink::cut;
     if (!follows) classes_.emplace(effect::PixelClasses::Settings{.radius = radius});
     std::optional<effect::HistoryMap> history;
-    if (follows) history.emplace(same_view ? standing_still(view) : view, *view_);
+    if (follows) history.emplace(link == ViewLink::same ? standing_still(view) : view, *view_);
     if (history) flicker_ = effect::mean_change(*history, image, image_);
     classes_->advance(view, history);
     view_ = view;

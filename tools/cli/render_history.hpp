@@ -10,13 +10,19 @@
 
 namespace gloam::cli {
 
+// How a view goes with the one before it.
+enum class ViewLink {
+    same,     // the same view again
+    follows,  // the next of a sequence
+    cut       // another
+};
+
 // Follows the frames of one call of `gloam render`: how much the picture changes from frame to frame, and
 // which pixels a temporal method treats differently.
 class RenderHistory {
   public:
-    // The next frame: another view, or the same one again. Views of another size, and views without normals,
-    // have nothing to do with those before.
-    void advance(const scene::GBuffer& view, bool same_view, double radius, const std::vector<float>& image);
+    // The next frame. Views without normals have nothing to do with those before.
+    void advance(const scene::GBuffer& view, ViewLink link, double radius, const std::vector<float>& image);
 
     // Mean change at the same surface points since the frame before; nullopt in the first.
     [[nodiscard]] const std::optional<double>& flicker() const { return flicker_; }

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -68,17 +69,24 @@ void require_allowed(gpu::Extent extent, gpu::Extent wide, const gpu::DeviceInfo
 RenderInput from_scene(const RenderOptions& options) {
     const gpu::Extent extent = parse_size(options.size);
     const auto scene = std::make_shared<const scene::Scene>(load_scene(options.source));
-    RenderInput input{.name = scene->name, .views = {0}, .frames_per_view = options.frames.value_or(1)};
+    const int frames = options.frames.value_or(1);
+    const bool moves = scene->camera_path || !scene->objects.empty();
+    const bool follows = moves && !options.still && frames > 1;
+    RenderInput input{.name = scene->name,
+                      .views = std::vector<int>(static_cast<std::size_t>(follows ? frames : 1)),
+                      .first_frame = options.frame,
+                      .frames_per_view = follows ? 1 : frames};
+    std::iota(input.views.begin(), input.views.end(), 0);
     input.scene = scene;
     const double guard = double{options.guard};
     const gpu::Extent wide = scene::with_border(extent, scene::guard_border(extent, guard));
-    input.load = [scene, extent, wide, guard, frame = options.frame](const gpu::Device& device,
-                                                                     const scene::PassLibrary& passes, int) {
+    // Where only the camera moves, its matrices tell everything.
+    const bool motion = follows && !scene->objects.empty();
+    input.load = [scene, extent, wide, guard, motion, first = options.frame](
+                     const gpu::Device& device, const scene::PassLibrary& passes, int view) {
         require_allowed(extent, wide, device.info());
-        scene::GBuffer view =
-            scene::rasterize(device, passes, *scene, extent, {.frame = frame, .guard = guard});
-        view.ao_radius = scene->ao_radius;
-        return view;
+        return scene::rasterize(device, passes, *scene, extent,
+                                {.frame = first + view, .motion = motion, .guard = guard});
     };
     if (options.source == "corner") {
         input.truth = scene::corner_occlusion_at;
@@ -88,6 +96,7 @@ RenderInput from_scene(const RenderOptions& options) {
 }
 
 RenderInput from_gbuffer(const RenderOptions& options) {
+    if (options.still) throw std::invalid_argument("--still goes with a scene, not with --gbuffer");
     if (options.frame != 0) throw std::invalid_argument("--frame goes with a scene, not with --gbuffer");
     if (!options.source.empty()) {
         throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two",

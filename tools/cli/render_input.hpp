@@ -16,10 +16,11 @@
 
 namespace gloam::cli {
 
-// What is to be shaded: one still view on which frames accumulate, or a sequence of views.
+// What is to be shaded: one still view on which frames accumulate, or a sequence of views that is followed.
 struct RenderInput {
     std::string name;
-    std::vector<int> views;  // their numbers
+    std::vector<int> views;  // their numbers, which the files written have too
+    int first_frame = 0;     // of a scene: view 0 shows it
     int frames_per_view = 1;
     std::function<scene::GBuffer(const gpu::Device&, const scene::PassLibrary&, int view)> load;
     std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere

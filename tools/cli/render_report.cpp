@@ -87,11 +87,18 @@ ordered_json times_json(const std::vector<effect::PassTime>& times) {
     return json;
 }
 
+ordered_json history_json(const HistoryReport& history) {
+    return {{"cut", history.cut.empty() ? ordered_json(nullptr) : ordered_json(history.cut)},
+            {"kept", history.kept},
+            {"samples", history.samples}};
+}
+
 ordered_json frame_json(const FrameReport& frame) {
     const effect::Work& work = frame.work;
     ordered_json json{{"frame", frame.number},
                       {"width", frame.extent.width},
                       {"height", frame.extent.height},
+                      {"history", history_json(frame.history)},
                       {"radius", frame.settings.radius},
                       {"bias", frame.settings.bias},
                       {"times_ms", times_json(frame.times)},
@@ -106,6 +113,7 @@ ordered_json frame_json(const FrameReport& frame) {
                       {"tiles_skipped",
                        {{"background", work.tiles_background},
                         {"nothing_to_sample", work.tiles_skipped - work.tiles_background}}}};
+    if (frame.scene_frame) json["scene_frame"] = *frame.scene_frame;
     if (frame.flicker) json["flicker"] = *frame.flicker;
     if (frame.truth) json["truth"] = truth_json(*frame.truth);
     if (frame.errors) json["errors"] = frame_errors_json(*frame.errors);
@@ -161,6 +169,10 @@ std::string to_text(const RenderReport& report) {
         s.method, report.preset, s.samples, s.radius, s.bias, last.extent.width, last.extent.height,
         report.frames.size(), report.frames.size() == 1 ? "" : "s", report.device.name);
     text += (report.frames.size() > 1 ? "last frame: " : "") + work_lines(last);
+    if (report.frames.size() > 1) {
+        text += fmt::format("history at {:.1f} % of the pixels, of {:.0f} samples\n",
+                            100.0 * last.history.kept, last.history.samples);
+    }
     if (!last.errors) return text;
     text += fmt::format("against {}, {} pixels compared:\n", report.truth, last.errors->raw.compared);
     text += errors_line("  raw", last.errors->raw);

@@ -31,14 +31,23 @@ struct TruthReport {
     std::optional<effect::Errors> depth;  // of the depth buffer's truth, against that of the geometry
 };
 
+// What the history brought to a frame.
+struct HistoryReport {
+    std::string cut;       // why there was none; empty: there was
+    double kept = 0.0;     // part of the pixels with geometry that have a history, [0, 1]
+    double samples = 0.0;  // that it holds, mean over those pixels
+};
+
 // What is told of a frame; its images lie in files.
 struct FrameReport {
     int number = 0;
+    std::optional<int> scene_frame;
     gpu::Extent extent;
     effect::Settings settings;
     std::vector<effect::PassTime> times;
     effect::Work work;
     double mean_convergence = 0.0;  // over the pixels with geometry
+    HistoryReport history;
     std::optional<double> flicker;  // of the filtered image, from the frame before
     std::optional<TruthReport> truth;
     std::optional<FrameErrors> errors;

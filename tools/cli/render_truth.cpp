@@ -19,6 +19,8 @@ TruthSource::TruthSource(const RenderOptions& options, const RenderInput& input)
             fmt::format("--truth-falloff \"{}\": expected linear, quadratic or step", options.truth_falloff));
     }
     falloff_ = *falloff;
+    if (options.truth_every && !options.trace_truth)
+        throw std::invalid_argument("--truth-every goes with --truth that is traced, without a file");
     if (options.trace_truth) {
         scene::validate(scene::RaySettings{.radius = 1.0, .falloff = falloff_, .rays = options.truth_rays});
         if (!(options.truth_thickness > 0.0)) {
@@ -35,7 +37,11 @@ std::string TruthSource::name() const {
     return reference_ ? options_.truth : input_.truth_name;
 }
 
-TracedView TruthSource::traced(const scene::GBuffer& view, double radius) const {
+bool TruthSource::every_view() const {
+    return options_.trace_truth ? options_.truth_every : !reference_;
+}
+
+TracedView TruthSource::traced(const scene::GBuffer& view, int frame, double radius) const {
     const std::filesystem::path cache = cache_directory();
     const scene::TruthCache kept(cache.empty() ? cache : cache / "truth");
     const auto settings = [&](const char* what) {
@@ -46,15 +52,15 @@ TracedView TruthSource::traced(const scene::GBuffer& view, double radius) const 
     };
     TracedView result;
     if (input_.scene) {
-        result.geometry = kept.geometry(*input_.scene, options_.frame, view, settings("geometry"));
+        result.geometry = kept.geometry(*input_.scene, frame, view, settings("geometry"));
     }
     result.depth = kept.depth(view, settings("depth buffer"));
     return result;
 }
 
-ViewTruth TruthSource::of(const scene::GBuffer& view, double radius) const {
+ViewTruth TruthSource::of(const scene::GBuffer& view, int frame, double radius) const {
     if (options_.trace_truth) {
-        ViewTruth result{.traced = traced(view, radius)};
+        ViewTruth result{.traced = traced(view, frame, radius)};
         const scene::TracedTruth& best =
             result.traced->geometry ? *result.traced->geometry : result.traced->depth;
         result.truth = effect::truth_from(view, best.occlusion);

@@ -34,10 +34,15 @@ class TruthSource {
 
     [[nodiscard]] std::string name() const;  // empty: there is none
 
-    [[nodiscard]] ViewTruth of(const scene::GBuffer& view, double radius) const;
+    // Whether every view of a sequence is compared, not the last alone: tracing takes long, and a file holds
+    // one image.
+    [[nodiscard]] bool every_view() const;
+
+    // frame: of the scene.
+    [[nodiscard]] ViewTruth of(const scene::GBuffer& view, int frame, double radius) const;
 
   private:
-    [[nodiscard]] TracedView traced(const scene::GBuffer& view, double radius) const;
+    [[nodiscard]] TracedView traced(const scene::GBuffer& view, int frame, double radius) const;
 
     const RenderOptions& options_;
     const RenderInput& input_;
