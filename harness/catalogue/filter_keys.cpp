@@ -7,6 +7,7 @@
 #include "reference/filter/depth_key.hpp"
 #include "reference/filter/dual_resolution.hpp"
 #include "reference/filter/mssao_downsample.hpp"
+#include "reference/filter/mssao_upsample.hpp"
 #include "reference/filter/quad_box.hpp"
 #include "reference/filter/sao_blur.hpp"
 
@@ -136,6 +137,28 @@ void append_downsample(Entries& entries) {
                            })}));
 }
 
+void append_upsample(Entries& entries) {
+    using Signature = float(float, float, float, float, float);
+    const Values power = either(uniform(0.25, 10), constant(1.0F)).and_near({0.0}).and_special();
+    entries.push_back(equation<Signature>(
+        {.id = "CS-F-upsample",
+         .function = "gloam_mssao_upsample_weight",
+         .file = "gloam/filter/mssao_upsample.glsl",
+         .title = "weight of a pixel of the coarser level",
+         .formula = "bilinear (1 / (1 + |dz|))^a ((n . n' + 1) / 2)^b",
+         .source = mssao},
+        GLOAM_REFERENCE(gloam_mssao_upsample_weight),
+        {.domain = {uniform(0, 1).and_special(),
+                    either(signed_log_uniform(1e-3, 10), any_float()).and_special(),
+                    uniform(-1, 1).and_near({-1.0, 1.0}).and_special(), power, power},
+         .budget = {.absolute = 3e-6},
+         .codomain = {0, 1},
+         .promised = make_predicate<Signature>([](double, double dz, double cosine, double a, double b) {
+             return moderate(0.0, 1e18, dz) && moderate(0.0, 1e9, cosine) && moderate(0.25, 16, a, b) &&
+                    a < 1e9 && b < 1e9;
+         })}));
+}
+
 constexpr const char* occlusion_name = "gloam_fetch_occlusion";
 
 // Noise of little range, with a few values that are none.
@@ -172,6 +195,7 @@ void append_filter_keys(Entries& entries) {
     append_keys(entries);
     append_blur(entries);
     append_downsample(entries);
+    append_upsample(entries);
 }
 
 }  // namespace gloam::catalogue

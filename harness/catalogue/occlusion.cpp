@@ -12,6 +12,7 @@ void append_occlusion(Entries& entries) {
     append_gathers(entries);
     append_occlusion_scalable(entries);
     append_occlusion_layers(entries);
+    append_occlusion_proxies(entries);
 }
 
 }  // namespace gloam::catalogue

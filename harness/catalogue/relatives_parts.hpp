@@ -15,4 +15,8 @@ void append_occlusion_layers(Entries& entries);    // curvature, depth rejection
 void append_shading_bent(Entries& entries);        // bent normals and cones
 void append_temporal_smoothing(Entries& entries);  // Gears of War 2
 
+void append_sampling_marches(Entries& entries);     // rays marched in eye space
+void append_occlusion_proxies(Entries& entries);    // balls and discs that stand for the scene, Poisson discs
+void append_shading_directional(Entries& entries);  // directional occlusion, depth darkening
+
 }  // namespace gloam::catalogue

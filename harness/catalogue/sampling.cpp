@@ -155,6 +155,7 @@ void append_sampling(Entries& entries) {
     append_sample_rotations(entries);
     append_sample_patterns(entries);
     append_sampling_levels(entries);
+    append_sampling_marches(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -29,6 +29,7 @@ void append_shading(Entries& entries) {
                  return moderate(1e-18, 1e18, ao, a, b) && moderate(1e-3, 16, c);
              })}));
     append_shading_bent(entries);
+    append_shading_directional(entries);
 }
 
 }  // namespace gloam::catalogue
