@@ -9,6 +9,8 @@ void append_occlusion(Entries& entries) {
     append_falloffs(entries);
     append_contributions(entries);
     append_points(entries);
+    append_horizons(entries);
+    append_slice_methods(entries);
     append_gathers(entries);
     append_occlusion_scalable(entries);
     append_occlusion_layers(entries);

@@ -9,6 +9,8 @@ namespace gloam::catalogue {
 void append_falloffs(Entries& entries);       // what a hit counts by its distance
 void append_contributions(Entries& entries);  // what a sample counts, and the mean over samples
 void append_points(Entries& entries);         // methods that count single points, and what they need
+void append_horizons(Entries& entries);       // horizon-based AO
+void append_slice_methods(Entries& entries);  // methods that work in slices through the eye
 void append_gathers(Entries& entries);        // the estimators of a pixel, which read images
 
 }  // namespace gloam::catalogue

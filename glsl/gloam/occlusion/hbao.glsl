@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_HBAO_GLSL
+#define GLOAM_OCCLUSION_HBAO_GLSL
+
+#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/inverse_trigonometry.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/shading/remap.glsl"
+
+// Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): (1 / 2 pi) times the integral over directions of the image of
+// W (sin h - sin t), h the elevation of the horizon and t that of the tangent above the image plane. The cos of the integral is the
+// Jacobian of solid angle, not n . w: every direction counts the same, which is not the occlusion of TSSAO-1. A pit whose walls rise by
+// 45 degrees all around has 0.707 of it, but 0.5 of the cosine-weighted.
+
+// Slope of the tangent plane in a direction of the image, from the derivatives of the position: tan t = T.z / |T.xy|, T = x dP/du + y dP/dv.
+// direction: (x, y), in units of u and v. dpdu, dpdv: view space, world units; each the smaller of the two one-sided differences.
+// Returns a tangent in [-1e6, 1e6]; 0 where T is not finite or has no direction. Error: 6 ULP, and 8e-6 of the longest derivative over |T.xy|.
+float gloam_tangent_slope(vec2 direction, vec3 dpdu, vec3 dpdv) {
+    vec3 t = gloam_safe_normalize(direction.x * dpdu + direction.y * dpdv, vec3(0.0));
+    float across = gloam_sqrt(dot(t.xy, t.xy));
+    return across > 1e-6 ? clamp(t.z / across, -1e6, 1e6) : (t.z > 0.0 ? 1e6 : (t.z < 0.0 ? -1e6 : 0.0));
+}
+
+// Sine of the angle with that tangent: t / sqrt(1 + t^2).
+// tangent: any float; from 1e6 on the sine is 1.
+// Returns a sine in [-1, 1]; 0 for NaN. Error: 2e-7.
+float gloam_sine_of_tangent(float tangent) {
+    float magnitude = abs(tangent);
+    if (!(magnitude < 1e6)) return tangent > 0.0 ? 1.0 : (tangent < 0.0 ? -1.0 : 0.0);
+    return clamp(tangent * inversesqrt(1.0 + magnitude * magnitude), -1.0, 1.0);
+}
+
+// Elevation of the tangent plane above the image plane in a direction of the image: atan(-(n.xy . direction) / n.z).
+// normal: n, unit, view space. direction: unit, in the image plane, y as in view space.
+// Returns radians in [-pi / 2, pi / 2]; the nearer end for a normal that points away from the eye (n.z < 0), 0 for NaN. Error: 4e-7.
+float gloam_tangent_elevation(vec3 normal, vec2 direction) {
+    return clamp(gloam_atan2(-dot(normal.xy, direction), normal.z), -1.570796327, 1.570796327);
+}
+
+// Where the march along a direction starts: (sin of the elevation from which on something blocks, 0 found so far).
+// tangent: t, elevation of the tangent plane, radians. bias: radians above it, >= 0, 0.3 to 0.52: hides the facets of coarse meshes.
+// Returns (sin(min(t + bias, pi / 2)), 0). (1, 0), which nothing exceeds, for NaN. Error: 4e-7.
+vec2 gloam_hbao_start(float tangent, float bias) {
+    float elevation = tangent + bias;
+    return vec2(elevation < 1.570796327 ? gloam_sincos(max(elevation, -1.570796327)).y : 1.0, 0.0);
+}
+
+// One step of the march: if the sample rises above the horizon, what it adds, weighted by W = 1 - |v|^2 / R^2, and the new horizon.
+// horizon: (sine of the horizon, occlusion so far) of gloam_hbao_start. offset: v = s - p, view space, world units. radius: R, world units.
+// Returns the new pair; the occlusion lies in [0, 2] (1 where the tangent is level). Unchanged for v = 0, |v| >= R, for a sample not above
+// the horizon, and for NaN. Error: 4e-7 for each step.
+vec2 gloam_hbao_step(vec2 horizon, vec3 offset, float radius) {
+    vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
+    float x = dot(offset, direction) / radius;
+    bool near = radius >= 1.175494351e-38 && radius <= 8.507059173e37 && x < 1.0 && dot(direction, direction) > 0.5;
+    if (!(near && direction.z > horizon.x)) return horizon;
+    float sine = min(direction.z, 1.0);
+    return vec2(sine, horizon.y + (sine - horizon.x) * (1.0 - x * x));
+}
+
+// How far apart the steps are, and how many.
+// radius: of the kernel's image, pixels. largest: upper bound of it, pixels: 0.1 of the image's smaller side keeps the march in the cache.
+// steps: N_s, >= 1. extra: 0 for R / N_s (the last step lies on the radius, where it counts nothing), 1 for R / (N_s + 1) (NVIDIA).
+// Returns (pixels between steps, number of steps): min(N_s, pixels) steps; (0, 0) for a radius below 1 pixel or NaN. Error: 1 ULP; a radius
+// within 1 ULP of a whole number may give a step more or less.
+vec2 gloam_hbao_step_size(float radius, float largest, float steps, float extra) {
+    float reach = radius < largest ? radius : largest;
+    if (!(reach >= 1.0 && reach <= 8.507059173e37 && steps >= 1.0 && extra >= 0.0)) return vec2(0.0);
+    float count = floor(steps < reach ? steps : reach);
+    return vec2(reach / (count + extra), count);
+}
+
+// Visibility from the mean over directions: 1 - contrast occ / (1 - sin bias), what the bias took off given back.
+// occlusion: mean of the y of gloam_hbao_step. bias: radians, as given to gloam_hbao_start. contrast: 1, or NVIDIA's 1.25.
+// Returns visibility in [0, 1]; 1 for NaN and for a bias of pi / 2 or more. Error: 1e-6.
+float gloam_hbao_visibility(float occlusion, float bias, float contrast) {
+    float rest = 1.0 - gloam_sincos(bias).y;
+    if (!(abs(bias) < 1.5 && occlusion > 0.0 && contrast > 0.0)) return 1.0;
+    float visibility = 1.0 - contrast * (occlusion / rest);
+    return visibility > 0.0 ? visibility : (visibility <= 0.0 ? 0.0 : 1.0);
+}
+
+// NVIDIA's later simplification of one tap: sat(n . v / |v| - bias) sat(1 - |v|^2 / R^2) / (1 - bias). No horizon is kept: every tap counts.
+// offset: v = s - p, view space, world units. normal: n, unit. radius: R, world units. bias: cosine, [0, 1), 0.1.
+// Returns a contribution in [0, 1] for gloam_visibility_hbao_simplified; 0 for v = 0, |v| >= R, a bias outside [0, 1), NaN. Error: 6e-7.
+float gloam_contribution_hbao_simplified(vec3 offset, vec3 normal, float radius, float bias) {
+    vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
+    float x = dot(offset, direction) / radius;
+    float above = dot(normal, direction) - bias;
+    bool near = radius >= 1.175494351e-38 && radius <= 8.507059173e37 && x < 1.0;
+    if (!(near && above > 0.0 && bias >= 0.0 && bias < 1.0)) return 0.0;
+    return min(above / (1.0 - bias), 1.0) * (1.0 - x * x);
+}
+
+// Visibility from those: sat(1 - 2 mean)^power.
+// accumulated: (sum, count) of gloam_estimator_add. power: > 0, 1.5.
+// Returns visibility in [0, 1]; 1 for a count below 1 and for NaN. Error: 2e-6.
+float gloam_visibility_hbao_simplified(vec2 accumulated, float power) {
+    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
+    return gloam_remap(1.0 - 2.0 * (accumulated.x / accumulated.y), 0.0, 1.0, power);
+}
+
+#endif
