@@ -31,19 +31,20 @@ constexpr float one_pixel = 1.0F;
 // More samples are a matter of more frames.
 constexpr std::uint32_t most_samples = 2'048;
 
-// Everything that decides what a frame looks like.
+// Everything that decides what a frame looks like. Unless something else is said, a setting is that of the
+// preset `paper`, for a radius of 1. Each has a line in setting_table(), with its range.
 struct Settings {
     std::string method = "hemisphere";  // how the occlusion of a pixel is estimated: a name of methods()
-    float radius = 0.5F;                // of influence, world units, > 0
-    float bias = 0.005F;                // world units, >= 0: differences below it are rounding, not occlusion
+    float radius = 1.0F;                // of influence, world units, > 0
+    float bias = 0.001F;                // world units, >= 0: differences below it are rounding, not occlusion
     float range =
-        1.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
-    float epsilon = 0.025F;   // disc: distance at which a patch counts fully, world units, > 0
-    float intensity = 1.0F;   // factor of the estimate, for methods that have one, >= 0
-    float thickness = 0.5F;   // bitmask: how far behind its front a surface blocks, world units, > 0
-    float angle_bias = 0.0F;  // horizons: radians above the tangent plane, 0 to pi / 2
+        2.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
+    float epsilon = 0.5F;       // disc: distance at which a patch counts fully, world units, > 0
+    float intensity = 1.0F;     // factor of the estimate, for methods that have one, >= 0
+    float thickness = 0.5F;     // bitmask: how far behind its front a surface blocks, world units, > 0
+    float angle_bias = 0.0F;    // horizons: radians above the tangent plane, 0 to pi / 2
     float mip_distance = 0.0F;  // taps: pixels from which level 1 of the depth chain is read; 0: never
-    std::uint32_t steps = 4;  // horizons: taps along each half of a slice, 1 to 64
+    std::uint32_t steps = 4;    // horizons: taps along each half of a slice, 1 to 64
     std::uint32_t samples =
         32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples
     std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, 1 to most_samples
@@ -57,9 +58,9 @@ struct Settings {
     HistoryTaps taps = HistoryTaps::validated;
     bool nearest_index = true;  // off, for comparison: the start of the sequence is interpolated
     Invalidation invalidation = Invalidation::confidence;
-    float change_tolerance = 0.0025F;  // change of a distance that is taken for rounding, world units, > 0
-    float weight_small = 48.0F;        // clamp: samples, >= 0
-    float confidence_factor = 20.0F;   // confidence: S, per radius of change, >= 0
+    float change_tolerance = 0.005F;  // change of a distance that is taken for rounding, world units, > 0
+    float weight_small = 48.0F;       // clamp: samples, >= 0
+    float confidence_factor = 20.0F;  // confidence: S, per radius of change, >= 0
     HistoryPrecision precision = HistoryPrecision::float32;
     bool filter = true;
     int filter_half_width = 2;  // pixels on each side: 2 is 5 x 5
@@ -80,7 +81,8 @@ struct Settings {
 // it.
 [[nodiscard]] Settings with_radius(Settings settings, float radius);
 
-// Throws std::invalid_argument that names the first setting outside its range.
+// Throws std::invalid_argument that names the first setting outside its range: that of setting_table(), and
+// half precision holds no sample counts beyond 2048.
 void validate(const Settings& settings);
 
 }  // namespace gloam::effect

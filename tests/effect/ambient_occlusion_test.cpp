@@ -175,59 +175,6 @@ TEST_F(Effect, TheCornerComesCloseToItsClosedForm) {
     EXPECT_LT(std::abs(errors_of(many.occlusion, truth).bias), 0.01);
 }
 
-TEST_F(Effect, EverySettingMatters) {
-    const scene::GBuffer view = corner({64, 36});
-    const auto filtered = [&](const std::function<void(Settings&)>& change) {
-        Settings settings = settings_for(1.0F);
-        settings.weight_max = 200.0F;
-        change(settings);
-        return run(view, settings, 3).filtered;
-    };
-    const std::vector<float> before = filtered([](Settings&) {});
-    const std::vector<std::pair<const char*, std::function<void(Settings&)>>> changes{
-        {"method", [](Settings& s) { s.method = "disc"; }},
-        {"radius", [](Settings& s) { s.radius = 0.5F; }},
-        {"bias", [](Settings& s) { s.bias = 0.1F; }},
-        {"range", [](Settings& s) { s.range = 0.05F; }},
-        {"samples", [](Settings& s) { s.samples = 16; }},
-        {"table_size", [](Settings& s) { s.table_size = 7; }},
-        {"weight_max", [](Settings& s) { s.weight_max = 40.0F; }},
-        {"c_rot", [](Settings& s) { s.c_rot = 0.0F; }},
-        {"c_adaptive", [](Settings& s) { s.c_adaptive = 1.0F; }},
-        {"remap_a", [](Settings& s) { s.remap_a = 0.1F; }},
-        {"remap_b", [](Settings& s) { s.remap_b = 0.9F; }},
-        {"remap_c", [](Settings& s) { s.remap_c = 2.0F; }},
-        {"least_radius", [](Settings& s) { s.least_radius = 1e6F; }}};
-    for (const auto& [name, change] : changes) EXPECT_NE(filtered(change), before) << name;
-    const auto wide = [](Settings& s) { s.c_adaptive = 1.0F; };
-    EXPECT_NE(filtered([&](Settings& s) { wide(s), s.filter = false; }), filtered(wide));
-    EXPECT_NE(filtered([&](Settings& s) { wide(s), s.filter_half_width = 1; }), filtered(wide));
-}
-
-// The history is that of the estimate: only what is shown is mapped.
-TEST_F(Effect, TheRemapIsForDisplay) {
-    const scene::GBuffer view = corner({32, 18});
-    Settings settings = settings_for(1.0F);
-    settings.c_adaptive = 1.0F;
-    const Frame plain = run(view, settings, 3);
-    settings.remap_a = 0.05F;
-    settings.remap_b = 0.8F;
-    settings.remap_c = 2.0F;
-    const Frame mapped = run(view, settings, 3);
-    const auto expect_mapped = [&](const std::vector<float>& from, const std::vector<float>& to) {
-        for (std::size_t i = 0; i < from.size(); ++i) {
-            const double visibility = 0.8 * (1.0 - double{from[i]} + 0.05);
-            const bool background = !std::isfinite(view.depth[i]);
-            const double expected = background ? 0.0 : 1.0 - std::clamp(visibility * visibility, 0.0, 1.0);
-            EXPECT_NEAR(double{to[i]}, expected, 1e-6);
-        }
-    };
-    expect_mapped(plain.occlusion, mapped.occlusion);
-    expect_mapped(plain.filtered, mapped.filtered);
-    settings.filter = false;
-    EXPECT_EQ(run(view, settings, 3).filtered, mapped.occlusion);
-}
-
 TEST_F(Effect, WhatCannotBeIsRefused) {
     const scene::GBuffer view = wall({8, 8}, 3.0F);
     AmbientOcclusion effect(device_, passes_, {8, 8});

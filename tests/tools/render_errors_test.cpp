@@ -69,6 +69,17 @@ TEST_F(RenderErrors, Numbers) {
     expect_refused({"corner", "--frames", "0"}, "--frames");
 }
 
+TEST_F(RenderErrors, Settings) {
+    expect_refused({"corner", "--set", "samples"}, "NAME=VALUE");
+    expect_refused({"corner", "--set", "no_such=1"}, "no_such");
+    expect_refused({"corner", "--set", "samples=0"}, "samples 0: expected a whole number, 1 to 2048");
+    expect_refused({"corner", "--set", "taps=all"}, "nearest, bilinear or validated");
+    expect_refused({"corner", "--set", "guard=1"}, "guard 1: expected 0 to 0.5");
+    expect_refused({"corner", "--set", "radius=1"}, "--radius");
+    expect_refused({"corner", "--set", "method=disc"}, "--method");
+    expect_refused({"corner", "--set", "precision=float16"}, "at most 2048");
+}
+
 TEST_F(RenderErrors, Meshes) {
     expect_refused({write("empty.obj", "").string()}, "empty.obj");
     expect_refused({write("nonsense.obj", "this is no mesh\n").string()}, "nonsense.obj");

@@ -160,6 +160,27 @@ TEST_F(RenderSequence, TruthOfTheLastFrameOrOfEach) {
               scene::read_pfm(file("every") / "f0002_truth.pfm").texels);
 }
 
+// What is set by name is what was used, and what is listed is what can be set.
+TEST_F(RenderSequence, SettingsByName) {
+    const CommandResult listed = run_command({"list", "settings", "--json"});
+    expect_success(listed);
+    const json settings = json::parse(listed.out);
+    expect_success(render("plain", {"corner", "--radius", "1"}));
+    const json used = report("plain").at("settings");
+    ASSERT_EQ(used.size(), settings.size());
+    for (const json& setting : settings) {
+        for (const char* key : {"description", "unit", "expected"}) EXPECT_TRUE(setting.at(key).is_string());
+        EXPECT_EQ(used.at(setting.at("name")), setting.at("default")) << setting;
+    }
+    expect_success(render("out", {"corner", "--set", "samples=7", "--set", "taps=nearest", "--set",
+                                  "filter=off", "--samples", "9", "--set", "guard=0.25"}));
+    const json changed = report("out").at("settings");
+    EXPECT_EQ(changed.at("samples"), 7);
+    EXPECT_EQ(changed.at("taps"), "nearest");
+    EXPECT_EQ(changed.at("filter"), false);
+    EXPECT_EQ(report("out").at("frames").at(0).at("samples"), 7 * 96 * 54) << "with the guard band";
+}
+
 TEST_F(RenderSequence, OptionsThatDoNotGoTogether) {
     const std::string folder = sequence();
     expect_could_not_run(render("out", {"--gbuffer", folder, "--still"}), "--still");

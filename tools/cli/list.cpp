@@ -13,6 +13,7 @@
 #include "catalogue/catalogue.hpp"
 #include "catalogue/document.hpp"
 #include "cli/names.hpp"
+#include "cli/setting_json.hpp"
 #include "shader/variant.hpp"
 
 namespace gloam::cli {
@@ -43,11 +44,12 @@ std::vector<Named> variant_names() {
 using Kinds = std::vector<std::pair<std::string, std::function<std::vector<Named>()>>>;
 
 Kinds all_kinds() {
-    return {{"equations", equation_names},
-            {"methods", method_names},
-            {"presets", preset_names},
-            {"scenes", scene_names},
-            {"variants", variant_names}};
+    return {{"equations", equation_names}, {"methods", method_names},   {"presets", preset_names},
+            {"scenes", scene_names},       {"settings", setting_names}, {"variants", variant_names}};
+}
+
+nlohmann::ordered_json named_json(const Named& named) {
+    return {{"name", named.name}, {"description", named.description}};
 }
 
 void run_list(const ListOptions& options) {
@@ -64,7 +66,8 @@ void run_list(const ListOptions& options) {
         if (!options.kind.empty() && options.kind != kind) continue;
         if (options.kind.empty() && !options.json) fmt::print("{}\n", kind);
         for (const Named& named : names()) {
-            json[kind].push_back({{"name", named.name}, {"description", named.description}});
+            json[kind].push_back(kind == "settings" ? json_of(effect::setting_named(named.name))
+                                                    : named_json(named));
             if (options.json) continue;
             if (options.kind.empty()) fmt::print("  {:<26} {}\n", named.name, named.description);
             if (!options.kind.empty()) fmt::print("{}\n", named.name);
@@ -84,7 +87,7 @@ void add_list(CLI::App& app) {
     CLI::App* command = app.add_subcommand("list", "the names that the other commands take");
     command->add_option(
         "kind", options->kind,
-        "equations, methods, presets, scenes or variants (one name a line); all when not given");
+        "equations, methods, presets, scenes, settings or variants (one name a line); all when not given");
     command->add_flag("--json", options->json, "names and descriptions as JSON");
     command->add_flag("--markdown", options->markdown, "equations only: the page docs/equations.md");
     command->callback([options] { run_list(*options); });

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/names.hpp"
 
+#include <fmt/format.h>
+
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
+#include "effect/setting_table.hpp"
 #include "scene/scene.hpp"
 
 namespace gloam::cli {
@@ -23,6 +26,17 @@ std::vector<Named> method_names() {
 
 std::vector<Named> preset_names() {
     return named(effect::presets());
+}
+
+std::vector<Named> setting_names() {
+    std::vector<Named> names;
+    for (const effect::Setting& setting : effect::setting_table()) {
+        const std::string value = effect::text_of(setting.get(effect::Settings{}));
+        const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
+        names.push_back(
+            {setting.name, fmt::format("{} ({}{}; {})", setting.meaning, value, unit, expected_of(setting))});
+    }
+    return names;
 }
 
 std::vector<Named> scene_names() {

@@ -15,6 +15,7 @@ struct Named {
 // What `gloam render` can be asked for.
 [[nodiscard]] std::vector<Named> method_names();
 [[nodiscard]] std::vector<Named> preset_names();
+[[nodiscard]] std::vector<Named> setting_names();  // with value, unit and range
 [[nodiscard]] std::vector<Named> scene_names();
 
 }  // namespace gloam::cli

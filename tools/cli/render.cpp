@@ -17,9 +17,8 @@
 #include "cli/render_history.hpp"
 #include "cli/render_input.hpp"
 #include "cli/render_report.hpp"
+#include "cli/render_settings.hpp"
 #include "cli/render_truth.hpp"
-#include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "report/output_folder.hpp"
 #include "scene/frame_link.hpp"
 #include "scene/guard_band.hpp"
@@ -27,21 +26,6 @@
 
 namespace gloam::cli {
 namespace {
-
-// Settings for a view: the preset, then what the options and the view say.
-effect::Settings settings_for(const RenderOptions& options, const std::optional<double>& view_radius) {
-    effect::Settings settings = with_method(effect::preset_named(options.preset).settings, options.method);
-    if (options.samples) settings.samples = *options.samples;
-    if (options.no_filter) settings.filter = false;
-    if (!options.radius && !view_radius) {
-        throw std::invalid_argument("no radius: the G-buffer has no ao_radius, so give --radius");
-    }
-    settings = with_radius(settings, options.radius.value_or(static_cast<float>(view_radius.value_or(1.0))));
-    if (options.bias) settings.bias = *options.bias;
-    settings.guard = options.guard;
-    validate(settings);
-    return settings;
-}
 
 // depth: the truth of the depth buffer, compared with that of the geometry.
 TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {
@@ -160,7 +144,7 @@ class Renderer {
     }
 
     [[nodiscard]] FrameReport entry_of(int number, const effect::Settings& settings,
-                                        const effect::Frame& frame, const scene::GBuffer& view) const {
+                                       const effect::Frame& frame, const scene::GBuffer& view) const {
         FrameReport entry{.number = number,
                           .extent = frame.extent,
                           .settings = settings,
@@ -251,6 +235,9 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
         "guard band: part of the image rendered around it on each side, so that what lies near "
         "its edge has its neighbourhood; 0 to 0.5, usually 0.05 to 0.1 (default: none)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
+    command
+        .add_option("--set", options.set, "NAME=VALUE: any setting (gloam list settings); may be repeated")
+        ->allow_extra_args(false);
 }
 
 void add_truth_options(CLI::App& command, RenderOptions& options) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gloam::cli {
 
@@ -23,8 +24,9 @@ struct RenderOptions {
     std::string size = "640x360";
     std::optional<float> radius;  // world units; otherwise the view's own
     std::optional<float> bias;    // world units; otherwise a part of the radius
-    float guard = 0.0F;           // part of the image on each side
+    std::optional<float> guard;   // part of the image on each side
     bool no_filter = false;
+    std::vector<std::string> set;  // NAME=VALUE
     int repeat = 1;
     std::string device;
     bool validation = false;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/names.hpp"
+#include "cli/render_settings.hpp"
 #include "scene/corner.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/rasterize.hpp"
@@ -78,7 +79,7 @@ RenderInput from_scene(const RenderOptions& options) {
                       .frames_per_view = follows ? 1 : frames};
     std::iota(input.views.begin(), input.views.end(), 0);
     input.scene = scene;
-    const double guard = double{options.guard};
+    const double guard = double{settings_for(options, scene->ao_radius).guard};
     const gpu::Extent wide = scene::with_border(extent, scene::guard_border(extent, guard));
     // Where only the camera moves, its matrices tell everything.
     const bool motion = follows && !scene->objects.empty();

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/setting_json.hpp"
 #include "effect/methods.hpp"
+#include "effect/setting_table.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -63,20 +65,11 @@ ordered_json truth_json(const TruthReport& truth) {
     return json;
 }
 
-ordered_json settings_json(const effect::Settings& s) {
-    return {{"radius", s.radius},
-            {"falloff", falloff_of(s)},
-            {"bias", s.bias},
-            {"range", s.range},
-            {"epsilon", s.epsilon},
-            {"samples", s.samples},
-            {"table_size", s.table_size},
-            {"weight_max", s.weight_max},
-            {"c_rot", s.c_rot},
-            {"c_adaptive", s.c_adaptive},
-            {"guard", s.guard},
-            {"filter", s.filter},
-            {"filter_half_width", s.filter_half_width}};
+ordered_json settings_json(const effect::Settings& settings) {
+    ordered_json json = ordered_json::object();
+    for (const effect::Setting& setting : effect::setting_table())
+        json[setting.name] = json_of(setting.get(settings));
+    return json;
 }
 
 ordered_json times_json(const std::vector<effect::PassTime>& times) {

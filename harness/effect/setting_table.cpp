@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "effect/setting_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "effect/internal/named.hpp"
+#include "effect/methods.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest = 1e18;  // squares stay finite
+constexpr SettingRange positive{.least = 1e-18, .most = largest, .above_least = true};
+constexpr SettingRange not_negative{.most = largest};
+constexpr SettingRange any_from_0{};
+
+constexpr SettingRange whole(double least, double most) {
+    return {.least = least, .most = most, .whole = true};
+}
+
+template <class Number>
+Setting number(const char* name, const char* unit, const char* meaning, Number Settings::*member,
+               const SettingRange& range) {
+    return {.name = name,
+            .unit = unit,
+            .meaning = meaning,
+            .range = range,
+            .get = [member](const Settings& s) { return SettingValue(static_cast<double>(s.*member)); },
+            .put = [member](Settings& s,
+                            const SettingValue& v) { s.*member = static_cast<Number>(std::get<double>(v)); }};
+}
+
+Setting flag(const char* name, const char* meaning, bool Settings::*member) {
+    return {.name = name,
+            .meaning = meaning,
+            .get = [member](const Settings& s) { return SettingValue(s.*member); },
+            .put = [member](Settings& s, const SettingValue& v) { s.*member = std::get<bool>(v); }};
+}
+
+// Names in the order of the enumeration.
+template <class Enumeration>
+Setting choice(const char* name, const char* meaning, Enumeration Settings::*member,
+               const std::vector<std::string>& names) {
+    return {
+        .name = name,
+        .meaning = meaning,
+        .choices = names,
+        .get = [member, names](
+                   const Settings& s) { return SettingValue(names.at(static_cast<std::size_t>(s.*member))); },
+        .put =
+            [member, names](Settings& s, const SettingValue& v) {
+                const auto found = std::ranges::find(names, std::get<std::string>(v));
+                s.*member = static_cast<Enumeration>(found - names.begin());
+            }};
+}
+
+Setting method() {
+    Setting setting{.name = "method",
+                    .meaning = "how the occlusion of a pixel is estimated",
+                    .get = [](const Settings& s) { return SettingValue(s.method); },
+                    .put = [](Settings& s, const SettingValue& v) { s.method = std::get<std::string>(v); }};
+    for (const MethodInfo& info : methods()) setting.choices.push_back(info.name);
+    return setting;
+}
+
+void add_estimator(std::vector<Setting>& table) {
+    using S = Settings;
+    table.push_back(method());
+    table.push_back(number("radius", "world units", "of influence", &S::radius, positive));
+    table.push_back(number("bias", "world units", "differences below it are rounding, not occlusion",
+                           &S::bias, not_negative));
+    table.push_back(number("range", "world units", "blockers further in front than this are other objects",
+                           &S::range, positive));
+    table.push_back(number("epsilon", "world units",
+                           "distance at which a patch counts fully, or that keeps a quotient finite",
+                           &S::epsilon, positive));
+    table.push_back(number("intensity", "", "factor of the estimate, for methods that have one",
+                           &S::intensity, not_negative));
+    table.push_back(number("thickness", "world units",
+                           "how far behind its front a surface blocks, for bitmasks", &S::thickness,
+                           positive));
+    table.push_back(number("angle_bias", "radians", "above the tangent plane, for horizons", &S::angle_bias,
+                           {.most = 1.5707964}));
+    table.push_back(number("mip_distance", "pixels",
+                           "from which level 1 of the depth chain is read, for taps; 0: never",
+                           &S::mip_distance, any_from_0));
+    table.push_back(
+        number("steps", "taps", "along each half of a slice, for horizons", &S::steps, whole(1, 64)));
+}
+
+void add_samples(std::vector<Setting>& table) {
+    using S = Settings;
+    table.push_back(number("samples", "samples", "k_1: for each pixel that has not converged, in each frame",
+                           &S::samples, whole(1, most_samples)));
+    table.push_back(number("samples_converged", "samples", "k_2: for each pixel that has",
+                           &S::samples_converged, whole(1, most_samples)));
+    table.push_back(number("c_spatial", "", "convergence from which a pixel takes k_2; above 1: never",
+                           &S::c_spatial, any_from_0));
+    table.push_back(number("table_size", "samples",
+                           "after which the sequence starts over; at most 2048 in float16", &S::table_size,
+                           whole(1, 1U << 24U)));
+    table.push_back(number("weight_max", "samples", "in the mean at most; 2048 in float16", &S::weight_max,
+                           {.least = 1.0, .most = 8'388'608.0}));
+    table.push_back(number("c_rot", "",
+                           "kernels are rotated by pixel below this convergence; 0: never, above 1: always",
+                           &S::c_rot, any_from_0));
+    table.push_back(number("c_adaptive", "", "the filter leaves pixels of this convergence as they are",
+                           &S::c_adaptive, any_from_0));
+}
+
+void add_history(std::vector<Setting>& table) {
+    using S = Settings;
+    table.push_back(number("depth_tolerance", "", "relative: another surface beyond it; inf: no test",
+                           &S::depth_tolerance, {.above_least = true}));
+    table.push_back(choice("taps", "texels of the frame before that the history comes from", &S::taps,
+                           {"nearest", "bilinear", "validated"}));
+    table.push_back(flag("nearest_index", "off, for comparison: the start of the sequence is interpolated",
+                         &S::nearest_index));
+    table.push_back(choice("invalidation", "of a history whose neighbourhood has changed", &S::invalidation,
+                           {"none", "clamp", "confidence"}));
+    table.push_back(number("change_tolerance", "world units",
+                           "change of a distance that is taken for rounding", &S::change_tolerance,
+                           positive));
+    table.push_back(
+        number("weight_small", "samples", "that a history keeps by clamping", &S::weight_small, any_from_0));
+    table.push_back(number("confidence_factor", "per radius", "S: how fast a change takes the confidence",
+                           &S::confidence_factor, not_negative));
+    table.push_back(choice("precision", "of the history", &S::precision, {"float32", "float16"}));
+}
+
+void add_output(std::vector<Setting>& table) {
+    using S = Settings;
+    table.push_back(flag("filter", "by convergence, after the estimate", &S::filter));
+    table.push_back(number("filter_half_width", "pixels", "on each side: 2 is 5 x 5", &S::filter_half_width,
+                           whole(0, 64)));
+    table.push_back(number("remap_a", "", "what is shown is (b (v + a))^c of the visibility v", &S::remap_a,
+                           {.least = -1.0, .most = 1.0}));
+    table.push_back(number("remap_b", "", "see remap_a", &S::remap_b, not_negative));
+    table.push_back(number("remap_c", "", "see remap_a", &S::remap_c, not_negative));
+    table.push_back(number("least_radius", "pixels",
+                           "below this projected radius the occlusion is 0 without a sample; 0: never",
+                           &S::least_radius, any_from_0));
+    table.push_back(number("guard", "of the frame", "guard band on each side", &S::guard, {.most = 0.5}));
+    table.push_back(flag("guard_history", "the band is sampled too: what moves in from it has a history",
+                         &S::guard_history));
+    table.push_back(flag("skip_background", "off: background goes the long way, to the same result",
+                         &S::skip_background));
+}
+
+SettingValue value_of(const Setting& setting, std::string_view text) {
+    const SettingValue kind = setting.get(Settings{});
+    if (std::holds_alternative<bool>(kind) && (text == "on" || text == "off")) return text == "on";
+    if (std::holds_alternative<std::string>(kind)) return std::string(text);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool number = error == std::errc{} && end == text.data() + text.size();
+    if (std::holds_alternative<double>(kind) && number) return value;
+    throw std::invalid_argument(
+        fmt::format("{} \"{}\": expected {}", setting.name, text, expected_of(setting)));
+}
+
+bool allowed(const Setting& setting, const SettingValue& value) {
+    if (const auto* name = std::get_if<std::string>(&value))
+        return std::ranges::find(setting.choices, *name) != setting.choices.end();
+    const auto* number = std::get_if<double>(&value);
+    if (number == nullptr) return true;
+    const SettingRange& range = setting.range;
+    const bool enough = range.above_least ? *number > range.least : *number >= range.least;  // false for NaN
+    return enough && *number <= range.most && (!range.whole || *number == std::floor(*number));
+}
+
+}  // namespace
+
+const std::vector<Setting>& setting_table() {
+    static const std::vector<Setting> table = [] {
+        std::vector<Setting> all;
+        for (const auto add : {add_estimator, add_samples, add_history, add_output}) add(all);
+        return all;
+    }();
+    return table;
+}
+
+const Setting& setting_named(std::string_view name) {
+    return named(setting_table(), name, "setting");
+}
+
+std::string expected_of(const Setting& setting) {
+    if (!setting.choices.empty()) {
+        std::string names;
+        for (const std::string& name : setting.choices) {
+            const bool last = name == setting.choices.back();
+            names += (names.empty() ? "" : last ? " or " : ", ") + name;
+        }
+        return names;
+    }
+    if (std::holds_alternative<bool>(setting.get(Settings{}))) return "on or off";
+    const SettingRange& range = setting.range;
+    const char* kind = range.whole ? "a whole number, " : "";
+    if (range.most == infinity)
+        return range.above_least ? fmt::format("more than {:g}", range.least)
+                                 : fmt::format("{:g} or more", range.least);
+    if (range.above_least) return fmt::format("more than {:g}, at most {:g}", range.least, range.most);
+    return fmt::format("{}{} to {}", kind, range.least, range.most);
+}
+
+void check(const Setting& setting, const SettingValue& value) {
+    if (allowed(setting, value)) return;
+    throw std::invalid_argument(
+        fmt::format("{} {}: expected {}", setting.name, text_of(value), expected_of(setting)));
+}
+
+std::string text_of(const SettingValue& value) {
+    if (const auto* on = std::get_if<bool>(&value)) return *on ? "on" : "off";
+    if (const auto* number = std::get_if<double>(&value)) {
+        // As short as it can be and still be the same float; whole numbers in full.
+        const bool count = *number == std::floor(*number) && std::abs(*number) < 1e9;
+        return count ? fmt::format("{:.0f}", *number) : fmt::format("{}", static_cast<float>(*number));
+    }
+    return std::get<std::string>(value);
+}
+
+void set(Settings& settings, std::string_view name, std::string_view text) {
+    const Setting& setting = setting_named(name);
+    const SettingValue value = value_of(setting, text);
+    check(setting, value);
+    setting.put(settings, value);
+}
+
+}  // namespace gloam::effect

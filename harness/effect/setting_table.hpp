@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "effect/settings.hpp"
+
+namespace gloam::effect {
+
+// A switch, a number, or one of several names.
+using SettingValue = std::variant<bool, double, std::string>;
+
+// What a number may be.
+struct SettingRange {
+    double least = 0.0;
+    double most = std::numeric_limits<double>::infinity();
+    bool above_least = false;  // `least` itself is too little
+    bool whole = false;
+};
+
+// One parameter of the effect. What reads, writes, checks, lists or prints settings goes through the table of
+// them: a member of Settings needs one line there.
+struct Setting {
+    std::string name;     // of the member
+    std::string unit;     // "world units", "pixels", ...; empty: none. World units scale with the radius
+    std::string meaning;  // in a few words
+    SettingRange range;   // of a number
+    std::vector<std::string> choices;  // names, where it takes one
+    std::function<SettingValue(const Settings&)> get;
+    std::function<void(Settings&, const SettingValue&)> put;  // a value that check() lets pass
+};
+
+// Every member of Settings, in its order.
+[[nodiscard]] const std::vector<Setting>& setting_table();
+
+// Throws std::invalid_argument that lists the names.
+[[nodiscard]] const Setting& setting_named(std::string_view name);
+
+// What the setting may be: "1 to 2048", "on or off", "nearest, bilinear or validated".
+[[nodiscard]] std::string expected_of(const Setting& setting);
+
+// Throws std::invalid_argument that names the setting, the value and what was expected. NaN is out of every
+// range.
+void check(const Setting& setting, const SettingValue& value);
+
+// "on", "off", a number or a name; what set() reads.
+[[nodiscard]] std::string text_of(const SettingValue& value);
+
+// Changes the setting of that name. Throws like setting_named() and check(), and for text that is no value.
+void set(Settings& settings, std::string_view name, std::string_view text);
+
+}  // namespace gloam::effect

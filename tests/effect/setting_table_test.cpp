@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// The table of settings: complete, in range, and every line of it changes what is shown.
+#include "effect/setting_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/presets.hpp"
+#include "scene/primitives.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+// Stands for a member of any type.
+struct Any {
+    template <class Member>
+    operator Member() const;  // NOLINT(google-explicit-constructor): that is its purpose
+};
+
+// Members of an aggregate: as many as it can be given.
+template <class Aggregate, class... Members>
+constexpr std::size_t member_count() {
+    if constexpr (requires { Aggregate{Members{}..., Any{}}; }) {
+        return member_count<Aggregate, Members..., Any>();
+    } else {
+        return sizeof...(Members);
+    }
+}
+
+TEST(SettingTable, HasEveryMemberOnce) {
+    EXPECT_EQ(setting_table().size(), member_count<Settings>());
+    std::set<std::string> names;
+    for (const Setting& setting : setting_table()) {
+        EXPECT_TRUE(names.insert(setting.name).second) << setting.name;
+        EXPECT_FALSE(setting.meaning.empty()) << setting.name;
+        EXPECT_NO_THROW(check(setting, setting.get(Settings{}))) << setting.name;
+    }
+}
+
+TEST(SettingTable, DefaultsAreThePaperPreset) {
+    const Settings paper = preset_named("paper").settings;
+    for (const Setting& setting : setting_table())
+        EXPECT_EQ(setting.get(paper), setting.get(Settings{})) << setting.name;
+}
+
+TEST(SettingTable, TextReadsBack) {
+    Settings changed = with_radius(preset_named("quality").settings, 0.3F);
+    changed.filter = false;
+    changed.taps = HistoryTaps::bilinear;
+    changed.invalidation = Invalidation::clamp;
+    changed.depth_tolerance = std::numeric_limits<float>::infinity();
+    Settings read;
+    for (const Setting& setting : setting_table()) {
+        set(read, setting.name, text_of(setting.get(changed)));
+        EXPECT_EQ(setting.get(read), setting.get(changed)) << setting.name;
+    }
+}
+
+TEST(SettingTable, RangesEndWhereTheySay) {
+    for (const Setting& setting : setting_table()) {
+        if (!std::holds_alternative<double>(setting.get(Settings{}))) continue;
+        const SettingRange& range = setting.range;
+        const auto fits = [&](double value) {
+            try {
+                check(setting, value);
+                return true;
+            } catch (const std::invalid_argument&) {
+                return false;
+            }
+        };
+        EXPECT_EQ(fits(range.least), !range.above_least) << setting.name;
+        EXPECT_TRUE(fits(range.most)) << setting.name;
+        EXPECT_FALSE(fits(range.least - 1.0)) << setting.name;
+        EXPECT_EQ(fits(1.01 * range.most + 1.0), std::isinf(range.most)) << setting.name;
+        EXPECT_EQ(fits(range.least + 0.5), !range.whole) << setting.name;
+        EXPECT_FALSE(fits(std::nan(""))) << setting.name;
+    }
+}
+
+TEST(SettingTable, WhatCannotBeNamesTheSetting) {
+    const auto refused = [](const char* name, const char* text, const char* expected) {
+        Settings settings;
+        EXPECT_THAT([&] { set(settings, name, text); },
+                    ThrowsMessage<std::invalid_argument>(HasSubstr(expected)))
+            << name << " " << text;
+    };
+    refused("no_such", "1", "unknown setting \"no_such\": expected method, radius");
+    refused("samples", "0", "samples 0: expected a whole number, 1 to 2048");
+    refused("samples", "many", "samples \"many\"");
+    refused("samples", "", "samples \"\"");
+    refused("samples", "8 ", "samples \"8 \"");
+    refused("taps", "four", "taps four: expected nearest, bilinear or validated");
+    refused("filter", "1", "expected on or off");
+    refused("depth_tolerance", "0", "more than 0");
+    refused("method", "magic", "method magic: expected hemisphere");
+}
+
+// Settings by name, on top of those of the test.
+using Changes = std::vector<std::pair<const char*, const char*>>;
+
+struct Case {
+    const char* value;  // another than that of the test
+    Changes before{};   // without which it would not matter
+};
+
+const std::map<std::string, Case>& cases() {
+    static const std::map<std::string, Case> all{
+        {"method", {"disc"}},
+        {"radius", {"0.25"}},
+        {"bias", {"0.05"}},
+        {"range", {"0.05"}},
+        {"epsilon", {"0.05", {{"method", "disc"}}}},
+        {"intensity", {"0.5", {{"method", "alchemy"}}}},
+        {"mip_distance", {"1", {{"method", "sao"}}}},
+        {"samples", {"24"}},
+        {"samples_converged", {"8", {{"c_spatial", "0.1"}}}},
+        {"c_spatial", {"0.1"}},
+        {"table_size", {"64"}},
+        {"weight_max", {"64"}},
+        {"c_rot", {"0.1"}},
+        {"c_adaptive", {"0.6"}},
+        {"depth_tolerance", {"1e-4"}},
+        {"taps", {"nearest"}},
+        {"nearest_index", {"off"}},
+        {"invalidation", {"none"}},
+        {"change_tolerance", {"0.02"}},
+        {"weight_small", {"4", {{"invalidation", "clamp"}}}},
+        {"confidence_factor", {"200"}},
+        {"precision", {"float16", {{"table_size", "2048"}}}},
+        {"filter", {"off", {{"c_adaptive", "1"}}}},
+        {"filter_half_width", {"1", {{"c_adaptive", "1"}}}},
+        {"remap_a", {"0.1"}},
+        {"remap_b", {"0.9"}},
+        {"remap_c", {"2"}},
+        {"least_radius", {"12"}},
+        {"guard", {"0.1"}},
+        {"guard_history", {"off", {{"guard", "0.1"}}}},
+    };
+    return all;
+}
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+// A box that slides before a wall, under a camera that pans.
+scene::Scene sliding_box() {
+    scene::Scene scene{.name = "test"};
+    scene.mesh = scene::make_parallelogram({-4, 0, -1}, {0, 0, 5}, {8, 0, 0}, 0.5);
+    append(scene.mesh, scene::make_parallelogram({-4, 0, -1}, {8, 0, 0}, {0, 4, 0}, 0.5));
+    scene.camera = {.eye = {0, 1.2, 3}, .target = {0, 0.4, -1}, .near = 0.1, .far = 50};
+    scene.camera_path = [start = scene.camera](int frame) {
+        scene::Camera camera = start;
+        camera.eye.x += 0.04 * frame;
+        camera.target.x += 0.04 * frame;
+        return camera;
+    };
+    scene.objects.push_back({scene::make_box({-0.3, 0, -0.3}, {0.3, 0.6, 0.3}, 0.2), [](int frame) {
+                                 glm::dmat4 move(1.0);
+                                 move[3] = glm::dvec4(-0.5 + 0.05 * frame, 0.0, -0.5, 1.0);
+                                 return move;
+                             }});
+    return scene;
+}
+
+class EverySetting : public testing::Test {
+  protected:
+    EverySetting()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    // What the last of a few frames shows.
+    const std::vector<float>& shown(const Changes& changes) {
+        Settings settings = with_radius(Settings{}, 0.5F);
+        std::string key;
+        for (const auto& [name, value] : changes) {
+            set(settings, name, value);
+            key += std::string(name) + "=" + value + " ";
+        }
+        const auto known = shown_.find(key);
+        if (known != shown_.end()) return known->second;
+        return shown_.emplace(key, render(settings)).first->second;
+    }
+
+  private:
+    [[nodiscard]] std::vector<float> render(const Settings& settings) const {
+        std::optional<AmbientOcclusion> effect;
+        std::vector<float> image;
+        for (int i = 0; i < 5; ++i) {
+            const scene::GBuffer view =
+                scene::rasterize(device_, passes_, scene_, {72, 48},
+                                 {.frame = i, .motion = true, .guard = double{settings.guard}});
+            if (i == 0) effect.emplace(device_, passes_, view.extent);
+            i == 0 ? effect->begin(view, settings) : effect->advance(view);
+            image = effect->next().filtered;
+        }
+        return image;
+    }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+    scene::Scene scene_ = sliding_box();
+    std::map<std::string, std::vector<float>> shown_;
+};
+
+TEST_F(EverySetting, ChangesWhatIsShown) {
+    // Of methods that are still to come; and one that by its nature changes nothing but the work.
+    const std::set<std::string> without{"angle_bias", "steps", "thickness", "skip_background"};
+    std::map<std::string, std::vector<float>> seen;
+    for (const Setting& setting : setting_table()) {
+        if (without.contains(setting.name)) continue;
+        const auto found = cases().find(setting.name);
+        ASSERT_NE(found, cases().end()) << setting.name << ": which value changes something?";
+        Changes changes = found->second.before;
+        const std::vector<float> before = shown(changes);
+        changes.emplace_back(setting.name.c_str(), found->second.value);
+        const std::vector<float> after = shown(changes);
+        EXPECT_NE(after, before) << setting.name;
+        for (const auto& [other, image] : seen)
+            EXPECT_NE(after, image) << setting.name << " does what " << other << " does";
+        seen.emplace(setting.name, after);
+    }
+}
+
+TEST_F(EverySetting, SkippingTheBackgroundChangesNothing) {
+    EXPECT_EQ(shown({{"skip_background", "off"}}), shown({}));
+}
+
+}  // namespace
+}  // namespace gloam::effect

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "effect/setting_table.hpp"
+
+namespace gloam::cli {
+
+// true or false, a number (as many digits as single precision needs), or a name; infinity is "inf".
+[[nodiscard]] nlohmann::ordered_json json_of(const effect::SettingValue& value);
+
+// {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is the
+// preset `paper`'s, lengths for a radius of 1; "most" is null where there is none.
+[[nodiscard]] nlohmann::ordered_json json_of(const effect::Setting& setting);
+
+}  // namespace gloam::cli
