@@ -12,6 +12,7 @@ void append_occlusion(Entries& entries) {
     append_horizons(entries);
     append_slice_methods(entries);
     append_gathers(entries);
+    append_slice_gathers(entries);
     append_occlusion_scalable(entries);
     append_occlusion_layers(entries);
     append_occlusion_proxies(entries);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/camera_inputs.hpp"
+#include "catalogue/gather_inputs.hpp"
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "catalogue/scenarios.hpp"
@@ -20,7 +21,7 @@ using reference::mat3;
 using reference::vec2;
 using reference::vec3;
 
-constexpr const char* prototype = "gloam_fetch_depth";
+constexpr const char* prototype = depth_prototype;
 constexpr const char* hemisphere_file = "passes/methods/hemisphere.glsl";
 constexpr const char* disc_file = "passes/methods/disc.glsl";
 constexpr double most_samples = 64;
@@ -31,20 +32,6 @@ constexpr Budget hemisphere_budget{.backward_ulp = 4};
 constexpr Budget contribution_budget{.absolute = 1e-6, .backward_ulp = 4};
 constexpr Budget disc_budget{.absolute = 4e-6, .backward_ulp = 4};
 
-template <class T>
-auto depth_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return images.at(prototype).at<T>(pixel); };
-}
-
-// Drawn as (ndc, depth): see place_before_camera.
-Values positions() {
-    return vector({uniform(-1, 1), uniform(-1, 1), uniform(1, 4)}).and_special();
-}
-Values kernels() {
-    return vector({log_uniform(0.05, 2).and_special(), log_uniform(1e-3, 0.1).and_special(),
-                   uniform(0, 6.2831853).and_special(),
-                   log_integers(16777216).and_near_integers({16777216, 4294967295}), integers(0, 8)});
-}
 // Orthonormal frames, random ones and some that are none.
 Values frames() {
     return made_by<glm::mat3>([](numeric::Random& random) {
@@ -53,22 +40,6 @@ Values frames() {
            })
         .and_special();
 }
-Values length() {
-    return log_uniform(0.01, 4).and_special();
-}
-// Range of the visibility test, epsilon and distance of the first mip level; the rest is for other methods.
-Values methods() {
-    return vector({length(), length(), constant(1.0F), constant(1.0F), constant(0.0F),
-                   either(constant(0.0F), log_uniform(1, 64)).and_special(), constant(1U)});
-}
-
-// Where coordinates and lengths are such that no product overflows.
-bool usual(const glm::vec3& position, const glm::vec3& normal, const Camera& camera, const Kernel& kernel,
-           const Method& method) {
-    return moderate(1e-9, 1e9, position, normal, camera.p00_p11, kernel.radius, kernel.bias, method.range,
-                    method.epsilon);
-}
-
 void append_can_gather(Entries& entries) {
     const Values vectors = vector(3, uniform(-4, 4)).and_special();
     entries.push_back(equation<bool(glm::vec3, glm::vec3, float)>(
@@ -78,7 +49,7 @@ void append_can_gather(Entries& entries) {
          .title = "whether there is anything to gather at a point",
          .formula = "surface in front of the eye, normal not zero, 0 < R < infinity",
          .source = "edges of TSSAO (Mattausch et al.), eq 2"},
-        GLOAM_REFERENCE(gloam_can_gather), {.domain = {vectors, vectors, length()}}));
+        GLOAM_REFERENCE(gloam_can_gather), {.domain = {vectors, vectors, gather_length()}}));
 }
 
 void append_tap(Entries& entries) {
@@ -100,13 +71,13 @@ void append_tap(Entries& entries) {
                                               reference::HemisphereMethod<T>{}, depth_of<T>(images));
         },
         {.domain =
-             Domain{constant(glm::vec2(3, 7)), positions(), frames(), cameras(), kernels(), methods(), index}
+             Domain{constant(glm::vec2(3, 7)), gather_positions(), frames(), cameras(), gather_kernels(), gather_methods(), index}
                  .adjusted(place_before_camera(2, 14)),
          .budget = hemisphere_budget,
          .codomain = {0, most_samples},
          .promised = make_predicate<Tap>([](glm::vec2, const glm::vec3& p, const glm::mat3& frame,
                                             const Camera& c, const Kernel& k, const Method& m, unsigned) {
-             return moderate(1e-9, 4, frame) && usual(p, glm::vec3(0), c, k, m);
+             return moderate(1e-9, 4, frame) && usual_gather(p, glm::vec3(0), c, k, m);
          }),
          .scenarios = depth_scenarios(prototype)}));
 }
@@ -126,7 +97,7 @@ void append_hemisphere(Entries& entries) {
                                                  reference::HemisphereMethod<T>{}, depth_of<T>(images));
         },
         {.domain =
-             Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), methods()}.adjusted(
+             Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(), gather_methods()}.adjusted(
                  place_before_camera(0, 6)),
          .budget = hemisphere_budget,
          .codomain = {0, most_samples},
@@ -165,13 +136,13 @@ void append_disc(Entries& entries) {
                                            reference::DiscMethod<T>{}, depth_of<T>(images));
         },
         {.domain =
-             Domain{positions(), unit_vector(3).and_special(), image_pixel(), cameras(), kernels(), methods()}
+             Domain{gather_positions(), unit_vector(3).and_special(), image_pixel(), cameras(), gather_kernels(), gather_methods()}
                  .adjusted(place_before_camera(0, 8)),
          .budget = contribution_budget,
          .codomain = {0, 1},
          .promised = make_predicate<Contribution>([](const glm::vec3& p, const glm::vec3& n, glm::ivec2,
                                                      const Camera& c, const Kernel& k,
-                                                     const Method& m) { return usual(p, n, c, k, m); }),
+                                                     const Method& m) { return usual_gather(p, n, c, k, m); }),
          .scenarios = depth_scenarios(prototype)}));
     entries.push_back(equation<Gather>(
         {.id = "TSSAO-2-disc",
@@ -186,7 +157,7 @@ void append_disc(Entries& entries) {
                                                reference::DiscMethod<T>{}, depth_of<T>(images));
         },
         {.domain =
-             Domain{positions(), unit_vector(3).and_special(), cameras(), kernels(), methods()}.adjusted(
+             Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(), gather_methods()}.adjusted(
                  place_before_camera(0, 6)),
          .budget = disc_budget,
          .codomain = {0, most_samples},

@@ -12,5 +12,6 @@ void append_points(Entries& entries);         // methods that count single point
 void append_horizons(Entries& entries);       // horizon-based AO
 void append_slice_methods(Entries& entries);  // methods that work in slices through the eye
 void append_gathers(Entries& entries);        // the estimators of a pixel, which read images
+void append_slice_gathers(Entries& entries);  // those that march along slices
 
 }  // namespace gloam::catalogue

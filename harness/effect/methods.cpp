@@ -29,6 +29,12 @@ void issao(Settings& s) {
     s.epsilon = 0.0126491F / 1.75F;
 }
 
+// The study's: 6 steps, a bias of 0.3 radians.
+void hbao(Settings& s) {
+    s.angle_bias = 0.3F;
+    s.steps = 6;
+}
+
 }  // namespace
 
 const std::vector<MethodInfo>& methods() {
@@ -46,6 +52,11 @@ const std::vector<MethodInfo>& methods() {
          "cubic", sao},
         {"issao", "surface points under the covering circle, dense near the pixel (ISSAO)", cosine, "alchemy",
          issao},
+        {"hbao", "horizons above the image plane, all directions alike (Bavoil and Sainz 2008)", uniform,
+         "quadratic", hbao},
+        {"gtao", "horizon slices, cosine-weighted, divided by their weights (Jimenez et al. 2016)", cosine,
+         "linear"},
+        {"bitmask", "slices of 32 sectors between front and back (Therrien et al. 2023)", cosine, "linear"},
     };
     return all;
 }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_GTAO_GLSL
+#define GLOAM_METHODS_GTAO_GLSL
+
+#include "gloam/geometry/length.glsl"
+#include "gloam/occlusion/falloff.glsl"
+#include "gloam/occlusion/gtao.glsl"
+#include "gloam/occlusion/slice_gather.glsl"
+
+// Horizon slices weighted by the cosine and divided by their own weights (GTAO, Jimenez et al. 2016). A sample loses weight with its distance
+// as the linear falloff has it. Reads steps.
+
+vec3 gloam_method_slice_view(vec3 eye) {
+    return eye;
+}
+
+GloamMarch gloam_method_slice_start(GloamSlice slice, vec3 normal, float share, GloamMethod method) {
+    vec2 lowest = gloam_gtao_lowest(slice.angle);
+    return GloamMarch(vec2(-1.0, lowest.y), vec2(-1.0, lowest.x), share, 0u);
+}
+
+GloamMarch gloam_method_slice_step(GloamMarch march, GloamSlice slice, vec3 offset, bool positive, GloamKernel kernel,
+                                   GloamMethod method) {
+    float weight = gloam_falloff_linear(gloam_length(offset), kernel.radius);
+    if (positive) {
+        march.positive.x = gloam_gtao_horizon(march.positive.x, march.positive.y, offset, slice.view, weight);
+    } else {
+        march.negative.x = gloam_gtao_horizon(march.negative.x, march.negative.y, offset, slice.view, weight);
+    }
+    return march;
+}
+
+vec2 gloam_method_slice_end(vec2 accumulated, GloamMarch march, GloamSlice slice, GloamMethod method) {
+    vec2 elevations = vec2(gloam_gtao_elevation(march.negative.x, -slice.angle),
+                           gloam_gtao_elevation(march.positive.x, slice.angle));
+    return gloam_gtao_add(accumulated, slice.weight, elevations, slice.angle);
+}
+
+vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
+    return gloam_slice_gather(position, normal, camera, kernel, method);
+}
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "check/image.hpp"
+#include "check/values.hpp"
+#include "reference/geometry/camera.hpp"
+#include "reference/occlusion/gather_kernel.hpp"
+#include "reference/occlusion/method_parameters.hpp"
+
+// Inputs of the estimators of a pixel, which read depths through a prototype.
+namespace gloam::catalogue {
+
+inline constexpr const char* depth_prototype = "gloam_fetch_depth";
+
+template <class T>
+[[nodiscard]] auto depth_of(const check::ImageSet& images) {
+    return [&images](glm::ivec2 pixel) { return images.at(depth_prototype).at<T>(pixel); };
+}
+
+// vec3, drawn as (ndc, depth): see place_before_camera.
+[[nodiscard]] check::Values gather_positions();
+// GloamKernel of up to 8 samples.
+[[nodiscard]] check::Values gather_kernels();
+// A length of the scene's size.
+[[nodiscard]] check::Values gather_length();
+// GloamMethod.
+[[nodiscard]] check::Values gather_methods();
+
+// Where coordinates and lengths are such that no product overflows.
+[[nodiscard]] bool usual_gather(const glm::vec3& position, const glm::vec3& normal,
+                                const reference::GloamCamera<float>& camera,
+                                const reference::GloamKernel<float>& kernel,
+                                const reference::GloamMethod<float>& method);
+
+}  // namespace gloam::catalogue
