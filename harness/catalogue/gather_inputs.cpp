@@ -25,11 +25,13 @@ Values gather_methods() {
     const Values factor = uniform(0, 2).and_special();
     const Values angle = uniform(0, 1).and_special();
     const Values mip_distance = either(constant(0.0F), log_uniform(1, 64)).and_special();
-    return vector({gather_length(), gather_length(), factor, gather_length(), angle, mip_distance, integers(0, 4)});
+    return vector(
+        {gather_length(), gather_length(), factor, gather_length(), angle, mip_distance, integers(0, 4)});
 }
 
-bool usual_gather(const glm::vec3& position, const glm::vec3& normal, const reference::GloamCamera<float>& camera,
-                  const reference::GloamKernel<float>& kernel, const reference::GloamMethod<float>& method) {
+bool usual_gather(const glm::vec3& position, const glm::vec3& normal,
+                  const reference::GloamCamera<float>& camera, const reference::GloamKernel<float>& kernel,
+                  const reference::GloamMethod<float>& method) {
     return moderate(1e-9, 1e9, position, normal, camera.p00_p11, kernel.radius, kernel.bias, method.range,
                     method.epsilon, method.intensity, method.thickness);
 }

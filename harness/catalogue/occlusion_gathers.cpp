@@ -70,9 +70,9 @@ void append_tap(Entries& entries) {
             return reference::gloam_point_tap(accumulated, position, frame, camera, kernel, method, i,
                                               reference::HemisphereMethod<T>{}, depth_of<T>(images));
         },
-        {.domain =
-             Domain{constant(glm::vec2(3, 7)), gather_positions(), frames(), cameras(), gather_kernels(), gather_methods(), index}
-                 .adjusted(place_before_camera(2, 14)),
+        {.domain = Domain{constant(glm::vec2(3, 7)), gather_positions(), frames(), cameras(),
+                          gather_kernels(), gather_methods(), index}
+                       .adjusted(place_before_camera(2, 14)),
          .budget = hemisphere_budget,
          .codomain = {0, most_samples},
          .promised = make_predicate<Tap>([](glm::vec2, const glm::vec3& p, const glm::mat3& frame,
@@ -96,12 +96,12 @@ void append_hemisphere(Entries& entries) {
             return reference::gloam_point_gather(position, normal, camera, kernel, method,
                                                  reference::HemisphereMethod<T>{}, depth_of<T>(images));
         },
-        {.domain =
-             Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(), gather_methods()}.adjusted(
-                 place_before_camera(0, 6)),
+        {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
+                          gather_methods()}
+                       .adjusted(place_before_camera(0, 6)),
          .budget = hemisphere_budget,
          .codomain = {0, most_samples},
-         .promised = make_predicate<Gather>(usual),
+         .promised = make_predicate<Gather>(usual_gather),
          .scenarios = depth_scenarios(prototype)}));
 }
 
@@ -135,14 +135,14 @@ void append_disc(Entries& entries) {
             return reference::gloam_tap_at(position, normal, at, camera, kernel, method,
                                            reference::DiscMethod<T>{}, depth_of<T>(images));
         },
-        {.domain =
-             Domain{gather_positions(), unit_vector(3).and_special(), image_pixel(), cameras(), gather_kernels(), gather_methods()}
-                 .adjusted(place_before_camera(0, 8)),
+        {.domain = Domain{gather_positions(), unit_vector(3).and_special(), image_pixel(), cameras(),
+                          gather_kernels(), gather_methods()}
+                       .adjusted(place_before_camera(0, 8)),
          .budget = contribution_budget,
          .codomain = {0, 1},
-         .promised = make_predicate<Contribution>([](const glm::vec3& p, const glm::vec3& n, glm::ivec2,
-                                                     const Camera& c, const Kernel& k,
-                                                     const Method& m) { return usual_gather(p, n, c, k, m); }),
+         .promised = make_predicate<Contribution>(
+             [](const glm::vec3& p, const glm::vec3& n, glm::ivec2, const Camera& c, const Kernel& k,
+                const Method& m) { return usual_gather(p, n, c, k, m); }),
          .scenarios = depth_scenarios(prototype)}));
     entries.push_back(equation<Gather>(
         {.id = "TSSAO-2-disc",
@@ -156,12 +156,12 @@ void append_disc(Entries& entries) {
             return reference::gloam_tap_gather(position, normal, camera, kernel, method,
                                                reference::DiscMethod<T>{}, depth_of<T>(images));
         },
-        {.domain =
-             Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(), gather_methods()}.adjusted(
-                 place_before_camera(0, 6)),
+        {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
+                          gather_methods()}
+                       .adjusted(place_before_camera(0, 6)),
          .budget = disc_budget,
          .codomain = {0, most_samples},
-         .promised = make_predicate<Gather>(usual),
+         .promised = make_predicate<Gather>(usual_gather),
          .scenarios = depth_scenarios(prototype)}));
 }
 

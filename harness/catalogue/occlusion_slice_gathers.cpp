@@ -41,15 +41,18 @@ void append_into_slice(Entries& entries) {
         GLOAM_REFERENCE(gloam_into_slice),
         {.domain = {offsets, units, units},
          .budget = {.absolute = 4e-6},
-         .promised = make_predicate<Signature>([](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& n) {
-             const double turned = glm::dot(a, n);
-             return moderate(1e-9, 4, v, a, n) && !(turned * turned > 0.9);
-         })}));
+         .codomain = {-3.5e38, 3.5e38},
+         .promised =
+             make_predicate<Signature>([](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& n) {
+                 const double turned = glm::dot(a, n);
+                 return moderate(1e-9, 4, v, a, n) && !(turned * turned > 0.9);
+             })}));
 }
 
 Values slices() {
     return made_by<Slice>([](numeric::Random& random) {
-        const glm::vec3 view = glm::normalize(glm::vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1));
+        const glm::vec3 view =
+            glm::normalize(glm::vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1));
         const glm::vec3 normal = glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1));
         const auto turn = static_cast<float>(random.uniform(0, 3.1415926));
         return reference::gloam_slice(glm::vec2(std::cos(turn), std::sin(turn)), view, normal);
@@ -58,8 +61,8 @@ Values slices() {
 
 void append_march(Entries& entries) {
     using Signature = March(March, Slice, Point, Camera, Kernel, Method);
-    const Values marches = vector({constant(glm::vec2(-1, -0.5)), constant(glm::vec2(-1, 0.25)), uniform(0, 1),
-                                   constant(0U)});
+    const Values marches =
+        vector({constant(glm::vec2(-1, -0.5)), constant(glm::vec2(-1, 0.25)), uniform(0, 1), constant(0U)});
     const Values points = vector({gather_positions(), unit_vector(3), unit_vector(2), uniform(0, 1)});
     entries.push_back(equation<Signature>(
         {.id = "SLICE-march",
@@ -69,18 +72,17 @@ void append_march(Entries& entries) {
          .formula = "steps at R ((i + jitter) / n)^2 to both sides",
          .source = "horizon-based methods (Bavoil and Sainz 2008; Jimenez et al. 2016)"},
         []<class T>(const ImageSet& images, const GloamMarch<T>& march, const GloamSlice<T>& slice,
-                    const GloamSlicePoint<T>& point, const GloamCamera<T>& camera, const GloamKernel<T>& kernel,
-                    const GloamMethod<T>& method) {
+                    const GloamSlicePoint<T>& point, const GloamCamera<T>& camera,
+                    const GloamKernel<T>& kernel, const GloamMethod<T>& method) {
             return reference::gloam_slice_march(march, slice, point, camera, kernel, method,
                                                 reference::GtaoMethod<T>{}, depth_of<T>(images));
         },
         {.domain = Domain{marches, slices(), points, cameras(), gather_kernels(), gather_methods()}.adjusted(
              place_before_camera(14, 23)),
          .budget = {.absolute = 4e-6, .backward_ulp = 4},
-         .promised = make_predicate<Signature>([](const March&, const Slice&, const Point& point, const Camera& c,
-                                                  const Kernel& k, const Method& m) {
-             return usual_gather(point.position, point.normal, c, k, m);
-         }),
+         .promised = make_predicate<Signature>(
+             [](const March&, const Slice&, const Point& point, const Camera& c, const Kernel& k,
+                const Method& m) { return usual_gather(point.position, point.normal, c, k, m); }),
          .scenarios = depth_scenarios(depth_prototype)}));
 }
 
@@ -101,7 +103,7 @@ void append_gather(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           gather_methods()}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 4e-6, .backward_ulp = 4},
+         .budget = {.absolute = 1.5e-4, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Gather>(usual_gather),
          .scenarios = depth_scenarios(depth_prototype)}));

@@ -2,16 +2,19 @@
 #ifndef GLOAM_GEOMETRY_INTO_SLICE_GLSL
 #define GLOAM_GEOMETRY_INTO_SLICE_GLSL
 
+#include "gloam/geometry/finite.glsl"
+
 // Moves an offset into the plane of a slice without changing its height over the tangent plane. What is seen at a pixel's centre lies beside
 // the slice; dropping its part across the slice would lift the points of a tilted plane above that plane.
 // offset: s - p, view space, world units. axis: unit, across the slice. normal: of the surface, unit.
 // Returns offset - (offset . axis) u, where u lies in the tangent plane and u . axis = 1; the offset less its part along the axis where the
-// slice is within 2 degrees of the tangent plane, and for NaN. Error: 3e-4 of |offset|, 1e-6 where (axis . normal)^2 < 0.9.
+// slice is within 2 degrees of the tangent plane; the zero vector where it is not finite. Error: 3e-4 of |offset|, 1e-6 where (axis . normal)^2 < 0.9.
 vec3 gloam_into_slice(vec3 offset, vec3 axis, vec3 normal) {
     float turned = dot(axis, normal);
     float steep = 1.0 - turned * turned;
     vec3 across = steep > 1e-3 ? (axis - turned * normal) / steep : axis;
-    return offset - dot(offset, axis) * across;
+    vec3 moved = offset - dot(offset, axis) * across;
+    return gloam_is_finite3(moved) ? moved : vec3(0.0);
 }
 
 #endif

@@ -22,7 +22,8 @@ struct GtaoMethod {
         side.x = gloam_gtao_horizon(side.x, side.y, offset, slice.view, weight);
         return march;
     }
-    vec2<T> end(vec2<T> accumulated, GloamMarch<T> march, GloamSlice<T> slice, GloamMethod<T> /*method*/) const {
+    vec2<T> end(vec2<T> accumulated, GloamMarch<T> march, GloamSlice<T> slice,
+                GloamMethod<T> /*method*/) const {
         const vec2<T> elevations(gloam_gtao_elevation(march.negative.x, T(-slice.angle)),
                                  gloam_gtao_elevation(march.positive.x, slice.angle));
         return gloam_gtao_add(accumulated, slice.weight, elevations, slice.angle);

@@ -14,8 +14,8 @@
 #include "reference/sampling/circle.hpp"
 #include "reference/sampling/radical_inverse.hpp"
 
-// What GLSL asks for by prototypes is here an argument: a Method has view(eye), start(slice, normal, share, method),
-// step(march, slice, offset, positive, kernel, method) and end(accumulated, march, slice, method).
+// What GLSL asks for by prototypes is here an argument: a Method has view(eye), start(slice, normal, share,
+// method), step(march, slice, offset, positive, kernel, method) and end(accumulated, march, slice, method).
 namespace gloam::reference {
 
 template <class T>
