@@ -58,7 +58,7 @@ void append_geometry_lengths(Entries& entries) {
          .source = "definition"},
         GLOAM_REFERENCE(gloam_length),
         {.domain = {any},
-         .budget = {.ulp = 3},
+         .budget = {.ulp = 4},
          .promised = make_predicate<float(glm::vec3)>([](glm::dvec3 v) {
              return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e38) && glm::length(v) >= 1e-30;
          })}));

@@ -150,24 +150,26 @@ void append_estimator(Entries& entries) {
     const Values weighted = either(vector(2, uniform(0, 4)), vector(2, log_uniform(1e-36, 1e38)))
                                 .and_value(glm::vec2(0))
                                 .and_special();
-    entries.push_back(
-        equation<float(glm::vec2)>({.id = "MEAN-weighted",
-                                    .function = "gloam_weighted_ratio",
-                                    .file = file,
-                                    .title = "weighted mean of contributions",
-                                    .formula = "sum of w C / sum of w, inside [0, 1]",
-                                    .source = "definition"},
-                                   GLOAM_REFERENCE(gloam_weighted_ratio),
-                                   {.domain = {weighted}, .budget = {.ulp = 0.5, .absolute = 1e-44}, .codomain = {0, 1}}));
-    entries.push_back(equation<glm::vec2(glm::vec2, unsigned)>(
-        {.id = "MEAN-samples",
-         .function = "gloam_estimator_of_weighted",
+    entries.push_back(equation<float(glm::vec2)>(
+        {.id = "MEAN-weighted",
+         .function = "gloam_weighted_ratio",
          .file = file,
-         .title = "weighted mean as if of a number of samples",
-         .formula = "(n m, n)",
+         .title = "weighted mean of contributions",
+         .formula = "sum of w C / sum of w, inside [0, 1]",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_estimator_of_weighted),
-        {.domain = {weighted, integers(0, 4096)}, .budget = {.ulp = 1.5, .absolute = 1e-41}, .codomain = {0, 4096}}));
+        GLOAM_REFERENCE(gloam_weighted_ratio),
+        {.domain = {weighted}, .budget = {.ulp = 0.5, .absolute = 1e-44}, .codomain = {0, 1}}));
+    entries.push_back(
+        equation<glm::vec2(glm::vec2, unsigned)>({.id = "MEAN-samples",
+                                                  .function = "gloam_estimator_of_weighted",
+                                                  .file = file,
+                                                  .title = "weighted mean as if of a number of samples",
+                                                  .formula = "(n m, n)",
+                                                  .source = "definition"},
+                                                 GLOAM_REFERENCE(gloam_estimator_of_weighted),
+                                                 {.domain = {weighted, integers(0, 4096)},
+                                                  .budget = {.ulp = 1.5, .absolute = 1e-41},
+                                                  .codomain = {0, 4096}}));
     entries.push_back(equation<float(glm::vec2)>({.id = "TSSAO-2",
                                                   .function = "gloam_estimator_mean",
                                                   .file = file,

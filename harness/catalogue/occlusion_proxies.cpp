@@ -52,7 +52,7 @@ void append_spheres(Entries& entries) {
              [](double r, double d) { return !(r < 1e-30) && !(d < 1e-30); })}));
     using Signature = float(glm::vec3, glm::vec3, float);
     const Check check{.domain = {offsets(), normals(), lengths()},
-                      .budget = {.absolute = 6e-7, .backward_ulp = 4},
+                      .budget = {.absolute = 8e-7, .backward_ulp = 4},
                       .codomain = {0, 1},
                       .promised = make_predicate<Signature>([](glm::dvec3 v, glm::dvec3 n, double r) {
                           return sized(v) && sized(n) && !(r < 1e-18);

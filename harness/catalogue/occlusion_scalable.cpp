@@ -104,7 +104,7 @@ void append_parts(Entries& entries) {
          .source = sao},
         GLOAM_REFERENCE(gloam_sao_quotient),
         {.domain = {either(uniform(0, 1), log_uniform(1e-37, 1e38)).and_special(), squares, epsilons()},
-         .budget = {.ulp = 1.5},
+         .budget = {.ulp = 2},
          .promised = make_predicate<Quotient>([](double h, double vv, double epsilon) {
              return moderate(1e-18, 1e18, h, vv, epsilon) && vv + epsilon > 1e-30;
          })}));
@@ -229,7 +229,7 @@ void append_combinations(Entries& entries) {
          .source = deep},
         GLOAM_REFERENCE(gloam_visibility_deep),
         {.domain = {either(sums(0.4), vector(2, any_float())).and_value(glm::vec2(0)).and_special(), power},
-         .budget = {.absolute = 2e-6, .backward_ulp = 4},
+         .budget = {.absolute = 3e-6, .backward_ulp = 4},
          .codomain = {0, 1},
          .promised = make_predicate<Signature>(
              [](glm::dvec2 sum, double p) { return moderate(1e-9, 1e9, sum) && moderate(0.25, 16, p); })}));

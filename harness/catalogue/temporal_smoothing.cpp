@@ -18,7 +18,7 @@ void append_temporal_smoothing(Entries& entries) {
          .source = "Gears of War 2 (Smedberg and Wright 2009)"},
         GLOAM_REFERENCE(gloam_temporal_smooth),
         {.domain = {occlusion, booleans(), occlusion, uniform(0, 1).and_near({0.0, 1.0}).and_special()},
-         .budget = {.absolute = 1e-7},
+         .budget = {.absolute = 2e-7},
          .codomain = {0, 1}}));
 }
 

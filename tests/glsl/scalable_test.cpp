@@ -68,6 +68,38 @@ TEST_F(Scalable, ChainOfAnyImageSizeStaysInsideIt) {
     EXPECT_EQ(source(glm::ivec2(13, 21), glm::ivec2(64), 0), glm::ivec2(13, 21));
 }
 
+// A bare plane, seen at a tilt through the depth chain. Placed where it was aimed (as published), a tap has
+// the depth of another pixel, and the plane blocks itself; placed where its depth is from, it does not.
+TEST_F(Scalable, TapsPlacedWhereTheirDepthIsFromKeepAPlaneOpen) {
+    const std::string file = "gloam/sampling/depth_mip.glsl";
+    const Kernel<int(float, float, int)> level(lab, file, "gloam_depth_mip_level");
+    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> pixel(lab, file, "gloam_depth_mip_pixel");
+    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> source(lab, file, "gloam_depth_mip_source");
+    const auto contribution = sao<Divided>("contribution_sao");
+    const glm::ivec2 size(501, 333);
+    const auto ray = [&](glm::ivec2 at) {
+        return glm::dvec3((glm::dvec2(at) + 0.5 - glm::dvec2(size) / 2.0) / 300.0, -1.0);
+    };
+    for (const double tilt : {0.0, 0.5, 1.0}) {
+        const glm::dvec3 n(std::sin(tilt), 0, std::cos(tilt));
+        const auto depth = [&](glm::ivec2 at) { return -5 * n.z / glm::dot(n, ray(at)); };
+        const glm::ivec2 center(250, 166);
+        const glm::dvec3 p = depth(center) * ray(center);
+        float aimed = 0;
+        for (int x = -160; x <= 160; x += 7) {
+            const glm::ivec2 tap = center + glm::ivec2(x, x / 3);
+            const int l = level(glm::length(glm::vec2(tap - center)), 16.0F, 5);
+            const glm::ivec2 from = source(pixel(tap, size, l), size, l);
+            const auto at = [&](glm::ivec2 place) {
+                return contribution(depth(from) * ray(place) - p, n, 8.0F, 1e-5F, 0.01F);
+            };
+            EXPECT_EQ(at(from), 0.0F) << "tilt " << tilt << " tap " << x;
+            aimed += at(tap);
+        }
+        EXPECT_TRUE(tilt == 0 || aimed > 0.05F) << tilt << " " << aimed;
+    }
+}
+
 TEST_F(Scalable, SamplesByDistance) {
     const Kernel<int(float, float, int, int)> count(lab, "gloam/sampling/count_by_distance.glsl",
                                                     "gloam_count_by_distance");

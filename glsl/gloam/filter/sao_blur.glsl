@@ -7,7 +7,7 @@
 // tap: r, number of the tap, -4 to 4. key_difference: of the tap's depth key to the centre's. slope: per unit of key, >= 0: 2000 times
 // the edge sharpness; negative counts as 0.
 // Returns a weight in [0, 0.445]; 0 for a tap outside its range, and off the centre where slope |key difference| is NaN.
-// Error: 1e-7, and that of slope |key difference| times 0.445.
+// Error: 2e-7, and that of slope |key difference| times 0.445.
 float gloam_sao_blur_weight(int tap, float key_difference, float slope) {
     if (tap == 0) return 0.153170;
     if (tap > 4 || tap < -4) return 0.0;

@@ -31,7 +31,7 @@ float gloam_sao_height(vec3 offset, vec3 normal, float bias) {
 // height: h, world units, >= 0. squared_distance: v^2, world units squared, >= 0. epsilon: world units squared, > 0: 0.01 m^2 (a large
 // one keeps cracks from turning black).
 // Returns 1 / world units, at most 1 / (2 sqrt(epsilon)) for h <= |v|; 0 where v^2 + epsilon is not in [2^-126, 2^126], and for h NaN.
-// Error: 1.5 ULP; 3.5 by any device that keeps Vulkan's rules for division.
+// Error: 2 ULP; 3.5 by any device that keeps Vulkan's rules for division.
 float gloam_sao_quotient(float height, float squared_distance, float epsilon) {
     float denominator = squared_distance + epsilon;
     bool divides = denominator >= 1.175494351e-38 && denominator <= 8.507059173e37;
@@ -98,7 +98,7 @@ float gloam_visibility_sao(vec2 accumulated, float sigma) {
 
 // Visibility from the sum of high-quality contributions: A = max(0, 1 - sqrt(3 sum / count))^power.
 // accumulated: (sum, count) of gloam_contribution_deep. power: contrast, 1.
-// Returns visibility in [0, 1]; 1 for a count outside [1, 2^24], for a power of 0, and for NaN. Error: 2e-6.
+// Returns visibility in [0, 1]; 1 for a count outside [1, 2^24], for a power of 0, and for NaN. Error: 3e-6.
 float gloam_visibility_deep(vec2 accumulated, float power) {
     if (!(accumulated.y >= 1.0 && accumulated.y <= 16777216.0)) return 1.0;
     return gloam_remap(gloam_visibility(gloam_sqrt(3.0 * (accumulated.x / accumulated.y))), 0.0, 1.0, power);
