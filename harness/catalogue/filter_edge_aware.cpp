@@ -5,6 +5,7 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/scenarios.hpp"
 #include "reference/filter/bilateral.hpp"
+#include "reference/filter/geometry_blur.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 using namespace check;
 
 constexpr const char* occlusion_name = "gloam_fetch_occlusion";
+constexpr const char* normal_name = "gloam_fetch_normal";
 constexpr const char* depth_name = "gloam_fetch_depth";
 
 template <class T>
@@ -32,7 +34,12 @@ ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
             return random.below(2) == 0 ? 0.0F : std::numeric_limits<float>::infinity();
         return ((pixel.x + pixel.y) % 7 < 4 ? 2.0F : 3.0F) + 0.005F * static_cast<float>(pixel.x);
     };
+    const auto normal = [&](glm::ivec2) {
+        if (random.below(16) == 0) return glm::vec3(0);
+        return glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1));
+    };
     ImageSet images;
+    images.emplace(normal_name, make_image<glm::vec3>(size, normal));
     images.emplace(occlusion_name,
                    make_image<float>(size, [&](glm::ivec2) { return occlusion_or_worse(random); }));
     images.emplace(depth_name, make_image<float>(size, depth));
@@ -107,10 +114,87 @@ void append_bilateral(Entries& entries) {
          .scenarios = surfaces()}));
 }
 
+template <class T>
+auto normals_of(const ImageSet& images) {
+    return [&images](glm::ivec2 pixel) { return images.at(normal_name).at<reference::vec3<T>>(pixel); };
+}
+
+constexpr const char* blur_source = "Aalund and Baerentzen 2013, geometry-aware blur";
+constexpr const char* blur_file = "gloam/filter/geometry_blur.glsl";
+
+void append_geometry_weight(Entries& entries) {
+    using Weight = float(glm::vec3, glm::vec3, float, float, float);
+    entries.push_back(equation<Weight>(
+        {.id = "CS-BLUR-weight",
+         .function = "gloam_geometry_weight",
+         .file = "gloam/filter/geometry_weight.glsl",
+         .title = "weight of a neighbour by normal and depth",
+         .formula = "(n_0 . n_i / 2 + 1/2)^p_n (1 + |z_0 - z_i|)^-p_z",
+         .source = blur_source},
+        GLOAM_REFERENCE(gloam_geometry_weight),
+        {.domain = {unit_vector(3).and_value(glm::vec3(0)).and_special(),
+                    unit_vector(3).and_value(glm::vec3(0)),
+                    either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_special(),
+                    uniform(1, 16).and_near({10.0}).and_special(),
+                    uniform(0, 2).and_near({0.0, 0.5}).and_special()},
+         .budget = {.absolute = 3e-6},
+         .codomain = {0, 1},
+         .promised =
+             make_predicate<Weight>([](glm::dvec3 n, glm::dvec3, double, double by_normal, double by_depth) {
+                 return moderate(1e-9, 1.1, n) && by_normal >= 1 && by_normal <= 17 && by_depth <= 3;
+             })}));
+}
+
+void append_geometry_blur(Entries& entries) {
+    using Mean = reference::GloamWeightedMean<float>;
+    using Tap = Mean(Mean, float, glm::vec3, glm::ivec2, glm::ivec2, glm::vec2);
+    const Values powers = vector({uniform(1, 16), uniform(0, 1)});
+    entries.push_back(equation<Tap>(
+        {.id = "CS-BLUR-tap",
+         .function = "gloam_geometry_blur_tap",
+         .file = blur_file,
+         .title = "one neighbour in the geometry-aware blur",
+         .formula = "(sum + w AO, K + w)",
+         .source = blur_source},
+        []<class T>(const ImageSet& images, const reference::GloamWeightedMean<T>& mean, T center,
+                    reference::vec3<T> normal, glm::ivec2 tap, glm::ivec2 size,
+                    reference::vec2<T> exponents) {
+            return reference::gloam_geometry_blur_tap(
+                mean, center, normal, tap, size, exponents, scalars_of<T>(images, occlusion_name),
+                scalars_of<T>(images, depth_name), normals_of<T>(images));
+        },
+        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)), uniform(1.9, 3.1),
+                    vector({uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(0.6, 0.8)}),
+                    either(image_pixel(), vector(2, integers(-4, 4))), image_size(), powers},
+         .budget = {.absolute = 2e-6},
+         .scenarios = surfaces()}));
+    const Values axis = made_by<glm::ivec2>(
+        [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
+    entries.push_back(equation<float(glm::ivec2, glm::ivec2, glm::ivec2, int, glm::vec2)>(
+        {.id = "CS-BLUR",
+         .function = "gloam_geometry_blur",
+         .file = blur_file,
+         .title = "geometry-aware blur along one axis",
+         .formula = "(1 / K) sum of w AO, K the sum of w",
+         .source = blur_source},
+        []<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size,
+                    int half_width, reference::vec2<T> exponents) {
+            return reference::gloam_geometry_blur(pixel, along, size, half_width, exponents,
+                                                  scalars_of<T>(images, occlusion_name),
+                                                  scalars_of<T>(images, depth_name), normals_of<T>(images));
+        },
+        {.domain = {image_pixel(), axis, image_size(), integers(0, 4).and_near_integers({0}), powers},
+         .budget = {.absolute = 1e-6},
+         .codomain = {0, 1},
+         .scenarios = surfaces()}));
+}
+
 }  // namespace
 
 void append_edge_aware(Entries& entries) {
     append_bilateral(entries);
+    append_geometry_weight(entries);
+    append_geometry_blur(entries);
 }
 
 }  // namespace gloam::catalogue

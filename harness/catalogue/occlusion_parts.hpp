@@ -10,6 +10,7 @@ void append_falloffs(Entries& entries);       // what a hit counts by its distan
 void append_contributions(Entries& entries);  // what a sample counts, and the mean over samples
 void append_points(Entries& entries);         // methods that count single points, and what they need
 void append_horizons(Entries& entries);       // horizon-based AO
+void append_volumes(Entries& entries);        // methods that pair opposite samples
 void append_slice_methods(Entries& entries);  // methods that work in slices through the eye
 void append_gathers(Entries& entries);        // the estimators of a pixel, which read images
 void append_slice_gathers(Entries& entries);  // those that march along slices

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_FILTER_GEOMETRY_BLUR_GLSL
+#define GLOAM_FILTER_GEOMETRY_BLUR_GLSL
+
+#include "gloam/filter/geometry_weight.glsl"
+#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/geometry/background.glsl"
+
+// Blur that keeps to a surface (CS-BLUR), along one axis of the image: run it along x, then along y on the result. The study uses it for
+// all its methods, from 1 pixel on either side upward.
+
+// Defined by the user: occlusion (or visibility) of a pixel inside the image, in [0, 1].
+float gloam_fetch_occlusion(ivec2 pixel);
+
+// Defined by the user: eye-linear depth of a pixel inside the image, in world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: unit normal of a pixel inside the image; the zero vector where there is none.
+vec3 gloam_fetch_normal(ivec2 pixel);
+
+// Adds the pixel at a tap.
+// mean: what was added so far. center: depth of the blurred pixel. normal: its normal. tap: any pixel. size: of the image.
+// powers: (p_n, p_z) of gloam_geometry_weight.
+// Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and for occlusion outside
+// [0, 1]. Error: 2e-6 of the tap.
+GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, vec3 normal, ivec2 tap, ivec2 size, vec2 powers) {
+    if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
+    float depth = gloam_fetch_depth(tap);
+    if (gloam_is_background(depth)) return mean;
+    float weight = gloam_geometry_weight(normal, gloam_fetch_normal(tap), center - depth, powers.x, powers.y);
+    return gloam_weighted_mean_add(mean, gloam_fetch_occlusion(tap), weight);
+}
+
+// Blurred occlusion of one pixel along one axis.
+// pixel: inside the image. axis: (1, 0) or (0, 1). size: image size in pixels; neighbours outside are left out. half_width: pixels on each
+// side, at most 64; negative counts as 0. powers: (p_n, p_z) of gloam_geometry_weight, (10, 0.5).
+// Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; the pixel itself has weight 1. Its own value
+// (taken into [0, 1], 0 for NaN) where it is background. Error: 2e-6.
+float gloam_geometry_blur(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, vec2 powers) {
+    float own = gloam_fetch_occlusion(pixel);
+    float center = gloam_fetch_depth(pixel);
+    GloamWeightedMean mean = gloam_weighted_mean_empty();
+    if (gloam_is_background(center)) return gloam_weighted_mean_value(mean, own);
+    vec3 normal = gloam_fetch_normal(pixel);
+    mean = gloam_weighted_mean_add(mean, own, 1.0);
+    int last = min(half_width, 64);
+    for (int i = 1; i <= last; ++i) {
+        mean = gloam_geometry_blur_tap(mean, center, normal, pixel - i * axis, size, powers);
+        mean = gloam_geometry_blur_tap(mean, center, normal, pixel + i * axis, size, powers);
+    }
+    return gloam_weighted_mean_value(mean, own);
+}
+
+#endif

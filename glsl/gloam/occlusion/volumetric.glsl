@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_VOLUMETRIC_GLSL
+#define GLOAM_OCCLUSION_VOLUMETRIC_GLSL
+
+#include "gloam/numeric/square_root.glsl"
+
+// Volumetric obscurance by line samples (Loos and Sloan 2010; CS-3.5): how much of a sphere around the point is solid. Each tap of a disc is a
+// chord of the sphere along the view ray, of which the depth buffer tells the solid part. A plane gives 1/2 at any tilt (the offset 0.5 of
+// gloam_remap undoes it), a one-sided groove of angle b 1/2 + b / (2 pi). The volume is the mean of the parts weighted by chord, for which
+// gloam_weighted_mean_add serves; the published shader takes the plain mean, which is too large in grooves (0.647 for 0.625 at 45
+// degrees), and begins it with (0.5, 1), a prior for few samples.
+
+// Half the chord of the sphere at a tap: r sqrt(1 - |xi|^2).
+// xi: offset of the tap from the centre in the unit disc (the published shader takes the absolute texture coordinate, which is no offset).
+// radius: r, world units, >= 0.
+// Returns a length in [0, r]; 0 for |xi| >= 1, r not positive, and NaN. Error: 3e-7 of r / sqrt(1 - |xi|^2).
+float gloam_chord_half_height(vec2 xi, float radius) {
+    float height = radius * gloam_sqrt(1.0 - dot(xi, xi));
+    return height > 0.0 ? height : 0.0;
+}
+
+// Solid part of a chord: clamp((h + z) / (2 h), 0, 1). This is the occluded part; the source's text calls it unoccluded.
+// height: z = z_s - z_p, view space, world units: of the surface at the tap above the centre, positive if nearer to the eye; -infinity for
+// background. half_height: h, world units.
+// Returns occlusion in [0, 1]; 1/2 for h that is not positive, subnormal or above 2^126, and for NaN. Error: 2e-7.
+float gloam_line_occlusion(float height, float half_height) {
+    if (!(half_height >= 1.175494351e-38 && half_height <= 8.507059173e37)) return 0.5;
+    if (height >= half_height) return 1.0;
+    if (height <= -half_height) return 0.0;
+    return abs(height) < half_height ? 0.5 + 0.5 * (height / half_height) : 0.5;
+}
+
+// Pair of opposite taps: what lies too far in front of the point is another object, and the partner's complement stands for it.
+// fractions: (q_1, q_2) of gloam_line_occlusion. lowest, highest: what is believed, 0.35 and 1 in the published shader.
+// Returns the two fractions, a disbelieved one replaced by 1 - the other; (0.5, 0.5) if neither is believed. NaN is not believed.
+// Error: 0.5 ULP.
+vec2 gloam_line_pair(vec2 fractions, float lowest, float highest) {
+    bool first = fractions.x >= lowest && fractions.x <= highest;
+    bool second = fractions.y >= lowest && fractions.y <= highest;
+    if (first && second) return fractions;
+    if (first) return vec2(fractions.x, 1.0 - fractions.x);
+    return second ? vec2(1.0 - fractions.y, fractions.y) : vec2(0.5);
+}
+
+// Half the chord, at a tap, of the sphere of half the radius that touches the surface from outside (Szirmay-Kalos et al. 2009): a plane
+// leaves it empty, and no offset is needed.
+// offset: s - p, view space, world units, of which x and y count. normal: n, unit. radius: r of the whole kernel, world units; the sphere's
+// centre is p + n r / 2.
+// Returns a length in [0, r / 2], the weight of the tap; 0 beside the sphere, for r not positive, and for NaN. Error: 4e-7 of r / 2, more
+// towards the sphere's outline.
+float gloam_tangent_sphere_half_height(vec3 offset, vec3 normal, float radius) {
+    if (!(radius >= 1.175494351e-38 && radius <= 8.507059173e37)) return 0.0;
+    float half_radius = 0.5 * radius;
+    vec2 xi = offset.xy / half_radius - normal.xy;
+    float height = half_radius * gloam_sqrt(1.0 - dot(xi, xi));
+    return height > 0.0 ? height : 0.0;
+}
+
+// Solid part of that chord.
+// offset, normal, radius: as above.
+// Returns occlusion in [0, 1]; 0 where there is no chord and for NaN. Error: 5e-7, more towards the sphere's outline.
+float gloam_tangent_sphere_occlusion(vec3 offset, vec3 normal, float radius) {
+    float half_height = gloam_tangent_sphere_half_height(offset, normal, radius);
+    float height = offset.z - 0.5 * radius * normal.z;
+    return half_height >= 1.175494351e-38 && abs(height) >= 0.0 ? gloam_line_occlusion(height, half_height) : 0.0;
+}
+
+#endif
