@@ -4,8 +4,10 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "catalogue/scenarios.hpp"
+#include "reference/geometry/height_at.hpp"
 #include "reference/methods/disc.hpp"
 #include "reference/methods/hemisphere.hpp"
+#include "reference/methods/volumetric.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -165,6 +167,69 @@ void append_disc(Entries& entries) {
          .scenarios = depth_scenarios(prototype)}));
 }
 
+void append_pairs(Entries& entries) {
+    using Offset = glm::vec3(glm::vec3, glm::ivec2, Camera, float);
+    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
+    constexpr const char* file = "passes/methods/volumetric.glsl";
+    entries.push_back(equation<Offset>(
+        {.id = "PAIR-offset",
+         .function = "gloam_pair_offset",
+         .file = file,
+         .title = "from a point to the surface at a tap",
+         .formula = "s - p; background 10^4 radii behind",
+         .source = "definition"},
+        []<class T>(const ImageSet& images, vec3<T> position, glm::ivec2 at, const GloamCamera<T>& camera,
+                    T radius) {
+            return reference::gloam_pair_offset(position, at, camera, radius, depth_of<T>(images));
+        },
+        {.domain = Domain{gather_positions(), image_pixel(), cameras(), gather_length()}.adjusted(
+             place_before_camera(0, 5)),
+         .budget = {.ulp = 8, .absolute = 4e-6, .of_largest_component = true},
+         .codomain = {-3.5e38, 3.5e38},
+         .promised =
+             make_predicate<Offset>([](const glm::vec3& p, glm::ivec2, const Camera& c, float radius) {
+                 return moderate(1e-9, 1e9, p, c.p00_p11, radius);
+             }),
+         .scenarios = depth_scenarios(prototype)}));
+    using Height = float(glm::vec3, glm::vec3, glm::vec3, glm::vec3);
+    const Values offset = vector(3, uniform(-4, 4)).and_special();
+    entries.push_back(equation<Height>(
+        {.id = "PAIR-height",
+         .function = "gloam_height_at",
+         .file = "gloam/geometry/height_at.glsl",
+         .title = "height of the surface of a tap at the aimed place",
+         .formula = "((s - p - a) . n) / (v . n)",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_height_at),
+        {.domain = {offset, offset, unit_vector(3).and_special(), unit_vector(3).and_special()},
+         .budget = {.absolute = 1e-4},
+         .codomain = {-3.5e38, 3.5e38},
+         .promised = make_predicate<Height>(
+             [](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& view, const glm::dvec3& n) {
+                 return moderate(1e-9, 8, v, a) && moderate(1e-9, 1, view, n) && glm::dot(view, n) > 0.03 &&
+                        !(glm::dot(v, v) + glm::dot(a, a) > 1e4);
+             })}));
+    entries.push_back(equation<Gather>(
+        {.id = "CS-I-gather",
+         .function = "gloam_pair_gather",
+         .file = file,
+         .title = "solid share of the ball around a pixel, by paired lines",
+         .formula = "n times the mean of q_i weighted by h_i, n",
+         .source = "volumetric obscurance (Loos and Sloan 2010), CS-3.5"},
+        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
+                    const GloamKernel<T>& kernel, const GloamMethod<T>& method) {
+            return reference::gloam_pair_gather(position, normal, camera, kernel, method,
+                                                reference::VolumetricMethod<T>{}, depth_of<T>(images));
+        },
+        {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
+                          gather_methods()}
+                       .adjusted(place_before_camera(0, 6)),
+         .budget = {.absolute = 1e-4, .backward_ulp = 4},
+         .codomain = {0, most_samples},
+         .promised = make_predicate<Gather>(usual_gather),
+         .scenarios = depth_scenarios(prototype)}));
+}
+
 }  // namespace
 
 void append_gathers(Entries& entries) {
@@ -173,6 +238,7 @@ void append_gathers(Entries& entries) {
     append_hemisphere(entries);
     append_tap_pixel(entries);
     append_disc(entries);
+    append_pairs(entries);
 }
 
 }  // namespace gloam::catalogue

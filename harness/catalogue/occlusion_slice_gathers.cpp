@@ -45,7 +45,8 @@ void append_into_slice(Entries& entries) {
          .promised =
              make_predicate<Signature>([](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& n) {
                  const double turned = glm::dot(a, n);
-                 return moderate(1e-9, 4, v, a, n) && !(turned * turned > 0.9);
+                 const bool unit = glm::dot(a, a) < 1.001 && glm::dot(n, n) < 1.001;
+                 return moderate(1e-9, 4, v, a, n) && unit && !(turned * turned > 0.9);
              })}));
 }
 

@@ -74,6 +74,7 @@ scene::GBuffer wall(gpu::Extent extent, float depth) {
 
 TEST_F(Effect, AnOpenPlaneIsOpen) {
     for (const MethodInfo& method : methods()) {
+        SCOPED_TRACE(method.name);
         const Settings settings = with_method(settings_for(1.0F), method.name);
         for (const bool normals : {true, false}) {
             scene::GBuffer view = wall({64, 48}, 3.0F);

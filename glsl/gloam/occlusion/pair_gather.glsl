@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_PAIR_GATHER_GLSL
+#define GLOAM_OCCLUSION_PAIR_GATHER_GLSL
+
+#include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/height_at.glsl"
+#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/method_parameters.glsl"
+#include "gloam/sampling/halton_disc.glsl"
+
+// Methods that look at two opposite surface points at a time (CS-I, CS-P): where one of them tells nothing, the other stands for
+// both. The loop over the pairs; a method says what a pair contributes.
+
+// Defined by the user: eye-linear depth of a pixel inside the image, in world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Two opposite taps as a method sees them. The surface seen at a tap is moved along the tangent plane to the place that was aimed at, on the
+// line along the view vector: opposite taps of a bare plane are then opposite at any tilt, and at the border of the image.
+struct GloamPair {
+    vec2 point;     // of the first tap in the unit disc, y as in view space; the second is opposite
+    vec2 heights;   // of the surface at both taps over the disc parallel to the image, towards the eye, world units
+    vec3 first;     // from the shaded point to the surface seen there, view space, world units
+    vec3 second;    // likewise of the opposite tap
+    vec3 view;      // from the shaded point to the eye, unit
+    vec3 normal;    // of the shaded point, unit
+};
+
+// Defined by the method: what a pair contributes.
+// Returns (occlusion times weight, weight).
+vec2 gloam_method_pair_occlusion(GloamPair pair, GloamKernel kernel, GloamMethod method);
+
+// Background counts as a surface this many radii behind the shaded point.
+const float gloam_pair_far = 1e4;
+
+// From the shaded point to the surface seen at a pixel.
+// position: of the shaded point, view space, world units. at: inside the image. radius: world units.
+// Returns the offset in world units; the zero vector where it is not finite. Error: 4e-6, growing as the point comes nearer than a thousandth of the depth.
+vec3 gloam_pair_offset(vec3 position, ivec2 at, GloamCamera camera, float radius) {
+    float depth = gloam_fetch_depth(at);
+    float farthest = -position.z + gloam_pair_far * radius;
+    vec3 offset = gloam_camera_position(at, gloam_is_background(depth) ? farthest : depth, camera) - position;
+    return gloam_is_finite3(offset) ? offset : vec3(0.0);
+}
+
+// All samples of one pixel in one frame; an odd number is taken as the even one above it.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns (sum, kernel.count) for gloam_estimator_mean; 0 where no pair tells anything; outside the image the nearest pixel counts.
+// (0, 0) where there is nothing to gather: background, no normal, no radius. Error: that of the contributions, but for taps within
+// rounding of a pixel's border.
+vec2 gloam_pair_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
+    if (!gloam_can_gather(position, normal, kernel.radius)) return vec2(0.0);
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec2 center = gloam_camera_uv(position, camera);
+    vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
+    vec3 ahead = vec3(0.0, 0.0, 1.0);
+    vec3 view = camera.orthographic ? ahead : gloam_safe_normalize(-position, ahead);
+    vec2 upright = vec2(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0);
+    vec2 weighted = vec2(0.0);
+    for (uint i = 0u; i < kernel.count; i += 2u) {
+        vec2 point = gloam_halton_disc((kernel.first + i) / 2u + 1u, kernel.angle);
+        ivec2 first = gloam_nearest_pixel(center + reach * point, camera.size);
+        ivec2 second = gloam_nearest_pixel(center - reach * point, camera.size);
+        vec3 aim = vec3(kernel.radius * point * upright, 0.0);
+        vec3 one = gloam_pair_offset(position, first, camera, kernel.radius);
+        vec3 other = gloam_pair_offset(position, second, camera, kernel.radius);
+        vec2 heights = vec2(gloam_height_at(one, aim, view, n), gloam_height_at(other, -aim, view, n));
+        GloamPair pair = GloamPair(point * upright, heights, aim + heights.x * view, heights.y * view - aim, view, n);
+        weighted += gloam_method_pair_occlusion(pair, kernel, method);
+    }
+    return gloam_estimator_of_weighted(weighted, kernel.count);
+}
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_VOLUMETRIC_GLSL
+#define GLOAM_METHODS_VOLUMETRIC_GLSL
+
+#include "gloam/occlusion/pair_gather.glsl"
+#include "gloam/occlusion/volumetric.glsl"
+
+// Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid share of a ball around the point. A plane reads 1/2, which
+// the remap's a = 0.5 undoes.
+
+// A chord that is solid by less than this lies under another object, as the published shader has it.
+const float gloam_least_solid = 0.35;
+
+vec2 gloam_method_pair_occlusion(GloamPair pair, GloamKernel kernel, GloamMethod method) {
+    float half_height = gloam_chord_half_height(pair.point, kernel.radius);
+    float first = gloam_line_occlusion(pair.heights.x, half_height);
+    float second = gloam_line_occlusion(pair.heights.y, half_height);
+    vec2 solid = gloam_line_pair(vec2(first, second), gloam_least_solid, 1.0);
+    return half_height * vec2(solid.x + solid.y, 2.0);
+}
+
+vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
+    return gloam_pair_gather(position, normal, camera, kernel, method);
+}
+
+#endif
