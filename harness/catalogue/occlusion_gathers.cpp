@@ -202,7 +202,7 @@ void append_pairs(Entries& entries) {
          .source = "definition"},
         GLOAM_REFERENCE(gloam_height_at),
         {.domain = {offset, offset, unit_vector(3).and_special(), unit_vector(3).and_special()},
-         .budget = {.absolute = 1e-4},
+         .budget = {.absolute = 2e-4},
          .codomain = {-3.5e38, 3.5e38},
          .promised = make_predicate<Height>(
              [](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& view, const glm::dvec3& n) {

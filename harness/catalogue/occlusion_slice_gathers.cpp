@@ -40,7 +40,7 @@ void append_into_slice(Entries& entries) {
          .source = "definition"},
         GLOAM_REFERENCE(gloam_into_slice),
         {.domain = {offsets, units, units},
-         .budget = {.absolute = 1e-5},
+         .budget = {.absolute = 2e-5},
          .codomain = {-3.5e38, 3.5e38},
          .promised =
              make_predicate<Signature>([](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& n) {
