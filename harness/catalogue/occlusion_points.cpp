@@ -135,7 +135,7 @@ void append_issao_contributions(Entries& entries) {
         GLOAM_REFERENCE(gloam_contribution_issao_attenuated),
         {.domain = {offsets(), normals(), lengths(), log_uniform(0.1, 1).and_special(),
                     log_uniform(0.2, 2).and_special()},
-         .budget = {.absolute = 2e-6, .backward_ulp = 4},
+         .budget = {.absolute = 6e-7, .backward_ulp = 4},
          .codomain = {0, float_max},
          .promised =
              make_predicate<Attenuated>([](glm::dvec3 v, glm::dvec3 n, double radius, double phi, double mu) {
@@ -249,7 +249,7 @@ void append_covering_radii(Entries& entries) {
                                               .promised = usual}));
     };
     append("ISSAO-P-parallel", "gloam_covering_radius_parallel", "image of a disc parallel to the screen",
-           "R / d", GLOAM_REFERENCE(gloam_covering_radius_parallel), {.ulp = 2.5});
+           "R / d", GLOAM_REFERENCE(gloam_covering_radius_parallel), {.ulp = 1});
     append("ISSAO-P", "gloam_covering_radius_perpendicular",
            "circle that covers the image of a disc across the view ray", "R / (cos t (d - R sin t))",
            GLOAM_REFERENCE(gloam_covering_radius_perpendicular), {.ulp = 8});

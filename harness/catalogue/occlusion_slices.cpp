@@ -70,7 +70,7 @@ void append_slices(Entries& entries) {
          .source = gtao_source},
         GLOAM_REFERENCE(gloam_slice),
         {.domain = {unit_vector(2), view, unit_vector(3).and_special()},
-         .budget = {.absolute = 2e-6},
+         .budget = {.absolute = 6e-7},
          .promised = make_predicate<Make>([](glm::dvec2 d, glm::dvec3 v, glm::dvec3 n) {
              const glm::dvec3 along(d, 0.0);
              const glm::dvec3 across = along - glm::dot(along, v) * v;

@@ -11,7 +11,7 @@
 
 // Disc parallel to the screen: R / d. Its image is a circle, whatever the paper says of an ellipse.
 // position: centre of the disc, view space, world units. radius: R, world units, >= 0. largest: upper bound of the result, >= 0.
-// Returns a radius in [0, largest]; 0 for a position behind the eye or not finite and for R not positive or NaN. Error: 2.5 ULP.
+// Returns a radius in [0, largest]; 0 for a position behind the eye or not finite and for R not positive or NaN. Error: 1 ULP.
 float gloam_covering_radius_parallel(vec3 position, float radius, float largest) {
     if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > 0.0 && largest > 0.0)) return 0.0;
     float depth = clamp(-position.z, 1.175494351e-38, 8.507059173e37);
@@ -24,7 +24,8 @@ float gloam_covering_radius_parallel(vec3 position, float radius, float largest)
 // position: centre of the disc, view space, world units, |position| within [1e-12, 1e12]. radius: R, world units, >= 0.
 // largest: upper bound of the result, >= 0: the screen's diagonal.
 // Returns a radius in [0, largest]; largest where the disc reaches the plane of the eye; 0 for a position behind the eye or not finite and
-// for R not positive or NaN. Error: 6 ULP and what the subtraction loses, within 4 ULP of the arguments.
+// for R not positive or NaN. Error: 8 ULP where R sin t is at most half of
+// d; what the subtraction loses beyond.
 float gloam_covering_radius_perpendicular(vec3 position, float radius, float largest) {
     if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > 0.0 && largest > 0.0)) return 0.0;
     float depth = -position.z;

@@ -11,7 +11,7 @@
 // offset: v = s - p, view space, world units. normal: n, unit vector, same space. bias: world units, >= 0, constant or of gloam_depth_bias.
 // epsilon: world units squared, >= 0: bounds what a touching point counts.
 // Returns a contribution in 1 / world units, >= 0, for gloam_visibility_alchemy. 0 in and below the tangent plane raised by the bias, for
-// v = 0, for v . v + epsilon outside [2^-126, 2^126], and for NaN in any argument. Error: 3e-7 / |v|.
+// v = 0, for v . v + epsilon outside [2^-126, 2^126], and for NaN in any argument. Error: 3e-7 / |v| (3e-6 from |v| = 0.1 on).
 float gloam_contribution_alchemy(vec3 offset, vec3 normal, float bias, float epsilon) {
     float above = dot(offset, normal) - bias;
     float denominator = dot(offset, offset) + epsilon;

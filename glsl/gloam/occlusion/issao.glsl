@@ -23,7 +23,7 @@ float gloam_issao_attenuation(float hit_distance, float phi, float mu) {
 // Contribution of a direction (the integrand of ISSAO-4): Q(|v|) max(v . n / |v|, 0), 0 from the radius on.
 // offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi, mu: see gloam_issao_attenuation.
 // Returns a contribution in [0, phi / mu], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v| >= R and NaN.
-// Error: 5e-7 of phi / mu.
+// Error: 2e-7 of phi / mu; a point within 4 ULP of the radius may fall to either side.
 float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius, float phi, float mu) {
     float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
     if (!(reach < radius)) return 0.0;
