@@ -32,14 +32,14 @@ struct GloamPair {
 vec2 gloam_method_pair_occlusion(GloamPair pair, GloamKernel kernel, GloamMethod method);
 
 // Background counts as a surface this many radii behind the shaded point.
-const float gloam_pair_far = 1e4;
+const float GLOAM_PAIR_FAR = 1e4;
 
 // From the shaded point to the surface seen at a pixel.
 // position: of the shaded point, view space, world units. at: inside the image. radius: world units.
 // Returns the offset in world units; the zero vector where it is not finite. Error: 4e-6, growing as the point comes nearer than a thousandth of the depth.
 vec3 gloam_pair_offset(vec3 position, ivec2 at, GloamCamera camera, float radius) {
     float depth = gloam_fetch_depth(at);
-    float farthest = -position.z + gloam_pair_far * radius;
+    float farthest = -position.z + GLOAM_PAIR_FAR * radius;
     vec3 offset = gloam_camera_position(at, gloam_is_background(depth) ? farthest : depth, camera) - position;
     return gloam_is_finite3(offset) ? offset : vec3(0.0);
 }

@@ -5,7 +5,7 @@
 #include "gloam/sampling/depth_mip.glsl"
 
 // The last level of the depth chain that taps read.
-const int gloam_last_tap_level = 5;
+const int GLOAM_LAST_TAP_LEVEL = 5;
 
 // Pixel whose depth a tap reads (SAO): far from the shaded point that of the depth chain's texel, which holds the depth of one pixel
 // of the full image.
@@ -14,7 +14,7 @@ const int gloam_last_tap_level = 5;
 // Returns a pixel of the full image. Error: none.
 ivec2 gloam_tap_pixel(ivec2 at, ivec2 center, ivec2 size, float mip_distance) {
     ivec2 apart = abs(at - center);
-    int level = gloam_depth_mip_level(float(max(apart.x, apart.y)), mip_distance, gloam_last_tap_level);
+    int level = gloam_depth_mip_level(float(max(apart.x, apart.y)), mip_distance, GLOAM_LAST_TAP_LEVEL);
     return level == 0 ? at : gloam_depth_mip_source(gloam_depth_mip_pixel(at, size, level), size, level);
 }
 

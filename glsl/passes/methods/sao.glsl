@@ -11,12 +11,12 @@
 // read from a depth chain (mip_distance 16). Each frame turns the spiral by another angle.
 // Reads epsilon, mip_distance and intensity: sigma as a share of the radius, which the paper has at 1 m.
 
-const int gloam_sao_turns = 7;
+const int GLOAM_SAO_TURNS = 7;
 
 vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel) {
     uint frame = kernel.first / max(kernel.count, 1u);
     float turn = 6.283185307 * gloam_radical_inverse_base2(frame);
-    return gloam_spiral_tap(int(i), int(kernel.count), gloam_sao_turns, kernel.angle + turn);
+    return gloam_spiral_tap(int(i), int(kernel.count), GLOAM_SAO_TURNS, kernel.angle + turn);
 }
 
 float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method) {

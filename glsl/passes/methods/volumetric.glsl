@@ -9,13 +9,13 @@
 // the remap's a = 0.5 undoes.
 
 // A chord that is solid by less than this lies under another object, as the published shader has it.
-const float gloam_least_solid = 0.35;
+const float GLOAM_LEAST_SOLID = 0.35;
 
 vec2 gloam_method_pair_occlusion(GloamPair pair, GloamKernel kernel, GloamMethod method) {
     float half_height = gloam_chord_half_height(pair.point, kernel.radius);
     float first = gloam_line_occlusion(pair.heights.x, half_height);
     float second = gloam_line_occlusion(pair.heights.y, half_height);
-    vec2 solid = gloam_line_pair(vec2(first, second), gloam_least_solid, 1.0);
+    vec2 solid = gloam_line_pair(vec2(first, second), GLOAM_LEAST_SOLID, 1.0);
     return half_height * vec2(solid.x + solid.y, 2.0);
 }
 
