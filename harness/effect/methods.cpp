@@ -8,15 +8,16 @@
 namespace gloam::effect {
 namespace {
 
-// The study's values at its radius of 10: sigma 2, bias 1, epsilon^2 1e-5.
+// An intensity that comes near the occlusion; the published values are presets.
 void alchemy(Settings& s) {
-    s.intensity = 0.2F;
-    s.bias = 0.1F;
+    s.intensity = 0.4F;
+    s.bias = 0.005F;
     s.epsilon = 3.2e-4F;
 }
 
+// The paper's lengths at its radius of 1 m, but for its intensity of 1, which is too dark for one radius.
 void sao(Settings& s) {
-    s.intensity = 1.0F;
+    s.intensity = 0.3F;
     s.bias = 0.01F;
     s.epsilon = 0.1F;
     s.mip_distance = 16.0F;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "effect/presets.hpp"
 
+#include "effect/internal/method_presets.hpp"
 #include "effect/internal/named.hpp"
 
 namespace gloam::effect {
@@ -29,9 +30,13 @@ Settings quality() {
 }  // namespace
 
 std::vector<Preset> presets() {
-    return {{"paper", "the TSSAO paper's table 1: 32 samples a frame, 500 in the mean", paper()},
-            {"fast", "8 samples a frame, 500 in the mean", fast()},
-            {"quality", "128 samples a frame, 1500 in the mean", quality()}};
+    std::vector<Preset> all{
+        {"paper", "the TSSAO paper's table 1: 32 samples a frame, 500 in the mean", paper()},
+        {"fast", "8 samples a frame, 500 in the mean", fast()},
+        {"quality", "128 samples a frame, 1500 in the mean", quality()}};
+    const std::vector<Preset> of_methods = method_presets();
+    all.insert(all.end(), of_methods.begin(), of_methods.end());
+    return all;
 }
 
 Preset preset_named(std::string_view name) {

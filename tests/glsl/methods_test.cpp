@@ -147,7 +147,7 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
                                                     {"alchemy", 0.793515 * sigma}};
     const auto expected = closed_form.find(GetParam());
     const Method method{.epsilon = GetParam() == "alchemy" ? 1e-3F : 0.05F,
-                        .intensity = GetParam() == "alchemy" ? static_cast<float>(sigma) : 1.0F};
+                        .intensity = GetParam() == "hbao" ? 1.0F : static_cast<float>(sigma)};
     const double measured = mean(image, glm::vec3(0, 0, -5), camera, 1.0F, method);
     RecordProperty("groove", std::to_string(measured));
     if (expected == closed_form.end()) {

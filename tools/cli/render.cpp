@@ -222,7 +222,7 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_effect_options(CLI::App& command, RenderOptions& options) {
-    command.add_option("--method", options.method, "gloam list methods")->capture_default_str();
+    command.add_option("--method", options.method, "gloam list methods (default: the preset's)");
     command.add_option("--preset", options.preset, "gloam list presets")->capture_default_str();
     command
         .add_option("--samples", options.samples,

@@ -29,7 +29,9 @@ void apply(effect::Settings& settings, const std::string& assignment) {
 }  // namespace
 
 effect::Settings settings_for(const RenderOptions& options, const std::optional<double>& view_radius) {
-    effect::Settings settings = with_method(effect::preset_named(options.preset).settings, options.method);
+    effect::Settings settings = effect::preset_named(options.preset).settings;
+    if (!options.method.empty() && options.method != settings.method)
+        settings = with_method(settings, options.method);
     if (!options.radius && !view_radius) {
         throw std::invalid_argument("no radius: the G-buffer has no ao_radius, so give --radius");
     }

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/method_presets.hpp"
+#include "effect/methods.hpp"
+
+namespace gloam::effect {
+namespace {
+
+Settings configuration(const char* method, std::uint32_t samples) {
+    Settings settings = with_method(Settings{}, method);
+    settings.samples = samples;
+    settings.samples_converged = samples;
+    return settings;
+}
+
+// The study's values at its radius of 10: sigma 2, bias 1, epsilon^2 1e-5.
+Settings study_alchemy(std::uint32_t samples) {
+    Settings settings = configuration("alchemy", samples);
+    settings.intensity = 0.2F;
+    settings.bias = 0.1F;
+    settings.epsilon = 3.2e-4F;
+    return settings;
+}
+
+Settings slices(const char* method, std::uint32_t count, std::uint32_t steps) {
+    Settings settings = configuration(method, 2 * count * steps);
+    settings.steps = steps;
+    return settings;
+}
+
+// Lengths of a figure of the ISSAO paper, with the radius they go with.
+struct Figure {
+    float radius;
+    float phi;
+    float psi;
+    float lambda;
+    float sigma_root;
+};
+
+Settings issao(const Figure& figure) {
+    Settings settings = configuration("issao", 12);
+    settings.intensity = figure.lambda * figure.phi / figure.radius;
+    settings.bias = figure.psi / figure.radius;
+    settings.epsilon = figure.sigma_root / figure.radius;
+    return settings;
+}
+
+}  // namespace
+
+std::vector<Preset> method_presets() {
+    return {
+        {"crytek-performance", "the comparative study's: 24 samples", configuration("crytek", 24)},
+        {"crytek-quality", "the study's: 200 samples", configuration("crytek", 200)},
+        {"filion-performance", "the study's: 15 samples", configuration("filion", 15)},
+        {"filion-quality", "the study's: 80 samples", configuration("filion", 80)},
+        {"hbao-performance", "the study's: 8 directions of 6 steps", slices("hbao", 4, 6)},
+        {"hbao-quality", "16 directions of 6 steps", slices("hbao", 8, 6)},
+        {"volumetric-performance", "6 pairs of lines", configuration("volumetric", 12)},
+        {"volumetric-quality", "the study's: 32 pairs of lines", configuration("volumetric", 64)},
+        {"alchemy-performance", "the Alchemy paper's 12 samples, the study's lengths", study_alchemy(12)},
+        {"alchemy-quality", "the study's: 64 samples", study_alchemy(64)},
+        {"angle-performance", "the study's: 6 pairs", configuration("angle", 12)},
+        {"angle-quality", "the study's: 32 pairs", configuration("angle", 64)},
+        {"sao-performance", "the SAO paper's 9 samples", configuration("sao", 9)},
+        {"sao-quality", "11 samples", configuration("sao", 11)},
+        {"issao-figure3", "the ISSAO paper's figure 3: 12 samples",
+         issao({1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F})},
+        {"issao-figure4", "its figure 4", issao({1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F})},
+        {"issao-figure5", "its figure 5", issao({2.20F, 0.55F, 0.018F, 1.00F, 0.0122474F})},
+        {"gtao-performance", "1 slice of 2 steps to each side", slices("gtao", 1, 2)},
+        {"gtao-quality", "9 slices of 3 steps to each side", slices("gtao", 9, 3)},
+        {"bitmask-performance", "1 slice of 2 steps to each side", slices("bitmask", 1, 2)},
+        {"bitmask-quality", "9 slices of 3 steps to each side", slices("bitmask", 9, 3)},
+    };
+}
+
+}  // namespace gloam::effect
