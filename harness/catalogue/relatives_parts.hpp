@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <glm/glm.hpp>
+
 #include "catalogue/entry.hpp"
 
 // The equations of the relatives of the study's methods; each belongs to the room that its name begins with.
 namespace gloam::catalogue {
+
+// Whether a vector has length 1, as normals have of which an accuracy is promised.
+[[nodiscard]] inline bool is_unit(const glm::dvec3& n) {
+    return std::abs(glm::length(n) - 1.0) <= 1e-6;
+}
 
 void append_sampling_levels(Entries& entries);     // depth mip chain, samples by distance
 void append_geometry_lengths(Entries& entries);    // length of any vector, cap on a projected radius

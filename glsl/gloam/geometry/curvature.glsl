@@ -10,7 +10,7 @@
 // lengths in [1e-9, 1e9]. normal_x, normal_y: changes of the unit normal over the same pixels.
 // Returns (k_1, k_2), 1 / world units, the larger first; positive where the surface is concave: 1 / r on the inside of a ball of
 // radius r, -1 / r on its outside. (0, 0) where the changes of the position are zero or parallel within 1e-4, and for what is not
-// finite. Error: 1e-6 of the change of the normal over that of the position, for changes of like length more than 30 degrees
+// finite. Error: 1e-6 of the change of the normal over that of the position, for changes of like length more than 53 degrees
 // apart; more as they come nearer to parallel.
 vec2 gloam_principal_curvatures(vec3 position_x, vec3 position_y, vec3 normal_x, vec3 normal_y) {
     float e = dot(position_x, position_x);

@@ -13,7 +13,7 @@
 // Contribution of the surface point under a tap, at one level: (1 - min(1, (d / d_max)^2)) max(n . v / |v|, 0), d = |v|.
 // offset: v = s - p, world units, any space. normal: n, unit vector, same space. radius: d_max, world units, > 0.
 // Returns a contribution in [0, 1]; 0 for v = 0, below the tangent plane, at and beyond the radius, for a radius not positive, subnormal
-// or NaN, and for what is not finite. Error: 1e-6, for radii of 1e-30 or more.
+// or NaN, and for what is not finite. Error: 7e-7, for radii of 1e-30 or more.
 float gloam_contribution_mssao(vec3 offset, vec3 normal, float radius) {
     return gloam_falloff_quadratic(gloam_length(offset), radius) * gloam_sample_cosine(offset, normal);
 }

@@ -21,7 +21,7 @@ float gloam_sao_window(float squared_distance, float radius) {
 
 // Height of the surface point over the tangent plane, less the bias: max(v . n - bias, 0).
 // offset: v, world units. normal: n, unit vector, same space. bias: world units, 0.01 m.
-// Returns a height >= 0 in world units; 0 where it is not finite. Error: 3e-7 of |v|.
+// Returns a height >= 0 in world units; 0 where it is not finite. Error: 5e-7 for |v| up to 3.
 float gloam_sao_height(vec3 offset, vec3 normal, float bias) {
     float height = dot(offset, normal) - bias;
     return height > 0.0 && height <= 3.402823466e38 ? height : 0.0;
@@ -42,7 +42,7 @@ float gloam_sao_quotient(float height, float squared_distance, float epsilon) {
 // offset: v, world units. normal: n, unit vector, same space. radius: r, world units, in [1.1e-19, 9.2e18]: 1 m. bias: world units,
 // 0.01 m. epsilon: world units squared, > 0: 0.01 m^2.
 // Returns a contribution >= 0 in 1 / world units; 0 for v = 0, at and beyond the radius, below the plane raised by the bias, and for
-// what is not finite. Error: 4e-6 for an epsilon of 1e-3 or more.
+// what is not finite. Error: 3e-6 for an epsilon of 0.01 or more.
 float gloam_contribution_sao(vec3 offset, vec3 normal, float radius, float bias, float epsilon) {
     float vv = dot(offset, offset);
     float window = gloam_sao_window(vv, radius);
@@ -52,7 +52,7 @@ float gloam_contribution_sao(vec3 offset, vec3 normal, float radius, float bias,
 
 // Alternative A, of the paper: 0.6 max(v . n - bias, 0) / (v^2 + epsilon), for |v| < r: no falloff.
 // offset, normal, radius, bias, epsilon: as for gloam_contribution_sao.
-// Returns a contribution >= 0 in 1 / world units; 0 as there. Error: 2e-6 for an epsilon of 1e-3 or more, but for points within
+// Returns a contribution >= 0 in 1 / world units; 0 as there. Error: 1.2e-6 for an epsilon of 0.01 or more, but for points within
 // rounding of the radius.
 float gloam_contribution_sao_paper(vec3 offset, vec3 normal, float radius, float bias, float epsilon) {
     float vv = dot(offset, offset);
@@ -62,7 +62,7 @@ float gloam_contribution_sao_paper(vec3 offset, vec3 normal, float radius, float
 
 // Alternative C, medium contrast, no epsilon: 4 (1 - v^2 / r^2) max(v . n - bias, 0) / r^2, for |v| < r.
 // offset, normal, radius, bias: as for gloam_contribution_sao.
-// Returns a contribution >= 0 in 1 / world units, at most 1.54 / r; 0 as there. Error: 1e-6 for radii of 0.5 or more.
+// Returns a contribution >= 0 in 1 / world units, at most 1.54 / r; 0 as there. Error: 1.4e-6 for radii of 0.5 or more.
 float gloam_contribution_sao_medium(vec3 offset, vec3 normal, float radius, float bias) {
     float window = gloam_sao_window(dot(offset, offset), radius);
     return window > 0.0 ? 4.0 * window * gloam_sao_height(offset, normal, bias) / (radius * radius) : 0.0;

@@ -25,7 +25,7 @@ float gloam_sphere_fraction(float radius, float distance_to) {
 // Contribution of a ball by its solid angle: (1 - sqrt(1 - (r / D)^2)) max(n . v / D, 0), D = |v|.
 // offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, > 0.
 // Returns a contribution in [0, 1]; 1 for a point inside the ball, 0 for a centre below the tangent plane, for an r not positive and for
-// what is not finite. Error: 8e-7, but within rounding of D = r.
+// what is not finite. Error: 8e-7 for D > 1.05 r; nearer to the ball the square root magnifies the error of D.
 float gloam_contribution_sphere(vec3 offset, vec3 normal, float radius) {
     if (!gloam_is_finite3(offset)) return 0.0;
     float reach = gloam_length(offset);
@@ -35,7 +35,7 @@ float gloam_contribution_sphere(vec3 offset, vec3 normal, float radius) {
 
 // Contribution of a ball, cosine-weighted: (r / D)^2 max(n . v / D, 0). The exact occlusion of a ball that lies above the tangent plane.
 // offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, > 0.
-// Returns a contribution in [0, 1]; 1 and 0 as gloam_contribution_sphere. Error: 8e-7, but within rounding of D = r.
+// Returns a contribution in [0, 1]; 1 and 0 as gloam_contribution_sphere. Error: 5e-7, but within rounding of D = r.
 float gloam_contribution_sphere_cosine(vec3 offset, vec3 normal, float radius) {
     if (!(gloam_is_finite3(offset) && radius > 0.0)) return 0.0;
     float reach = gloam_length(offset);

@@ -30,7 +30,7 @@ vec3 gloam_ssdo_direct(vec3 direction, vec3 normal, vec3 radiance, float visibil
 // surface, unit vector. radiance: L, that it sends. radius: R, world units, > 0. least_distance: d_min, world units, > 0 (1 in print).
 // visibility: V in [0, 1] of the sample; outside, the nearer end; 0 for NaN.
 // Returns a term >= 0 in the unit of L, at most 1024^2 L: R / max(d, d_min) is taken to at most 1024. 0 for d = 0, where either surface faces
-// away, for a radius or least distance that is not in [2^-126, 2^126], and for what is not finite. Error: 2e-7 of L (R / max(d, d_min))^2.
+// away, for a radius or least distance that is not in [2^-126, 2^126], and for what is not finite. Error: 6e-7 of L (R / max(d, d_min))^2.
 vec3 gloam_ssdo_bounce(vec3 offset, vec3 normal, vec3 sender_normal, vec3 radiance, float radius, float least_distance, float visibility) {
     float reach = max(gloam_length(offset), least_distance);
     bool sized = radius >= 1.175494351e-38 && least_distance >= 1.175494351e-38 && reach <= 8.507059173e37;
