@@ -51,7 +51,6 @@ std::vector<ImageScenario> surfaces() {
 }
 
 void append_bilateral(Entries& entries) {
-    constexpr const char* file = "gloam/filter/bilateral.glsl";
     constexpr const char* source = "ISSAO, eq 7; Tomasi and Manduchi 1998";
     const Values pixels = either(uniform(0.5, 4), log_uniform(1e-30, 1e30)).and_special();
     const Values lengths = either(log_uniform(0.01, 2), log_uniform(1e-30, 1e30)).and_special();
@@ -71,6 +70,11 @@ void append_bilateral(Entries& entries) {
              [](glm::dvec2, double difference, double, double) {
                  return moderate(1e-15, 1e15, difference);
              })}));
+}
+
+void append_bilateral_mean(Entries& entries) {
+    constexpr const char* file = "gloam/filter/bilateral.glsl";
+    constexpr const char* source = "ISSAO, eq 7; Tomasi and Manduchi 1998";
     using Mean = reference::GloamWeightedMean<float>;
     using Tap = Mean(Mean, glm::ivec2, float, glm::ivec2, glm::ivec2, float, float);
     const Values sigma_d = uniform(0.5, 4).and_special();
@@ -193,6 +197,7 @@ void append_geometry_blur(Entries& entries) {
 
 void append_edge_aware(Entries& entries) {
     append_bilateral(entries);
+    append_bilateral_mean(entries);
     append_geometry_weight(entries);
     append_geometry_blur(entries);
 }

@@ -147,6 +147,20 @@ void append_estimator(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), eqs 2 and 4"},
         GLOAM_REFERENCE(gloam_estimator_add),
         {.domain = {count, either(uniform(0, 2), any_float()).and_special()}, .budget = {.ulp = 0.5}}));
+    entries.push_back(equation<float(glm::vec2)>({.id = "TSSAO-2",
+                                                  .function = "gloam_estimator_mean",
+                                                  .file = file,
+                                                  .title = "mean of the contributions",
+                                                  .formula = "AO = (1 / n) sum of C(p, s_i)",
+                                                  .source = "TSSAO (Mattausch et al.), eqs 2 and 4"},
+                                                 GLOAM_REFERENCE(gloam_estimator_mean),
+                                                 {.domain = {count.and_value(glm::vec2(0)).and_special()},
+                                                  .budget = {.ulp = 0.5},
+                                                  .codomain = {0, 1}}));
+}
+
+void append_weighted_mean(Entries& entries) {
+    constexpr const char* file = "gloam/occlusion/estimator.glsl";
     const Values weighted = either(vector(2, uniform(0, 4)), vector(2, log_uniform(1e-36, 1e38)))
                                 .and_value(glm::vec2(0))
                                 .and_special();
@@ -170,16 +184,6 @@ void append_estimator(Entries& entries) {
                                                  {.domain = {weighted, integers(0, 4096)},
                                                   .budget = {.ulp = 1.5, .absolute = 1e-41},
                                                   .codomain = {0, 4096}}));
-    entries.push_back(equation<float(glm::vec2)>({.id = "TSSAO-2",
-                                                  .function = "gloam_estimator_mean",
-                                                  .file = file,
-                                                  .title = "mean of the contributions",
-                                                  .formula = "AO = (1 / n) sum of C(p, s_i)",
-                                                  .source = "TSSAO (Mattausch et al.), eqs 2 and 4"},
-                                                 GLOAM_REFERENCE(gloam_estimator_mean),
-                                                 {.domain = {count.and_value(glm::vec2(0)).and_special()},
-                                                  .budget = {.ulp = 0.5},
-                                                  .codomain = {0, 1}}));
 }
 
 }  // namespace
@@ -189,6 +193,7 @@ void append_contributions(Entries& entries) {
     append_ritschel(entries);
     append_fox_compton(entries);
     append_estimator(entries);
+    append_weighted_mean(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -169,7 +169,6 @@ void append_disc(Entries& entries) {
 
 void append_pairs(Entries& entries) {
     using Offset = glm::vec3(glm::vec3, glm::ivec2, Camera, float);
-    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
     constexpr const char* file = "passes/methods/volumetric.glsl";
     entries.push_back(equation<Offset>(
         {.id = "PAIR-offset",
@@ -209,6 +208,11 @@ void append_pairs(Entries& entries) {
                  return moderate(1e-9, 8, v, a) && moderate(1e-9, 1, view, n) && glm::dot(view, n) > 0.03 &&
                         !(glm::dot(v, v) + glm::dot(a, a) > 1e4);
              })}));
+}
+
+void append_pair_gather(Entries& entries) {
+    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
+    constexpr const char* file = "passes/methods/volumetric.glsl";
     entries.push_back(equation<Gather>(
         {.id = "CS-I-gather",
          .function = "gloam_pair_gather",
@@ -239,6 +243,7 @@ void append_gathers(Entries& entries) {
     append_tap_pixel(entries);
     append_disc(entries);
     append_pairs(entries);
+    append_pair_gather(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -56,6 +56,9 @@ void append_tangents(Entries& entries) {
              {either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_near({1e6, -1e6}).and_special()},
          .budget = {.absolute = 2e-7},
          .codomain = {-1, 1}}));
+}
+
+void append_tangent_elevation(Entries& entries) {
     using Elevation = float(glm::vec3, glm::vec2);
     entries.push_back(
         equation<Elevation>({.id = "CS-C-tangent",
@@ -102,6 +105,9 @@ void append_hbao_march(Entries& entries) {
                         .promised = make_predicate<Step>([](glm::dvec2, glm::dvec3 v, double radius) {
                             return moderate(1e-9, 1e9, v) && moderate(1e-9, 1e9, radius);
                         })}));
+}
+
+void append_hbao_step_size(Entries& entries) {
     using Size = glm::vec2(float, float, float, float);
     entries.push_back(equation<Size>(
         {.id = "CS-C-steps",
@@ -140,6 +146,9 @@ void append_hbao_results(Entries& entries) {
                                                                    double contrast) {
              return moderate(1e-9, 4, occlusion, contrast) && !(std::abs(bias) > 0.8 && std::abs(bias) < 1.6);
          })}));
+}
+
+void append_hbao_simplified(Entries& entries) {
     using Contribution = float(glm::vec3, glm::vec3, float, float);
     entries.push_back(equation<Contribution>(
         {.id = "CS-C-simplified",
@@ -180,8 +189,11 @@ void append_hbao_results(Entries& entries) {
 
 void append_horizons(Entries& entries) {
     append_tangents(entries);
+    append_tangent_elevation(entries);
     append_hbao_march(entries);
+    append_hbao_step_size(entries);
     append_hbao_results(entries);
+    append_hbao_simplified(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -142,6 +142,10 @@ void append_issao_contributions(Entries& entries) {
                  return ordinary(v) && moderate(1e-9, 2, n) && moderate(1e-9, 1e9, radius) && phi <= 1 &&
                         mu >= 0.2;
              })}));
+}
+
+void append_issao_taps(Entries& entries) {
+    constexpr const char* file = "gloam/occlusion/issao.glsl";
     using Contribution = float(glm::vec3, glm::vec3, float, float, float, float);
     entries.push_back(equation<Contribution>(
         {.id = "ISSAO-6",
@@ -211,6 +215,9 @@ void append_issao_samples(Entries& entries) {
                        .tied(0, 1, 0.5),
          .budget = {.backward_ulp = 2},
          .codomain = {0, 64}}));
+}
+
+void append_issao_light(Entries& entries) {
     entries.push_back(equation<glm::vec3(glm::vec3, float)>(
         {.id = "ISSAO-2",
          .function = "gloam_ambient_light",
@@ -315,7 +322,9 @@ void append_points(Entries& entries) {
     append_biases(entries);
     append_alchemy(entries);
     append_issao_contributions(entries);
+    append_issao_taps(entries);
     append_issao_samples(entries);
+    append_issao_light(entries);
     append_covering_radii(entries);
     append_crytek(entries);
     append_filion(entries);

@@ -73,6 +73,9 @@ void append_spheres(Entries& entries) {
                                            .formula = "(r / D)^2 max(n . v / D, 0)",
                                            .source = "derived: exact for a ball above the tangent plane"},
                                           GLOAM_REFERENCE(gloam_contribution_sphere_cosine), check));
+}
+
+void append_horizon_test(Entries& entries) {
     using Above = float(glm::vec3, float);
     entries.push_back(equation<Above>(
         {.id = "CS-H-above",
@@ -184,6 +187,7 @@ void append_sampling_marches(Entries& entries) {
 
 void append_occlusion_proxies(Entries& entries) {
     append_spheres(entries);
+    append_horizon_test(entries);
     append_discs(entries);
     append_poisson(entries);
 }

@@ -184,6 +184,9 @@ void append_angle_pairs(Entries& entries) {
          .promised = make_predicate<Pair>([](glm::dvec3 a, glm::dvec3 b, glm::dvec3 n, glm::dvec3, double) {
              return clear_of_nadir(a, n) && clear_of_nadir(b, n);
          })}));
+}
+
+void append_angle_means(Entries& entries) {
     entries.push_back(equation<glm::vec2(glm::vec2, float, float)>(
         {.id = "CS-P-add",
          .function = "gloam_angle_add",
@@ -264,6 +267,7 @@ void append_volumes(Entries& entries) {
     append_lines(entries);
     append_tangent_sphere(entries);
     append_angle_pairs(entries);
+    append_angle_means(entries);
     append_unreal(entries);
 }
 
