@@ -33,7 +33,7 @@ Values biases() {
     return either(uniform(0, 0.1), constant(0.01F)).and_special();
 }
 Values epsilons() {
-    return either(log_uniform(0.005, 0.1), log_uniform(1e-37, 1e37)).and_special();
+    return either(either(constant(0.01F), log_uniform(0.01, 0.1)), log_uniform(1e-37, 1e37)).and_special();
 }
 
 // Scenes of ordinary size: where the errors are stated.
@@ -136,7 +136,7 @@ void append_divided(Entries& entries, const Contribution& c, const char* source,
          .codomain = {0, most},
          .promised = make_predicate<Signature>([](glm::dvec3 v, glm::dvec3 n, double radius, double bias,
                                                   double epsilon) {
-             return ordinary(radius, v, bias) && is_unit(n) && bias >= 0 && epsilon >= 0.01 && epsilon <= 1;
+             return ordinary(radius, v, bias) && is_unit(n) && bias >= 0 && epsilon >= 0.0099 && epsilon <= 1;
          })}));
 }
 
