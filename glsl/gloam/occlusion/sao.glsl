@@ -98,7 +98,7 @@ float gloam_visibility_sao(vec2 accumulated, float sigma) {
 
 // Visibility from the sum of high-quality contributions: A = max(0, 1 - sqrt(3 sum / count))^power.
 // accumulated: (sum, count) of gloam_contribution_deep. power: contrast, 1.
-// Returns visibility in [0, 1]; 1 for a count outside [1, 2^24], for a power of 0, and for NaN. Error: 3e-6.
+// Returns visibility in [0, 1]; 1 for a count outside [1, 2^24], for a power of 0, and for NaN. Error: 1e-6 for a power of 1 or more.
 float gloam_visibility_deep(vec2 accumulated, float power) {
     if (!(accumulated.y >= 1.0 && accumulated.y <= 16777216.0)) return 1.0;
     return gloam_remap(gloam_visibility(gloam_sqrt(3.0 * (accumulated.x / accumulated.y))), 0.0, 1.0, power);
