@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "cli/bench.hpp"
 #include "cli/check.hpp"
 #include "cli/check/worker.hpp"
 #include "cli/demo.hpp"
@@ -40,6 +41,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_check_worker(app);
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);
+    gloam::cli::add_bench(app, status);
     gloam::cli::add_stress(app, status);
     gloam::cli::add_pack(app);
     try {

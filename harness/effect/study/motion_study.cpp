@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/motion_study.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "effect/internal/work.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled, PixelClass::young,
+                                                            PixelClass::disoccluded, PixelClass::near_moving};
+
+double total_ms(const Frame& frame) {
+    double sum = 0.0;
+    for (const PassTime& time : frame.times) sum += time.ms;
+    return sum;
+}
+
+// One variant on its way through the sequence.
+class Runner {
+  public:
+    Runner(const gpu::Device& device, const scene::PassLibrary& passes, const SequenceFrame& first, Variant variant)
+        : effect_(device, passes, view_for(first, variant).extent), run_{.variant = std::move(variant)} {}
+
+    const Frame& advance(const SequenceFrame& frame, bool second_half) {
+        std::vector<float> before = std::move(last_.filtered);
+        if (before.empty()) {
+            effect_.begin(view_for(frame, run_.variant), run_.variant.settings);
+        } else {
+            effect_.advance(view_for(frame, run_.variant));
+        }
+        last_ = effect_.next();
+        run_.times_ms.push_back(total_ms(last_));
+        if (second_half && frame.history && !before.empty()) add_flicker(frame, before);
+        return last_;
+    }
+
+    void score(Score score) { run_.scores.push_back(std::move(score)); }
+
+    [[nodiscard]] MotionRun finish() && {
+        for (double& value : run_.flicker) value /= std::max(1, flickers_);
+        return std::move(run_);
+    }
+
+  private:
+    static const scene::GBuffer& view_for(const SequenceFrame& frame, const Variant& variant) {
+        return variant.settings.guard > 0.0F ? frame.wide : frame.view;
+    }
+
+    void add_flicker(const SequenceFrame& frame, std::span<const float> before) {
+        ++flickers_;
+        for (const PixelClass which : all_classes) {
+            run_.flicker.at(static_cast<std::size_t>(which)) +=
+                mean_change(*frame.history, last_.filtered, before, mask_of(frame.classes, which));
+        }
+    }
+
+    AmbientOcclusion effect_;
+    MotionRun run_;
+    Frame last_;
+    int flickers_ = 0;
+};
+
+}  // namespace
+
+MotionStudy study_motion(const gpu::Device& device, const scene::PassLibrary& passes,
+                         const std::vector<SequenceFrame>& sequence, const std::vector<Variant>& variants,
+                         const ReferencesOf& references_of, const MotionOptions& options) {
+    MotionStudy study;
+    const gpu::Extent extent = sequence.front().view.extent;
+    const Settings& full = variants.front().settings;
+    std::vector<Runner> runners;
+    for (const Variant& variant : variants) runners.emplace_back(device, passes, sequence.front(), variant);
+    AmbientOcclusion alone(device, passes, extent);
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+        const SequenceFrame& frame = sequence[i];
+        const bool scored = i % static_cast<std::size_t>(options.every) == 0;
+        const References truth = scored ? references_of(static_cast<int>(i), frame) : References{};
+        for (Runner& runner : runners) {
+            const Frame& result = runner.advance(frame, 2 * i >= sequence.size());
+            if (scored) runner.score(score_of(result, truth, frame.classes));
+        }
+        if (scored) {
+            study.frames.push_back(static_cast<int>(i));
+            alone.begin(standing_still(frame.view), full);
+            Frame result = alone.next();
+            study.single.push_back(score_of(result, truth, frame.classes));
+            for (std::size_t again = 0; again < i; ++again) result = alone.next();
+            study.still.push_back(score_of(result, truth, frame.classes));
+        }
+        if (options.progress) options.progress(static_cast<double>(i + 1) / static_cast<double>(sequence.size()));
+    }
+    for (Runner& runner : runners) study.runs.push_back(std::move(runner).finish());
+    return study;
+}
+
+double time_ratio(const MotionRun& run, const MotionRun& base) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < run.times_ms.size() && i < base.times_ms.size(); ++i)
+        ratios.push_back(run.times_ms[i] / base.times_ms[i]);
+    return median(ratios);
+}
+
+Score total(const std::vector<Score>& scores, std::size_t first) {
+    Score sum;
+    for (std::size_t i = first; i < scores.size(); ++i) sum += scores[i];
+    return sum;
+}
+
+}  // namespace gloam::effect
