@@ -39,12 +39,6 @@ layout(push_constant) uniform Parameters {
 
 const uint NEAREST = 0u;
 const uint BILINEAR = 1u;
-const uint CUBIC = 3u;
-
-vec4 gloam_cubic_weights(float t) {
-    return vec4(((-0.5 * t + 1.0) * t - 0.5) * t, (1.5 * t - 2.5) * t * t + 1.0, ((-1.5 * t + 2.0) * t + 0.5) * t, (0.5 * t - 0.5) * t * t);
-}
-
 
 vec4 gloam_fetch_history(ivec2 pixel) {
     return imageLoad(previous_history, pixel);
@@ -68,37 +62,12 @@ uint interpolated_index(vec2 uv) {
     return uint(index);
 }
 
-// Occlusion between sixteen texels by Catmull-Rom's cubic, which keeps what bilinear interpolation wears down frame by frame; within
-// the range of the four around, so that it never rings. Negative where one of the sixteen is another surface.
-float cubic_occlusion(vec2 uv, float expected_depth) {
-    vec2 x = gloam_texel_position(uv.x, parameters.size.x);
-    vec2 y = gloam_texel_position(uv.y, parameters.size.y);
-    vec4 across = gloam_cubic_weights(x.y);
-    vec4 down = gloam_cubic_weights(y.y);
-    ivec2 first = ivec2(int(x.x), int(y.x)) - 1;
-    float sum = 0.0;
-    vec2 range = vec2(1.0, 0.0);
-    for (int i = 0; i < 16; ++i) {
-        ivec2 tap = ivec2(i % 4, i / 4);
-        GloamHistory texel = gloam_history_unpack(gloam_fetch_history(gloam_clamp_to_edge(first + tap, parameters.size)));
-        if (!(texel.weight > 0.0) || !gloam_depth_consistent(texel.depth, expected_depth, parameters.tolerance)) return -1.0;
-        bool around = tap.x % 3 != 0 && tap.y % 3 != 0;
-        if (around) range = vec2(min(range.x, texel.occlusion), max(range.y, texel.occlusion));
-        sum += across[tap.x] * down[tap.y] * texel.occlusion;
-    }
-    return clamp(sum, range.x, range.y);
-}
-
 GloamHistory history_at(vec2 uv, float expected_depth) {
     GloamHistory nearest = gloam_reprojected_history(gloam_pixel_center(uv, parameters.size), parameters.size, expected_depth,
                                                      parameters.tolerance);
     if (parameters.taps == NEAREST || (parameters.taps == BILINEAR && !(nearest.weight > 0.0))) return nearest;
     float tolerance = parameters.taps == BILINEAR ? gloam_background_depth() : parameters.tolerance;
     GloamHistory bilinear = gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
-    if (parameters.taps == CUBIC && bilinear.weight > 0.0) {
-        float occlusion = cubic_occlusion(uv, expected_depth);
-        if (occlusion >= 0.0) bilinear.occlusion = occlusion;
-    }
     if (parameters.nearest_index == 0u && bilinear.weight > 0.0) bilinear.index = interpolated_index(uv);
     return bilinear;
 }

@@ -18,8 +18,7 @@ enum class Invalidation {
 enum class HistoryTaps {
     nearest,   // one
     bilinear,  // four, where the nearest passes the depth test
-    validated,  // those of four that pass it
-    cubic       // sixteen where all pass it (Catmull-Rom), else as validated
+    validated  // those of four that pass it
 };
 
 enum class HistoryPrecision { float32, float16 };

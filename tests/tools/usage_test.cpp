@@ -12,7 +12,8 @@ using testing::HasSubstr;
 TEST(Usage, HelpNamesEveryCommand) {
     const CommandResult result = run_command({"--help"});
     expect_success(result);
-    for (const char* command : {"demo", "devices", "list", "check", "report", "render", "stress", "pack"}) {
+    for (const char* command :
+         {"demo", "devices", "list", "check", "report", "render", "bench", "stress", "pack"}) {
         EXPECT_THAT(result.out, HasSubstr(command));
         const CommandResult help = run_command({command, "--help"});
         expect_success(help);

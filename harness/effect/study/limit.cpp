@@ -28,8 +28,8 @@ std::vector<float> Limit::of(const scene::GBuffer& view, const Settings& setting
         const double before = double{first.convergence[i]} * double{weight_max};
         const double after = double{last.convergence[i]} * double{weight_max};
         if (after <= before) continue;  // known without samples
-        limit[i] = static_cast<float>((after * double{last.occlusion[i]} - before * double{first.occlusion[i]}) /
-                                      (after - before));
+        limit[i] = static_cast<float>(
+            (after * double{last.occlusion[i]} - before * double{first.occlusion[i]}) / (after - before));
     }
     return limit;
 }

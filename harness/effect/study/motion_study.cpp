@@ -9,8 +9,9 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled, PixelClass::young,
-                                                            PixelClass::disoccluded, PixelClass::near_moving};
+constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled,
+                                                            PixelClass::young, PixelClass::disoccluded,
+                                                            PixelClass::near_moving};
 
 double total_ms(const Frame& frame) {
     double sum = 0.0;
@@ -21,7 +22,8 @@ double total_ms(const Frame& frame) {
 // One variant on its way through the sequence.
 class Runner {
   public:
-    Runner(const gpu::Device& device, const scene::PassLibrary& passes, const SequenceFrame& first, Variant variant)
+    Runner(const gpu::Device& device, const scene::PassLibrary& passes, const SequenceFrame& first,
+           Variant variant)
         : effect_(device, passes, view_for(first, variant).extent), run_{.variant = std::move(variant)} {}
 
     const Frame& advance(const SequenceFrame& frame, bool second_half) {
@@ -41,6 +43,7 @@ class Runner {
 
     [[nodiscard]] MotionRun finish() && {
         for (double& value : run_.flicker) value /= std::max(1, flickers_);
+        run_.last = std::move(last_);
         return std::move(run_);
     }
 
@@ -83,6 +86,7 @@ MotionStudy study_motion(const gpu::Device& device, const scene::PassLibrary& pa
             if (scored) runner.score(score_of(result, truth, frame.classes));
         }
         if (scored) {
+            study.last = truth;
             study.frames.push_back(static_cast<int>(i));
             alone.begin(standing_still(frame.view), full);
             Frame result = alone.next();
@@ -90,7 +94,8 @@ MotionStudy study_motion(const gpu::Device& device, const scene::PassLibrary& pa
             for (std::size_t again = 0; again < i; ++again) result = alone.next();
             study.still.push_back(score_of(result, truth, frame.classes));
         }
-        if (options.progress) options.progress(static_cast<double>(i + 1) / static_cast<double>(sequence.size()));
+        if (options.progress)
+            options.progress(static_cast<double>(i + 1) / static_cast<double>(sequence.size()));
     }
     for (Runner& runner : runners) study.runs.push_back(std::move(runner).finish());
     return study;

@@ -12,7 +12,7 @@
 namespace gloam::effect {
 
 struct MotionOptions {
-    int every = 1;                          // frames from one that is scored to the next, the first of them included
+    int every = 1;  // frames from one that is scored to the next, the first of them included
     std::function<void(double)> progress{};  // called with the part done, in [0, 1]
 };
 
@@ -27,19 +27,23 @@ struct MotionRun {
     // over the second half of the frames.
     std::array<double, pixel_classes> flicker{};
     std::vector<double> times_ms;  // on the device, of each frame
+    Frame last;                    // of the sequence
 };
 
 struct MotionStudy {
     std::vector<int> frames;      // that are scored
     std::vector<MotionRun> runs;  // of the variants, in their order
-    std::vector<Score> single;    // a frame of its own each time, of k_1 samples: what an effect without history shows
-    std::vector<Score> still;     // as many frames as the sequence has had, all of the view of that frame
+    References last;              // of the last frame that is scored
+    std::vector<Score>
+        single;  // a frame of its own each time, of k_1 samples: what an effect without history shows
+    std::vector<Score> still;  // as many frames as the sequence has had, all of the view of that frame
 };
 
 // Runs all variants over a sequence, frame by frame in turn, so that their times are those of the same
 // moments. The first variant's settings are those of `single` and `still`. Throws like AmbientOcclusion.
 [[nodiscard]] MotionStudy study_motion(const gpu::Device& device, const scene::PassLibrary& passes,
-                                       const std::vector<SequenceFrame>& sequence, const std::vector<Variant>& variants,
+                                       const std::vector<SequenceFrame>& sequence,
+                                       const std::vector<Variant>& variants,
                                        const ReferencesOf& references_of, const MotionOptions& options);
 
 // The median over the frames of one run's time divided by another's in the same frame. NaN for none.

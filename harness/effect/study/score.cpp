@@ -8,8 +8,9 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled, PixelClass::young,
-                                                            PixelClass::disoccluded, PixelClass::near_moving};
+constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled,
+                                                            PixelClass::young, PixelClass::disoccluded,
+                                                            PixelClass::near_moving};
 
 std::size_t index_of(Against reference) {
     return static_cast<std::size_t>(reference);
@@ -19,7 +20,8 @@ std::size_t index_of(PixelClass which) {
 }
 
 SquaredErrors squared_errors(std::span<const float> image, std::span<const float> truth, const Mask& mask) {
-    if (image.size() != truth.size()) throw std::invalid_argument("a reference of another size than the image");
+    if (image.size() != truth.size())
+        throw std::invalid_argument("a reference of another size than the image");
     SquaredErrors errors;
     for (std::size_t i = 0; i < image.size(); ++i) {
         const double error = double{image[i]} - double{truth[i]};
@@ -50,11 +52,16 @@ std::string_view name_of(PixelClass which) {
 
 Mask mask_of(const PixelClasses& classes, PixelClass which) {
     switch (which) {
-        case PixelClass::all: return {};
-        case PixelClass::settled: return classes.settled();
-        case PixelClass::disoccluded: return classes.disoccluded();
-        case PixelClass::near_moving: return classes.near_moving();
-        case PixelClass::young: break;
+        case PixelClass::all:
+            return {};
+        case PixelClass::settled:
+            return classes.settled();
+        case PixelClass::disoccluded:
+            return classes.disoccluded();
+        case PixelClass::near_moving:
+            return classes.near_moving();
+        case PixelClass::young:
+            break;
     }
     Mask rest(classes.settled().size(), 0);
     for (std::size_t i = 0; i < rest.size(); ++i)
@@ -69,7 +76,8 @@ SquaredErrors& SquaredErrors::operator+=(const SquaredErrors& other) {
 }
 
 double SquaredErrors::rmse() const {
-    return count == 0 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(sum / static_cast<double>(count));
+    return count == 0 ? std::numeric_limits<double>::quiet_NaN()
+                      : std::sqrt(sum / static_cast<double>(count));
 }
 
 Score& Score::operator+=(const Score& other) {

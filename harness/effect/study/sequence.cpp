@@ -14,8 +14,8 @@ std::vector<SequenceFrame> sequence_of(const gpu::Device& device, const scene::P
         std::optional<HistoryMap> history;
         if (i > 0) history.emplace(view, sequence.back().view);
         classes.advance(view, history);
-        scene::GBuffer wide =
-            scene::rasterize(device, passes, scene, extent, {.frame = i, .motion = true, .guard = study_guard});
+        scene::GBuffer wide = scene::rasterize(device, passes, scene, extent,
+                                               {.frame = i, .motion = true, .guard = study_guard});
         sequence.push_back({std::move(view), std::move(wide), std::move(history), classes});
     }
     return sequence;

@@ -22,8 +22,10 @@ struct SequenceFrame {
 };
 
 // The first frames of a scene, drawn once for all who are compared on them. Throws like scene::rasterize().
-[[nodiscard]] std::vector<SequenceFrame> sequence_of(const gpu::Device& device, const scene::PassLibrary& passes,
-                                                     const scene::Scene& scene, gpu::Extent extent, int frames);
+[[nodiscard]] std::vector<SequenceFrame> sequence_of(const gpu::Device& device,
+                                                     const scene::PassLibrary& passes,
+                                                     const scene::Scene& scene, gpu::Extent extent,
+                                                     int frames);
 
 // The view as it would be if nothing had moved since the frame before.
 [[nodiscard]] scene::GBuffer standing_still(scene::GBuffer view);

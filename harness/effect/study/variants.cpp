@@ -6,7 +6,7 @@
 namespace gloam::effect {
 namespace {
 
-constexpr float never = 2.0F;     // a convergence that nothing reaches
+constexpr float never = 2.0F;    // a convergence that nothing reaches
 constexpr float without = 1e6F;  // samples: a cap that nothing reaches
 
 // The cap is the unit of convergence, so the thresholds are kept at the same numbers of samples.
@@ -29,8 +29,10 @@ std::vector<Variant> ablations_of(const Settings& full) {
         change(settings);
         variants.push_back({name, instead, settings});
     };
-    off("disocclusion test (8)", "every surface is the same", [](Settings& s) { s.depth_tolerance = infinity; });
-    off("neighbourhood (9)", "the history counts in full", [](Settings& s) { s.invalidation = Invalidation::none; });
+    off("disocclusion test (8)", "every surface is the same",
+        [](Settings& s) { s.depth_tolerance = infinity; });
+    off("neighbourhood (9)", "the history counts in full",
+        [](Settings& s) { s.invalidation = Invalidation::none; });
     off("smooth invalidation by confidence", "at most 48 samples count", [](Settings& s) {
         s.invalidation = Invalidation::clamp;
         s.weight_small = 48.0F;
@@ -49,19 +51,9 @@ std::vector<Variant> ablations_of(const Settings& full) {
     off("validation of each tap", "bilinear where the nearest is valid",
         [](Settings& s) { s.taps = HistoryTaps::bilinear; });
     off("bilinear taps", "the nearest texel", [](Settings& s) { s.taps = HistoryTaps::nearest; });
-    off("no guard band", "10 % on each side", [](Settings& s) { s.guard = 0.1F; });
+    off("frame without a guard band", "10 % on each side, rendered, shaded and cropped",
+        [](Settings& s) { s.guard = 0.1F; });
     variants.push_back({"weight cap", "all samples count alike", uncapped(full)});
-    const auto on = [&](const char* n, auto c){ Settings s = full; c(s); variants.push_back({n, n, s}); };
-    on("cubic", [](Settings& s){ s.taps = HistoryTaps::cubic; });
-    on("cubic w128", [](Settings& s){ s.taps = HistoryTaps::cubic; s.weight_max=128; s.c_spatial = 2; });
-    on("cubic w256", [](Settings& s){ s.taps = HistoryTaps::cubic; s.weight_max=256; s.c_spatial = 2; });
-    on("cubic w500 k1", [](Settings& s){ s.taps = HistoryTaps::cubic; s.c_spatial = 2; });
-    on("validated w128 k1", [](Settings& s){ s.weight_max=128; s.c_spatial = 2; });
-    on("validated w256 k1", [](Settings& s){ s.weight_max=256; s.c_spatial = 2; });
-    on("cubic tol.5%R/10", [](Settings& s){ s.taps = HistoryTaps::cubic; s.change_tolerance *= 0.1F; });
-    on("cubic S100", [](Settings& s){ s.taps = HistoryTaps::cubic; s.confidence_factor = 100.F; });
-    on("cubic S100 tol/10", [](Settings& s){ s.taps = HistoryTaps::cubic; s.confidence_factor = 100.F; s.change_tolerance *= 0.1F; });
-    on("depth tol 0.005", [](Settings& s){ s.taps = HistoryTaps::cubic; s.depth_tolerance = 0.005F; });
     return variants;
 }
 

@@ -3,14 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 
+#include "cli/bench/temporal_pictures.hpp"
+#include "cli/bench/temporal_report.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/progress.hpp"
 #include "effect/presets.hpp"
 #include "effect/study/limit.hpp"
-#include "effect/study/motion_study.hpp"
+#include "report/output_file.hpp"
+#include "report/output_folder.hpp"
 #include "scene/truth_cache.hpp"
 
 namespace gloam::cli {
@@ -18,56 +24,156 @@ namespace {
 
 using namespace effect;
 
-void print_motion(const MotionStudy& study) {
-    const auto line = [](const std::string& name, const std::vector<Score>& scores, std::size_t first, double time,
-                         const MotionRun* run) {
-        const Score sum = total(scores, first);
-        fmt::print("{:34}", name);
-        for (const Against a : {Against::limit, Against::geometry})
-            for (const PixelClass c : {PixelClass::settled, PixelClass::young, PixelClass::disoccluded, PixelClass::near_moving, PixelClass::all})
-                fmt::print(" {:.4f}/{:.4f}", sum.rmse_raw(a, c), sum.rmse_filtered(a, c));
-        fmt::print(" t {:.2f}", time);
-        if (run) for (double f : run->flicker) fmt::print(" {:.5f}", f);
-        fmt::print("\n");
-    };
-    const std::size_t first = study.frames.size() / 4;
-    line("single", study.single, first, 0, nullptr);
-    line("still", study.still, first, 0, nullptr);
-    for (const MotionRun& run : study.runs) line(run.variant.name, run.scores, first, time_ratio(run, study.runs[0]), &run);
+// A kernel, a window and a pixel's neighbours have to fit.
+constexpr std::uint32_t smallest = 16;
+constexpr std::uint32_t largest = 4096;
+
+gpu::Extent extent_of(const std::string& text) {
+    gpu::Extent extent;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, extent.width);
+    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, extent.height);
+        if (height.ec == std::errc{} && height.ptr == end && extent.width >= smallest &&
+            extent.height >= smallest && extent.width <= largest && extent.height <= largest)
+            return extent;
+    }
+    throw std::invalid_argument(
+        fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {} to {}, such as 192x108", text,
+                    smallest, largest));
 }
+
+// Half a minute instead of minutes.
+BenchTemporalOptions quickened(BenchTemporalOptions options) {
+    if (!options.quick) return options;
+    options.size = "96x54";
+    options.every = 8;
+    options.rays = 64;
+    options.scenes.resize(1);
+    return options;
+}
+
+// The work of one call.
+class TemporalBench {
+  public:
+    explicit TemporalBench(const BenchTemporalOptions& options)
+        : options_(options),
+          extent_(extent_of(options.size)),
+          scenes_(scenes_named(options.scenes)),
+          preset_(preset_named(options.preset).settings),
+          json_(options.json),
+          device_({.device = options.device,
+                   .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                   .cache_directory = cache_directory()}),
+          passes_(glsl_directory(), cache_directory()),
+          cache_(cache_directory().empty() ? cache_directory() : cache_directory() / "truth"),
+          limit_(device_, passes_, extent_) {
+        if (!options.out.empty()) out_.emplace(options.out);
+    }
+
+    int run() {
+        std::vector<TemporalReport> reports;
+        for (const scene::Scene& scene : scenes_) {
+            reports.push_back(measured(scene));
+            const std::string text = to_markdown(reports.back());
+            fmt::print("{}\n", text);
+            std::fflush(stdout);
+            if (!out_) continue;
+            write_pictures(*out_, reports.back());
+            out_->write(scene.name + ".md", text);
+        }
+        if (out_) out_->keep();
+        json_.write(to_json(reports));
+        const auto messages = device_.take_validation_messages();
+        for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
+        return messages.empty() ? 0 : 1;
+    }
+
+  private:
+    static std::vector<scene::Scene> scenes_named(const std::vector<std::string>& names) {
+        std::vector<scene::Scene> scenes;
+        for (const std::string& name : names) scenes.push_back(scene::make_scene(name));
+        return scenes;
+    }
+
+    [[nodiscard]] References truth_of_frame(const scene::Scene& scene, int frame, const scene::GBuffer& view,
+                                            const Settings& settings) {
+        const scene::TruthSettings traced{.rays = {.radius = scene.ao_radius, .rays = options_.rays}};
+        return {truth_from(view, limit_.of(view, settings)),
+                truth_from(view, cache_.depth(view, traced).occlusion),
+                truth_from(view, cache_.geometry(scene, frame, view, traced).occlusion)};
+    }
+
+    [[nodiscard]] TemporalReport measured(const scene::Scene& scene) {
+        const auto radius = static_cast<float>(scene.ao_radius);
+        const Settings settings = with_radius(preset_, radius);
+        const auto sequence = sequence_of(device_, passes_, scene, extent_, options_.frames);
+        TemporalReport report{.scene = scene.name,
+                              .preset = options_.preset,
+                              .device = device_.info(),
+                              .extent = extent_,
+                              .weight_max = double{settings.weight_max}};
+        const scene::GBuffer& first = sequence.front().view;
+        report.still =
+            study_still(device_, passes_, first, settings, truth_of_frame(scene, 0, first, settings),
+                        options_.still_frames, progress_bar(scene.name + ", still"));
+        std::vector<Variant> variants = ablations_of(settings);
+        variants.push_back({"preset moving", "128 samples in the mean, always rotated",
+                            with_radius(preset_named("moving").settings, radius)});
+        report.motion =
+            study_motion(device_, passes_, sequence, variants,
+                         [&](int frame, const SequenceFrame& now) {
+                             return truth_of_frame(scene, frame, now.view, settings);
+                         },
+                         {.every = options_.every, .progress = progress_bar(scene.name + ", moving")});
+        return report;
+    }
+
+    BenchTemporalOptions options_;
+    gpu::Extent extent_;
+    std::vector<scene::Scene> scenes_;
+    Settings preset_;
+    report::OutputFile json_;
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+    scene::TruthCache cache_;
+    Limit limit_;
+    std::optional<report::OutputFolder> out_;
+};
 
 }  // namespace
 
-int run_bench_temporal(const BenchTemporalOptions& options) {
-    const gpu::Device device({.device = options.device, .validation = options.validation ? gpu::Validation::on : gpu::Validation::off, .cache_directory = cache_directory()});
-    const scene::PassLibrary passes(glsl_directory(), cache_directory());
-    const gpu::Extent extent{192, 108};
-    const scene::TruthCache cache(cache_directory().empty() ? "" : cache_directory() / "truth");
-    for (const std::string& name : options.scenes) {
-        const scene::Scene scene = scene::make_scene(name);
-        const Settings settings = with_radius(preset_named(options.preset).settings, static_cast<float>(scene.ao_radius));
-        const auto sequence = sequence_of(device, passes, scene, extent, options.frames);
-        Limit limit(device, passes, extent);
-        const auto truth = [&](int frame, const SequenceFrame& f) {
-            const scene::TruthSettings ts{.rays = {.radius = scene.ao_radius, .rays = options.rays}};
-            return References{truth_from(f.view, limit.of(f.view, settings)), truth_from(f.view, cache.depth(f.view, ts).occlusion),
-                              truth_from(f.view, cache.geometry(scene, frame, f.view, ts).occlusion)};
-        };
-        const auto study = study_motion(device, passes, sequence, ablations_of(settings), truth, {.every = options.every, .progress = progress_bar(name)});
-        fmt::print("{}\n", name);
-        print_motion(study);
-    }
-    return 0;
+int run_bench_temporal(BenchTemporalOptions options) {
+    return TemporalBench(quickened(std::move(options))).run();
 }
 
 void add_bench_temporal(CLI::App& bench, int& status) {
     auto options = std::make_shared<BenchTemporalOptions>();
-    CLI::App* command = bench.add_subcommand("temporal", "the temporal effect, still and moving, and each mechanism switched off alone");
-    command->add_option("--scene", options->scenes, "scenes");
-    command->add_option("--preset", options->preset, "preset");
-    command->add_option("--frames", options->frames, "frames");
-    command->add_option("--every", options->every, "frames from one that is scored to the next");
-    command->add_option("--rays", options->rays, "rays of the truth for each pixel");
+    CLI::App* command = bench.add_subcommand(
+        "temporal", "the temporal effect on still and moving views, and each mechanism switched off alone");
+    command->add_option("--scene", options->scenes, "built-in scenes")->capture_default_str();
+    command->add_option("--preset", options->preset, "what the full effect is")->capture_default_str();
+    command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
+    command
+        ->add_option("--frames", options->frames,
+                     "frames of the moving scene; 33 and more have settled pixels")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str();
+    command->add_option("--still-frames", options->still_frames, "frames of the still view")
+        ->check(CLI::Range(2, 100'000))
+        ->capture_default_str();
+    command->add_option("--every", options->every, "frames from one that is scored to the next")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--rays", options->rays, "rays of the truth for each pixel")
+        ->check(CLI::Range(32, 65'536))
+        ->capture_default_str();
+    command->add_flag("--quick", options->quick, "one scene, 96x54 pixels, coarse truth: half a minute");
+    command->add_option("--device", options->device, "name or index of the device");
+    command->add_flag("--validation", options->validation,
+                      "Vulkan validation layers on; any message is an error");
+    command->add_option("--json", options->json, "write every number to this file");
+    command->add_option("--out", options->out, "folder for tables, curves and pictures");
     add_driver_option(*command);
     command->callback([options, &status] { status = run_bench_temporal(*options); });
 }
