@@ -39,11 +39,13 @@ class Runner {
         return last_;
     }
 
-    void score(Score score) { run_.scores.push_back(std::move(score)); }
+    void score(Score score) {
+        run_.scores.push_back(std::move(score));
+        run_.last = last_;
+    }
 
     [[nodiscard]] MotionRun finish() && {
         for (double& value : run_.flicker) value /= std::max(1, flickers_);
-        run_.last = std::move(last_);
         return std::move(run_);
     }
 

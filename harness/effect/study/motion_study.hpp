@@ -27,7 +27,7 @@ struct MotionRun {
     // over the second half of the frames.
     std::array<double, pixel_classes> flicker{};
     std::vector<double> times_ms;  // on the device, of each frame
-    Frame last;                    // of the sequence
+    Frame last;                    // of those that are scored
 };
 
 struct MotionStudy {
