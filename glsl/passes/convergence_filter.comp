@@ -26,6 +26,8 @@ layout(push_constant) uniform Parameters {
     float c_adaptive;    // convergence from which a pixel is left as it is: 0.2
     float weight_max;    // samples at which a pixel has converged
     float sigma_pixels;  // width of the Gaussian seen head-on, pixels: about a quarter of the window
+    float cap;           // neighbours weigh at most this many times the pixel's own convergence; 1e18: as printed. With 1 a
+                         // pixel that has just appeared is not overruled by the old ones that happen to be on one side of it
 } parameters;
 
 #include "gloam/filter/convergence_filter.glsl"
@@ -36,9 +38,15 @@ GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
 }
 
+float most_convergence;
+
+float convergence_of(float weight) {
+    return gloam_convergence(weight, parameters.weight_max);
+}
+
 vec2 gloam_fetch_occlusion_convergence(ivec2 pixel) {
     vec2 texel = imageLoad(source_image, pixel).xy;
-    return vec2(texel.x, gloam_convergence(texel.y, parameters.weight_max));
+    return vec2(texel.x, min(convergence_of(texel.y), most_convergence));
 }
 
 vec3 gloam_fetch_position(ivec2 pixel) {
@@ -49,6 +57,8 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     vec4 texel = imageLoad(source_image, pixel);
+    float own = convergence_of(texel.y);
+    most_convergence = own > 0.0 ? max(parameters.cap, 1.0) * own : 1.0;
     float depth = parameters.orthographic != 0u ? 1.0 : imageLoad(depth_image, pixel).x;
     float sigma = gloam_filter_sigma(depth, 1.0 / abs(parameters.p00_p11.y), float(parameters.size.y),
                                      parameters.sigma_pixels);

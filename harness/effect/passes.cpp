@@ -79,7 +79,8 @@ FilterParameters filter_parameters(const View& view, const Settings& settings, g
             .half_width = settings.filter_half_width,
             .c_adaptive = settings.c_adaptive,
             .weight_max = settings.weight_max,
-            .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1)};
+            .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1),
+            .cap = settings.filter_cap};
 }
 
 RemapParameters remap_parameters(const View& view, const Settings& settings) {

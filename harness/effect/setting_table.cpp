@@ -110,6 +110,9 @@ void add_samples(std::vector<Setting>& table) {
     table.push_back(number("c_rot", "",
                            "kernels are rotated by pixel below this convergence; 0: never, above 1: always",
                            &S::c_rot, any_from_0));
+    table.push_back(number(
+        "filter_cap", "", "the filter's neighbours weigh at most this many times the pixel's own convergence",
+        &S::filter_cap, SettingRange{.least = 1, .most = largest}));
     table.push_back(number("c_adaptive", "", "the filter leaves pixels of this convergence as they are",
                            &S::c_adaptive, any_from_0));
 }

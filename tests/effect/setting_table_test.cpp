@@ -135,6 +135,7 @@ const std::map<std::string, Case>& cases() {
         {"weight_max", {"64"}},
         {"c_rot", {"0.1"}},
         {"c_adaptive", {"0.6"}},
+        {"filter_cap", {"1", {{"c_adaptive", "1"}}}},
         {"depth_tolerance", {"1e-4"}},
         {"taps", {"nearest"}},
         {"nearest_index", {"off"}},

@@ -71,6 +71,7 @@ struct FilterParameters {
     float c_adaptive;
     float weight_max;
     float sigma_pixels;
+    float cap;
 };
 
 struct RemapParameters {
