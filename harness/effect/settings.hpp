@@ -63,13 +63,12 @@ struct Settings {
     float confidence_factor = 20.0F;  // confidence: S, per radius of change, >= 0
     HistoryPrecision precision = HistoryPrecision::float32;
     bool filter = true;
-    float filter_cap =
-        std::numeric_limits<float>::infinity();  // neighbours weigh at most this many times the
-                                                 // pixel's own convergence; infinity: eq. 10
-    int filter_half_width = 2;                   // pixels on each side: 2 is 5 x 5
-    float remap_a = 0.0F;  // what is shown is (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
-    float remap_b = 1.0F;  // 0 to 1e18
-    float remap_c = 1.0F;  // 0 to 1e18
+    float filter_cap = 1e18F;   // neighbours weigh at most this many times the pixel's own convergence; 1e18:
+                                // any number of times, as eq. 10 has it
+    int filter_half_width = 2;  // pixels on each side: 2 is 5 x 5
+    float remap_a = 0.0F;       // what is shown is (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
+    float remap_b = 1.0F;       // 0 to 1e18
+    float remap_c = 1.0F;       // 0 to 1e18
     float least_radius =
         one_pixel;       // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
