@@ -28,14 +28,15 @@ Settings quality() {
 }
 
 // A short memory: what the depth buffer can tell of a surface changes with the view, and a mean over 500
-// samples shows what it told long ago. No filter: what has just come into view it mixes with neighbours that
-// have converged and so count more than the pixel itself (docs/temporal.md).
+// samples shows what it told long ago. The filter stops at as many samples as in table 1, and what has just
+// come into view it does not leave to neighbours that have converged (docs/temporal.md).
 Settings moving() {
     Settings settings = paper();
     settings.samples_converged = 32;
     settings.weight_max = 128.0F;
     settings.c_rot = 2.0F;
-    settings.filter = false;
+    settings.c_adaptive = 0.78F;
+    settings.filter_cap = 1.0F;
     return settings;
 }
 
@@ -45,8 +46,7 @@ std::vector<Preset> presets() {
     std::vector<Preset> all{
         {"paper", "the TSSAO paper's table 1: 32 samples a frame, 500 in the mean", paper()},
         {"fast", "8 samples a frame, 500 in the mean", fast()},
-        {"moving", "32 samples a frame, 128 in the mean, no filter: for cameras and objects that move",
-         moving()},
+        {"moving", "32 samples a frame, 128 in the mean: for cameras and objects that move", moving()},
         {"quality", "128 samples a frame, 1500 in the mean", quality()}};
     const std::vector<Preset> of_methods = method_presets();
     all.insert(all.end(), of_methods.begin(), of_methods.end());

@@ -122,9 +122,14 @@ TEST_F(TemporalQuality, WhatComesIntoViewIsNoWorseThanASingleFrame) {
                      },
                      {.every = 3});
     const double single = total(study.single, 1).rmse_filtered(Against::limit, PixelClass::disoccluded);
-    // Table 1's filter does not keep this everywhere: docs/temporal.md.
+    // Table 1's filter leaves them to neighbours that have converged; the cap does not.
+    const Score paper_score = total(study.runs[0].scores, 1);
     const Score moving = total(study.runs[1].scores, 1);
-    EXPECT_LT(moving.rmse_filtered(Against::limit, PixelClass::disoccluded), single);
+    const auto disoccluded = [](const Score& score) {
+        return score.rmse_filtered(Against::limit, PixelClass::disoccluded);
+    };
+    EXPECT_LT(disoccluded(moving), disoccluded(paper_score));
+    EXPECT_LT(disoccluded(moving), 1.05 * single) << "the same but for neighbours that have a history";
 }
 
 // The filtered image after some frames of the moving scene.

@@ -45,6 +45,8 @@ std::vector<Variant> ablations_of(const Settings& full) {
     off("adaptive k, the other way", "always k2", [](Settings& s) { s.c_spatial = 0.0F; });
     off("filter", "none", [](Settings& s) { s.filter = false; });
     off("shrink", "always the full window", [](Settings& s) { s.c_adaptive = infinity; });
+    off("trust in what has converged (10)", "at most that in the pixel itself",
+        [](Settings& s) { s.filter_cap = 1.0F; });
     off("rotation switch", "always rotated", [](Settings& s) { s.c_rot = never; });
     off("rotation", "never rotated", [](Settings& s) { s.c_rot = 0.0F; });
     off("nearest index", "interpolated", [](Settings& s) { s.nearest_index = false; });

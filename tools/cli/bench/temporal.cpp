@@ -118,7 +118,7 @@ class TemporalBench {
             study_still(device_, passes_, first, settings, truth_of_frame(scene, 0, first, settings),
                         options_.still_frames, progress_bar(scene.name + ", still"));
         std::vector<Variant> variants = ablations_of(settings);
-        variants.push_back({"preset moving", "128 samples in the mean, always k1 and rotated, no filter",
+        variants.push_back({"preset moving", "128 samples in the mean, always k1 and rotated, trust capped",
                             with_radius(preset_named("moving").settings, radius)});
         report.motion =
             study_motion(device_, passes_, sequence, variants,
