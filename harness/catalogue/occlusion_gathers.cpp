@@ -201,7 +201,7 @@ void append_pairs(Entries& entries) {
          .source = "definition"},
         GLOAM_REFERENCE(gloam_height_at),
         {.domain = {offset, offset, unit_vector(3).and_special(), unit_vector(3).and_special()},
-         .budget = {.absolute = 2e-4},
+         .budget = {.absolute = 3e-4},
          .codomain = {-3.5e38, 3.5e38},
          .promised = make_predicate<Height>(
              [](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& view, const glm::dvec3& n) {
@@ -228,7 +228,7 @@ void append_pair_gather(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           gather_methods()}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 1e-4, .backward_ulp = 4},
+         .budget = {.absolute = 4e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Gather>(usual_gather),
          .scenarios = depth_scenarios(prototype)}));

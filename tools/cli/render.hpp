@@ -15,7 +15,7 @@ namespace gloam::cli {
 struct RenderOptions {
     std::string source;             // a scene's name or a mesh file; empty with gbuffer
     std::filesystem::path gbuffer;  // folder of an engine's frames
-    std::string method;  // empty: the preset's
+    std::string method;             // empty: the preset's
     std::string preset = "paper";
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "catalogue/catalogue.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "report/output_file.hpp"
@@ -37,6 +38,8 @@ stress::Rows make_runs(const std::vector<stress::Run>& runs, const stress::Conte
 
 int run_stress(const StressOptions& options) {
     const std::vector<stress::Run> runs = stress::select_runs(options.only);
+    (void)catalogue::select(catalogue::all_entries(),
+                            options.equations);  // a wrong name is said before anything runs
     const report::OutputFile json(options.json);
     const check::Lab lab({.device = options.device,
                           .validation = options.validation,

@@ -94,9 +94,9 @@ std::vector<Gather::Inputs> gather_inputs(float bad) {
     return inputs;
 }
 
-// (sum, count) of a gather: a mean in [0, 1] of at most 33 samples.
+// (sum, count) of a gather, of at most 33 samples. Obscurance has no bound but that its mean is clamped.
 bool good_sum(glm::vec2 sum) {
-    return sum.x >= 0.0F && sum.x <= sum.y && sum.y <= 33.0F;
+    return sum.x >= 0.0F && std::isfinite(sum.x) && sum.y >= 0.0F && sum.y <= 33.0F;
 }
 
 Count gathers(const check::Lab& lab, const std::string& file) {

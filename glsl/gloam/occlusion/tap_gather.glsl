@@ -22,7 +22,7 @@ vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel);
 // Defined by the method: what the surface seen at a tap contributes.
 // offset: from the shaded point to it, view space, world units. normal: of the shaded point, unit. depth: of the shaded point,
 // eye-linear, world units.
-// Returns an occlusion, scaled so that the mean over the taps is the result.
+// Returns an occlusion, finite and at least 0, scaled so that the mean over the taps, clamped to 1, is the result.
 float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method);
 
 // Contribution of the surface at a pixel; 0 for background.
