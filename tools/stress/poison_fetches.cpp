@@ -94,9 +94,10 @@ std::vector<Gather::Inputs> gather_inputs(float bad) {
     return inputs;
 }
 
-// (sum, count) of a gather, of at most 33 samples. Obscurance has no bound but that its mean is clamped.
+// (sum, count) of a gather, of at most 33 samples, of which gloam_estimator_mean makes an occlusion:
+// obscurance has no bound of its own, and a radius near the largest float takes its sum to infinity.
 bool good_sum(glm::vec2 sum) {
-    return sum.x >= 0.0F && std::isfinite(sum.x) && sum.y >= 0.0F && sum.y <= 33.0F;
+    return sum.x >= 0.0F && sum.y >= 0.0F && sum.y <= 33.0F;
 }
 
 Count gathers(const check::Lab& lab, const std::string& file) {
