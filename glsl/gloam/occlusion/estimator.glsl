@@ -32,7 +32,7 @@ float gloam_estimator_mean(vec2 accumulated) {
 
 // A weighted mean as if of a number of samples, for gloam_estimator_mean.
 // weighted: (sum of contributions times weights, sum of weights). count: of samples.
-// Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5 ULP, 1e-41 near 0.
+// Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5 ULP, 5e-35 near 0.
 vec2 gloam_estimator_of_weighted(vec2 weighted, uint count) {
     return float(count) * vec2(gloam_weighted_ratio(weighted), 1.0);
 }
