@@ -13,6 +13,7 @@
 //   4  buffer   written when count_work is set: for each group (samples taken, pixels of background, pixels whose radius is below
 //               the limit, pixels of the group); else never touched
 //   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
+//   6  buffer   a GloamMethod
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
 #endif
@@ -34,8 +35,6 @@ layout(push_constant) uniform Parameters {
     ivec2 border;          // guard band on each side, pixels (TSSAO-BORDER): samples read it; 0 for none
     float radius;          // of influence, world units
     float bias;            // world units
-    float range;           // see GloamMethod
-    float epsilon;         // see GloamMethod
     uint samples;          // k_1, for each pixel that has not converged
     uint samples_converged;  // k_2, for each pixel that has
     float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
@@ -50,11 +49,6 @@ layout(push_constant) uniform Parameters {
     float change_tolerance;  // change of a distance that is taken for rounding, world units
     float weight_small;    // invalidation 1: samples
     float confidence_factor;  // invalidation 2: S, per radius of change
-    float intensity;       // see GloamMethod
-    float thickness;       // see GloamMethod
-    float angle_bias;      // see GloamMethod
-    float mip_distance;    // see GloamMethod
-    uint steps;            // see GloamMethod
 } parameters;
 
 #include "gloam/geometry/borders.glsl"
@@ -69,6 +63,9 @@ layout(push_constant) uniform Parameters {
 #include "gloam/temporal/rotation_switch.glsl"
 #include "gloam/temporal/sample_budget.glsl"
 #include "gloam/temporal/smooth_invalidation.glsl"
+
+layout(binding = 6, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+
 // The method: any file of this folder.
 #include "methods/hemisphere.glsl"
 
@@ -101,7 +98,7 @@ void probe(ivec2 pixel, float depth) {
     vec3 at = gloam_camera_position(pixel, depth, this_camera());
     vec3 before = imageLoad(previous_position_image, pixel).xyz;
     float reach = min(distance(at, neighborhood.position), distance(before, neighborhood.previous));
-    if (reach > parameters.range || !gloam_probe_useful(at - neighborhood.position, neighborhood.normal)) return;
+    if (reach > method_settings.range || !gloam_probe_useful(at - neighborhood.position, neighborhood.normal)) return;
     neighborhood.change = max(neighborhood.change,
                               gloam_neighborhood_change(at, neighborhood.position, before, neighborhood.previous));
 }
@@ -126,11 +123,6 @@ float weight_after_change(float weight) {
     return gloam_invalidate_confidence(weight, gloam_confidence(change / parameters.radius, parameters.confidence_factor));
 }
 
-GloamMethod this_method() {
-    return GloamMethod(parameters.range, parameters.epsilon, parameters.intensity, parameters.thickness,
-                       parameters.angle_bias, parameters.mip_distance, parameters.steps);
-}
-
 void count(uint what, uint amount) {
     if (count_work && amount > 0u) atomicAdd(counted[what], amount);
 }
@@ -144,7 +136,7 @@ vec2 gather(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
     if (moving_objects) neighborhood = Neighborhood(position, imageLoad(previous_position_image, pixel).xyz, normal, 0.0);
-    return gloam_method_gather(position, normal, camera, kernel, this_method());
+    return gloam_method_gather(position, normal, camera, kernel, method_settings);
 }
 
 uint samples_for(GloamHistory before) {

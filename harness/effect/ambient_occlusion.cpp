@@ -78,7 +78,8 @@ struct AmbientOcclusion::Impl {
         : device(&the_device),
           library(passes),
           normals_pipeline(normals_from_depth(the_device, passes)),
-          nothing(the_device, {1, 1}, rgba32f) {
+          nothing(the_device, {1, 1}, rgba32f),
+          method(the_device, sizeof(MethodParameters)) {
         allocate(size);
     }
 
@@ -121,6 +122,7 @@ struct AmbientOcclusion::Impl {
     bool reconstruct_normals = false;
     bool moved = false;  // the history has not followed the last view yet
     gpu::Image nothing;  // for bindings that are not read
+    gpu::Buffer method;  // MethodParameters
     std::optional<Images> images;
     NormalParameters normal_constants{};
     ReprojectionParameters reprojection_constants{};
@@ -170,6 +172,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     }
     normal_constants = normal_parameters(view);
     occlusion_constants = occlusion_parameters(view, settings);
+    method.as<MethodParameters>()[0] = method_parameters(settings);
     filter_x_constants = filter_parameters(view, settings, {1, 0});
     filter_y_constants = filter_parameters(view, settings, {0, 1});
     remap_constants = remap_parameters(view, settings);
@@ -214,10 +217,11 @@ std::vector<Step> AmbientOcclusion::Impl::steps() const {
                           {images->depth, positions, images->before, images->reprojected},
                           bytes_of(reprojection_constants)});
     }
-    passes.push_back({"ambient_occlusion",
-                      &occlusion_pipelines.at(program()),
-                      {images->depth, images->normal, history(), images->after, images->tiles, positions},
-                      bytes_of(occlusion_constants)});
+    passes.push_back(
+        {"ambient_occlusion",
+         &occlusion_pipelines.at(program()),
+         {images->depth, images->normal, history(), images->after, images->tiles, positions, method},
+         bytes_of(occlusion_constants)});
     if (settings.filter) {
         passes.push_back({"filter_x",
                           &filter_pipelines.at(settings.precision),

@@ -35,8 +35,6 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .border = size_of(view.border),
             .radius = settings.radius,
             .bias = settings.bias,
-            .range = settings.range,
-            .epsilon = settings.epsilon,
             .samples = settings.samples,
             .samples_converged = settings.samples_converged,
             .c_spatial = settings.c_spatial,
@@ -50,7 +48,12 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .invalidation = static_cast<std::uint32_t>(settings.invalidation),
             .change_tolerance = settings.change_tolerance,
             .weight_small = settings.weight_small,
-            .confidence_factor = settings.confidence_factor,
+            .confidence_factor = settings.confidence_factor};
+}
+
+MethodParameters method_parameters(const Settings& settings) {
+    return {.range = settings.range,
+            .epsilon = settings.epsilon,
             .intensity = settings.intensity,
             .thickness = settings.thickness,
             .angle_bias = settings.angle_bias,
@@ -103,7 +106,7 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
-                          storage_image},
+                          storage_image, storage_buffer},
              .push_constant_bytes = sizeof(OcclusionParameters),
              .constants = {{.id = 0, .bits = 1}, {.id = 1, .bits = flag(program.moving_objects)}}}};
 }

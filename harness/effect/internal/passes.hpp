@@ -27,8 +27,6 @@ struct OcclusionParameters {
     glm::ivec2 border;
     float radius;
     float bias;
-    float range;
-    float epsilon;
     std::uint32_t samples;
     std::uint32_t samples_converged;
     float c_spatial;
@@ -43,6 +41,12 @@ struct OcclusionParameters {
     float change_tolerance;
     float weight_small;
     float confidence_factor;
+};
+
+// GloamMethod, as the pass's buffer holds it.
+struct MethodParameters {
+    float range;
+    float epsilon;
     float intensity;
     float thickness;
     float angle_bias;
@@ -90,6 +94,7 @@ struct View {
 
 [[nodiscard]] NormalParameters normal_parameters(const View& view);
 [[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
+[[nodiscard]] MethodParameters method_parameters(const Settings& settings);
 [[nodiscard]] ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
                                                              const Settings& settings);
 [[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis);
