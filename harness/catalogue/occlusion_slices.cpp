@@ -28,8 +28,13 @@ Values offsets() {
 Values projected_angles() {
     return uniform(-1.5707963, 1.5707963).and_near({0.0}).and_special();
 }
-Values slice_angles() {
-    return uniform(-3.1415926, 3.1415926).and_near({0.0}).and_special();
+// Unit vectors of the plane: an angle as (cosine, sine).
+Values directions() {
+    return unit_vector(2)
+        .and_value(glm::vec2(1, 0))
+        .and_value(glm::vec2(0, 1))
+        .and_value(glm::vec2(0))
+        .and_special();
 }
 Values cosines() {
     return either(uniform(-1, 1), uniform(0.99, 1)).and_near({-1.0, 0.0, 1.0}).and_special();
@@ -47,9 +52,17 @@ Values slices() {
         const auto slice =
             reference::gloam_slice(reference::vec2<double>(std::cos(azimuth), std::sin(azimuth)),
                                    reference::vec3<double>(view), reference::vec3<double>(normal));
-        return Slice{glm::vec3(slice.view), glm::vec3(slice.tangent), static_cast<float>(slice.angle),
-                     static_cast<float>(slice.weight)};
+        return Slice{glm::vec3(slice.view), glm::vec3(slice.tangent), glm::vec2(slice.normal),
+                     static_cast<float>(slice.angle), static_cast<float>(slice.weight)};
     });
+}
+
+// Whether an offset lies mostly in a slice, neither longer nor shorter than floats can tell.
+bool lies_in_slice(glm::dvec3 offset, const Slice& slice) {
+    const double length = glm::length(offset);
+    const double x = glm::dot(offset, glm::dvec3(slice.tangent)) / length;
+    const double y = glm::dot(offset, glm::dvec3(slice.view)) / length;
+    return x * x + y * y > 0.1;
 }
 
 void append_slices(Entries& entries) {
@@ -78,25 +91,27 @@ void append_slices(Entries& entries) {
              const double y = glm::dot(n, v);
              return glm::dot(across, across) > 0.1 && x * x + y * y > 0.1 && moderate(1e-9, 2, v, n);
          })}));
-    using Angle = float(glm::vec3, Slice);
-    entries.push_back(
-        equation<Angle>({.id = "GTAO-slice-angle",
-                         .function = "gloam_slice_angle",
-                         .file = file,
-                         .title = "angle of a sample in a slice",
-                         .formula = "atan2(v . t, v . view)",
-                         .source = gtao_source},
-                        GLOAM_REFERENCE(gloam_slice_angle),
-                        {.domain = {offsets(), slices()},
-                         .budget = {.absolute = 6e-7},
-                         .codomain = {-3.1415928, 3.1415928},
-                         .promised = make_predicate<Angle>([](glm::dvec3 offset, const Slice& slice) {
-                             const double length = glm::length(offset);
-                             const double x = glm::dot(offset, glm::dvec3(slice.tangent)) / length;
-                             const double y = glm::dot(offset, glm::dvec3(slice.view)) / length;
-                             // Away from the cut at pi.
-                             return x * x + y * y > 0.1 && !(y < 0.0 && std::abs(x) < 1e-5);
-                         })}));
+    entries.push_back(equation<float(Slice)>(
+        {.id = "GTAO-slice-whole",
+         .function = "gloam_slice_whole",
+         .file = file,
+         .title = "amount of an empty half plane",
+         .formula = "cos n + n sin n",
+         .source = gtao_source},
+        GLOAM_REFERENCE(gloam_slice_whole),
+        {.domain = {slices()}, .budget = {.absolute = 3e-7}, .codomain = {0.99999, 1.571}}));
+    using Direction = glm::vec2(glm::vec3, Slice);
+    entries.push_back(equation<Direction>({.id = "GTAO-slice-direction",
+                                           .function = "gloam_slice_direction",
+                                           .file = file,
+                                           .title = "direction of a sample in a slice",
+                                           .formula = "(v . view, v . t), normalised",
+                                           .source = gtao_source},
+                                          GLOAM_REFERENCE(gloam_slice_direction),
+                                          {.domain = {offsets(), slices()},
+                                           .budget = {.absolute = 4e-7},
+                                           .codomain = {-1.000001, 1.000001},
+                                           .promised = make_predicate<Direction>(lies_in_slice)}));
 }
 
 void append_gtao_horizons(Entries& entries) {
@@ -113,15 +128,14 @@ void append_gtao_horizons(Entries& entries) {
                                       unit_vector(3), uniform(0, 1).and_near({0.0, 1.0}).and_special()},
                            .budget = {.absolute = 4e-7},
                            .codomain = {-1, 1}}));
-    entries.push_back(equation<glm::vec2(float)>(
-        {.id = "GTAO-lowest",
-         .function = "gloam_gtao_lowest",
-         .file = gtao_file,
-         .title = "horizons of the tangent plane",
-         .formula = "(cos(n - pi / 2), cos(n + pi / 2))",
-         .source = gtao_source},
-        GLOAM_REFERENCE(gloam_gtao_lowest),
-        {.domain = {projected_angles()}, .budget = {.absolute = 2e-7}, .codomain = {-1.000001, 1.000001}}));
+    entries.push_back(equation<glm::vec2(Slice)>({.id = "GTAO-lowest",
+                                                  .function = "gloam_gtao_lowest",
+                                                  .file = gtao_file,
+                                                  .title = "horizons of the tangent plane",
+                                                  .formula = "(cos(n - pi / 2), cos(n + pi / 2))",
+                                                  .source = gtao_source},
+                                                 GLOAM_REFERENCE(gloam_gtao_lowest),
+                                                 {.domain = {slices()}, .codomain = {-1.000001, 1.000001}}));
     entries.push_back(
         equation<float(float, float)>({.id = "GTAO-elevation",
                                        .function = "gloam_gtao_elevation",
@@ -135,70 +149,85 @@ void append_gtao_horizons(Entries& entries) {
                                        .codomain = {0, 3.1415928}}));
 }
 
-// One function of an angle and the angle of the normal.
-template <class Reference>
-void append_of_angles(Entries& entries, Description description, Reference reference, Values first,
-                      double most, Budget budget) {
-    entries.push_back(equation<float(float, float)>(
-        std::move(description), reference,
-        {.domain = {std::move(first), projected_angles()},
-         .budget = budget,
-         .codomain = {0, most},
-         .promised = make_predicate<float(float, float)>(
-             [](double a, double n) { return !(std::abs(a) > 4) && !(std::abs(n) > 4); })}));
-}
-
 void append_gtao_arcs(Entries& entries) {
-    append_of_angles(entries,
-                     {.id = "GTAO-inner",
-                      .function = "gloam_gtao_inner",
-                      .file = gtao_file,
-                      .title = "inner integral of a slice as printed, one side",
-                      .formula = "1/4 (-cos(2 h - n) + cos n + 2 h sin n)",
-                      .source = "Jimenez et al. 2016, eq 10"},
-                     GLOAM_REFERENCE(gloam_gtao_inner), slice_angles(), half_pi, {.absolute = 5e-7});
-    append_of_angles(entries,
-                     {.id = "GTAO-arc",
-                      .function = "gloam_gtao_arc",
-                      .file = gtao_file,
-                      .title = "what a horizon takes from a slice, cosine-weighted",
-                      .formula = "1/2 (e sin n + sin(e - n) sin e)",
-                      .source = "derived from Jimenez et al. 2016, eq 10"},
-                     GLOAM_REFERENCE(gloam_gtao_arc), elevations(), half_pi, {.absolute = 5e-7});
-    append_of_angles(entries,
-                     {.id = "GTAO-arc-uniform",
-                      .function = "gloam_gtao_arc_uniform",
-                      .file = gtao_file,
-                      .title = "what a horizon takes from a slice, all directions alike",
-                      .formula = "sin(e / 2) cos(n - e / 2)",
-                      .source = "derived: the integral of |sin| over the arc"},
-                     GLOAM_REFERENCE(gloam_gtao_arc_uniform), elevations(), 1.0, {.absolute = 4e-7});
+    using Inner = float(float, float);
+    entries.push_back(equation<Inner>(
+        {.id = "GTAO-inner",
+         .function = "gloam_gtao_inner",
+         .file = gtao_file,
+         .title = "inner integral of a slice as printed, one side",
+         .formula = "1/4 (-cos(2 h - n) + cos n + 2 h sin n)",
+         .source = "Jimenez et al. 2016, eq 10"},
+        GLOAM_REFERENCE(gloam_gtao_inner),
+        {.domain = {uniform(-3.1415926, 3.1415926).and_near({0.0}).and_special(), projected_angles()},
+         .budget = {.absolute = 5e-7},
+         .codomain = {0, half_pi},
+         .promised = make_predicate<Inner>(
+             [](double h, double n) { return !(std::abs(h) > 4) && !(std::abs(n) > 4); })}));
+    using Arc = float(float, glm::vec2, glm::vec2);
+    entries.push_back(
+        equation<Arc>({.id = "GTAO-arc",
+                       .function = "gloam_gtao_arc",
+                       .file = gtao_file,
+                       .title = "what a horizon takes from a slice, cosine-weighted",
+                       .formula = "1/2 (e sin n + cos h cos(h - n))",
+                       .source = "derived from Jimenez et al. 2016, eq 10"},
+                      GLOAM_REFERENCE(gloam_gtao_arc),
+                      {.domain = {elevations(), directions(), directions()},
+                       .budget = {.absolute = 3e-7},
+                       .codomain = {0, half_pi},
+                       .promised = make_predicate<Arc>([](double, const glm::dvec2& h, const glm::dvec2& n) {
+                           return glm::dot(h, h) < 1.001 && glm::dot(n, n) < 1.001;
+                       })}));
+    using Pair = float(float, float);
+    entries.push_back(
+        equation<Pair>({.id = "GTAO-arc-uniform",
+                        .function = "gloam_gtao_arc_uniform",
+                        .file = gtao_file,
+                        .title = "what a horizon takes from a slice, all directions alike",
+                        .formula = "1/2 (sin n + cos h)",
+                        .source = "derived: the integral of |sin| over the arc"},
+                       GLOAM_REFERENCE(gloam_gtao_arc_uniform),
+                       {.domain = {cosines(), cosines()}, .budget = {.absolute = 1e-7}, .codomain = {0, 1}}));
+    using Side = float(float, float, glm::vec2);
+    entries.push_back(
+        equation<Side>({.id = "GTAO-side",
+                        .function = "gloam_gtao_side",
+                        .file = gtao_file,
+                        .title = "what a horizon takes from a slice, from its cosine",
+                        .formula = "arc(n + pi / 2 - acos c, (c, sqrt(1 - c^2)), n)",
+                        .source = "derived from Jimenez et al. 2016, eq 10"},
+                       GLOAM_REFERENCE(gloam_gtao_side),
+                       {.domain = {cosines(), projected_angles(), directions()},
+                        .budget = {.absolute = 1e-6},
+                        .codomain = {0, half_pi},
+                        .promised = make_predicate<Side>([](double, double n, const glm::dvec2& normal) {
+                            return std::abs(n) <= 1.6 && glm::dot(normal, normal) < 1.001;
+                        })}));
 }
 
 void append_gtao_sums(Entries& entries) {
     const Values sum = vector(2, uniform(0, 4));
-    const Values both = vector(2, uniform(0, 1.5)).and_value(glm::vec2(0)).and_special();
-    entries.push_back(equation<glm::vec2(glm::vec2, float, glm::vec2, float)>(
-        {.id = "GTAO-add",
-         .function = "gloam_gtao_add",
-         .file = gtao_file,
-         .title = "one more slice in the cosine-weighted occlusion",
-         .formula = "(sum + w (arc(e_1, -n) + arc(e_2, n)), whole + w (cos n + n sin n))",
-         .source = gtao_source},
-        GLOAM_REFERENCE(gloam_gtao_add),
-        {.domain = {sum, uniform(0, 1).and_special(), both, projected_angles()},
-         .budget = {.absolute = 1e-6},
-         .promised = make_predicate<glm::vec2(glm::vec2, float, glm::vec2, float)>(
-             [](glm::dvec2, double weight, glm::dvec2, double) { return weight <= 1; })}));
-    entries.push_back(equation<glm::vec2(glm::vec2, glm::vec2, float)>(
+    const Values horizons = vector(2, cosines());
+    using Add = glm::vec2(glm::vec2, Slice, glm::vec2);
+    entries.push_back(
+        equation<Add>({.id = "GTAO-add",
+                       .function = "gloam_gtao_add",
+                       .file = gtao_file,
+                       .title = "one more slice in the cosine-weighted occlusion",
+                       .formula = "(sum + w (side(c_1, -n) + side(c_2, n)), whole + w (cos n + n sin n))",
+                       .source = gtao_source},
+                      GLOAM_REFERENCE(gloam_gtao_add),
+                      {.domain = {sum, slices(), horizons}, .budget = {.absolute = 1.2e-6}}));
+    entries.push_back(equation<Add>(
         {.id = "GTAO-add-uniform",
          .function = "gloam_gtao_add_uniform",
          .file = gtao_file,
          .title = "one more slice in the occlusion of all directions alike",
-         .formula = "(sum + arc(e_1, -n) + arc(e_2, n), whole + 1)",
+         .formula = "(sum + arc(c_1, -n) + arc(c_2, n), whole + 1)",
          .source = gtao_source},
         GLOAM_REFERENCE(gloam_gtao_add_uniform),
-        {.domain = {sum, both, projected_angles()}, .budget = {.absolute = 1e-6}, .codomain = {0, 8}}));
+        {.domain = {sum, slices(), horizons}, .budget = {.absolute = 1e-6}, .codomain = {0, 8}}));
     entries.push_back(equation<float(glm::vec2)>({.id = "GTAO",
                                                   .function = "gloam_gtao_occlusion",
                                                   .file = gtao_file,
@@ -212,30 +241,36 @@ void append_gtao_sums(Entries& entries) {
 }
 
 void append_fractions(Entries& entries) {
-    append_of_angles(entries,
-                     {.id = "BITMASK-fraction",
-                      .function = "gloam_slice_fraction_angle",
-                      .file = bitmask_file,
-                      .title = "part of a slice below an angle, all angles alike",
-                      .formula = "(a - n) / pi + 1/2",
-                      .source = bitmask_source},
-                     GLOAM_REFERENCE(gloam_slice_fraction_angle), slice_angles(), 1.0, {.absolute = 2e-7});
-    append_of_angles(entries,
-                     {.id = "BITMASK-fraction-cosine",
-                      .function = "gloam_slice_fraction_cosine",
-                      .file = bitmask_file,
-                      .title = "part of a slice below an angle, cosine-weighted",
-                      .formula = "integral of cos(b - n) |sin b| from n - pi / 2 to a, over the whole",
-                      .source = "derived: the measure of Jimenez et al. 2016"},
-                     GLOAM_REFERENCE(gloam_slice_fraction_cosine), slice_angles(), 1.0, {.absolute = 6e-7});
-    append_of_angles(entries,
-                     {.id = "BITMASK-fraction-uniform",
-                      .function = "gloam_slice_fraction_uniform",
-                      .file = bitmask_file,
-                      .title = "part of a slice below an angle, by solid angle",
-                      .formula = "half the integral of |sin b| from n - pi / 2 to a",
-                      .source = "derived"},
-                     GLOAM_REFERENCE(gloam_slice_fraction_uniform), slice_angles(), 1.0, {.absolute = 5e-7});
+    const auto append = [&](std::string id, std::string function, std::string title, std::string formula,
+                            std::string source, auto reference, double error) {
+        using Fraction = float(glm::vec2, Slice);
+        entries.push_back(
+            equation<Fraction>({.id = std::move(id),
+                                .function = std::move(function),
+                                .file = bitmask_file,
+                                .title = std::move(title),
+                                .formula = std::move(formula),
+                                .source = std::move(source)},
+                               reference,
+                               {.domain = {directions(), slices()},
+                                .budget = {.absolute = error},
+                                .codomain = {0, 1},
+                                // Away from the cut at pi.
+                                .promised = make_predicate<Fraction>([](const glm::dvec2& d, const Slice&) {
+                                    return glm::dot(d, d) < 1.001 && !(d.x < 0 && std::abs(d.y) < 1e-5);
+                                })}));
+    };
+    append("BITMASK-fraction", "gloam_slice_fraction_angle",
+           "part of a slice below a direction, all angles alike", "(a - n) / pi + 1/2", bitmask_source,
+           GLOAM_REFERENCE(gloam_slice_fraction_angle), 4e-7);
+    append("BITMASK-fraction-cosine", "gloam_slice_fraction_cosine",
+           "part of a slice below a direction, cosine-weighted",
+           "integral of cos(b - n) |sin b| from n - pi / 2 to a, over the whole",
+           "derived: the measure of Jimenez et al. 2016", GLOAM_REFERENCE(gloam_slice_fraction_cosine), 5e-7);
+    append("BITMASK-fraction-uniform", "gloam_slice_fraction_uniform",
+           "part of a slice below a direction, by solid angle",
+           "half the integral of |sin b| from n - pi / 2 to a", "derived",
+           GLOAM_REFERENCE(gloam_slice_fraction_uniform), 1.5e-7);
 }
 
 void append_sectors(Entries& entries) {
@@ -284,20 +319,20 @@ void append_sectors(Entries& entries) {
                                                 {.domain = {bits}, .codomain = {0, 1}}));
 }
 
-void append_bitmask_angles(Entries& entries) {
-    using Angles = glm::vec2(glm::vec3, Slice, float);
-    entries.push_back(equation<Angles>(
-        {.id = "BITMASK-angles",
-         .function = "gloam_bitmask_angles",
+void append_bitmask_back(Entries& entries) {
+    using Back = glm::vec2(glm::vec3, Slice, float);
+    entries.push_back(equation<Back>(
+        {.id = "BITMASK-back",
+         .function = "gloam_bitmask_back",
          .file = bitmask_file,
-         .title = "angles that a sample of some thickness covers",
-         .formula = "angles of v and v - thickness view, in order",
+         .title = "direction of the back of a sample of some thickness",
+         .formula = "direction of v - thickness view",
          .source = bitmask_source},
-        GLOAM_REFERENCE(gloam_bitmask_angles),
+        GLOAM_REFERENCE(gloam_bitmask_back),
         {.domain = {offsets(), slices(), log_uniform(0.01, 1).and_special()},
-         .budget = {.absolute = 1.5e-6},
-         .codomain = {-3.1415928, 3.1415928},
-         .promised = make_predicate<Angles>([](glm::dvec3 offset, const Slice& slice, double thickness) {
+         .budget = {.absolute = 1e-6},
+         .codomain = {-1.000001, 1.000001},
+         .promised = make_predicate<Back>([](glm::dvec3 offset, const Slice& slice, double thickness) {
              const double across = glm::dot(offset, glm::dvec3(slice.tangent));
              return std::abs(across) > 0.1 && glm::length(offset) < 3 &&
                     !(thickness > 2 && thickness < 1e38) && moderate(1e-9, 2, thickness);
@@ -311,7 +346,7 @@ void append_slice_methods(Entries& entries) {
     append_gtao_horizons(entries);
     append_gtao_arcs(entries);
     append_gtao_sums(entries);
-    append_bitmask_angles(entries);
+    append_bitmask_back(entries);
     append_fractions(entries);
     append_sectors(entries);
 }

@@ -42,6 +42,22 @@ class Horizons : public testing::Test {
     }
 };
 
+vec2 turned_by(double angle) {
+    return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+}
+
+// A slice seen head-on whose normal is turned by an angle.
+struct Slice {
+    vec3 view{0, 0, 1};
+    vec3 tangent{1, 0, 0};
+    vec2 normal;
+    float angle = 0.0F;
+    float weight = 1.0F;
+};
+Slice slice_of(float angle, float weight = 1.0F) {
+    return {.normal = turned_by(double{angle}), .angle = angle, .weight = weight};
+}
+
 using GtaoGroove = float(float, float, float, float, float, bool, unsigned);
 using BitmaskGroove = float(float, float, float, float, int, float, unsigned);
 
@@ -193,29 +209,37 @@ TEST_F(Horizons, GtaoOfAGrooveFromAnySide) {
 // T11: a pit whose walls rise by 45 degrees all around, seen along the normal.
 TEST_F(Horizons, GtaoOfAPit) {
     const auto elevation = gtao<float(float, float)>("elevation");
-    const auto arc = gtao<float(float, float)>("arc");
+    const auto arc = gtao<float(float, vec2, vec2)>("arc");
     const auto uniform = gtao<float(float, float)>("arc_uniform");
-    const float e = elevation(std::cos(45 * degree), 0.0F);
+    const auto side = gtao<float(float, float, vec2)>("side");
+    const vec2 upright(1, 0);
+    const float c = std::cos(45 * degree);
+    const float e = elevation(c, 0.0F);
     EXPECT_NEAR(e, pi / 4, 1e-6);
-    EXPECT_NEAR(2 * arc(e, 0.0F), 0.5, 1e-6);
-    EXPECT_NEAR(2 * uniform(e, 0.0F), 0.707107, 1e-6);
+    EXPECT_NEAR(2 * arc(e, vec2(c, c), upright), 0.5, 1e-6);
+    EXPECT_NEAR(2 * side(c, 0.0F, upright), 0.5, 1e-6);
+    EXPECT_NEAR(2 * uniform(c, 0.0F), 0.707107, 1e-6);
     EXPECT_EQ(elevation(-1.0F, 0.7F), 0.0F);
     EXPECT_EQ(elevation(-1.0F, -1.5F), 0.0F);
     EXPECT_EQ(elevation(0.5F, NAN), 0.0F);
-    EXPECT_EQ(arc(0.0F, 1.2F), 0.0F);
-    EXPECT_EQ(arc(NAN, 1.2F), 0.0F);
+    EXPECT_EQ(arc(0.0F, vec2(c, c), turned_by(1.2)), 0.0F);
+    EXPECT_EQ(arc(NAN, vec2(c, c), turned_by(1.2)), 0.0F);
+    EXPECT_EQ(side(-1.0F, 1.2F, turned_by(1.2)), 0.0F);
+    EXPECT_EQ(side(NAN, 1.2F, turned_by(1.2)), 0.0F);
 }
 
 // The printed inner integral and what the library takes away are two halves of one.
 TEST_F(Horizons, GtaoVisibleAndOccludedAreTheWhole) {
     const auto inner = gtao<float(float, float)>("inner");
-    const auto arc = gtao<float(float, float)>("arc");
+    const auto arc = gtao<float(float, vec2, vec2)>("arc");
     for (const float n : {-1.2F, -0.4F, 0.0F, 0.9F, 1.5F}) {
         for (const float part : {0.0F, 0.3F, 0.8F, 1.0F}) {
-            const float low = static_cast<float>(n - pi / 2);
-            const float high = static_cast<float>(n + pi / 2);
+            const auto low = static_cast<float>(n - pi / 2);
+            const auto high = static_cast<float>(n + pi / 2);
             const float visible = inner(part * low, n) + inner(part * high, n);
-            const float occluded = arc(part * low - low, -n) + arc(high - part * high, n);
+            const float occluded =
+                arc(part * low - low, turned_by(double{-part * low}), turned_by(double{-n})) +
+                arc(high - part * high, turned_by(double{part * high}), turned_by(double{n}));
             EXPECT_NEAR(visible + occluded, std::cos(n) + n * std::sin(n), 2e-6) << n << " " << part;
         }
     }
@@ -231,11 +255,11 @@ TEST_F(Horizons, GtaoEdges) {
         EXPECT_EQ(horizon(-1.0F, 0.0F, nowhere, view, 1.0F), -1.0F);
     EXPECT_EQ(horizon(-1.0F, 0.0F, vec3(3, 0, 4), view, 0.0F), -1.0F);
     EXPECT_EQ(horizon(-1.0F, 0.0F, vec3(3, 0, 4), view, NAN), -1.0F);
-    const auto add = gtao<vec2(vec2, float, vec2, float)>("add");
+    const auto add = gtao<vec2(vec2, Slice, vec2)>("add");
     const auto result = gtao<float(vec2)>("occlusion");
-    EXPECT_EQ(add(vec2(1, 2), 0.0F, vec2(1), 0.3F), vec2(1, 2));
-    EXPECT_EQ(add(vec2(1, 2), NAN, vec2(1), 0.3F), vec2(1, 2));
-    EXPECT_EQ(add(vec2(1, 2), 1.0F, vec2(1), NAN), vec2(1, 2));
+    EXPECT_EQ(add(vec2(1, 2), slice_of(0.3F, 0.0F), vec2(1)), vec2(1, 2));
+    EXPECT_EQ(add(vec2(1, 2), slice_of(0.3F, NAN), vec2(1)), vec2(1, 2));
+    EXPECT_EQ(add(vec2(1, 2), slice_of(0.0F), vec2(-1)), vec2(1, 3));
     EXPECT_EQ(result(vec2(0)), 0.0F);
     EXPECT_EQ(result(vec2(NAN, 1)), 0.0F);
     EXPECT_EQ(result(vec2(3, 2)), 1.0F);
@@ -295,25 +319,36 @@ TEST_F(Horizons, BitmaskSectors) {
 
 TEST_F(Horizons, SliceFractions) {
     for (const char* name : {"angle", "cosine", "uniform"}) {
-        const auto f = bitmask<float(float, float)>(std::string("slice_fraction_") + name);
+        const auto f = bitmask<float(vec2, Slice)>(std::string("slice_fraction_") + name);
         for (const float n : {-1.3F, 0.0F, 0.7F}) {
-            EXPECT_NEAR(f(static_cast<float>(n - pi / 2), n), 0.0, 1e-6) << name;
-            EXPECT_NEAR(f(static_cast<float>(n + pi / 2), n), 1.0, 1e-6) << name;
+            const Slice slice = slice_of(n);
+            EXPECT_NEAR(f(turned_by(n - pi / 2), slice), 0.0, 1e-6) << name;
+            EXPECT_NEAR(f(turned_by(n + pi / 2), slice), 1.0, 1e-6) << name;
             float last = 0.0F;
             for (int i = 0; i <= 32; ++i) {
-                const float now = f(static_cast<float>(n - pi / 2 + pi * i / 32), n);
+                const float now = f(turned_by(n - pi / 2 + pi * i / 32), slice);
                 EXPECT_GE(now, last - 1e-6F) << name << n;
                 last = now;
             }
         }
-        EXPECT_NEAR(f(0.0F, 0.0F), 0.5, 1e-6) << name;
-        EXPECT_EQ(f(NAN, 0.0F), 0.0F) << name;
-        EXPECT_EQ(f(0.0F, NAN), 0.0F) << name;
+        EXPECT_NEAR(f(vec2(1, 0), slice_of(0.0F)), 0.5, 1e-6) << name;
+        const float of_nan = f(vec2(NAN), slice_of(0.0F));
+        EXPECT_TRUE(of_nan >= 0.0F && of_nan <= 1.0F) << name;
     }
-    EXPECT_NEAR(bitmask<float(float, float)>("slice_fraction_cosine")(static_cast<float>(pi / 4), 0.0F), 0.75,
-                1e-6);
-    EXPECT_NEAR(bitmask<float(float, float)>("slice_fraction_uniform")(static_cast<float>(pi / 4), 0.0F),
+    const vec2 halfway = turned_by(pi / 4);
+    EXPECT_NEAR(bitmask<float(vec2, Slice)>("slice_fraction_cosine")(halfway, slice_of(0.0F)), 0.75, 1e-6);
+    EXPECT_NEAR(bitmask<float(vec2, Slice)>("slice_fraction_uniform")(halfway, slice_of(0.0F)),
                 1 - std::sqrt(0.5) / 2, 1e-6);
+}
+
+// What is not thick covers nothing.
+TEST_F(Horizons, BackOfASample) {
+    const auto back = bitmask<vec2(vec3, Slice, float)>("bitmask_back");
+    const Slice slice = slice_of(0.3F);
+    EXPECT_EQ(back(vec3(3, 0, 4), slice, 4.0F), vec2(0, 1));
+    for (const float thickness : {0.0F, -1.0F, NAN, infinity})
+        EXPECT_EQ(back(vec3(3, 0, 4), slice, thickness), vec2(0.8F, 0.6F)) << thickness;
+    EXPECT_EQ(back(vec3(0), slice, 1.0F), vec2(0));
 }
 
 }  // namespace

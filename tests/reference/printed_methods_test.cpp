@@ -115,6 +115,10 @@ TEST(Printed, FilionHbaoAndVolumes) {
     });
 }
 
+dvec2 turned_by(double angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
+
 // What is between a horizon and the tangent plane, as the integral that GTAO solves; with the printed
 // solution of the rest.
 TEST(Printed, SlicesAreTheirIntegrals) {
@@ -125,17 +129,23 @@ TEST(Printed, SlicesAreTheirIntegrals) {
         const double h = random.uniform(0, end);
         const auto weighted = [n](double a) { return std::cos(a - n) * std::abs(std::sin(a)); };
         const auto plain = [](double a) { return std::abs(std::sin(a)); };
-        EXPECT_NEAR(gloam_gtao_arc(end - h, n), integral(h, end, weighted), 1e-8) << n << " " << h;
+        const GloamSlice<double> slice{.normal = turned_by(n), .angle = n, .weight = 1.0};
+        EXPECT_NEAR(gloam_gtao_arc(end - h, turned_by(h), turned_by(n)), integral(h, end, weighted), 1e-8)
+            << n << " " << h;
+        EXPECT_NEAR(gloam_gtao_side(std::cos(h), n, turned_by(n)), integral(h, end, weighted), 1e-8);
         EXPECT_NEAR(gloam_gtao_inner(h, n), integral(0, h, weighted), 1e-8) << n << " " << h;
-        EXPECT_NEAR(gloam_gtao_arc_uniform(end - h, n), 0.5 * integral(h, end, plain), 1e-8) << n;
+        EXPECT_NEAR(gloam_gtao_arc_uniform(std::cos(h), std::sin(n)), 0.5 * integral(h, end, plain), 1e-8)
+            << n;
         const double start = n - whole_turn / 4;
         const double whole = integral(start, 0, weighted) + integral(0, end, weighted);
-        EXPECT_NEAR(whole, std::cos(n) + n * std::sin(n), 1e-8);
-        EXPECT_NEAR(gloam_slice_fraction_cosine(h, n), 1 - integral(h, end, weighted) / whole, 1e-8);
-        EXPECT_NEAR(gloam_slice_fraction_uniform(h, n), 1 - 0.5 * integral(h, end, plain), 1e-8);
+        EXPECT_NEAR(whole, gloam_slice_whole(slice), 1e-8);
+        const dvec2 above = turned_by(h);
+        EXPECT_NEAR(gloam_slice_fraction_cosine(above, slice), 1 - integral(h, end, weighted) / whole, 1e-8);
+        EXPECT_NEAR(gloam_slice_fraction_uniform(above, slice), 1 - 0.5 * integral(h, end, plain), 1e-8);
+        EXPECT_NEAR(gloam_slice_fraction_angle(above, slice), (h - start) / (whole_turn / 2), 1e-8);
         const double low = random.uniform(start, 0);
-        EXPECT_NEAR(gloam_slice_fraction_cosine(low, n), integral(start, low, weighted) / whole, 1e-8);
-        EXPECT_NEAR(gloam_slice_fraction_angle(h, n), (h - start) / (whole_turn / 2), 1e-8);
+        EXPECT_NEAR(gloam_slice_fraction_cosine(turned_by(low), slice),
+                    integral(start, low, weighted) / whole, 1e-8);
     }
 }
 

@@ -10,15 +10,16 @@
 struct GloamSlice {
     vec3 view;     // from the surface to the eye, unit
     vec3 tangent;  // in the slice, across the view vector, unit; the side of positive angles
-    float angle;   // of the normal's projection into the slice, radians
+    vec2 normal;   // direction of the normal's projection into the slice, (along view, along tangent), unit
+    float angle;   // the same as an angle n, radians in [-pi / 2, pi / 2]
     float weight;  // length of that projection, [0, 1]
 };
 
 // Slice of a direction of the image.
 // direction: in the image plane, unit, y as in view space; 0 to pi of angles make all slices. view: unit, view space (orthographic: (0, 0, 1)).
-// normal: of the surface, unit, view space.
+// normal: of the surface, unit, view space; the part of one that faces away is left out.
 // Returns the slice; weight 0, for which it counts nothing, where the normal is perpendicular to it, for a direction along the view
-// vector, and for NaN. Error: 6e-7 for directions and normals well away from those; of the angle
+// vector, and for NaN. Error: 6e-7 for directions and normals well away from those; of the angle and of the normal
 // 2e-7 / weight.
 GloamSlice gloam_slice(vec2 direction, vec3 view, vec3 normal) {
     vec3 along = vec3(direction, 0.0);
@@ -26,16 +27,24 @@ GloamSlice gloam_slice(vec2 direction, vec3 view, vec3 normal) {
     float x = dot(normal, tangent);
     float y = dot(normal, view);
     float weight = gloam_sqrt(x * x + y * y);
-    if (!(weight > 0.0 && dot(tangent, tangent) > 0.5)) return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, 0.0, 0.0);
-    return GloamSlice(view, tangent, clamp(gloam_atan2(x, y), -1.570796327, 1.570796327), min(weight, 1.0));
+    if (!(weight > 0.0 && dot(tangent, tangent) > 0.5)) return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, vec2(1.0, 0.0), 0.0, 0.0);
+    vec3 projected = gloam_safe_normalize(vec3(max(y, 0.0), x, 0.0), vec3(1.0, 0.0, 0.0));
+    return GloamSlice(view, tangent, projected.xy, gloam_atan2(projected.y, projected.x), min(weight, 1.0));
 }
 
-// Angle of a sample in the slice.
+// What a half plane without anything in it amounts to, weighted by the cosine to the normal and by solid angle: cos n + n sin n.
+// Returns an amount in [1, pi / 2]. Error: 3e-7.
+float gloam_slice_whole(GloamSlice slice) {
+    return slice.normal.x + slice.angle * slice.normal.y;
+}
+
+// Direction of a sample in the slice.
 // offset: s - p, view space, world units; its part across the slice is dropped.
-// Returns radians in [-pi, pi] from the view vector; 0 for a zero offset and for NaN. Error: 6e-7 where |offset| lies mostly in the slice.
-float gloam_slice_angle(vec3 offset, GloamSlice slice) {
+// Returns (along view, along tangent), unit: cosine and sine of the sample's angle; (0, 0) for an offset without a part in the slice, and for
+// NaN. Error: 4e-7 where |offset| lies mostly in the slice.
+vec2 gloam_slice_direction(vec3 offset, GloamSlice slice) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
-    return gloam_atan2(dot(direction, slice.tangent), dot(direction, slice.view));
+    return gloam_safe_normalize(vec3(dot(direction, slice.view), dot(direction, slice.tangent), 0.0), vec3(0.0)).xy;
 }
 
 #endif

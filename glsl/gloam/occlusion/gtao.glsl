@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_GTAO_GLSL
 
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/numeric/sincos.glsl"
 
@@ -22,11 +23,9 @@ float gloam_gtao_horizon(float horizon, float lowest, vec3 offset, vec3 view, fl
 }
 
 // Cosines of the tangent plane's angles from the view vector: cos(n - pi / 2), cos(n + pi / 2).
-// angle: n, of the projected normal, radians in [-pi / 2, pi / 2].
-// Returns (sin n, -sin n): negative, then positive side. Error: 2e-7.
-vec2 gloam_gtao_lowest(float angle) {
-    float sine = gloam_sincos(angle).y;
-    return vec2(sine, -sine);
+// Returns (sin n, -sin n): negative, then positive side. Error: none.
+vec2 gloam_gtao_lowest(GloamSlice slice) {
+    return vec2(slice.normal.y, -slice.normal.y);
 }
 
 // How far a horizon on the positive side rises above the tangent plane within the slice: what lies behind the hemisphere is cut off. On the
@@ -50,43 +49,52 @@ float gloam_gtao_inner(float horizon, float angle) {
 }
 
 // What a horizon on the positive side takes from that: the integral over the angles between the horizon and the tangent plane,
-// 1/2 (e sin n + sin(e - n) sin e). On the negative side n changes its sign.
-// elevation: e, radians in [0, pi], taken to the nearer end outside, NaN to 0. angle: n, radians.
-// Returns an amount in [0, pi / 2]; 0 exactly for e = 0. Error: 5e-7.
-float gloam_gtao_arc(float elevation, float angle) {
-    float e = elevation > 0.0 ? min(elevation, 3.141592654) : 0.0;
-    float arc = 0.5 * (e * gloam_sincos(angle).y + gloam_sincos(e - angle).y * gloam_sincos(e).y);
+// 1/2 (e sin n + sin(e - n) sin e), where e = n + pi / 2 - h is the elevation: sin(e - n) = cos h and sin e = cos(h - n), so that no further sine is
+// needed. On the negative side n changes its sign.
+// elevation: e, radians in [0, pi], taken to the nearer end outside, NaN to 0. horizon: (cos h, sin h). normal: (cos n, sin n).
+// Returns an amount in [0, pi / 2]; 0 exactly for e = 0. Error: 3e-7.
+float gloam_gtao_arc(float elevation, vec2 horizon, vec2 normal) {
+    if (!(elevation > 0.0)) return 0.0;
+    float arc = 0.5 * (min(elevation, 3.141592654) * normal.y + horizon.x * dot(horizon, normal));
     return arc > 0.0 ? min(arc, 1.570796327) : 0.0;
 }
 
-// The same with every direction of the hemisphere weighted alike: 1/2 (sin n + sin(e - n)) = sin(e / 2) cos(n - e / 2).
-// elevation: e, radians in [0, pi], taken to the nearer end outside, NaN to 0. angle: n, radians.
-// Returns an amount in [0, 1]; 0 exactly for e = 0. A free half plane holds 1. Error: 4e-7.
-float gloam_gtao_arc_uniform(float elevation, float angle) {
-    float part = elevation > 0.0 ? 0.5 * min(elevation, 3.141592654) : 0.0;
-    float arc = gloam_sincos(part).y * gloam_sincos(angle - part).x;
+// The same with every direction of the hemisphere weighted alike: 1/2 (sin n + sin(e - n)) = 1/2 (sin n + cos h).
+// horizon: cos h. sine: sin n.
+// Returns an amount in [0, 1]; 0 for a horizon below the tangent plane and for NaN. A free half plane holds 1. Error: 1e-7.
+float gloam_gtao_arc_uniform(float horizon, float sine) {
+    float arc = 0.5 * (sine + horizon);
     return arc > 0.0 ? min(arc, 1.0) : 0.0;
 }
 
+// What a horizon takes from a slice, cosine-weighted: from its cosine.
+// horizon: cos h of gloam_gtao_horizon, taken to the nearer end outside [-1, 1]. angle: n, radians. normal: (cos n, sin n). Both for the positive
+// side; on the negative side -n.
+// Returns an amount in [0, pi / 2]; 0 for NaN. Error: 1e-6.
+float gloam_gtao_side(float horizon, float angle, vec2 normal) {
+    float c = clamp(horizon, -1.0, 1.0);
+    float s = gloam_sqrt((1.0 - c) * (1.0 + c));
+    return gloam_gtao_arc(gloam_gtao_elevation(c, angle), vec2(c, s), normal);
+}
+
 // Adds a slice to the cosine-weighted occlusion.
-// accumulated: (occluded, whole) so far, (0, 0) to begin with. weight: of the slice, length of the projected normal. elevations: (e_1, e_2)
-// of gloam_gtao_elevation. angle: n, radians in [-pi / 2, pi / 2].
-// Returns (occluded, whole) with the slice: weight times the amount behind the horizons, and weight (cos n + n sin n). Unchanged for
-// a weight that is not positive or not finite, and for an angle outside [-1.6, 1.6] or NaN. Error: 1e-6 a slice.
-vec2 gloam_gtao_add(vec2 accumulated, float weight, vec2 elevations, float angle) {
-    if (!(weight > 0.0 && weight <= 3.402823466e38 && abs(angle) <= 1.6)) return accumulated;
-    vec2 n = gloam_sincos(angle);
-    float occluded = gloam_gtao_arc(elevations.x, -angle) + gloam_gtao_arc(elevations.y, angle);
-    return accumulated + weight * vec2(occluded, n.x + angle * n.y);
+// accumulated: (occluded, whole) so far, (0, 0) to begin with. horizons: cosines of gloam_gtao_horizon, negative and positive side.
+// Returns (occluded, whole) with the slice: its weight times the amount behind the horizons, and its weight times cos n + n sin n. Unchanged for
+// a weight that is not positive or not finite. Error: 1.2e-6 a slice.
+vec2 gloam_gtao_add(vec2 accumulated, GloamSlice slice, vec2 horizons) {
+    if (!(slice.weight > 0.0 && slice.weight <= 3.402823466e38)) return accumulated;
+    float occluded = gloam_gtao_side(horizons.x, -slice.angle, vec2(slice.normal.x, -slice.normal.y)) +
+                     gloam_gtao_side(horizons.y, slice.angle, slice.normal);
+    return accumulated + slice.weight * vec2(occluded, gloam_slice_whole(slice));
 }
 
 // Adds a slice to the occlusion that weighs all directions alike; every slice counts the same.
-// accumulated, elevations, angle: as above.
-// Returns (occluded, whole) with the slice: the amount behind the horizons, and 1. Unchanged for an angle outside [-1.6, 1.6] or NaN.
+// accumulated, horizons: as above.
+// Returns (occluded, whole) with the slice: the amount behind the horizons, and 1. Unchanged for a weight that is not positive.
 // Error: 5e-7 a slice.
-vec2 gloam_gtao_add_uniform(vec2 accumulated, vec2 elevations, float angle) {
-    if (!(abs(angle) <= 1.6)) return accumulated;
-    float occluded = gloam_gtao_arc_uniform(elevations.x, -angle) + gloam_gtao_arc_uniform(elevations.y, angle);
+vec2 gloam_gtao_add_uniform(vec2 accumulated, GloamSlice slice, vec2 horizons) {
+    if (!(slice.weight > 0.0)) return accumulated;
+    float occluded = gloam_gtao_arc_uniform(horizons.x, -slice.normal.y) + gloam_gtao_arc_uniform(horizons.y, slice.normal.y);
     return accumulated + vec2(occluded, 1.0);
 }
 

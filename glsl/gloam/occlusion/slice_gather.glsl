@@ -82,7 +82,7 @@ vec2 gloam_slice_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKer
     vec3 view = gloam_method_slice_view(camera.orthographic ? ahead : gloam_safe_normalize(-position, ahead));
     vec2 upright = vec2(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0);
     uint taps = 2u * max(method.steps, 1u);
-    float turned = kernel.angle / 6.283185307;
+    float turned = abs(kernel.angle) <= 65536.0 ? kernel.angle / 6.283185307 : 0.0;  // as gloam_sincos has it
     vec2 accumulated = vec2(0.0);
     for (uint i = 0u; i < max(kernel.count / taps, 1u); ++i) {
         uint index = kernel.first / taps + i + 1u;

@@ -11,48 +11,43 @@
 // thickness, covers those between its front and its back. Light passes behind thin things, where a horizon would block it. How the half
 // plane is measured decides what is estimated: gloam_slice_fraction_* below.
 
-// Angles in the slice that a sample covers.
+// Direction in the slice of a sample's back.
 // offset: s - p, view space, world units, the front of the sample. thickness: world units, along the view ray away from the eye.
-// Returns (lower, upper), radians in [-pi, pi]: the front and back angles in order. (0, 0) for a zero or non-finite offset, a thickness not
-// positive, or NaN. A sample within rounding of the view ray through p covers one side only. Error: 1e-6.
-vec2 gloam_bitmask_angles(vec3 offset, GloamSlice slice, float thickness) {
+// Returns (along view, along tangent), unit; the direction of the front, which covers nothing, for a thickness not positive or not finite, and
+// for a zero or non-finite offset. A sample within rounding of the view ray through p covers one side only. Error: 1e-6.
+vec2 gloam_bitmask_back(vec3 offset, GloamSlice slice, float thickness) {
     vec3 behind = offset - thickness * slice.view;
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
-    if (!(thickness > 0.0 && dot(direction, direction) > 0.5 && gloam_is_finite3(behind))) return vec2(0.0);
-    float front = gloam_slice_angle(offset, slice);
-    float back = gloam_slice_angle(behind, slice);
-    return front < back ? vec2(front, back) : vec2(back, front);
+    bool thick = thickness > 0.0 && dot(direction, direction) > 0.5 && gloam_is_finite3(behind);
+    return gloam_slice_direction(thick ? behind : offset, slice);
 }
 
-// Part of the half plane below an angle, all angles weighted alike, as in the paper: (a - n) / pi + 1/2.
-// slice_angle: a, radians from the view vector. angle: n, of the projected normal, radians.
-// Returns a fraction in [0, 1]: 0 on the tangent plane on the negative side and below, 1 on the other; 0 for NaN. Error: 3e-7.
-float gloam_slice_fraction_angle(float slice_angle, float angle) {
-    return gloam_unit_interval((slice_angle - angle) * 0.3183098862 + 0.5);
+// Part of the half plane below a direction, all angles weighted alike, as in the paper: (a - n) / pi + 1/2.
+// direction: (cos a, sin a) of gloam_slice_direction.
+// Returns a fraction in [0, 1]: 0 on the tangent plane on the negative side and below, 1 on the other. Error: 4e-7.
+float gloam_slice_fraction_angle(vec2 direction, GloamSlice slice) {
+    return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) * 0.3183098862 + 0.5);
 }
 
 // The same weighted by the cosine to the normal and by solid angle, as in GTAO: the mean over slices, each weighted by the length of the
 // projected normal times (cos n + n sin n), is the occlusion of TSSAO-1.
-// slice_angle: a, radians from the view vector. angle: n, radians.
-// Returns a fraction in [0, 1]; 0 for NaN and for angles beyond pi or pi / 2. Error: 1e-6.
-float gloam_slice_fraction_cosine(float slice_angle, float angle) {
-    if (!(abs(slice_angle) <= 4.0 && abs(angle) <= 1.6)) return 0.0;
-    vec2 n = gloam_sincos(angle);
-    float whole = n.x + angle * n.y;
-    bool negative = slice_angle < 0.0;
-    float elevation = 1.570796327 + (negative ? slice_angle - angle : angle - slice_angle);
-    float part = gloam_gtao_arc(elevation, negative ? -angle : angle) / whole;
+// direction: (cos a, sin a) of gloam_slice_direction.
+// Returns a fraction in [0, 1], of NaN as well. Error: 5e-7.
+float gloam_slice_fraction_cosine(vec2 direction, GloamSlice slice) {
+    bool negative = direction.y < 0.0;
+    vec2 normal = negative ? vec2(slice.normal.x, -slice.normal.y) : slice.normal;
+    vec2 horizon = vec2(direction.x, abs(direction.y));
+    float elevation = 1.570796327 + (negative ? -slice.angle : slice.angle) - gloam_atan2(horizon.y, horizon.x);
+    float part = gloam_gtao_arc(elevation, horizon, normal) / gloam_slice_whole(slice);
     return gloam_unit_interval(negative ? part : 1.0 - part);
 }
 
 // The same weighted by solid angle alone; every slice counts the same.
-// slice_angle: a, radians from the view vector. angle: n, radians.
-// Returns a fraction in [0, 1]; 0 for NaN and for angles beyond pi or pi / 2. Error: 6e-7.
-float gloam_slice_fraction_uniform(float slice_angle, float angle) {
-    if (!(abs(slice_angle) <= 4.0 && abs(angle) <= 1.6)) return 0.0;
-    bool negative = slice_angle < 0.0;
-    float elevation = 1.570796327 + (negative ? slice_angle - angle : angle - slice_angle);
-    float part = gloam_gtao_arc_uniform(elevation, negative ? -angle : angle);
+// direction: (cos a, sin a) of gloam_slice_direction.
+// Returns a fraction in [0, 1], of NaN as well. Error: 1.5e-7.
+float gloam_slice_fraction_uniform(vec2 direction, GloamSlice slice) {
+    bool negative = direction.y < 0.0;
+    float part = gloam_gtao_arc_uniform(direction.x, negative ? -slice.normal.y : slice.normal.y);
     return gloam_unit_interval(negative ? part : 1.0 - part);
 }
 
@@ -67,7 +62,7 @@ uint gloam_bit_range(uint first, uint last) {
 
 // Sectors that a sample covers: those of 32 whose centres lie in the range, lower <= (i + 1/2) / 32 < upper. The mean over ranges is right:
 // thin samples cover a sector as often as they should.
-// fractions: (lower, upper) of gloam_slice_fraction_*, in [0, 1], taken to the nearer end outside, NaN to 0.
+// fractions: (lower, upper), those of gloam_slice_fraction_* of front and back in order, in [0, 1], taken to the nearer end outside, NaN to 0.
 // Returns bits, sector i as bit i; none for upper <= lower. Error: none, but a centre within rounding of an end may fall to either side.
 uint gloam_bitmask_sectors(vec2 fractions) {
     vec2 ends = ceil(32.0 * vec2(gloam_unit_interval(fractions.x), gloam_unit_interval(fractions.y)) - 0.5);

@@ -22,16 +22,14 @@ GloamMarch gloam_method_slice_start(GloamSlice slice, vec3 normal, float share, 
 GloamMarch gloam_method_slice_step(GloamMarch march, GloamSlice slice, vec3 offset, bool positive, GloamKernel kernel,
                                    GloamMethod method) {
     if (!(gloam_length(offset) < march.share * kernel.radius)) return march;
-    vec2 angles = gloam_bitmask_angles(offset, slice, method.thickness);
-    march.sectors |= gloam_bitmask_sectors(vec2(gloam_slice_fraction_cosine(angles.x, slice.angle),
-                                                gloam_slice_fraction_cosine(angles.y, slice.angle)));
+    float front = gloam_slice_fraction_cosine(gloam_slice_direction(offset, slice), slice);
+    float back = gloam_slice_fraction_cosine(gloam_bitmask_back(offset, slice, method.thickness), slice);
+    march.sectors |= gloam_bitmask_sectors(vec2(min(front, back), max(front, back)));
     return march;
 }
 
 vec2 gloam_method_slice_end(vec2 accumulated, GloamMarch march, GloamSlice slice, GloamMethod method) {
-    vec2 cosine = gloam_sincos(slice.angle);
-    float whole = slice.weight * (cosine.x + slice.angle * cosine.y);
-    return accumulated + whole * vec2(gloam_bitmask_occlusion(march.sectors), 1.0);
+    return accumulated + slice.weight * gloam_slice_whole(slice) * vec2(gloam_bitmask_occlusion(march.sectors), 1.0);
 }
 
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {

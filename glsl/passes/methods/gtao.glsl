@@ -15,7 +15,7 @@ vec3 gloam_method_slice_view(vec3 eye) {
 }
 
 GloamMarch gloam_method_slice_start(GloamSlice slice, vec3 normal, float share, GloamMethod method) {
-    vec2 lowest = gloam_gtao_lowest(slice.angle);
+    vec2 lowest = gloam_gtao_lowest(slice);
     return GloamMarch(vec2(-1.0, lowest.y), vec2(-1.0, lowest.x), share, 0u);
 }
 
@@ -31,9 +31,7 @@ GloamMarch gloam_method_slice_step(GloamMarch march, GloamSlice slice, vec3 offs
 }
 
 vec2 gloam_method_slice_end(vec2 accumulated, GloamMarch march, GloamSlice slice, GloamMethod method) {
-    vec2 elevations = vec2(gloam_gtao_elevation(march.negative.x, -slice.angle),
-                           gloam_gtao_elevation(march.positive.x, slice.angle));
-    return gloam_gtao_add(accumulated, slice.weight, elevations, slice.angle);
+    return gloam_gtao_add(accumulated, slice, vec2(march.negative.x, march.positive.x));
 }
 
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {

@@ -12,7 +12,7 @@ template <class T>
 struct GtaoMethod {
     vec3<T> view(vec3<T> eye) const { return eye; }
     GloamMarch<T> start(GloamSlice<T> slice, vec3<T> /*normal*/, T share, GloamMethod<T> /*method*/) const {
-        const vec2<T> lowest = gloam_gtao_lowest(slice.angle);
+        const vec2<T> lowest = gloam_gtao_lowest(slice);
         return {vec2<T>(T(-1), lowest.y), vec2<T>(T(-1), lowest.x), share, 0U};
     }
     GloamMarch<T> step(GloamMarch<T> march, GloamSlice<T> slice, vec3<T> offset, bool positive,
@@ -24,9 +24,7 @@ struct GtaoMethod {
     }
     vec2<T> end(vec2<T> accumulated, GloamMarch<T> march, GloamSlice<T> slice,
                 GloamMethod<T> /*method*/) const {
-        const vec2<T> elevations(gloam_gtao_elevation(march.negative.x, T(-slice.angle)),
-                                 gloam_gtao_elevation(march.positive.x, slice.angle));
-        return gloam_gtao_add(accumulated, slice.weight, elevations, slice.angle);
+        return gloam_gtao_add(accumulated, slice, vec2<T>(march.negative.x, march.positive.x));
     }
 };
 

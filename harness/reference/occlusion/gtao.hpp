@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/geometry/safe_normalize.hpp"
+#include "reference/geometry/slice.hpp"
 #include "reference/numeric/inverse_trigonometry.hpp"
 #include "reference/numeric/sincos.hpp"
 
@@ -16,9 +17,8 @@ T gloam_gtao_horizon(T horizon, T lowest, vec3<T> offset, vec3<T> view, T weight
 }
 
 template <class T>
-vec2<T> gloam_gtao_lowest(T angle) {
-    const T sine = gloam_sincos(angle).y;
-    return vec2<T>(sine, -sine);
+vec2<T> gloam_gtao_lowest(GloamSlice<T> slice) {
+    return vec2<T>(slice.normal.y, -slice.normal.y);
 }
 
 template <class T>
@@ -35,32 +35,39 @@ T gloam_gtao_inner(T horizon, T angle) {
 }
 
 template <class T>
-T gloam_gtao_arc(T elevation, T angle) {
-    const T e = elevation > T(0) ? min(elevation, T(3.141592654)) : T(0);
-    const T arc = T(0.5) * (e * gloam_sincos(angle).y + gloam_sincos(e - angle).y * gloam_sincos(e).y);
+T gloam_gtao_arc(T elevation, vec2<T> horizon, vec2<T> normal) {
+    if (!(elevation > T(0))) return T(0);
+    const T arc = T(0.5) * (min(elevation, T(3.141592654)) * normal.y + horizon.x * dot(horizon, normal));
     return arc > T(0) ? min(arc, T(1.570796327)) : T(0);
 }
 
 template <class T>
-T gloam_gtao_arc_uniform(T elevation, T angle) {
-    const T part = elevation > T(0) ? T(0.5) * min(elevation, T(3.141592654)) : T(0);
-    const T arc = gloam_sincos(part).y * gloam_sincos(angle - part).x;
+T gloam_gtao_arc_uniform(T horizon, T sine) {
+    const T arc = T(0.5) * (sine + horizon);
     return arc > T(0) ? min(arc, T(1)) : T(0);
 }
 
 template <class T>
-vec2<T> gloam_gtao_add(vec2<T> accumulated, T weight, vec2<T> elevations, T angle) {
-    if (!(weight > T(0) && weight <= float_max<T>() && abs(angle) <= T(1.6))) return accumulated;
-    const vec2<T> n = gloam_sincos(angle);
-    const T occluded = gloam_gtao_arc(elevations.x, -angle) + gloam_gtao_arc(elevations.y, angle);
-    return accumulated + vec2<T>(occluded, n.x + angle * n.y) * weight;
+T gloam_gtao_side(T horizon, T angle, vec2<T> normal) {
+    const T c = clamp(horizon, T(-1), T(1));
+    const T s = gloam_sqrt((T(1) - c) * (T(1) + c));
+    return gloam_gtao_arc(gloam_gtao_elevation(c, angle), vec2<T>(c, s), normal);
 }
 
 template <class T>
-vec2<T> gloam_gtao_add_uniform(vec2<T> accumulated, vec2<T> elevations, T angle) {
-    if (!(abs(angle) <= T(1.6))) return accumulated;
+vec2<T> gloam_gtao_add(vec2<T> accumulated, GloamSlice<T> slice, vec2<T> horizons) {
+    if (!(slice.weight > T(0) && slice.weight <= float_max<T>())) return accumulated;
     const T occluded =
-        gloam_gtao_arc_uniform(elevations.x, -angle) + gloam_gtao_arc_uniform(elevations.y, angle);
+        gloam_gtao_side(horizons.x, T(-slice.angle), vec2<T>(slice.normal.x, -slice.normal.y)) +
+        gloam_gtao_side(horizons.y, slice.angle, slice.normal);
+    return accumulated + vec2<T>(occluded, gloam_slice_whole(slice)) * slice.weight;
+}
+
+template <class T>
+vec2<T> gloam_gtao_add_uniform(vec2<T> accumulated, GloamSlice<T> slice, vec2<T> horizons) {
+    if (!(slice.weight > T(0))) return accumulated;
+    const T occluded = gloam_gtao_arc_uniform(horizons.x, T(-slice.normal.y)) +
+                       gloam_gtao_arc_uniform(horizons.y, slice.normal.y);
     return accumulated + vec2<T>(occluded, T(1));
 }
 

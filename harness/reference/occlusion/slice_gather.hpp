@@ -67,7 +67,7 @@ vec2<T> gloam_slice_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> came
     const vec3<T> view = method.view(eye);
     const vec2<T> upright(T(1), camera.p00_p11.y < T(0) ? T(-1) : T(1));
     const unsigned taps = 2U * std::max(parameters.steps, 1U);
-    const T turned = kernel.angle / T(6.283185307F);
+    const T turned = abs(kernel.angle) <= T(65536) ? kernel.angle / T(6.283185307F) : T(0);
     vec2<T> accumulated(T(0), T(0));
     for (unsigned i = 0; i < std::max(kernel.count / taps, 1U); ++i) {
         const unsigned index = kernel.first / taps + i + 1U;

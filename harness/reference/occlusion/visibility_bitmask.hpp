@@ -10,38 +10,34 @@
 namespace gloam::reference {
 
 template <class T>
-vec2<T> gloam_bitmask_angles(vec3<T> offset, GloamSlice<T> slice, T thickness) {
+vec2<T> gloam_bitmask_back(vec3<T> offset, GloamSlice<T> slice, T thickness) {
     const vec3<T> behind = offset - slice.view * thickness;
     const vec3<T> direction = gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0)));
-    if (!(thickness > T(0) && dot(direction, direction) > T(0.5) && gloam_is_finite3(behind)))
-        return vec2<T>(T(0), T(0));
-    const T front = gloam_slice_angle(offset, slice);
-    const T back = gloam_slice_angle(behind, slice);
-    return front < back ? vec2<T>(front, back) : vec2<T>(back, front);
+    const bool thick = thickness > T(0) && dot(direction, direction) > T(0.5) && gloam_is_finite3(behind);
+    return gloam_slice_direction(thick ? behind : offset, slice);
 }
 
 template <class T>
-T gloam_slice_fraction_angle(T slice_angle, T angle) {
-    return gloam_unit_interval((slice_angle - angle) * T(0.3183098862) + T(0.5));
+T gloam_slice_fraction_angle(vec2<T> direction, GloamSlice<T> slice) {
+    const T angle = gloam_atan2(direction.y, direction.x);
+    return gloam_unit_interval((angle - slice.angle) * T(0.3183098862) + T(0.5));
 }
 
 template <class T>
-T gloam_slice_fraction_cosine(T slice_angle, T angle) {
-    if (!(abs(slice_angle) <= T(4) && abs(angle) <= T(1.6))) return T(0);
-    const vec2<T> n = gloam_sincos(angle);
-    const T whole = n.x + angle * n.y;
-    const bool negative = slice_angle < T(0);
-    const T elevation = T(1.570796327) + (negative ? slice_angle - angle : angle - slice_angle);
-    const T part = gloam_gtao_arc(elevation, negative ? -angle : angle) / whole;
+T gloam_slice_fraction_cosine(vec2<T> direction, GloamSlice<T> slice) {
+    const bool negative = direction.y < T(0);
+    const vec2<T> normal = negative ? vec2<T>(slice.normal.x, -slice.normal.y) : slice.normal;
+    const vec2<T> horizon(direction.x, abs(direction.y));
+    const T elevation =
+        T(1.570796327) + (negative ? T(-slice.angle) : slice.angle) - gloam_atan2(horizon.y, horizon.x);
+    const T part = gloam_gtao_arc(elevation, horizon, normal) / gloam_slice_whole(slice);
     return gloam_unit_interval(negative ? part : T(1) - part);
 }
 
 template <class T>
-T gloam_slice_fraction_uniform(T slice_angle, T angle) {
-    if (!(abs(slice_angle) <= T(4) && abs(angle) <= T(1.6))) return T(0);
-    const bool negative = slice_angle < T(0);
-    const T elevation = T(1.570796327) + (negative ? slice_angle - angle : angle - slice_angle);
-    const T part = gloam_gtao_arc_uniform(elevation, negative ? -angle : angle);
+T gloam_slice_fraction_uniform(vec2<T> direction, GloamSlice<T> slice) {
+    const bool negative = direction.y < T(0);
+    const T part = gloam_gtao_arc_uniform(direction.x, negative ? T(-slice.normal.y) : slice.normal.y);
     return gloam_unit_interval(negative ? part : T(1) - part);
 }
 
