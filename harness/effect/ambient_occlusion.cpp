@@ -111,8 +111,9 @@ struct AmbientOcclusion::Impl {
     const gpu::Device* device;
     scene::PassLibrary library;
     gpu::ComputePipeline normals_pipeline;
-    std::map<HistoryPrecision, gpu::ComputePipeline> filter_pipelines;  // by what they read
-    std::map<HistoryPrecision, gpu::ComputePipeline> remap_pipelines;   // likewise
+    std::map<std::pair<Filter, HistoryPrecision>, gpu::ComputePipeline>
+        filter_pipelines;                                              // by what they read
+    std::map<HistoryPrecision, gpu::ComputePipeline> remap_pipelines;  // likewise
     std::map<Program, gpu::ComputePipeline> occlusion_pipelines;
     std::map<Program, gpu::ComputePipeline> reprojection_pipelines;
     View view;
@@ -193,8 +194,9 @@ void AmbientOcclusion::Impl::prepare_pipelines() {
         reprojection_pipelines.emplace(now, reproject(*device, library, now));
     }
     for (const HistoryPrecision precision : {settings.precision, HistoryPrecision::float32}) {
-        if (settings.filter && !filter_pipelines.contains(precision)) {
-            filter_pipelines.emplace(precision, convergence_filter(*device, library, precision));
+        if (filters(settings) && !filter_pipelines.contains({settings.filter, precision})) {
+            filter_pipelines.emplace(std::pair(settings.filter, precision),
+                                     spatial_filter(*device, library, settings.filter, precision));
         }
         if (remaps(settings) && !remap_pipelines.contains(precision)) {
             remap_pipelines.emplace(precision, remap(*device, library, precision));
@@ -222,14 +224,14 @@ std::vector<Step> AmbientOcclusion::Impl::steps() const {
          &occlusion_pipelines.at(program()),
          {images->depth, images->normal, history(), images->after, images->tiles, positions, method},
          bytes_of(occlusion_constants)});
-    if (settings.filter) {
+    if (filters(settings)) {
         passes.push_back({"filter_x",
-                          &filter_pipelines.at(settings.precision),
-                          {images->depth, images->after, images->half_filtered},
+                          &filter_pipelines.at({settings.filter, settings.precision}),
+                          {images->depth, images->after, images->half_filtered, images->normal},
                           bytes_of(filter_x_constants)});
         passes.push_back({"filter_y",
-                          &filter_pipelines.at(HistoryPrecision::float32),
-                          {images->depth, images->half_filtered, images->filtered},
+                          &filter_pipelines.at({settings.filter, HistoryPrecision::float32}),
+                          {images->depth, images->half_filtered, images->filtered, images->normal},
                           bytes_of(filter_y_constants)});
     }
     append_remap(passes);
@@ -243,7 +245,7 @@ void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) const {
                       &remap_pipelines.at(settings.precision),
                       {images->depth, images->after, *images->mapped},
                       bytes_of(remap_constants)});
-    if (!settings.filter) return;
+    if (!filters(settings)) return;
     passes.push_back({"remap_filtered",
                       &remap_pipelines.at(HistoryPrecision::float32),
                       {images->depth, images->filtered, *images->filtered_mapped},
@@ -276,7 +278,7 @@ Frame AmbientOcclusion::Impl::collect() const {
                 .convergence = channel(result, 1),
                 .kept = channel(history().download(), 1)};
     const gpu::Image& filtered = mapped ? *images->filtered_mapped : images->filtered;
-    frame.filtered = settings.filter ? channel(filtered.download(), 0) : frame.occlusion;
+    frame.filtered = filters(settings) ? channel(filtered.download(), 0) : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
     frame.work = work(frame.convergence);
 
@@ -291,7 +293,7 @@ Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
     std::vector<TileWork> counts(images->tiles.size() / sizeof(TileWork));
     std::memcpy(counts.data(), images->tiles.bytes().data(), images->tiles.size());
     Work total = summed(counts);
-    if (settings.filter) {
+    if (settings.filter == Filter::convergence) {
         for (const float value : convergence) total.converged += value >= settings.c_adaptive ? 1 : 0;
     }
     return total;

@@ -12,6 +12,22 @@ Settings configuration(const char* method, std::uint32_t samples) {
     return settings;
 }
 
+// With the study's blur, one pixel wide at the least.
+Settings studied(Settings settings, int half_width = 2) {
+    settings.filter = Filter::geometry;
+    settings.filter_half_width = half_width;
+    return settings;
+}
+
+// With the SAO paper's blur, whose depth key reaches 300 m and falls to nothing in a 2000th of it.
+Settings sao(std::uint32_t samples) {
+    Settings settings = configuration("sao", samples);
+    settings.filter = Filter::sao;
+    settings.filter_half_width = 4;
+    settings.filter_depth = 0.15F;
+    return settings;
+}
+
 // The study's values at its radius of 10: sigma 2, bias 1, epsilon^2 1e-5.
 Settings study_alchemy(std::uint32_t samples) {
     Settings settings = configuration("alchemy", samples);
@@ -41,6 +57,7 @@ Settings issao(const Figure& figure) {
     settings.intensity = figure.lambda * figure.phi / figure.radius;
     settings.bias = figure.psi / figure.radius;
     settings.epsilon = figure.sigma_root / figure.radius;
+    settings.filter = Filter::bilateral;
     return settings;
 }
 
@@ -48,20 +65,21 @@ Settings issao(const Figure& figure) {
 
 std::vector<Preset> method_presets() {
     return {
-        {"crytek-performance", "the comparative study's: 24 samples", configuration("crytek", 24)},
-        {"crytek-quality", "the study's: 200 samples", configuration("crytek", 200)},
-        {"filion-performance", "the study's: 15 samples", configuration("filion", 15)},
-        {"filion-quality", "the study's: 80 samples", configuration("filion", 80)},
-        {"hbao-performance", "the study's: 8 directions of 6 steps", slices("hbao", 4, 6)},
-        {"hbao-quality", "16 directions of 6 steps", slices("hbao", 8, 6)},
-        {"volumetric-performance", "6 pairs of lines", configuration("volumetric", 12)},
-        {"volumetric-quality", "the study's: 32 pairs of lines", configuration("volumetric", 64)},
-        {"alchemy-performance", "the Alchemy paper's 12 samples, the study's lengths", study_alchemy(12)},
-        {"alchemy-quality", "the study's: 64 samples", study_alchemy(64)},
-        {"angle-performance", "the study's: 6 pairs", configuration("angle", 12)},
-        {"angle-quality", "the study's: 32 pairs", configuration("angle", 64)},
-        {"sao-performance", "the SAO paper's 9 samples", configuration("sao", 9)},
-        {"sao-quality", "11 samples", configuration("sao", 11)},
+        {"crytek-performance", "the comparative study's: 24 samples", studied(configuration("crytek", 24))},
+        {"crytek-quality", "the study's: 200 samples", studied(configuration("crytek", 200))},
+        {"filion-performance", "the study's: 15 samples", studied(configuration("filion", 15))},
+        {"filion-quality", "the study's: 80 samples", studied(configuration("filion", 80))},
+        {"hbao-performance", "the study's: 8 directions of 6 steps", studied(slices("hbao", 4, 6))},
+        {"hbao-quality", "16 directions of 6 steps", studied(slices("hbao", 8, 6))},
+        {"volumetric-performance", "6 pairs of lines", studied(configuration("volumetric", 12), 1)},
+        {"volumetric-quality", "the study's: 32 pairs of lines", studied(configuration("volumetric", 64), 1)},
+        {"alchemy-performance", "the Alchemy paper's 12 samples, the study's lengths",
+         studied(study_alchemy(12))},
+        {"alchemy-quality", "the study's: 64 samples", studied(study_alchemy(64))},
+        {"angle-performance", "the study's: 6 pairs", studied(configuration("angle", 12))},
+        {"angle-quality", "the study's: 32 pairs", studied(configuration("angle", 64))},
+        {"sao-performance", "the SAO paper's 9 samples", sao(9)},
+        {"sao-quality", "11 samples", sao(11)},
         {"issao-figure3", "the ISSAO paper's figure 3: 12 samples",
          issao({1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F})},
         {"issao-figure4", "its figure 4", issao({1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F})},

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/passes.hpp"
 
+#include <stdexcept>
+
+#include "effect/setting_table.hpp"
+
 namespace gloam::effect {
 namespace {
 
@@ -16,6 +20,13 @@ std::uint32_t flag(bool value) {
 
 std::string method_include(const std::string& method) {
     return "methods/" + method + ".glsl";
+}
+
+std::string filter_include(Filter filter) {
+    if (filter == Filter::none) throw std::invalid_argument("no filter has no pass");
+    Settings settings;
+    settings.filter = filter;
+    return "filters/" + std::get<std::string>(setting_named("filter").get(settings)) + ".glsl";
 }
 
 std::vector<std::string> defines_for(HistoryPrecision precision) {
@@ -80,9 +91,10 @@ FilterParameters filter_parameters(const View& view, const Settings& settings, g
             .axis = axis,
             .orthographic = flag(view.camera.orthographic()),
             .half_width = settings.filter_half_width,
+            .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1),
+            .depth_scale = settings.filter_depth,
             .c_adaptive = settings.c_adaptive,
             .weight_max = settings.weight_max,
-            .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1),
             .cap = settings.filter_cap};
 }
 
@@ -121,12 +133,14 @@ gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibra
              .constants = {{.id = 0, .bits = flag(program.moving_objects)}}}};
 }
 
-gpu::ComputePipeline convergence_filter(const gpu::Device& device, const scene::PassLibrary& library,
-                                        HistoryPrecision precision) {
-    const shader::Spirv spirv = library.compile("convergence_filter.comp", defines_for(precision));
+gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::PassLibrary& library,
+                                    Filter filter, HistoryPrecision precision) {
+    const shader::Spirv spirv =
+        library.compile("spatial_filter.comp", defines_for(precision),
+                        {{filter_include(Filter::convergence), filter_include(filter)}});
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image},
+             .bindings = {storage_image, storage_image, storage_image, storage_image},
              .push_constant_bytes = sizeof(FilterParameters)}};
 }
 

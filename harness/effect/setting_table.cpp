@@ -137,11 +137,22 @@ void add_history(std::vector<Setting>& table) {
     table.push_back(choice("precision", "of the history", &S::precision, {"float32", "float16"}));
 }
 
+Setting filter() {
+    Setting setting = choice("filter", "after the estimate, for display", &Settings::filter,
+                             {"none", "convergence", "geometry", "bilateral", "sao"});
+    setting.synonyms = {{"on", "convergence"}, {"off", "none"}};
+    return setting;
+}
+
 void add_output(std::vector<Setting>& table) {
     using S = Settings;
-    table.push_back(flag("filter", "by convergence, after the estimate", &S::filter));
-    table.push_back(number("filter_half_width", "pixels", "on each side: 2 is 5 x 5", &S::filter_half_width,
-                           whole(0, 64)));
+    table.push_back(filter());
+    table.push_back(number("filter_half_width", "taps",
+                           "on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4",
+                           &S::filter_half_width, whole(0, 64)));
+    table.push_back(number("filter_depth", "world units",
+                           "difference of depth that sets a neighbour apart: geometry, bilateral, sao",
+                           &S::filter_depth, positive));
     table.push_back(number("remap_a", "", "what is shown is (b (v + a))^c of the visibility v", &S::remap_a,
                            {.least = -1.0, .most = 1.0}));
     table.push_back(number("remap_b", "", "see remap_a", &S::remap_b, not_negative));
@@ -159,7 +170,10 @@ void add_output(std::vector<Setting>& table) {
 SettingValue value_of(const Setting& setting, std::string_view text) {
     const SettingValue kind = setting.get(Settings{});
     if (std::holds_alternative<bool>(kind) && (text == "on" || text == "off")) return text == "on";
-    if (std::holds_alternative<std::string>(kind)) return std::string(text);
+    if (std::holds_alternative<std::string>(kind)) {
+        const auto synonym = std::ranges::find(setting.synonyms, text, [](const auto& s) { return s.first; });
+        return synonym == setting.synonyms.end() ? std::string(text) : synonym->second;
+    }
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool number = error == std::errc{} && end == text.data() + text.size();

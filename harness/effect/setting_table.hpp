@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct Setting {
     std::string unit;     // "world units", "pixels", ...; empty: none. World units scale with the radius
     std::string meaning;  // in a few words
     SettingRange range;   // of a number
-    std::vector<std::string> choices;  // names, where it takes one
+    std::vector<std::string> choices;                           // names, where it takes one
+    std::vector<std::pair<std::string, std::string>> synonyms;  // that set() reads, and the choice they mean
     std::function<SettingValue(const Settings&)> get;
     std::function<void(Settings&, const SettingValue&)> put;  // a value that check() lets pass
 };

@@ -25,6 +25,10 @@ Settings with_radius(Settings settings, float radius) {
     return settings;
 }
 
+bool filters(const Settings& settings) {
+    return settings.filter != Filter::none;
+}
+
 bool remaps(const Settings& settings) {
     return settings.remap_a != 0.0F || settings.remap_b != 1.0F || settings.remap_c != 1.0F;
 }

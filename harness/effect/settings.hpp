@@ -23,6 +23,15 @@ enum class HistoryTaps {
 
 enum class HistoryPrecision { float32, float16 };
 
+// What smooths the estimate for display.
+enum class Filter {
+    none,
+    convergence,  // what has converged stands for what has not (TSSAO-10)
+    geometry,     // by normal and depth, the comparative study's (CS-BLUR)
+    bilateral,    // by distance in the image and depth (ISSAO-7)
+    sao           // every other pixel, by depth (McGuire et al. 2012)
+};
+
 // The smallest projected radius worth sampling: below it all samples fall on the pixel itself.
 constexpr float one_pixel = 1.0F;
 
@@ -62,10 +71,13 @@ struct Settings {
     float weight_small = 48.0F;       // clamp: samples, >= 0
     float confidence_factor = 20.0F;  // confidence: S, per radius of change, >= 0
     HistoryPrecision precision = HistoryPrecision::float32;
-    bool filter = true;
+    Filter filter = Filter::convergence;
     float filter_cap = 1e18F;   // neighbours weigh at most this many times the pixel's own convergence; 1e18:
                                 // any number of times, as eq. 10 has it
-    int filter_half_width = 2;  // pixels on each side: 2 is 5 x 5
+    int filter_half_width = 2;  // taps on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4, 2
+                                // pixels apart
+    float filter_depth = 0.1F;  // geometry, bilateral, sao: difference of depth that sets a neighbour apart,
+                                // world units, > 0
     float remap_a = 0.0F;       // what is shown is (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
     float remap_b = 1.0F;       // 0 to 1e18
     float remap_c = 1.0F;       // 0 to 1e18
@@ -76,11 +88,13 @@ struct Settings {
     bool skip_background = true;  // off: background goes the long way, to the same result
 };
 
-// Whether what is shown is not the estimate itself.
+// Whether a filter follows the estimate.
+[[nodiscard]] bool filters(const Settings& settings);
+
+// Whether what is shown is not the estimate itself, filtered or not.
 [[nodiscard]] bool remaps(const Settings& settings);
 
-// The same settings for another radius: bias, range, epsilon and change tolerance keep their proportion to
-// it.
+// The same settings for another radius: everything in world units keeps its proportion to it.
 [[nodiscard]] Settings with_radius(Settings settings, float radius);
 
 // Throws std::invalid_argument that names the first setting outside its range: that of setting_table(), and

@@ -184,7 +184,7 @@ TEST_F(Guard, ABandThatIsNotSampledCostsNoSamplesAndServesStillViewsAsWell) {
     const scene::Scene scene = scene::make_scene("corner");
     const scene::GBuffer wide = view(scene, 0.1F);
     Settings settings = settings_for(scene, 0.1F);
-    settings.filter = false;
+    settings.filter = Filter::none;
     const Frame all = still(wide, settings, 3);
     settings.guard_history = false;
     const Frame frame_only = still(wide, settings, 3);

@@ -58,7 +58,7 @@ TEST(SettingTable, DefaultsAreThePaperPreset) {
 
 TEST(SettingTable, TextReadsBack) {
     Settings changed = with_radius(preset_named("quality").settings, 0.3F);
-    changed.filter = false;
+    changed.filter = Filter::geometry;
     changed.taps = HistoryTaps::bilinear;
     changed.invalidation = Invalidation::clamp;
     changed.depth_tolerance = std::numeric_limits<float>::infinity();
@@ -103,9 +103,18 @@ TEST(SettingTable, WhatCannotBeNamesTheSetting) {
     refused("samples", "", "samples \"\"");
     refused("samples", "8 ", "samples \"8 \"");
     refused("taps", "four", "taps four: expected nearest, bilinear or validated");
-    refused("filter", "1", "expected on or off");
+    refused("guard_history", "1", "expected on or off");
+    refused("filter", "1", "filter 1: expected none, convergence, geometry, bilateral or sao");
     refused("depth_tolerance", "0", "more than 0");
     refused("method", "magic", "method magic: expected hemisphere");
+}
+
+TEST(SettingTable, AFilterIsOnOrOffAsWell) {
+    Settings settings;
+    set(settings, "filter", "off");
+    EXPECT_EQ(settings.filter, Filter::none);
+    set(settings, "filter", "on");
+    EXPECT_EQ(settings.filter, Filter::convergence);
 }
 
 // Settings by name, on top of those of the test.
@@ -146,6 +155,7 @@ const std::map<std::string, Case>& cases() {
         {"precision", {"float16", {{"table_size", "2048"}}}},
         {"filter", {"off", {{"c_adaptive", "1"}}}},
         {"filter_half_width", {"1", {{"c_adaptive", "1"}}}},
+        {"filter_depth", {"0.01", {{"filter", "bilateral"}}}},
         {"remap_a", {"0.1"}},
         {"remap_b", {"0.9"}},
         {"remap_c", {"2"}},

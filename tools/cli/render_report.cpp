@@ -169,7 +169,7 @@ std::string to_text(const RenderReport& report) {
     if (!last.errors) return text;
     text += fmt::format("against {}, {} pixels compared:\n", report.truth, last.errors->raw.compared);
     text += errors_line("  raw", last.errors->raw);
-    if (s.filter) text += errors_line("  filtered", last.errors->filtered);
+    if (filters(s)) text += errors_line("  filtered", last.errors->filtered);
     if (last.errors->filtered_depth) text += errors_line("  (D)", *last.errors->filtered_depth);
     if (last.errors->metrics) {
         const effect::Metrics& m = *last.errors->metrics;

@@ -37,7 +37,7 @@ effect::Settings settings_for(const RenderOptions& options, const std::optional<
     }
     settings = with_radius(settings, options.radius.value_or(static_cast<float>(view_radius.value_or(1.0))));
     if (options.samples) settings.samples = *options.samples;
-    if (options.no_filter) settings.filter = false;
+    if (options.no_filter) settings.filter = effect::Filter::none;
     if (options.bias) settings.bias = *options.bias;
     if (options.guard) settings.guard = *options.guard;
     for (const std::string& assignment : options.set) apply(settings, assignment);

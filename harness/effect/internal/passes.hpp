@@ -72,9 +72,10 @@ struct FilterParameters {
     glm::ivec2 axis;
     std::uint32_t orthographic;
     std::int32_t half_width;
+    float sigma_pixels;
+    float depth_scale;
     float c_adaptive;
     float weight_max;
-    float sigma_pixels;
     float cap;
 };
 
@@ -118,10 +119,10 @@ struct Program {
                                                      const Program& program);  // counts its work
 [[nodiscard]] gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
                                              const Program& program);
-// `precision`: of the image that the pass reads.
-[[nodiscard]] gpu::ComputePipeline convergence_filter(const gpu::Device& device,
-                                                      const scene::PassLibrary& library,
-                                                      HistoryPrecision precision);
+// `precision`: of the image that the pass reads. Throws std::invalid_argument for Filter::none.
+[[nodiscard]] gpu::ComputePipeline spatial_filter(const gpu::Device& device,
+                                                  const scene::PassLibrary& library, Filter filter,
+                                                  HistoryPrecision precision);
 
 [[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
                                          HistoryPrecision precision);

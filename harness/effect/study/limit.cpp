@@ -18,7 +18,7 @@ std::vector<float> Limit::of(const scene::GBuffer& view, const Settings& setting
     many.table_size = 1U << 24U;
     many.precision = HistoryPrecision::float32;
     many.c_rot = 0.0F;
-    many.filter = false;
+    many.filter = Filter::none;
     effect_.begin(view, many);
     const Frame first = effect_.next();
     Frame last;

@@ -43,7 +43,7 @@ std::vector<Variant> ablations_of(const Settings& full) {
     });
     off("adaptive k", "always k1", [](Settings& s) { s.c_spatial = never; });
     off("adaptive k, the other way", "always k2", [](Settings& s) { s.c_spatial = 0.0F; });
-    off("filter", "none", [](Settings& s) { s.filter = false; });
+    off("filter", "none", [](Settings& s) { s.filter = Filter::none; });
     off("shrink", "always the full window", [](Settings& s) { s.c_adaptive = infinity; });
     off("trust in what has converged (10)", "at most that in the pixel itself",
         [](Settings& s) { s.filter_cap = 1.0F; });

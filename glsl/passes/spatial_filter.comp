@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Smooths the occlusion in the image along one axis: run it along x, then along y on the result. Only for display: the history must not
+// see the result. How neighbours count is said by a file of the folder filters: by convergence (TSSAO-10), by normal and depth (CS-BLUR), by
+// distance and depth (ISSAO-7), or as SAO has it.
+//
+// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  r32f     eye-linear depth, world units; background 0 or not finite
+//   1  history  occlusion in x, accumulated samples in y, anything in zw: the history, or this pass's result along x
+//   2  rgba32f  written: filtered occlusion in x, yzw of binding 1
+//   3  rgba32f  view-space normal in xyz; read by the filter geometry alone
+#ifndef GLOAM_HISTORY
+#define GLOAM_HISTORY rgba32f
+#endif
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D source_image;
+layout(binding = 2, rgba32f) uniform writeonly image2D filtered_image;
+layout(binding = 3, rgba32f) uniform readonly image2D normal_image;
+
+layout(push_constant) uniform Parameters {
+    vec2 p00_p11;        // elements [0][0] and [1][1] of the projection, y down
+    ivec2 size;          // of the images, pixels
+    ivec2 axis;          // (1, 0) or (0, 1)
+    uint orthographic;   // 1, or 0 for perspective
+    int half_width;      // taps on each side: 2 for 5 x 5
+    float sigma_pixels;  // convergence, bilateral: width of the Gaussian in the image, pixels: about a quarter of the window
+    float depth_scale;   // geometry, bilateral, sao: difference of depth that sets a neighbour apart, world units, > 0
+    float c_adaptive;    // convergence: that from which a pixel is left as it is: 0.2
+    float weight_max;    // convergence: samples at which a pixel has converged
+    float cap;           // convergence: neighbours weigh at most this many times the pixel's own; 1e18: as printed. With 1 a pixel
+                         // that has just appeared is not overruled by the old ones that happen to be on one side of it
+} parameters;
+
+// The filter: any file of this folder.
+#include "filters/convergence.glsl"
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    vec4 texel = imageLoad(source_image, pixel);
+    texel.x = filtered_occlusion(pixel);
+    imageStore(filtered_image, pixel, texel);
+}

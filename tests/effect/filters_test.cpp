@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+// The filters that the setting `filter` chooses from: the pass alone, on images made for it, and in the
+// effect.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
+#include "effect/methods.hpp"
+#include "effect/setting_table.hpp"
+#include "gpu/commands.hpp"
+#include "numeric/random.hpp"
+#include "reference/filter/bilateral.hpp"
+#include "reference/filter/geometry_blur.hpp"
+#include "scene/corner.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+std::vector<std::string> names() {
+    std::vector<std::string> all = setting_named("filter").choices;
+    all.erase(all.begin());
+    return all;
+}
+
+// As in spatial_filter.comp.
+struct Parameters {
+    glm::vec2 p00_p11{1.0F, -1.0F};
+    glm::ivec2 size{0};
+    glm::ivec2 axis{1, 0};
+    std::uint32_t orthographic = 0;
+    std::int32_t half_width = 3;
+    float sigma_pixels = 1.5F;
+    float depth_scale = 0.1F;
+    float c_adaptive = 1.0F;
+    float weight_max = 100.0F;
+    float cap = 1e18F;
+};
+
+struct Field {
+    glm::ivec2 size;
+    std::vector<float> occlusion;
+    std::vector<float> depth;
+    std::vector<glm::vec3> normal;
+
+    [[nodiscard]] std::size_t at(glm::ivec2 p) const {
+        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size.x) +
+               static_cast<std::size_t>(p.x);
+    }
+};
+
+Field random_field(glm::ivec2 size, float depth_range) {
+    numeric::Random random(7);
+    Field field{.size = size, .occlusion = {}, .depth = {}, .normal = {}};
+    for (int i = 0; i < size.x * size.y; ++i) {
+        field.occlusion.push_back(static_cast<float>(random.unit()));
+        field.depth.push_back(3.0F + depth_range * static_cast<float>(random.unit()));
+        const glm::vec3 tilted(0.5F * static_cast<float>(random.unit()), 0.0F, 1.0F);
+        field.normal.push_back(glm::normalize(tilted));
+    }
+    return field;
+}
+
+class Filters : public testing::TestWithParam<std::string> {
+  protected:
+    Filters()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    [[nodiscard]] Settings settings() const {
+        Settings chosen;
+        set(chosen, "filter", GetParam());
+        return chosen;
+    }
+
+    // The field's occlusion after the pass along x and then along y; all pixels have converged alike.
+    [[nodiscard]] std::vector<float> filtered(const Field& field, Parameters parameters = {}) const {
+        const gpu::Extent extent{static_cast<std::uint32_t>(field.size.x),
+                                 static_cast<std::uint32_t>(field.size.y)};
+        using enum gpu::Format;
+        gpu::Image depth(device_, extent, r32f);
+        gpu::Image source(device_, extent, rgba32f);
+        gpu::Image half(device_, extent, rgba32f);
+        gpu::Image normal(device_, extent, rgba32f);
+        depth.upload(field.depth);
+        std::vector<float> texels;
+        std::vector<float> normals;
+        for (std::size_t i = 0; i < field.depth.size(); ++i) {
+            texels.insert(texels.end(), {field.occlusion[i], 50.0F, 7.0F, 9.0F});
+            normals.insert(normals.end(), {field.normal[i].x, field.normal[i].y, field.normal[i].z, 0.0F});
+        }
+        source.upload(texels);
+        normal.upload(normals);
+        const shader::Spirv spirv = passes_.compile(
+            "spatial_filter.comp", {}, {{"filters/convergence.glsl", "filters/" + GetParam() + ".glsl"}});
+        using enum gpu::BindingKind;
+        const gpu::ComputePipeline pipeline(device_, {.spirv = spirv,
+                                                      .bindings = std::vector(4, storage_image),
+                                                      .push_constant_bytes = sizeof(Parameters)});
+        parameters.size = field.size;
+        const std::array<std::uint32_t, 3> groups{(extent.width + 7) / 8, (extent.height + 7) / 8, 1};
+        gpu::Commands commands(device_);
+        for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+            parameters.axis = axis;
+            const bool along_x = axis.x == 1;
+            const std::vector<gpu::Resource> resources{depth, along_x ? source : half,
+                                                       along_x ? half : source, normal};
+            commands.dispatch(pipeline, resources, groups, std::as_bytes(std::span(&parameters, 1)));
+        }
+        commands.submit();
+        return first_of(source.download());
+    }
+
+    // Occlusion; the other channels must be as they were.
+    static std::vector<float> first_of(const std::vector<float>& texels) {
+        std::vector<float> values;
+        for (std::size_t i = 0; i < texels.size(); i += 4) {
+            values.push_back(texels[i]);
+            EXPECT_EQ(texels[i + 1], 50.0F);
+            EXPECT_EQ(texels[i + 2], 7.0F);
+            EXPECT_EQ(texels[i + 3], 9.0F);
+        }
+        return values;
+    }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+};
+
+TEST_P(Filters, AConstantStaysWhatItIs) {
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 3), glm::ivec2(17, 9), glm::ivec2(1, 23)}) {
+        Field field = random_field(size, 0.3F);
+        field.occlusion.assign(field.occlusion.size(), 0.3F);
+        EXPECT_EQ(filtered(field), field.occlusion);
+    }
+}
+
+TEST_P(Filters, SmoothsWithinWhatItSees) {
+    const Field field = random_field({33, 21}, 0.01F);
+    const std::vector<float> result = filtered(field);
+    const auto variance = [](const std::vector<float>& image) {
+        double sum = 0.0;
+        double squares = 0.0;
+        for (const float v : image) sum += double{v};
+        const double mean = sum / static_cast<double>(image.size());
+        for (const float v : image) squares += (double{v} - mean) * (double{v} - mean);
+        return squares / static_cast<double>(image.size());
+    };
+    EXPECT_LT(variance(result), 0.5 * variance(field.occlusion));
+    const auto [low, high] = std::ranges::minmax(field.occlusion);
+    EXPECT_THAT(result, testing::Each(testing::AllOf(testing::Ge(low), testing::Le(high))));
+}
+
+// A step of depth between surfaces that face different ways, and background between others.
+TEST_P(Filters, NothingLeaksOverAnEdge) {
+    Field field = random_field({24, 16}, 0.0F);
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 24; ++x) {
+            const std::size_t i = field.at({x, y});
+            const bool near = x < 10;
+            field.occlusion[i] = near ? 0.0F : 1.0F;
+            field.depth[i] = near ? 1.0F : 100.0F;
+            field.normal[i] = near ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
+            if (y != 7) continue;
+            field.depth[i] = inf;
+            field.occlusion[i] = 0.5F;
+        }
+    }
+    const std::vector<float> result = filtered(field);
+    for (std::size_t i = 0; i < result.size(); ++i) ASSERT_NEAR(result[i], field.occlusion[i], 1e-4) << i;
+}
+
+TEST_P(Filters, WithoutNeighboursItIsNotThere) {
+    const Field field = random_field({19, 11}, 0.1F);
+    EXPECT_EQ(filtered(field, {.half_width = 0}), field.occlusion);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Filters, testing::ValuesIn(names()),
+                         [](const auto& name) { return name.param; });
+
+// One axis at a time, as the pass goes.
+using OneAxis = std::function<double(const Field&, glm::ivec2 pixel, glm::ivec2 axis)>;
+
+std::vector<float> by_reference(Field field, const OneAxis& along) {
+    for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+        std::vector<float> next;
+        for (int y = 0; y < field.size.y; ++y)
+            for (int x = 0; x < field.size.x; ++x)
+                next.push_back(static_cast<float>(along(field, {x, y}, axis)));
+        field.occlusion = next;
+    }
+    return field.occlusion;
+}
+
+class GeometryFilter : public Filters {};
+
+TEST_P(GeometryFilter, IsItsReference) {
+    const Field field = random_field({21, 13}, 0.3F);
+    const Parameters parameters;
+    const std::vector<float> expected =
+        by_reference(field, [&](const Field& f, glm::ivec2 pixel, glm::ivec2 axis) {
+            const double scale = double{parameters.depth_scale};
+            return reference::gloam_geometry_blur<double>(
+                pixel, axis, f.size, parameters.half_width, {10.0, 0.5},
+                [&](glm::ivec2 p) { return double{f.occlusion[f.at(p)]}; },
+                [&](glm::ivec2 p) { return double{f.depth[f.at(p)]} / scale; },
+                [&](glm::ivec2 p) { return glm::dvec3(f.normal[f.at(p)]); });
+        });
+    EXPECT_THAT(filtered(field, parameters), testing::Pointwise(testing::FloatNear(2e-5F), expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(The, GeometryFilter, testing::Values("geometry"));
+
+class BilateralFilter : public Filters {};
+
+TEST_P(BilateralFilter, IsItsReference) {
+    const Field field = random_field({21, 13}, 0.3F);
+    const Parameters parameters;
+    const std::vector<float> expected =
+        by_reference(field, [&](const Field& f, glm::ivec2 pixel, glm::ivec2 axis) {
+            return reference::gloam_bilateral_filter<double>(
+                pixel, parameters.half_width * axis, f.size, double{parameters.sigma_pixels},
+                double{parameters.depth_scale}, [&](glm::ivec2 p) { return double{f.occlusion[f.at(p)]}; },
+                [&](glm::ivec2 p) { return double{f.depth[f.at(p)]}; });
+        });
+    EXPECT_THAT(filtered(field, parameters), testing::Pointwise(testing::FloatNear(1e-5F), expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(The, BilateralFilter, testing::Values("bilateral"));
+
+class SaoFilter : public Filters {};
+
+// Along a row at one depth: nine taps, every other pixel, with the paper's weights.
+TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
+    Field field = random_field({25, 1}, 0.0F);
+    field.occlusion.assign(field.occlusion.size(), 0.0F);
+    field.occlusion[12] = 1.0F;
+    const std::vector<float> result = filtered(field, {.half_width = 64});
+    const std::vector<double> g{0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
+    const double sum = g[0] + 2.0 * (1.2 + g[1] + g[2] + g[3] + g[4]);
+    for (int x = 0; x < 25; ++x) {
+        const int apart = std::abs(x - 12);
+        const bool tap = apart % 2 == 0 && apart <= 8;
+        if (apart == 0) {
+            EXPECT_NEAR(result[12], g[0] / sum, 1e-6);
+        } else if (!tap) {
+            EXPECT_EQ(result[static_cast<std::size_t>(x)], 0.0F) << x;
+        } else if (x - 8 >= 0 && x + 8 < 25) {
+            EXPECT_NEAR(result[static_cast<std::size_t>(x)],
+                        (0.3 + g[static_cast<std::size_t>(apart / 2)]) / sum, 1e-6)
+                << x;
+        } else {
+            EXPECT_GT(result[static_cast<std::size_t>(x)], 0.0F) << x;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(The, SaoFilter, testing::Values("sao"));
+
+class FiltersInTheEffect : public Filters {};
+
+// Of few samples: with many there is less to smooth than there is to blur.
+TEST_P(FiltersInTheEffect, BringTheCornerNearerToItsClosedForm) {
+    const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("corner"), {160, 90});
+    const Truth truth = truth_of(view, 1.0, scene::corner_occlusion_at);
+    AmbientOcclusion effect(device_, passes_, view.extent);
+    Settings few = settings();
+    few.samples = 4;
+    effect.begin(view, few);
+    const Frame frame = effect.next();
+    EXPECT_LT(errors_of(frame.filtered, truth).rmse, 0.8 * errors_of(frame.occlusion, truth).rmse);
+}
+
+// The history never sees a filter, whatever the camera does.
+TEST_P(FiltersInTheEffect, AreForDisplayOnly) {
+    const scene::Scene scene = scene::make_scene("moving");
+    for (const HistoryPrecision precision : {HistoryPrecision::float32, HistoryPrecision::float16}) {
+        std::vector<Frame> last;
+        for (const char* filter : {GetParam().c_str(), "none"}) {
+            Settings chosen = with_radius(Settings{}, static_cast<float>(scene.ao_radius));
+            chosen.precision = precision;
+            chosen.table_size = 2048;
+            set(chosen, "filter", filter);
+            std::optional<AmbientOcclusion> effect;
+            for (int i = 0; i < 3; ++i) {
+                const scene::GBuffer view =
+                    scene::rasterize(device_, passes_, scene, {72, 41}, {.frame = i, .motion = true});
+                if (i == 0) effect.emplace(device_, passes_, view.extent);
+                i == 0 ? effect->begin(view, chosen) : effect->advance(view);
+                Frame frame = effect->next();
+                if (i == 2) last.push_back(std::move(frame));
+            }
+        }
+        EXPECT_EQ(last[0].occlusion, last[1].occlusion);
+        EXPECT_EQ(last[0].convergence, last[1].convergence);
+        EXPECT_EQ(last[1].filtered, last[1].occlusion);
+        EXPECT_NE(last[0].filtered, last[0].occlusion);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, FiltersInTheEffect, testing::ValuesIn(names()),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace
+}  // namespace gloam::effect
