@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "effect/settings.hpp"
+#include "effect/study/expectation.hpp"
+#include "effect/study/seen_surface.hpp"
+
+// The integrands of own_values(), by family of methods. Lengths are in units of the radius.
+namespace gloam::effect::own {
+
+// Points of the ball or half ball, compared with the depth buffer.
+[[nodiscard]] Integrand hemisphere(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand filion(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand crytek(const SeenSurface& seen, const Settings& settings);
+
+// Surface points under a disc.
+[[nodiscard]] Integrand disc(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand alchemy(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand sao(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand issao(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand aksoy_phaneuf(const SeenSurface& seen, const Settings& settings);
+
+// Opposite pairs of them.
+[[nodiscard]] Integrand volumetric(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand tangent_sphere(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand angle(const SeenSurface& seen, const Settings& settings);
+
+// Slices through the eye, of so many steps to each side as the settings say.
+[[nodiscard]] Integrand hbao(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand gtao(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand bitmask(const SeenSurface& seen, const Settings& settings);
+
+}  // namespace gloam::effect::own

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/study/expectation.hpp"
+#include "scene/closed_form_views.hpp"
+
+namespace gloam::effect {
+
+struct ClosedFormOptions {
+    std::uint32_t pixels = 129;        // of a side of the image, odd
+    int frames = 16;                   // >= 2
+    std::uint32_t samples = 1'024;     // of each frame
+    bool reconstruct_normals = false;  // from the depth, instead of the view's own
+};
+
+// Measures what methods make of closed-form views, by the passes themselves: history, no filter, no remap, no
+// rotation.
+class ClosedFormStudy {
+  public:
+    // The device must outlive this. Throws like AmbientOcclusion.
+    ClosedFormStudy(const gpu::Device& device, const scene::PassLibrary& passes, std::uint32_t pixels);
+
+    // The occlusion of the view's point: the mean over all frames, and the standard error of that mean from
+    // how the frames' own means spread. Frames that go on with one low-discrepancy sequence err against each
+    // other, so that this is more than the mean is off. Settings are for a radius of 1. Throws like
+    // AmbientOcclusion, and std::invalid_argument for fewer than two frames and for another size than that of
+    // the study.
+    [[nodiscard]] Estimate measure(const scene::ClosedFormView& view, const Settings& settings,
+                                   const ClosedFormOptions& options);
+
+  private:
+    AmbientOcclusion effect_;
+    std::uint32_t pixels_;
+};
+
+}  // namespace gloam::effect

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "effect/internal/own_integrands.hpp"
+
+namespace gloam::effect::own {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double background = 1e4;  // radii behind the shaded point
+
+// Of two opposite taps: where the disc parallel to the image was aimed at, and how high the surface stands
+// there over that disc, towards the eye. The surface seen is taken to be as high over the tangent plane there
+// as where it was seen.
+struct Pair {
+    glm::dvec3 aim{0};   // of the first tap; the second's is opposite
+    double first = 0.0;  // height
+    double second = 0.0;
+};
+
+double height_over(const SeenSurface& seen, const glm::dvec2& place, const glm::dvec3& aim) {
+    const Seen surface = seen.at(place);
+    glm::dvec3 offset = surface.offset;
+    if (surface.background) {
+        const double far = -seen.view().point.z + background;
+        offset = glm::dvec3(place * (seen.orthographic() ? 1.0 : far), -far) - seen.view().point;
+    }
+    return glm::dot(offset - aim, seen.normal()) / std::max(seen.normal().z, 1e-4);
+}
+
+// Taps alike over the area of the disc.
+Pair pair_at(const SeenSurface& seen, const std::array<double, 3>& u) {
+    const glm::dvec2 point = std::sqrt(u[0]) * glm::dvec2(std::cos(turn * u[1]), std::sin(turn * u[1]));
+    const glm::dvec3 aim(point, 0.0);
+    return {aim, height_over(seen, seen.reach() * point, aim),
+            height_over(seen, -seen.reach() * point, -aim)};
+}
+
+double solid_share(double height, double half_chord) {
+    return std::clamp(0.5 + 0.5 * height / half_chord, 0.0, 1.0);
+}
+
+// What the tangent sphere's chord at the tap holds (CS-I, last paragraph): the sphere of half the radius on
+// the surface.
+glm::dvec2 tangent_chord(const SeenSurface& seen, const glm::dvec3& offset) {
+    const glm::dvec3 center = 0.5 * seen.normal();
+    const glm::dvec2 aside = glm::dvec2(offset) - glm::dvec2(center);
+    const double squared = 0.25 - glm::dot(aside, aside);
+    if (!(squared > 0.0)) return glm::dvec2(0.0);
+    const double half_chord = std::sqrt(squared);
+    return half_chord * glm::dvec2(solid_share(offset.z - center.z, half_chord), 1.0);
+}
+
+// The angle between the eye and a sample, lifted to the tangent plane; the eye is on the axis.
+double cosine_to_eye(const glm::dvec3& offset, const glm::dvec3& normal) {
+    const double length = glm::length(offset);
+    if (length == 0.0) return 0.0;
+    const glm::dvec3 direction = offset / length;
+    const glm::dvec3 lifted = direction - std::min(glm::dot(direction, normal), 0.0) * normal;
+    return glm::length(lifted) > 1e-5 ? lifted.z / glm::length(lifted) : 0.0;
+}
+
+}  // namespace
+
+// CS-3.5: solid shares of chords weighted by the chords. A chord solid by less than 0.35 is another object's;
+// its partner's complement stands for it.
+Integrand volumetric(const SeenSurface& seen, const Settings&) {
+    return [seen](const std::array<double, 3>& u) {
+        const Pair pair = pair_at(seen, u);
+        const double half_chord = std::sqrt(1.0 - std::min(u[0], 1.0));
+        if (half_chord == 0.0) return glm::dvec2(0.0);
+        const double first = solid_share(pair.first, half_chord);
+        const double second = solid_share(pair.second, half_chord);
+        const bool all = (first >= 0.35) == (second >= 0.35);
+        const double sum = all ? (first >= 0.35 ? first + second : 1.0) : 1.0;
+        return half_chord * glm::dvec2(sum, 2.0);
+    };
+}
+
+// The sphere that touches the surface (Szirmay-Kalos et al. 2009).
+Integrand tangent_sphere(const SeenSurface& seen, const Settings&) {
+    return [seen](const std::array<double, 3>& u) {
+        const Pair pair = pair_at(seen, u);
+        return tangent_chord(seen, pair.aim + glm::dvec3(0, 0, pair.first)) +
+               tangent_chord(seen, -pair.aim + glm::dvec3(0, 0, pair.second));
+    };
+}
+
+// CS-P: 1 less the angles over pi. One sample of two that lies too near the eye is replaced by its partner's
+// mirror image, at half the weight.
+Integrand angle(const SeenSurface& seen, const Settings& s) {
+    return [seen, range = double{s.range}, bias = double{s.angle_bias}](const std::array<double, 3>& u) {
+        const Pair pair = pair_at(seen, u);
+        const glm::dvec3 first = pair.aim + glm::dvec3(0, 0, pair.first);
+        const glm::dvec3 second = -pair.aim + glm::dvec3(0, 0, pair.second);
+        const bool near_first = first.z <= range;
+        const bool near_second = second.z <= range;
+        if (!near_first && !near_second) return glm::dvec2(0.0);
+        const auto mirrored = [](const glm::dvec3& v) { return std::clamp(-v.z / glm::length(v), 0.0, 1.0); };
+        const double a = near_first ? cosine_to_eye(first, seen.normal()) : mirrored(second);
+        const double b = near_second ? cosine_to_eye(second, seen.normal()) : mirrored(first);
+        const double weight = near_first && near_second ? 1.0 : 0.5;
+        const auto arc = [&](double cosine) { return std::acos(std::clamp(cosine - bias, -1.0, 1.0)); };
+        return weight * glm::dvec2(1.0 - (arc(a) + arc(b)) / std::numbers::pi, 1.0);
+    };
+}
+
+}  // namespace gloam::effect::own

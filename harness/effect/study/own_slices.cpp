@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "effect/internal/own_integrands.hpp"
+
+namespace gloam::effect::own {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double right_angle = 0.5 * pi;
+
+// A slice of the image plane's direction (cos a, sin a); the eye is on the axis, so the slice holds the z
+// axis.
+struct Slice {
+    glm::dvec3 along{1, 0, 0};  // unit, in the image plane
+    double normal_angle = 0.0;  // of the normal's projection from the axis, towards `along`
+    double weight = 0.0;        // its length
+};
+
+Slice slice_at(const SeenSurface& seen, double angle) {
+    Slice slice{.along = {std::cos(angle), std::sin(angle), 0.0}};
+    const double x = glm::dot(seen.normal(), slice.along);
+    slice.normal_angle = std::atan2(x, seen.normal().z);
+    slice.weight = std::hypot(x, seen.normal().z);
+    return slice;
+}
+
+// A sample within the slice: how far it is along the slice and towards the eye.
+struct Step {
+    double along = 0.0;
+    double up = 0.0;
+
+    [[nodiscard]] double length() const { return std::hypot(along, up); }
+    [[nodiscard]] double angle() const { return std::atan2(along, up); }  // from the axis
+};
+
+// The samples of one side (+1 or -1) that rise above the tangent plane by more than the bias. What was seen
+// beside the slice is moved into it without changing its height over that plane.
+std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
+                           double jitter) {
+    const glm::dvec3& n = seen.normal();
+    const glm::dvec3 aside = glm::cross(slice.along, glm::dvec3(0, 0, 1));
+    const double turned = glm::dot(aside, n);
+    const glm::dvec3 across = (aside - turned * n) / (1.0 - turned * turned);
+    std::vector<Step> found;
+    for (std::uint32_t i = 0; i < settings.steps; ++i) {
+        const double share = (i + jitter) / settings.steps;
+        const Seen surface = seen.at(side * share * share * seen.reach() * glm::dvec2(slice.along));
+        if (surface.background || surface.own_pixel) continue;
+        const glm::dvec3 offset = surface.offset - glm::dot(surface.offset, aside) * across;
+        if (glm::dot(offset, n) > double{settings.bias})
+            found.push_back({glm::dot(offset, slice.along), offset.z});
+    }
+    return found;
+}
+
+// Integral of |sin t| cos(t - n) over t from a to b, both on the same side of 0: the cosine-weighted share of
+// a slice.
+double cosine_arc(double a, double b, double n) {
+    const auto antiderivative = [n](double t) {
+        return -0.25 * std::cos(2.0 * t - n) + 0.5 * t * std::sin(n);
+    };
+    const double integral = antiderivative(b) - antiderivative(a);
+    return a + b < 0.0 ? -integral : integral;
+}
+
+// The same over what of the half plane around n lies between a and b.
+double cosine_measure(double a, double b, double n) {
+    const double low = std::max(a, n - right_angle);
+    const double high = std::min(b, n + right_angle);
+    if (!(low < high)) return 0.0;
+    return cosine_arc(low, std::clamp(0.0, low, high), n) + cosine_arc(std::clamp(0.0, low, high), high, n);
+}
+
+double cosine_whole(double n) {
+    return cosine_measure(n - right_angle, n + right_angle, n);
+}
+
+// HBAO's sum over one side: each rise of the horizon's sine weighted by 1 - |v|^2.
+double hbao_side(const std::vector<Step>& steps, double tangent, double bias) {
+    double horizon = std::sin(std::min(tangent + bias, right_angle));
+    double occlusion = 0.0;
+    for (const Step& step : steps) {
+        const double squared = step.length() * step.length();
+        const double sine = step.up / step.length();
+        if (!(squared < 1.0 && sine > horizon)) continue;
+        occlusion += (sine - horizon) * (1.0 - squared);
+        horizon = sine;
+    }
+    return occlusion;
+}
+
+// GTAO's horizon: cosine from the axis, each sample drawn towards the tangent plane by the linear falloff.
+double gtao_horizon(const std::vector<Step>& steps, double lowest) {
+    double horizon = -1.0;
+    for (const Step& step : steps) {
+        const double weight = std::max(1.0 - step.length(), 0.0);
+        if (weight > 0.0) horizon = std::max(horizon, lowest + weight * (step.up / step.length() - lowest));
+    }
+    return horizon;
+}
+
+constexpr std::size_t sectors = 32;
+
+// Borders between sectors of equal cosine-weighted share lie where the centre rule asks: whether the share
+// below the centre of a sector lies in [low, high).
+void cover(std::bitset<sectors>& covered, double low, double high) {
+    for (std::size_t i = 0; i < sectors; ++i) {
+        const double center = (static_cast<double>(i) + 0.5) / sectors;
+        if (low <= center && center < high) covered.set(i);
+    }
+}
+
+// Angles from -pi to pi that pass behind the half plane belong to its nearer end.
+double share_below(double angle, double n) {
+    return cosine_measure(n - right_angle, std::max(angle, n - right_angle), n) / cosine_whole(n);
+}
+
+}  // namespace
+
+// CS-3.4: horizons over the image plane, what the bias takes off given back.
+Integrand hbao(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const Slice slice = slice_at(seen, pi * u[0]);
+        const double bias = double{s.angle_bias};
+        const double slope = -glm::dot(glm::dvec2(seen.normal()), glm::dvec2(slice.along));
+        double occlusion = 0.0;
+        for (const double side : {1.0, -1.0}) {
+            const double tangent = std::atan2(side * slope, seen.normal().z);
+            occlusion += 0.5 * hbao_side(steps_of(seen, s, slice, side, u[1]), tangent, bias);
+        }
+        return glm::dvec2(std::min(double{s.intensity} * occlusion / (1.0 - std::sin(bias)), 1.0), 1.0);
+    };
+}
+
+// Jimenez et al. 2016, each slice weighted by what its half plane holds.
+Integrand gtao(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const Slice slice = slice_at(seen, pi * u[0]);
+        const double n = slice.normal_angle;
+        const double right = gtao_horizon(steps_of(seen, s, slice, 1.0, u[1]), std::cos(n + right_angle));
+        const double left = gtao_horizon(steps_of(seen, s, slice, -1.0, u[1]), std::cos(n - right_angle));
+        const double occluded =
+            cosine_measure(std::acos(right), pi, n) + cosine_measure(-pi, -std::acos(left), n);
+        return slice.weight * glm::dvec2(occluded, cosine_whole(n));
+    };
+}
+
+// Therrien et al. 2023: the sectors between the front and the back of each sample, of those nearer than a
+// random distance.
+Integrand bitmask(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const Slice slice = slice_at(seen, pi * u[0]);
+        const double n = slice.normal_angle;
+        std::bitset<sectors> covered;
+        for (const double side : {1.0, -1.0}) {
+            for (const Step& step : steps_of(seen, s, slice, side, u[1])) {
+                if (!(step.length() < u[2])) continue;
+                const double front = step.angle();
+                const double back = Step{step.along, step.up - double{s.thickness}}.angle();
+                cover(covered, share_below(std::min(front, back), n), share_below(std::max(front, back), n));
+            }
+        }
+        const double share = static_cast<double>(covered.count()) / sectors;
+        return slice.weight * cosine_whole(n) * glm::dvec2(share, 1.0);
+    };
+}
+
+}  // namespace gloam::effect::own

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/own_value.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "effect/internal/named.hpp"
+#include "effect/internal/own_integrands.hpp"
+
+namespace gloam::effect {
+
+const std::vector<OwnValue>& own_values() {
+    static const std::vector<OwnValue> all{
+        {"hemisphere", own::hemisphere},
+        {"disc", own::disc},
+        {"crytek", own::crytek},
+        {"filion", own::filion},
+        {"alchemy", own::alchemy},
+        {"sao", own::sao},
+        {"issao", own::issao},
+        {"aksoy_phaneuf", own::aksoy_phaneuf},
+        {"volumetric", own::volumetric},
+        {"tangent_sphere", own::tangent_sphere},
+        {"angle", own::angle},
+        {"hbao", own::hbao},
+        {"gtao", own::gtao},
+        {"bitmask", own::bitmask},
+    };
+    return all;
+}
+
+const OwnValue& own_value_of(std::string_view method) {
+    return named(own_values(), method, "method");
+}
+
+std::optional<Estimate> own_value(const scene::ClosedFormView& view, const Settings& settings,
+                                  std::uint32_t pixels, double tolerance) {
+    if (settings.radius != 1.0F)
+        throw std::invalid_argument(
+            fmt::format("radius {:g}: expected 1, the unit of the views", settings.radius));
+    const OwnValue& own = own_value_of(settings.method);
+    if (own.integrand == nullptr) return std::nullopt;
+    return expectation(own.integrand(SeenSurface(view, pixels), settings), tolerance);
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What every method makes of views in closed form, by the passes: it converges to the method's own value.
+#include "effect/study/closed_form_study.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "effect/methods.hpp"
+#include "effect/study/own_value.hpp"
+
+namespace gloam::effect {
+namespace {
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+class ClosedForm : public testing::TestWithParam<std::string> {
+  protected:
+    ClosedForm()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+};
+
+// Five standard errors of both numbers, each from the spread of its parts, and what single precision takes
+// from the sum of a thousand contributions. The own value is that on an image of so many pixels, so that no
+// error of resolution is in it.
+double bound_of(const Estimate& own, const Estimate& measured) {
+    return 5.0 * std::hypot(own.error, measured.error) + 2e-4;
+}
+
+TEST_P(ClosedForm, ConvergesToItsOwnValue) {
+    if (own_value_of(GetParam()).integrand == nullptr) GTEST_SKIP() << own_value_of(GetParam()).none;
+    const ClosedFormOptions options{.frames = 8};
+    ClosedFormStudy study(device_, passes_, options.pixels);
+    Settings settings = with_method(Settings{}, GetParam());
+    settings.mip_distance = 0.0F;  // whose taps lie elsewhere; see method_gathers_test
+    for (const scene::Projection projection :
+         {scene::Projection::perspective, scene::Projection::orthographic}) {
+        for (const scene::ClosedFormView& view : scene::closed_form_views(projection)) {
+            const Estimate own = *own_value(view, settings, options.pixels, 1e-3);
+            const Estimate measured = study.measure(view, settings, options);
+            EXPECT_NEAR(measured.value, own.value, bound_of(own, measured)) << view.name;
+            RecordProperty(view.name, fmt::format("{:.4f} of {:.4f}", measured.value, own.value));
+        }
+    }
+}
+
+// Where the surface has one normal, that from the depth is it, but for the curvature between neighbouring
+// pixels.
+TEST_P(ClosedForm, NormalsFromTheDepthMakeNoDifference) {
+    const ClosedFormOptions given{.frames = 4};
+    ClosedFormOptions reconstructed = given;
+    reconstructed.reconstruct_normals = true;
+    ClosedFormStudy study(device_, passes_, given.pixels);
+    const Settings settings = with_method(Settings{}, GetParam());
+    for (const scene::ClosedFormView& view : scene::closed_form_views(scene::Projection::perspective)) {
+        if (!view.smooth) continue;
+        const Estimate known = study.measure(view, settings, given);
+        const Estimate found = study.measure(view, settings, reconstructed);
+        EXPECT_NEAR(found.value, known.value, bound_of(known, found)) << view.name;
+    }
+}
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const MethodInfo& method : methods()) names.push_back(method.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ClosedForm, testing::ValuesIn(method_names()),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace gloam::effect
