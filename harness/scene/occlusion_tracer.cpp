@@ -38,6 +38,14 @@ glm::dvec3 cosine_direction(const glm::dvec2& u) {
     return {r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0 - u.x)};
 }
 
+// One of density 1 / (2 pi).
+glm::dvec3 uniform_direction(const glm::dvec2& u) {
+    const double height = 1.0 - u.x;
+    const double r = std::sqrt(std::max(1.0 - height * height, 0.0));
+    const double angle = 2.0 * std::numbers::pi * u.y;
+    return {r * std::cos(angle), r * std::sin(angle), height};
+}
+
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -45,18 +53,21 @@ double largest(const glm::dvec3& v) {
 // The directions of one part, in the frame of the receiver.
 class Directions {
   public:
-    explicit Directions(const Receiver& receiver)
-        : facet_(receiver.facet),
+    Directions(const Receiver& receiver, Weighting weighting)
+        : weighting_(weighting),
+          facet_(receiver.facet),
           frame_(tangents(receiver.normal)[0], tangents(receiver.normal)[1], receiver.normal) {}
 
     [[nodiscard]] glm::vec3 at(const glm::dvec2& u) const {
-        glm::dvec3 direction = frame_ * cosine_direction(u);
+        glm::dvec3 direction =
+            frame_ * (weighting_ == Weighting::cosine ? cosine_direction(u) : uniform_direction(u));
         const double beneath = glm::dot(direction, facet_);
         if (beneath < 0.0) direction -= 2.0 * beneath * facet_;
         return {direction};
     }
 
   private:
+    Weighting weighting_;
     glm::dvec3 facet_;
     glm::dmat3 frame_;
 };
@@ -104,7 +115,7 @@ std::size_t OcclusionTracer::rays() const {
 
 OcclusionEstimate OcclusionTracer::occlusion(const Receiver& receiver, std::uint64_t seed) const {
     const glm::vec3 origin(receiver.position + receiver.clearance * receiver.facet);
-    const Directions directions(receiver);
+    const Directions directions(receiver, impl_->settings.weighting);
     std::array<double, parts> means{};
     double sum = 0.0;
     for (std::size_t part = 0; part < means.size(); ++part) {

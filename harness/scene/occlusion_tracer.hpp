@@ -11,10 +11,17 @@
 
 namespace gloam::scene {
 
+// How the directions of the hemisphere count.
+enum class Weighting {
+    cosine,   // by the cosine to the normal: TSSAO-1
+    uniform,  // all alike
+};
+
 struct RaySettings {
     double radius = 0.5;  // world units, > 0; +infinity allowed with Falloff::step
     Falloff falloff = Falloff::linear;
     int rays = 1024;  // for each point, 32 to 2^24; rounded up to a multiple of 16, best a power of two
+    Weighting weighting = Weighting::cosine;
 };
 
 // Throws std::invalid_argument that names the first setting outside its range.
@@ -35,9 +42,9 @@ struct OcclusionEstimate {
 
 // Estimates the occlusion of points by tracing rays:
 // (1 / pi) * integral over the hemisphere of V(w) D(d(w)) (n . w) dw, with V = 1 where the ray is blocked at
-// the distance d. Directions are cosine-weighted points of Sobol' sequences, scrambled anew for each of 16
-// equal parts of the rays, whose means give the standard error (15 degrees of freedom). May be used by
-// several threads at once.
+// the distance d; 1 / (2 pi) and without (n . w) where all directions count alike. Directions are points of
+// Sobol' sequences of that weight, scrambled anew for each of 16 equal parts of the rays, whose means give
+// the standard error (15 degrees of freedom). May be used by several threads at once.
 //
 // A direction that leaves through the back of the triangle it starts on (a smooth normal is not the facet's)
 // is mirrored at it, so that the facets of a smooth shape do not shade themselves.

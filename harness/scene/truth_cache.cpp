@@ -67,6 +67,8 @@ void add_view(Hash& hash, const GBuffer& view, const TruthSettings& settings) {
     hash.add(settings.rays.radius);
     hash.add(static_cast<std::uint64_t>(settings.rays.falloff));
     hash.add(static_cast<std::uint64_t>(settings.rays.rays));
+    // Nothing for what all truth was before there was a choice.
+    if (settings.rays.weighting == Weighting::uniform) hash.add(std::uint64_t{1});
 }
 
 // Three counts, two images, and a hash of all of it.

@@ -25,6 +25,7 @@ struct KnownScene {
     double radius = 1.0;
     Falloff falloff = Falloff::linear;
     std::vector<KnownPoint> points;
+    Weighting weighting = Weighting::cosine;
 };
 
 constexpr double everywhere = std::numeric_limits<double>::infinity();
@@ -58,6 +59,15 @@ inline KnownScene ceiling(Falloff falloff, double q) {
     append(scene.mesh, make_parallelogram({-30, q * 2.0, -30}, {60, 0, 0}, {0, 0, 60}, 60.0));
     for (int i = 0; i < 40; ++i)
         scene.points.push_back({on_ground(0.13 * i, 0.07 * i), ceiling_occlusion(falloff, q)});
+    return scene;
+}
+
+// All directions alike: the mean of 1 - q / z over the heights z of directions from q to 1.
+inline KnownScene ceiling_seen_uniformly(double q) {
+    KnownScene scene = ceiling(Falloff::linear, q);
+    scene.name += ", uniform";
+    scene.weighting = Weighting::uniform;
+    for (KnownPoint& point : scene.points) point.occlusion = 1.0 - q + q * std::log(q);
     return scene;
 }
 
@@ -143,6 +153,15 @@ inline KnownScene groove(double angle, bool both) {
         receiver.position.y = 0.01;
         scene.points.push_back({receiver, (both ? 1.0 : 0.5) * (1.0 - std::cos(angle))});
     }
+    return scene;
+}
+
+// All directions alike: those up to the angle, of pi in each plane across the line.
+inline KnownScene groove_seen_uniformly(double angle, bool both) {
+    KnownScene scene = groove(angle, both);
+    scene.name += ", uniform";
+    scene.weighting = Weighting::uniform;
+    for (KnownPoint& point : scene.points) point.occlusion = (both ? 2.0 : 1.0) * angle / std::numbers::pi;
     return scene;
 }
 

@@ -17,8 +17,16 @@ namespace gloam::scene::test {
 namespace {
 
 std::vector<KnownScene> known_scenes() {
-    std::vector<KnownScene> scenes{open_plane(),      low_wall(),         sphere_over_plane(),
-                                   groove(0.4, true), groove(1.1, false), groove(0.8, true)};
+    std::vector<KnownScene> scenes{open_plane(),
+                                   low_wall(),
+                                   sphere_over_plane(),
+                                   groove(0.4, true),
+                                   groove(1.1, false),
+                                   groove(0.8, true),
+                                   groove_seen_uniformly(0.4, true),
+                                   groove_seen_uniformly(1.1, false),
+                                   ceiling_seen_uniformly(0.1),
+                                   ceiling_seen_uniformly(0.6)};
     for (const Falloff falloff : {Falloff::linear, Falloff::quadratic, Falloff::step}) {
         scenes.push_back(wall(falloff));
         scenes.push_back(ceiling(falloff, 0.1));
@@ -49,8 +57,9 @@ TEST(OcclusionTracer, AgreesWithEveryClosedForm) {
     Tally tally;
     for (const KnownScene& scene : known_scenes()) {
         SCOPED_TRACE(scene.name);
-        const OcclusionTracer tracer(scene.mesh,
-                                     {.radius = scene.radius, .falloff = scene.falloff, .rays = 1024});
+        const OcclusionTracer tracer(
+            scene.mesh,
+            {.radius = scene.radius, .falloff = scene.falloff, .rays = 1024, .weighting = scene.weighting});
         double sum = 0.0;
         double variance = 0.0;
         double worst = 0.0;
