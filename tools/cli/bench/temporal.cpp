@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
+#include "cli/bench/image_size.hpp"
 #include "cli/bench/temporal_pictures.hpp"
 #include "cli/bench/temporal_report.hpp"
 #include "cli/drivers.hpp"
@@ -24,25 +23,6 @@ namespace {
 
 using namespace effect;
 
-// A kernel, a window and a pixel's neighbours have to fit.
-constexpr std::uint32_t smallest = 16;
-constexpr std::uint32_t largest = 4096;
-
-gpu::Extent extent_of(const std::string& text) {
-    gpu::Extent extent;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, extent.width);
-    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, extent.height);
-        if (height.ec == std::errc{} && height.ptr == end && extent.width >= smallest &&
-            extent.height >= smallest && extent.width <= largest && extent.height <= largest)
-            return extent;
-    }
-    throw std::invalid_argument(
-        fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {} to {}, such as 192x108", text,
-                    smallest, largest));
-}
-
 // Half a minute instead of minutes.
 BenchTemporalOptions quickened(BenchTemporalOptions options) {
     if (!options.quick) return options;
@@ -58,7 +38,7 @@ class TemporalBench {
   public:
     explicit TemporalBench(const BenchTemporalOptions& options)
         : options_(options),
-          extent_(extent_of(options.size)),
+          extent_(image_size(options.size)),
           scenes_(scenes_named(options.scenes)),
           preset_(preset_named(options.preset).settings),
           json_(options.json),

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/method_study.hpp"
+
+#include <algorithm>
+
+#include "effect/presets.hpp"
+#include "effect/remap_fit.hpp"
+#include "effect/setting_table.hpp"
+#include "effect/study/own_value.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+Remap remap_of(const Settings& settings) {
+    return {settings.remap_a, settings.remap_b, settings.remap_c};
+}
+
+}  // namespace
+
+std::vector<MethodConfiguration> method_configurations() {
+    const std::vector<Preset> all = presets();
+    std::vector<MethodConfiguration> list;
+    for (const MethodInfo& method : methods()) {
+        list.push_back({method.name, with_method(Settings{}, method.name)});
+        const auto quality = std::ranges::find(all, method.name + "-quality", &Preset::name);
+        if (quality != all.end()) list.push_back({quality->name, quality->settings});
+    }
+    return list;
+}
+
+bool same_estimate(const Settings& a, const Settings& b) {
+    return std::ranges::all_of(setting_table(), [&](const Setting& setting) {
+        return setting.name == "samples" || setting.name == "samples_converged" ||
+               setting.get(a) == setting.get(b);
+    });
+}
+
+std::vector<ViewResult> study_views(ClosedFormStudy& study, const MethodConfiguration& configuration,
+                                    const ClosedFormOptions& options) {
+    std::vector<ViewResult> results;
+    for (const scene::ClosedFormView& view : scene::closed_form_views(scene::Projection::perspective)) {
+        const Estimate measured = study.measure(view, configuration.settings, options);
+        const double visible = remap_of(configuration.settings)(1.0 - measured.value);
+        results.push_back({.view = view.name,
+                           .truth = view.occlusion,
+                           .measured = measured,
+                           .own = own_value(view, configuration.settings, 0, 5e-4),
+                           .shown = 1.0 - visible});
+    }
+    return results;
+}
+
+SceneStudy::SceneStudy(const gpu::Device& device, const scene::PassLibrary& passes,
+                       const scene::TruthCache& cache, scene::Scene scene, SceneOptions options)
+    : cache_(&cache),
+      scene_(std::move(scene)),
+      options_(std::move(options)),
+      view_(scene::rasterize(device, passes, scene_, options_.extent)),
+      effect_(device, passes, options_.extent),
+      geometry_(traced({scene::Weighting::cosine, scene::Falloff::linear})) {
+    const scene::TruthSettings settings{.rays = {.radius = scene_.ao_radius, .rays = options_.rays},
+                                        .progress = options_.progress};
+    depth_ = truth_from(view_, cache_->depth(view_, settings).occlusion);
+}
+
+Truth SceneStudy::traced(const Measured& measured) const {
+    const scene::TruthSettings settings{.rays = {.radius = scene_.ao_radius,
+                                                 .falloff = measured.second,
+                                                 .rays = options_.rays,
+                                                 .weighting = measured.first},
+                                        .progress = options_.progress};
+    return truth_from(view_, cache_->geometry(scene_, 0, view_, settings).occlusion);
+}
+
+// nullptr for a method that estimates no occlusion by rays, or with a falloff of its own.
+const Truth* SceneStudy::own_truth(const MethodInfo& method) {
+    const auto falloff = scene::falloff_named(method.falloff);
+    if (!falloff || (method.measure != Measure::cosine && method.measure != Measure::uniform)) return nullptr;
+    const bool cosine = method.measure == Measure::cosine;
+    const Measured measured{cosine ? scene::Weighting::cosine : scene::Weighting::uniform, *falloff};
+    if (!own_.contains(measured)) own_.emplace(measured, traced(measured));
+    return &own_.at(measured);
+}
+
+// One frame of many samples that are not rotated by pixel: a low-discrepancy sequence, the same for all.
+std::vector<float> SceneStudy::limit_of(const Settings& settings) {
+    Settings many = settings;
+    many.samples = options_.limit_samples;
+    many.samples_converged = options_.limit_samples;
+    many.c_rot = 0.0F;
+    many.filter = Filter::none;
+    many.remap_a = 0.0F;
+    many.remap_b = 1.0F;
+    many.remap_c = 1.0F;
+    effect_.begin(view_, many);
+    return remapped(effect_.next().occlusion, remap_of(settings));
+}
+
+SceneResult SceneStudy::run(const MethodConfiguration& configuration) {
+    const Settings settings = with_radius(configuration.settings, static_cast<float>(scene_.ao_radius));
+    SceneResult result{.limit = limit_of(settings), .samples = settings.samples};
+    result.geometry = metrics_of(result.limit, geometry_, options_.extent);
+    result.depth = errors_of(result.limit, depth_);
+    if (const Truth* own = own_truth(method_named(settings.method)))
+        result.own = errors_of(result.limit, *own);
+    effect_.begin(view_, settings);
+    const Frame frame = effect_.next(options_.repeat);
+    result.frame = errors_of(frame.filtered, geometry_);
+    for (const PassTime& time : frame.times) {
+        if (time.pass == "ambient_occlusion") result.gather_ms += time.ms;
+        result.frame_ms += time.ms;
+    }
+    return result;
+}
+
+}  // namespace gloam::effect

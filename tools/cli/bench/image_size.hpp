@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "gpu/image.hpp"
+
+namespace gloam::cli {
+
+// The value of --size: WIDTHxHEIGHT in pixels, each 16 to 4096, so that a kernel, a window and a pixel's
+// neighbours fit. Throws std::invalid_argument that says so.
+[[nodiscard]] gpu::Extent image_size(const std::string& text);
+
+}  // namespace gloam::cli

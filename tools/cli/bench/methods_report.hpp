@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/bench/page_blocks.hpp"
+#include "effect/study/method_study.hpp"
+#include "gpu/device.hpp"
+
+namespace gloam::cli {
+
+// What was measured of one configuration: views, and scenes in the order of MethodsReport::scenes.
+struct MethodRow {
+    effect::MethodConfiguration configuration;
+    std::vector<effect::ViewResult> views;
+    std::vector<effect::SceneResult> scenes;
+};
+
+struct MethodsReport {
+    gpu::DeviceInfo device;
+    gpu::Extent extent;  // of the scenes' images
+    int pixels = 0;      // of a side of the views
+    std::vector<std::string> scenes;
+    std::vector<MethodRow> rows;
+};
+
+// Tables as Markdown, by the names of the blocks of docs/methods.md: what methods estimate, what they make of
+// views in closed form, how far that is from the truth, how far they are on scenes, and where their pictures
+// are.
+[[nodiscard]] std::vector<PageBlock> to_blocks(const MethodsReport& report);
+
+// All numbers.
+[[nodiscard]] std::string to_json(const MethodsReport& report);
+
+// The file of a picture; what: a method's name, "truth" or "depth".
+[[nodiscard]] std::string picture_name(const std::string& scene, const std::string& what);
+
+}  // namespace gloam::cli
