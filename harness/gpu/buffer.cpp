@@ -20,7 +20,7 @@ BufferHandles create(const Context& context, std::size_t bytes) {
         context.device,
         vk::BufferCreateInfo{.size = bytes,
                              .usage = Usage::eStorageBuffer | Usage::eVertexBuffer | Usage::eIndexBuffer |
-                                      Usage::eTransferSrc | Usage::eTransferDst});
+                                      Usage::eIndirectBuffer | Usage::eTransferSrc | Usage::eTransferDst});
     // Cached: the host reads results back, which is very slow from write-combined memory.
     using Property = vk::MemoryPropertyFlagBits;
     constexpr auto coherent = Property::eHostVisible | Property::eHostCoherent;

@@ -89,6 +89,31 @@ const vk::raii::CommandBuffer& Commands::Impl::recording() const {
     return handles->buffers.front();
 }
 
+void Commands::Impl::check(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                           std::span<const std::byte> push_constants) const {
+    (void)recording();
+    check_same_device(pipeline.impl().context, context, "dispatch: the pipeline");
+    check_resources(pipeline.impl(), resources);
+    check_push_constants(pipeline.impl(), push_constants);
+}
+
+void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                          std::span<const std::byte> push_constants) {
+    constexpr auto point = vk::PipelineBindPoint::eCompute;
+    const auto& program = pipeline.impl();
+    const auto& commands = recording();
+    commands.bindPipeline(point, *program.handles->pipeline);
+    if (!resources.empty()) {
+        const auto& set = handles->descriptors.allocate(program);
+        write_descriptors(context, set, resources);
+        commands.bindDescriptorSets(point, *program.handles->layout, 0, *set, nullptr);
+    }
+    if (!push_constants.empty()) {
+        commands.pushConstants<std::byte>(*program.handles->layout, vk::ShaderStageFlagBits::eCompute, 0,
+                                          push_constants);
+    }
+}
+
 Commands::Commands(const Device& device) : impl_(std::make_unique<Impl>(device.impl())) {}
 Commands::~Commands() = default;
 Commands::Commands(Commands&&) noexcept = default;
@@ -96,25 +121,29 @@ Commands& Commands::operator=(Commands&&) noexcept = default;
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                         std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants) {
-    const auto& program = pipeline.impl();
-    const auto& commands = impl_->recording();
-    check_same_device(program.context, impl_->context, "dispatch: the pipeline");
-    check_resources(program, resources);
-    check_push_constants(program, push_constants);
+    impl_->check(pipeline, resources, push_constants);
     check_groups(impl_->context.physical.info, groups);
-
-    constexpr auto point = vk::PipelineBindPoint::eCompute;
-    commands.bindPipeline(point, *program.handles->pipeline);
-    if (!resources.empty()) {
-        const auto& set = impl_->handles->descriptors.allocate(program);
-        write_descriptors(impl_->context, set, resources);
-        commands.bindDescriptorSets(point, *program.handles->layout, 0, *set, nullptr);
-    }
-    if (!push_constants.empty()) {
-        commands.pushConstants<std::byte>(*program.handles->layout, vk::ShaderStageFlagBits::eCompute, 0,
-                                          push_constants);
-    }
+    impl_->bind(pipeline, resources, push_constants);
+    const auto& commands = impl_->recording();
     commands.dispatch(groups[0], groups[1], groups[2]);
+    device_barrier(commands);
+}
+
+void Commands::dispatch_indirect(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                                 const Buffer& groups, std::size_t offset,
+                                 std::span<const std::byte> push_constants) {
+    impl_->check(pipeline, resources, push_constants);
+    check_same_device(groups.impl().context, impl_->context, "dispatch: the buffer of group counts");
+    constexpr std::size_t needed = sizeof(vk::DispatchIndirectCommand);
+    if (offset % 4 != 0 || offset > groups.size() || groups.size() - offset < needed) {
+        throw std::invalid_argument(fmt::format(
+            "dispatch: group counts at byte {} of a buffer of {}: expected a multiple of 4 and {} "
+            "bytes from there on",
+            offset, groups.size(), needed));
+    }
+    impl_->bind(pipeline, resources, push_constants);
+    const auto& commands = impl_->recording();
+    commands.dispatchIndirect(*groups.impl().handles->buffer, offset);
     device_barrier(commands);
 }
 

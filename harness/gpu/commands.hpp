@@ -28,6 +28,15 @@ class Commands {
     void dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                   std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants = {});
 
+    // The same with the numbers of groups in x, y and z read from a buffer when the dispatch runs: what
+    // commands before it have written there counts. They are three uint at `offset` bytes. Throws like
+    // dispatch(), and std::invalid_argument for an offset that is no multiple of 4 or leaves less than 12
+    // bytes. Numbers beyond the device's limit are the shader's fault that wrote them: only the validation
+    // layer sees them.
+    void dispatch_indirect(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                           const Buffer& groups, std::size_t offset,
+                           std::span<const std::byte> push_constants = {});
+
     // Records the device's clock after all work so far; returns the position of the reading in times_ms().
     std::size_t timestamp();
 

@@ -22,6 +22,13 @@ struct Commands::Impl {
     // The command buffer. Throws std::runtime_error after submit().
     [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
 
+    // Throws as dispatch() does where the arguments do not fit the pipeline.
+    void check(const ComputePipeline& pipeline, std::span<const Resource> resources,
+               std::span<const std::byte> push_constants) const;
+    // Records the pipeline and what it is given.
+    void bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
+              std::span<const std::byte> push_constants);
+
     enum class State { recording, submitted, finished };
     Context& context;
     Guarded<Recording> handles;
