@@ -4,51 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
-#include <functional>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "effect/internal/passes.hpp"
+#include "effect/internal/frame_images.hpp"
+#include "effect/internal/pipelines.hpp"
+#include "effect/internal/steps.hpp"
 #include "effect/internal/work.hpp"
-#include "gpu/commands.hpp"
 #include "scene/guard_band.hpp"
 
 namespace gloam::effect {
 namespace {
-
-using enum gpu::Format;
-
-// A pass, ready to be recorded.
-struct Step {
-    std::string name;
-    const gpu::ComputePipeline* pipeline = nullptr;
-    std::vector<gpu::Resource> resources;
-    std::span<const std::byte> parameters;
-};
-
-template <class Parameters>
-std::span<const std::byte> bytes_of(const Parameters& parameters) {
-    return std::as_bytes(std::span(&parameters, 1));
-}
-
-std::size_t pixels_of(gpu::Extent extent) {
-    return std::size_t{extent.width} * extent.height;
-}
-
-std::size_t tiles_of(gpu::Extent extent) {
-    const auto groups = groups_for(extent);
-    return std::size_t{groups[0]} * groups[1];
-}
-
-void require_size(const char* what, std::size_t found, gpu::Extent extent) {
-    if (found == pixels_of(extent)) return;
-    throw std::invalid_argument(
-        fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
-}
 
 // A view without the band that the settings ask for.
 void require_guard(const scene::GBuffer& view, const Settings& settings) {
@@ -58,64 +26,19 @@ void require_guard(const scene::GBuffer& view, const Settings& settings) {
     throw std::invalid_argument(fmt::format("guard {:g}: the view has no guard band", guard));
 }
 
-std::vector<float> texels_of(std::span<const glm::vec3> normals) {
-    std::vector<float> texels;
-    texels.reserve(4 * normals.size());
-    for (const glm::vec3& n : normals) texels.insert(texels.end(), {n.x, n.y, n.z, 0.0F});
-    return texels;
-}
-
-std::vector<float> channel(std::span<const float> texels, std::size_t which) {
-    std::vector<float> values(texels.size() / 4);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = texels[4 * i + which];
-    return values;
-}
-
 }  // namespace
 
 struct AmbientOcclusion::Impl {
     Impl(const gpu::Device& the_device, const scene::PassLibrary& passes, gpu::Extent size)
         : device(&the_device),
-          library(passes),
-          normals_pipeline(normals_from_depth(the_device, passes)),
-          nothing(the_device, {1, 1}, rgba32f),
+          pipelines(the_device, passes),
+          nothing(the_device, {1, 1}, gpu::Format::rgba32f),
           method(the_device, sizeof(MethodParameters)) {
         allocate(size);
     }
 
-    // Everything of the size of the image.
-    struct Images {
-        Images(const gpu::Device& device, gpu::Extent size, gpu::Format history)
-            : depth(device, size, r32f),
-              normal(device, size, rgba32f),
-              before(device, size, history),
-              reprojected(device, size, history),
-              after(device, size, history),
-              half_filtered(device, size, rgba32f),
-              filtered(device, size, rgba32f),
-              tiles(device, tiles_of(size) * sizeof(TileWork)) {}
-
-        gpu::Image depth;
-        gpu::Image normal;
-        gpu::Image before;       // history of the last frame, at its pixels
-        gpu::Image reprojected;  // the same at the pixels of this frame, when the view has moved
-        gpu::Image after;        // history of this frame
-        gpu::Image half_filtered;
-        gpu::Image filtered;
-        gpu::Buffer tiles;
-        std::optional<gpu::Image> previous_position;
-        std::optional<gpu::Image> mapped;           // what is shown of the history, where it is mapped at all
-        std::optional<gpu::Image> filtered_mapped;  // and of the filter's result
-    };
-
     const gpu::Device* device;
-    scene::PassLibrary library;
-    gpu::ComputePipeline normals_pipeline;
-    std::map<std::pair<Filter, HistoryPrecision>, gpu::ComputePipeline>
-        filter_pipelines;                                              // by what they read
-    std::map<HistoryPrecision, gpu::ComputePipeline> remap_pipelines;  // likewise
-    std::map<Program, gpu::ComputePipeline> occlusion_pipelines;
-    std::map<Program, gpu::ComputePipeline> reprojection_pipelines;
+    Pipelines pipelines;
     View view;
     View previous_view;
     Settings settings;
@@ -124,7 +47,7 @@ struct AmbientOcclusion::Impl {
     bool moved = false;  // the history has not followed the last view yet
     gpu::Image nothing;  // for bindings that are not read
     gpu::Buffer method;  // MethodParameters
-    std::optional<Images> images;
+    std::optional<FrameImages> images;
     NormalParameters normal_constants{};
     ReprojectionParameters reprojection_constants{};
     OcclusionParameters occlusion_constants{};
@@ -134,43 +57,29 @@ struct AmbientOcclusion::Impl {
 
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
-    void prepare_pipelines();
     [[nodiscard]] Program program() const;
     [[nodiscard]] const gpu::Image& history() const { return moved ? images->reprojected : images->before; }
-    [[nodiscard]] std::vector<Step> steps() const;
-    void append_remap(std::vector<Step>& passes) const;
-    [[nodiscard]] std::vector<PassTime> run(const std::vector<Step>& passes, int repeat) const;
+    [[nodiscard]] std::vector<Step> steps();
+    void append_remap(std::vector<Step>& passes);
     [[nodiscard]] Frame collect() const;
     [[nodiscard]] Work work(std::span<const float> convergence) const;
 };
 
 void AmbientOcclusion::Impl::allocate(gpu::Extent size) {
     view.extent = size;
-    images.emplace(*device, size, settings.precision == HistoryPrecision::float16 ? rgba16f : rgba32f);
+    images.emplace(*device, size, settings.precision);
 }
 
 // The images and constants of a view. Positions of the frame before matter only when the history follows
 // them.
 void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
-    require_size("depth", new_view.depth.size(), view.extent);
-    if (!new_view.normal.empty()) require_size("normals", new_view.normal.size(), view.extent);
     require_guard(new_view, settings);
     (void)scene::frame_of(new_view);
+    images->take(*device, new_view);
     view.camera = new_view.camera;
     view.border = new_view.border;
     reconstruct_normals = new_view.normal.empty();
-    images->depth.upload(new_view.depth);
-    if (!reconstruct_normals) images->normal.upload(texels_of(new_view.normal));
-    images->previous_position.reset();
-    if (!new_view.previous_position.empty()) {
-        require_size("previous positions", new_view.previous_position.size(), view.extent);
-        images->previous_position.emplace(*device, view.extent, rgba32f);
-        images->previous_position->upload(texels_of(new_view.previous_position));
-    }
-    if (remaps(settings) && !images->mapped) {
-        images->mapped.emplace(*device, view.extent, rgba32f);
-        images->filtered_mapped.emplace(*device, view.extent, rgba32f);
-    }
+    if (remaps(settings)) images->map(*device);
     normal_constants = normal_parameters(view);
     occlusion_constants = occlusion_parameters(view, settings);
     method.as<MethodParameters>()[0] = method_parameters(settings);
@@ -185,52 +94,33 @@ Program AmbientOcclusion::Impl::program() const {
             .moving_objects = moved && images->previous_position.has_value()};
 }
 
-void AmbientOcclusion::Impl::prepare_pipelines() {
-    const Program now = program();
-    if (!occlusion_pipelines.contains(now)) {
-        occlusion_pipelines.emplace(now, ambient_occlusion(*device, library, now));
-    }
-    if (moved && !reprojection_pipelines.contains(now)) {
-        reprojection_pipelines.emplace(now, reproject(*device, library, now));
-    }
-    for (const HistoryPrecision precision : {settings.precision, HistoryPrecision::float32}) {
-        if (filters(settings) && !filter_pipelines.contains({settings.filter, precision})) {
-            filter_pipelines.emplace(std::pair(settings.filter, precision),
-                                     spatial_filter(*device, library, settings.filter, precision));
-        }
-        if (remaps(settings) && !remap_pipelines.contains(precision)) {
-            remap_pipelines.emplace(precision, remap(*device, library, precision));
-        }
-    }
-}
-
-std::vector<Step> AmbientOcclusion::Impl::steps() const {
+std::vector<Step> AmbientOcclusion::Impl::steps() {
     const gpu::Image& positions = images->previous_position ? *images->previous_position : nothing;
     std::vector<Step> passes;
     if (reconstruct_normals) {
         passes.push_back({"normals_from_depth",
-                          &normals_pipeline,
+                          &pipelines.normals(),
                           {images->depth, images->normal},
                           bytes_of(normal_constants)});
     }
     if (moved) {
         passes.push_back({"reproject",
-                          &reprojection_pipelines.at(program()),
+                          &pipelines.reprojection(program()),
                           {images->depth, positions, images->before, images->reprojected},
                           bytes_of(reprojection_constants)});
     }
     passes.push_back(
         {"ambient_occlusion",
-         &occlusion_pipelines.at(program()),
+         &pipelines.occlusion(program()),
          {images->depth, images->normal, history(), images->after, images->tiles, positions, method},
          bytes_of(occlusion_constants)});
     if (filters(settings)) {
         passes.push_back({"filter_x",
-                          &filter_pipelines.at({settings.filter, settings.precision}),
+                          &pipelines.filter(settings.filter, settings.precision),
                           {images->depth, images->after, images->half_filtered, images->normal},
                           bytes_of(filter_x_constants)});
         passes.push_back({"filter_y",
-                          &filter_pipelines.at({settings.filter, HistoryPrecision::float32}),
+                          &pipelines.filter(settings.filter, HistoryPrecision::float32),
                           {images->depth, images->half_filtered, images->filtered, images->normal},
                           bytes_of(filter_y_constants)});
     }
@@ -239,36 +129,17 @@ std::vector<Step> AmbientOcclusion::Impl::steps() const {
 }
 
 // What is shown, of the history and of the filter's result.
-void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) const {
+void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     if (!remaps(settings)) return;
     passes.push_back({"remap",
-                      &remap_pipelines.at(settings.precision),
+                      &pipelines.remapping(settings.precision),
                       {images->depth, images->after, *images->mapped},
                       bytes_of(remap_constants)});
     if (!filters(settings)) return;
     passes.push_back({"remap_filtered",
-                      &remap_pipelines.at(HistoryPrecision::float32),
+                      &pipelines.remapping(HistoryPrecision::float32),
                       {images->depth, images->filtered, *images->filtered_mapped},
                       bytes_of(remap_constants)});
-}
-
-// Each run reads the same history and writes the same images, so running again changes nothing.
-std::vector<PassTime> AmbientOcclusion::Impl::run(const std::vector<Step>& passes, int repeat) const {
-    std::vector<std::vector<double>> times(passes.size());
-    for (int i = 0; i < repeat; ++i) {
-        gpu::Commands commands(*device);
-        commands.timestamp();
-        for (const Step& pass : passes) {
-            commands.dispatch(*pass.pipeline, pass.resources, groups_for(view.extent), pass.parameters);
-            commands.timestamp();
-        }
-        commands.submit();
-        const std::vector<double> readings = commands.times_ms();
-        for (std::size_t p = 0; p < passes.size(); ++p) times[p].push_back(readings[p + 1] - readings[p]);
-    }
-    std::vector<PassTime> medians;
-    for (std::size_t p = 0; p < passes.size(); ++p) medians.push_back({passes[p].name, median(times[p])});
-    return medians;
 }
 
 Frame AmbientOcclusion::Impl::collect() const {
@@ -334,8 +205,8 @@ Frame AmbientOcclusion::next(int repeat) {
     Impl& impl = *impl_;
     if (!impl.begun) throw std::logic_error("no view: begin() must come before next()");
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
-    impl.prepare_pipelines();
-    std::vector<PassTime> times = impl.run(impl.steps(), repeat);
+    // Each run reads the same history and writes the same images, so running again changes nothing.
+    std::vector<PassTime> times = run(*impl.device, impl.steps(), groups_for(impl.view.extent), repeat);
     Frame frame = impl.collect();
     frame.times = std::move(times);
     impl.reconstruct_normals = false;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/frame_images.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "effect/internal/passes.hpp"
+#include "effect/internal/work.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum gpu::Format;
+
+gpu::Format format_of(HistoryPrecision precision) {
+    return precision == HistoryPrecision::float16 ? rgba16f : rgba32f;
+}
+
+std::size_t tiles_of(gpu::Extent extent) {
+    const auto groups = groups_for(extent);
+    return std::size_t{groups[0]} * groups[1];
+}
+
+void require_size(const char* what, std::size_t found, gpu::Extent extent) {
+    if (found == pixels_of(extent)) return;
+    throw std::invalid_argument(
+        fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
+}
+
+std::vector<float> texels_of(std::span<const glm::vec3> vectors) {
+    std::vector<float> texels;
+    texels.reserve(4 * vectors.size());
+    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z, 0.0F});
+    return texels;
+}
+
+}  // namespace
+
+std::size_t pixels_of(gpu::Extent extent) {
+    return std::size_t{extent.width} * extent.height;
+}
+
+std::vector<float> channel(std::span<const float> texels, std::size_t which) {
+    std::vector<float> values(texels.size() / 4);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = texels[4 * i + which];
+    return values;
+}
+
+FrameImages::FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPrecision precision)
+    : depth(device, size, r32f),
+      normal(device, size, rgba32f),
+      before(device, size, format_of(precision)),
+      reprojected(device, size, format_of(precision)),
+      after(device, size, format_of(precision)),
+      half_filtered(device, size, rgba32f),
+      filtered(device, size, rgba32f),
+      tiles(device, tiles_of(size) * sizeof(TileWork)) {}
+
+void FrameImages::take(const gpu::Device& device, const scene::GBuffer& view) {
+    const gpu::Extent extent = depth.extent();
+    require_size("depth", view.depth.size(), extent);
+    if (!view.normal.empty()) require_size("normals", view.normal.size(), extent);
+    if (!view.previous_position.empty())
+        require_size("previous positions", view.previous_position.size(), extent);
+    depth.upload(view.depth);
+    if (!view.normal.empty()) normal.upload(texels_of(view.normal));
+    previous_position.reset();
+    if (view.previous_position.empty()) return;
+    previous_position.emplace(device, extent, rgba32f);
+    previous_position->upload(texels_of(view.previous_position));
+}
+
+void FrameImages::map(const gpu::Device& device) {
+    if (mapped) return;
+    mapped.emplace(device, depth.extent(), rgba32f);
+    filtered_mapped.emplace(device, depth.extent(), rgba32f);
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "gpu/compute.hpp"
+
+namespace gloam::effect {
+
+// A pass, ready to be recorded. What it names must live until it has run.
+struct Step {
+    std::string name;
+    const gpu::ComputePipeline* pipeline = nullptr;
+    std::vector<gpu::Resource> resources;
+    std::span<const std::byte> parameters;
+};
+
+template <class Parameters>
+std::span<const std::byte> bytes_of(const Parameters& parameters) {
+    return std::as_bytes(std::span(&parameters, 1));
+}
+
+// Runs the passes in order, `repeat` times, each over `groups`; returns the median time of each. Throws like
+// gpu::Commands::submit().
+[[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
+                                        const std::array<std::uint32_t, 3>& groups, int repeat);
+
+}  // namespace gloam::effect
