@@ -75,39 +75,65 @@ TEST_P(Invariants, HowDepthIsStoredMakesNoDifference) {
     }
 }
 
-// A tilted plane over all of the image.
-scene::GBuffer plane(gpu::Extent extent, scene::Projection projection) {
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(0.4, -0.3, 1.0));
+// A plane through a point, before the background.
+scene::GBuffer plane(gpu::Extent extent, const scene::Camera& camera, const scene::HalfSpace& plane) {
     scene::AnalyticScene scene;
-    scene.add_plane({{0, 0, -5}, normal});
+    scene.add_plane(plane);
     scene::GBuffer view{.extent = extent};
-    view.camera = scene::make_frame({.projection = projection},
-                                    static_cast<double>(extent.width) / static_cast<double>(extent.height));
+    view.camera =
+        scene::make_frame(camera, static_cast<double>(extent.width) / static_cast<double>(extent.height));
     const glm::dvec2 scale(view.camera.p00_p11());
+    const glm::dvec2 size(extent.width, extent.height);
     for (std::uint32_t y = 0; y < extent.height; ++y) {
         for (std::uint32_t x = 0; x < extent.width; ++x) {
-            const glm::dvec2 size(extent.width, extent.height);
             const glm::dvec2 place = ((2.0 * glm::dvec2(x, y) + 1.0) / size - 1.0) / scale;
-            const auto hit = projection == scene::Projection::orthographic
+            const auto hit = camera.projection == scene::Projection::orthographic
                                  ? scene.first_hit({place, 0.0}, {0, 0, -1})
                                  : scene.first_hit({0, 0, 0}, {place, -1.0});
-            view.depth.push_back(static_cast<float>(hit.value().distance));
-            view.normal.emplace_back(normal);
+            view.depth.push_back(hit ? static_cast<float>(hit->distance)
+                                     : std::numeric_limits<float>::infinity());
+            view.normal.emplace_back(hit ? glm::vec3(plane.normal) : glm::vec3(0.0F));
         }
     }
     return view;
 }
 
+// What a method says of a bare plane, before the remap.
+double on_a_plane(const std::string& method) {
+    return with_method(Settings{}, method).remap_a > 0.0F ? 0.5 : 0.0;
+}
+
 TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
-    const double open = with_method(Settings{}, GetParam()).remap_a > 0.0F ? 0.5 : 0.0;
     Settings settings = plain(GetParam(), 1.0F);
     settings.least_radius = 0.0F;  // in the smallest a pixel is wider than the radius
+    const scene::HalfSpace tilted{{0, 0, -5}, glm::normalize(glm::dvec3(0.4, -0.3, 1.0))};
     for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}}) {
         AmbientOcclusion effect(device_, passes_, extent);
         for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
-            for (const float occlusion : shade(effect, plane(extent, projection), settings))
-                EXPECT_NEAR(double{occlusion}, open, 1e-5) << extent.width << 'x' << extent.height;
+            const scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
+            for (const float occlusion : shade(effect, view, settings))
+                EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), 1e-5)
+                    << extent.width << 'x' << extent.height;
         }
+    }
+}
+
+// Its normal has a negative z where the camera looks up, and still it faces the eye.
+TEST_P(Invariants, AFloorToTheHorizonIsOpen) {
+    const gpu::Extent extent{64, 49};
+    AmbientOcclusion effect(device_, passes_, extent);
+    for (const double pitch : {-0.2, 0.0, 0.2}) {
+        const glm::dvec3 up{0.0, std::cos(pitch), -std::sin(pitch)};
+        const scene::GBuffer view = plane(extent, {}, {-up, up});
+        const std::vector<float> occlusion = shade(effect, view, plain(GetParam(), 0.2F));
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < occlusion.size(); ++i) {
+            if (!(view.depth[i] < 10.0F)) continue;  // beyond, the radius is less than a pixel
+            ++seen;
+            EXPECT_NEAR(double{occlusion[i]}, on_a_plane(GetParam()), 1e-4)
+                << "pixel " << i << ", pitch " << pitch << ", depth " << view.depth[i];
+        }
+        EXPECT_GT(seen, 64U * 5U);
     }
 }
 

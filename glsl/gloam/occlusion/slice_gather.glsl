@@ -64,8 +64,11 @@ GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint
         ivec2 at = gloam_nearest_pixel(center + (positive ? share * share : -share * share) * reach, camera.size);
         float depth = gloam_fetch_depth(at);
         if (at == pixel || gloam_is_background(depth)) continue;
-        vec3 offset = gloam_into_slice(gloam_camera_position(at, depth, camera) - point.position, axis, point.normal);
-        if (dot(offset, point.normal) > kernel.bias) march = gloam_method_slice_step(march, slice, offset, positive, kernel, method);
+        vec3 seen = gloam_camera_position(at, depth, camera) - point.position;
+        // Moved into a slice that nearly lies in the tangent plane, it would no longer be as high.
+        if (!(dot(seen, point.normal) > kernel.bias)) continue;
+        vec3 offset = gloam_into_slice(seen, axis, point.normal);
+        march = gloam_method_slice_step(march, slice, offset, positive, kernel, method);
     }
     return march;
 }

@@ -31,8 +31,8 @@ std::vector<MethodConfiguration> method_configurations() {
 
 bool same_estimate(const Settings& a, const Settings& b) {
     return std::ranges::all_of(setting_table(), [&](const Setting& setting) {
-        return setting.name == "samples" || setting.name == "samples_converged" ||
-               setting.get(a) == setting.get(b);
+        const bool apart = setting.name.starts_with("samples") || setting.name.starts_with("filter");
+        return apart || setting.get(a) == setting.get(b);
     });
 }
 

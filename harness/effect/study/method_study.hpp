@@ -26,7 +26,8 @@ struct MethodConfiguration {
 // Every method as it is by default, each followed by its preset NAME-quality where there is one.
 [[nodiscard]] std::vector<MethodConfiguration> method_configurations();
 
-// Whether two configurations differ in nothing but how many samples they take, and so tend to the same.
+// Whether two configurations differ in nothing but how many samples they take and how they are filtered, and
+// so tend to the same.
 [[nodiscard]] bool same_estimate(const Settings& a, const Settings& b);
 
 // A configuration on a view in closed form. Occlusion before the remap but for `shown`.

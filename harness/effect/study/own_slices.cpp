@@ -52,9 +52,9 @@ std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, co
         const double share = (i + jitter) / settings.steps;
         const Seen surface = seen.at(side * share * share * seen.reach() * glm::dvec2(slice.along));
         if (surface.background || surface.own_pixel) continue;
+        if (!(glm::dot(surface.offset, n) > double{settings.bias})) continue;
         const glm::dvec3 offset = surface.offset - glm::dot(surface.offset, aside) * across;
-        if (glm::dot(offset, n) > double{settings.bias})
-            found.push_back({glm::dot(offset, slice.along), offset.z});
+        found.push_back({glm::dot(offset, slice.along), offset.z});
     }
     return found;
 }

@@ -50,9 +50,9 @@ GloamMarch<T> gloam_slice_march(GloamMarch<T> march, GloamSlice<T> slice, GloamS
         const T depth = fetch_depth(at);
         if (at == pixel || gloam_is_background(depth)) continue;
         const vec3<T> seen = gloam_camera_position(at, depth, camera) - point.position;
+        if (!(dot(seen, point.normal) > kernel.bias)) continue;
         const vec3<T> offset = gloam_into_slice(seen, axis, point.normal);
-        if (dot(offset, point.normal) > kernel.bias)
-            march = method.step(march, slice, offset, positive, kernel, parameters);
+        march = method.step(march, slice, offset, positive, kernel, parameters);
     }
     return march;
 }
