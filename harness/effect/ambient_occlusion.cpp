@@ -206,8 +206,10 @@ Frame AmbientOcclusion::next(int repeat) {
     if (!impl.begun) throw std::logic_error("no view: begin() must come before next()");
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
     // Each run reads the same history and writes the same images, so running again changes nothing.
-    std::vector<PassTime> times = run(*impl.device, impl.steps(), groups_for(impl.view.extent), repeat);
+    const std::vector<Step> steps = impl.steps();
+    std::vector<PassTime> times = run(*impl.device, steps, groups_for(impl.view.extent), repeat);
     Frame frame = impl.collect();
+    frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);
     impl.reconstruct_normals = false;
     impl.moved = false;

@@ -44,6 +44,7 @@ struct Frame {
     std::vector<float> kept;         // samples that the history brought to the pixel; 0: it had none
     std::vector<PassTime> times;     // in the order they ran
     Work work;
+    std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes used
 };
 
 // The ambient-occlusion passes for images of one size, with their history.

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/steps.hpp"
 
+#include <map>
+
 #include "effect/internal/work.hpp"
 #include "gpu/commands.hpp"
 
 namespace gloam::effect {
+namespace {
+
+std::uint64_t bytes_of(const gpu::Image& image) {
+    const std::uint64_t texel = static_cast<std::uint64_t>(gpu::channels(image.format())) *
+                                (image.format() == gpu::Format::rgba16f ? 2U : 4U);
+    return std::uint64_t{image.extent().width} * image.extent().height * texel;
+}
+
+}  // namespace
 
 std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                           const std::array<std::uint32_t, 3>& groups, int repeat) {
@@ -23,6 +34,23 @@ std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passe
     std::vector<PassTime> medians;
     for (std::size_t p = 0; p < passes.size(); ++p) medians.push_back({passes[p].name, median(times[p])});
     return medians;
+}
+
+std::uint64_t memory_of(std::span<const Step> passes) {
+    std::map<const void*, std::uint64_t> bytes;
+    for (const Step& pass : passes) {
+        for (const gpu::Resource& resource : pass.resources) {
+            if (const auto* buffer = std::get_if<std::reference_wrapper<const gpu::Buffer>>(&resource)) {
+                bytes[&buffer->get()] = buffer->get().size();
+            } else {
+                const gpu::Image& image = std::get<std::reference_wrapper<const gpu::Image>>(resource);
+                bytes[&image] = bytes_of(image);
+            }
+        }
+    }
+    std::uint64_t sum = 0;
+    for (const auto& [resource, size] : bytes) sum += size;
+    return sum;
 }
 
 }  // namespace gloam::effect

@@ -3,17 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
+#include "cli/read_text.hpp"
 #include "report/accuracy.hpp"
 #include "report/matrix.hpp"
 #include "report/merge.hpp"
@@ -29,21 +25,10 @@ struct ReportOptions {
     bool accuracy = false;
 };
 
-std::string read_file(const std::string& file) {
-    std::error_code none;
-    errno = std::filesystem::is_directory(file, none) ? EISDIR : 0;
-    std::ifstream stream;
-    if (errno == 0) stream.open(file, std::ios::binary);
-    if (!stream.is_open()) {
-        throw std::runtime_error(fmt::format("cannot read {}: {}", file, std::strerror(errno)));
-    }
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::vector<report::ReportFile> read_reports(const std::vector<std::string>& files) {
     std::vector<report::ReportFile> all;
     for (const std::string& file : files) {
-        const std::string text = read_file(file);
+        const std::string text = read_text(file);
         try {
             for (report::CheckReport& report : report::reports_from_json(text)) {
                 all.push_back({.file = file, .report = std::move(report)});

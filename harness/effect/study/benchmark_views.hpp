@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "effect/errors.hpp"
+#include "effect/history_map.hpp"
+#include "scene/rasterize.hpp"
+#include "scene/truth_cache.hpp"
+
+namespace gloam::effect {
+
+// How much of a scene the benchmark shows, and how well the truth is known.
+struct BenchmarkFrames {
+    gpu::Extent extent;
+    int frames = 16;  // of a temporal run
+    int scored = 8;   // of them, the last ones: 1 to frames
+    int rays = 256;   // of the truth, for each pixel
+};
+
+// What a scored frame is held against.
+struct ScoredFrame {
+    Truth geometry;  // (G)
+    Truth depth;     // (D)
+    std::optional<HistoryMap> history;
+};
+
+// The first frames of a scene with the truth of the scored ones, drawn and traced once for all who are
+// compared on them.
+class BenchmarkViews {
+  public:
+    // The device must outlive this. Throws std::invalid_argument for frames out of range, and like
+    // scene::rasterize() and scene::trace_geometry().
+    BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes, scene::Scene scene,
+                   const BenchmarkFrames& frames, const scene::TruthCache& cache,
+                   const std::function<void(double)>& progress = {});
+
+    [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+    [[nodiscard]] const BenchmarkFrames& frames() const { return frames_; }
+    [[nodiscard]] int first_scored() const { return frames_.frames - frames_.scored; }
+
+    // A frame, with a guard band of that part of it on each side.
+    [[nodiscard]] const scene::GBuffer& view(int frame, double guard);
+    [[nodiscard]] const ScoredFrame& scored(int frame) const;
+
+  private:
+    const gpu::Device* device_;
+    scene::PassLibrary passes_;
+    scene::Scene scene_;
+    BenchmarkFrames frames_;
+    std::map<double, std::vector<scene::GBuffer>> views_;  // by guard band
+    std::vector<ScoredFrame> scored_;
+
+    std::vector<scene::GBuffer>& with_guard(double guard);
+};
+
+}  // namespace gloam::effect

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/copy_clock.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "effect/internal/passes.hpp"
+#include "effect/internal/work.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr int at_once = 5;
+constexpr std::size_t remembered = 75;
+
+gpu::ComputePipeline copy_pipeline(const gpu::Device& device, const scene::PassLibrary& passes) {
+    require_timestamps(device.info());
+    const shader::Spirv spirv = passes.compile("copy.comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = {gpu::BindingKind::storage_image, gpu::BindingKind::storage_image},
+             .push_constant_bytes = sizeof(glm::ivec2)}};
+}
+
+}  // namespace
+
+void require_timestamps(const gpu::DeviceInfo& device) {
+    if (device.timestamp_period_ns > 0.0) return;
+    throw std::runtime_error(fmt::format(
+        "device \"{}\" has no timestamps: expected one that can tell how long a pass takes", device.name));
+}
+
+CopyClock::CopyClock(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent)
+    : device_(&device),
+      pipeline_(copy_pipeline(device, passes)),
+      from_(device, extent, gpu::Format::r32f),
+      to_(device, extent, gpu::Format::r32f) {
+    from_.upload(std::vector<float>(std::size_t{extent.width} * extent.height, 0.0F));
+    measure();  // drivers compile at the first dispatch
+    readings_.clear();
+    measure();
+}
+
+double CopyClock::measure() {
+    const gpu::Extent extent = from_.extent();
+    const glm::ivec2 size(extent.width, extent.height);
+    const std::vector<gpu::Resource> resources{std::cref(from_), std::cref(to_)};
+    gpu::Commands commands(*device_);
+    commands.timestamp();
+    for (int i = 0; i < at_once; ++i) {
+        commands.dispatch(pipeline_, resources, groups_for(extent), std::as_bytes(std::span(&size, 1)));
+        commands.timestamp();
+    }
+    commands.submit();
+    const std::vector<double> times = commands.times_ms();
+    for (std::size_t i = 1; i < times.size(); ++i) readings_.push_back(times[i] - times[i - 1]);
+    while (readings_.size() > remembered) readings_.pop_front();
+    const std::vector<double> recent(readings_.begin(), readings_.end());
+    return median(recent);
+}
+
+}  // namespace gloam::effect

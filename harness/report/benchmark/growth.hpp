@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <utility>
+
+namespace gloam::report {
+
+// The exponent e of y ~ x^e that fits points best: least squares on logarithmic axes. Points without two
+// positive, finite numbers are left out; NaN for fewer than two different x.
+[[nodiscard]] double exponent_of(std::span<const std::pair<double, double>> points);
+
+}  // namespace gloam::report

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "report/benchmark/journal.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "report/benchmark/summary.hpp"
+#include "report/internal/benchmark_fields.hpp"
+#include "report/internal/write.hpp"
+
+namespace gloam::report {
+namespace {
+
+namespace fs = std::filesystem;
+using internal::JsonReader;
+using nlohmann::ordered_json;
+
+ordered_json setup_json(const JournalSetup& setup) {
+    return {{"benchmark_journal", 1}, {"device", setup.device}, {"driver", setup.driver},
+            {"width", setup.width},   {"height", setup.height}, {"frames", setup.frames},
+            {"scored", setup.scored}, {"rays", setup.rays}};
+}
+
+std::string line_of(const Visit& visit) {
+    ordered_json json{{"configuration", internal::to_json(visit.configuration)},
+                      {"round", visit.round},
+                      {"quality", visit.quality ? internal::to_json(*visit.quality) : ordered_json(nullptr)},
+                      {"readings", ordered_json::array()}};
+    for (const Reading& reading : visit.readings) {
+        json["readings"].push_back({{"copy_ms", internal::number_json(reading.copy_ms)},
+                                    {"passes", internal::passes_json(reading.passes)}});
+    }
+    return json.dump() + "\n";
+}
+
+Visit visit_of(const std::string& line, const std::string& where) {
+    const ordered_json document = internal::parse_json(line);
+    const JsonReader json(document, where);
+    Visit visit{.configuration = internal::configuration_from(json.member("configuration")),
+                .round = static_cast<int>(json.member("round").count())};
+    if (!json.member("quality").is_null()) visit.quality = internal::quality_from(json.member("quality"));
+    for (const JsonReader& reading : json.member("readings").elements()) {
+        visit.readings.push_back({.passes = internal::passes_from(reading.member("passes")),
+                                  .copy_ms = reading.member("copy_ms").number()});
+    }
+    return visit;
+}
+
+std::string text_of(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream.is_open())
+        throw std::runtime_error(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+Journal::Journal(fs::path path, const JournalSetup& setup, bool resume) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::string kept = setup_json(setup).dump() + "\n";
+    if (resume && fs::exists(path_)) {
+        const std::string text = text_of(path_);
+        const std::string whole = text.substr(0, text.rfind('\n') + 1);
+        if (!whole.empty()) {
+            read(whole, setup);
+            kept = whole;
+        }
+    }
+    if (const int error = internal::write_all(internal::part_of(path_), kept))
+        internal::fail_to_write(path_, error);
+    fs::rename(internal::part_of(path_), path_);
+}
+
+void Journal::read(std::string_view text, const JournalSetup& setup) {
+    const std::string name = path_.string();
+    const std::string expected = setup_json(setup).dump();
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < text.size(); ++number) {
+        const std::size_t end = text.find('\n', at);
+        const std::string line(text.substr(at, end - at));
+        at = end + 1;
+        if (number > 0) {
+            Visit visit;
+            try {
+                visit = visit_of(line, "");
+            } catch (const std::runtime_error& error) {
+                throw std::runtime_error(fmt::format("{}, line {}: {}", name, number + 1, error.what()));
+            }
+            visits_[visit.configuration][visit.round] = std::move(visit);
+        } else if (line != expected) {
+            throw std::runtime_error(
+                fmt::format("{}: cannot resume what was measured otherwise: expected {}, found {}", name,
+                            expected, line));
+        }
+    }
+}
+
+bool Journal::has(const Configuration& configuration, int round) const {
+    const auto found = visits_.find(configuration);
+    return found != visits_.end() && found->second.contains(round);
+}
+
+void Journal::add(Visit visit) {
+    if (!path_.empty()) append(line_of(visit));
+    visits_[visit.configuration][visit.round] = std::move(visit);
+}
+
+void Journal::append(const std::string& line) const {
+    const int file = open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (file < 0) internal::fail_to_write(path_, errno);
+    const ssize_t count = ::write(file, line.data(), line.size());
+    const int error = count < 0 ? errno : count < static_cast<ssize_t>(line.size()) ? ENOSPC : 0;
+    if (close(file) != 0 && error == 0) internal::fail_to_write(path_, errno);
+    if (error != 0) internal::fail_to_write(path_, error);
+}
+
+Row Journal::row_of(const Configuration& configuration) const {
+    std::optional<Quality> quality;
+    std::vector<Reading> readings;
+    const auto found = visits_.find(configuration);
+    if (found != visits_.end()) {
+        for (const auto& [round, visit] : found->second) {
+            if (!quality) quality = visit.quality;
+            readings.insert(readings.end(), visit.readings.begin(), visit.readings.end());
+        }
+    }
+    return report::row_of(configuration, quality.value_or(Quality{}), readings);
+}
+
+Spread Journal::copies() const {
+    std::vector<double> times;
+    for (const auto& [configuration, visits] : visits_) {
+        for (const auto& [round, visit] : visits)
+            for (const Reading& reading : visit.readings) times.push_back(reading.copy_ms);
+    }
+    return spread_of(times);
+}
+
+}  // namespace gloam::report

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace gloam::cli {
+
+// All of a file. Throws std::runtime_error that names it and says why it cannot be read.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file);
+
+}  // namespace gloam::cli
