@@ -19,16 +19,20 @@ const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const ComputePipeli
     const auto count = [&](BindingKind kind) {
         return static_cast<std::uint32_t>(std::ranges::count(pipeline.bindings, kind));
     };
-    const auto buffers = count(BindingKind::storage_buffer);
-    const auto images = count(BindingKind::storage_image);
+    return allocate(pipeline.context, pipeline.handles->set_layout, count(BindingKind::storage_buffer),
+                    count(BindingKind::storage_image));
+}
+
+const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const Context& context,
+                                                             const vk::raii::DescriptorSetLayout& layout,
+                                                             std::uint32_t buffers, std::uint32_t images) {
     if (sets_left_ == 0 || buffers_left_ < buffers || images_left_ < images) {
-        add_pool(pipeline.context, buffers, images);
+        add_pool(context, buffers, images);
     }
     vk::raii::DescriptorSets sets(
-        pipeline.context.device,
-        vk::DescriptorSetAllocateInfo{.descriptorPool = *pools_.back(),
-                                      .descriptorSetCount = 1,
-                                      .pSetLayouts = &*pipeline.handles->set_layout});
+        context.device,
+        vk::DescriptorSetAllocateInfo{
+            .descriptorPool = *pools_.back(), .descriptorSetCount = 1, .pSetLayouts = &*layout});
     sets_left_ -= 1;
     buffers_left_ -= buffers;
     images_left_ -= images;

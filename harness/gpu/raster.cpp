@@ -47,16 +47,32 @@ void check(const Context& context, const RasterProgram& program) {
     check_limit(program.attribute_sizes.size(), limits.maxVertexInputAttributes, "vertex attributes");
     check_limit(program.color_formats.size(),
                 std::min(limits.maxColorAttachments, limits.maxFragmentOutputAttachments), "colour images");
+    check_limit(program.image_count, limits.maxPerStageDescriptorStorageImages, "images to read");
     check_push_constant_size(context, program.push_constant_bytes);
     if (std::ranges::count(program.color_formats, Format::depth32f) > 0) {
         throw std::invalid_argument("raster pipeline: depth32f among the colour formats");
     }
 }
 
-vk::raii::PipelineLayout make_layout(const Context& context, std::uint32_t push_constant_bytes) {
+vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::uint32_t images) {
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (std::uint32_t i = 0; i < images; ++i) {
+        bindings.push_back({.binding = i,
+                            .descriptorType = vk::DescriptorType::eStorageImage,
+                            .descriptorCount = 1,
+                            .stageFlags = vk::ShaderStageFlagBits::eFragment});
+    }
+    return {context.device,
+            vk::DescriptorSetLayoutCreateInfo{.bindingCount = images, .pBindings = bindings.data()}};
+}
+
+vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
+                                     std::uint32_t push_constant_bytes) {
     const vk::PushConstantRange range{.stageFlags = raster_stages, .size = push_constant_bytes};
     return {context.device,
-            vk::PipelineLayoutCreateInfo{.pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
+            vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
+                                         .pSetLayouts = &*set_layout,
+                                         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
                                          .pPushConstantRanges = &range}};
 }
 
@@ -126,9 +142,10 @@ vk::raii::Pipeline make_pipeline(const Context& context, const RasterProgram& pr
 RasterHandles create(const Context& context, const RasterProgram& program) {
     check(context, program);
     auto render_pass = make_render_pass(context, program.color_formats);
-    auto layout = make_layout(context, program.push_constant_bytes);
+    auto set_layout = make_set_layout(context, program.image_count);
+    auto layout = make_layout(context, set_layout, program.push_constant_bytes);
     auto pipeline = make_pipeline(context, program, render_pass, layout);
-    return {std::move(render_pass), std::move(layout), std::move(pipeline)};
+    return {std::move(render_pass), std::move(set_layout), std::move(layout), std::move(pipeline)};
 }
 
 }  // namespace
@@ -138,6 +155,7 @@ RasterPipeline::Impl::Impl(Context& owner, const RasterProgram& program)
       color_formats(program.color_formats),
       push_constant_bytes(program.push_constant_bytes),
       reversed_z(program.reversed_z),
+      image_count(program.image_count),
       handles(owner, create(owner, program)) {}
 
 RasterPipeline::RasterPipeline(const Device& device, const RasterProgram& program)

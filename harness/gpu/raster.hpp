@@ -26,6 +26,7 @@ struct RasterProgram {
     std::vector<Format> color_formats;
     std::uint32_t push_constant_bytes = 0;  // visible to both stages
     bool reversed_z = false;
+    std::uint32_t image_count = 0;  // storage images that fragments may read: bindings 0, 1, ... of set 0
 };
 
 // A compiled graphics pipeline. Throws std::runtime_error when the driver rejects it; std::invalid_argument
@@ -49,6 +50,7 @@ struct Draw {
     std::reference_wrapper<const Buffer> indices;  // uint32
     std::uint32_t index_count = 0;                 // three a triangle; the first is at the start of `indices`
     std::span<const std::byte> push_constants;     // copied when render() is called
+    std::vector<std::reference_wrapper<const Image>> images{};  // to read, none of those rendered to
 };
 
 // Renders all draws in one pass: attachments cleared to clear_color (each channel) and the far depth, then

@@ -50,6 +50,15 @@ void check_draw(const RasterPipeline::Impl& pipeline, const Draw& draw) {
         throw std::invalid_argument(fmt::format("render: {} bytes of push constants, the pipeline has {}",
                                                 draw.push_constants.size(), pipeline.push_constant_bytes));
     }
+    if (draw.images.size() != pipeline.image_count) {
+        throw std::invalid_argument(fmt::format("render: {} images to read, the pipeline reads {}",
+                                                draw.images.size(), pipeline.image_count));
+    }
+    for (const Image& image : draw.images) {
+        check_same_device(image.impl().context, pipeline.context, "render: an image to read");
+        if (image.format() == Format::depth32f)
+            throw std::invalid_argument("render: an image to read is depth32f, expected a colour format");
+    }
 }
 
 vk::raii::Framebuffer make_framebuffer(const RasterPipeline::Impl& pipeline, Images colors,
@@ -86,6 +95,17 @@ void begin_pass(const vk::raii::CommandBuffer& commands, const RasterPipeline::I
     commands.setScissor(0, area);
 }
 
+void bind_images(Recording& handles, const vk::raii::CommandBuffer& commands,
+                 const RasterPipeline::Impl& pipeline, const Draw& draw) {
+    if (draw.images.empty()) return;
+    const auto& set =
+        handles.descriptors.allocate(pipeline.context, pipeline.handles->set_layout, 0, pipeline.image_count);
+    const std::vector<Resource> resources(draw.images.begin(), draw.images.end());
+    write_descriptors(pipeline.context, set, resources);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline.handles->layout, 0, *set,
+                                nullptr);
+}
+
 void record_draw(const vk::raii::CommandBuffer& commands, const RasterPipeline::Impl& pipeline,
                  const Draw& draw) {
     commands.bindVertexBuffers(0, *draw.vertices.get().impl().handles->buffer, vk::DeviceSize{0});
@@ -109,7 +129,10 @@ void render(Commands& commands, const RasterPipeline& pipeline, Images colors, c
     auto& framebuffers = commands.impl().handles->framebuffers;
     framebuffers.push_back(make_framebuffer(program, colors, depth));
     begin_pass(recording, program, framebuffers.back(), depth.extent(), clear_color);
-    for (const auto& draw : draws) record_draw(recording, program, draw);
+    for (const auto& draw : draws) {
+        bind_images(*commands.impl().handles, recording, program, draw);
+        record_draw(recording, program, draw);
+    }
     recording.endRenderPass();
     device_barrier(recording);
 }

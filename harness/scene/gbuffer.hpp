@@ -11,6 +11,9 @@
 
 namespace gloam::scene {
 
+// Beside the depth that the eye sees.
+constexpr int most_further_layers = 3;
+
 // What an engine hands to an ambient-occlusion effect: one frame, rows from the top, width * height elements
 // in each image that is there.
 struct GBuffer {
@@ -21,6 +24,10 @@ struct GBuffer {
     std::vector<glm::vec3> motion;      // dx, dy in pixels (y down), valid. Empty: from the cameras alone
     std::vector<float> previous_depth;  // with motion: eye-linear depth of the surface point in the camera of
                                         // the frame before. Empty: from the cameras
+    // Surfaces behind depth, the nearest of them first, at most most_further_layers: eye-linear depth,
+    // negative where the surface is seen from behind (it ends what lies in front of it); nothing more: not
+    // finite.
+    std::vector<std::vector<float>> layers;
     CameraFrame camera;
     std::optional<double> ao_radius;  // world units
     gpu::Extent border;  // guard band around the frame, pixels on each side, part of extent (guard_band.hpp)

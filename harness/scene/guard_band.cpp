@@ -73,6 +73,7 @@ GBuffer cropped(const GBuffer& view) {
                   .previous_position = cropped(view, view.previous_position),
                   .object = cropped(view, view.object),
                   .triangle = cropped(view, view.triangle)};
+    for (const std::vector<float>& layer : view.layers) inner.layers.push_back(cropped(view, layer));
     glm::mat4& projection = inner.camera.proj_vk;
     const auto narrowed = [](float scale, std::uint32_t side, std::uint32_t border) {
         return static_cast<float>(double{scale} * widening(side, border));

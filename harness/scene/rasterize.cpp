@@ -8,6 +8,7 @@
 
 #include "gpu/raster.hpp"
 #include "scene/guard_band.hpp"
+#include "scene/internal/peel.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -140,6 +141,11 @@ class Shot {
         }
         view.normal = to_vectors(colors_[1].download());
         if (moving_) read_extras(view);
+        if (options_.layers > 1) {
+            view.layers = peel(device, passes, view_space_mesh(scene, options_.frame),
+                               {view.extent, view.camera.proj_vk, now_.reversed_z}, options_.layers);
+            view.layers.erase(view.layers.begin());
+        }
         return view;
     }
 
@@ -196,6 +202,9 @@ GBuffer rasterize(const gpu::Device& device, const PassLibrary& passes, const Sc
     if (options.frame < 0)
         throw std::invalid_argument("frame " + std::to_string(options.frame) + " of scene " + scene.name +
                                     ": expected 0 or more");
+    if (options.layers < 1 || options.layers > 1 + most_further_layers)
+        throw std::invalid_argument("layers " + std::to_string(options.layers) + ": expected 1 to " +
+                                    std::to_string(1 + most_further_layers));
     if (options.ids && view_space_mesh(scene, 0).triangle_count() >= 1U << 24)
         throw std::invalid_argument("scene " + scene.name + ": too many triangles to tell apart");
     return Shot(device, scene, extent, options).take(device, passes, scene);

@@ -70,6 +70,23 @@ std::vector<glm::vec3> with_unit_length(std::vector<glm::vec3> normals, const st
     return normals;
 }
 
+// PREFIX_layer1 and so on, as many as there are without a gap.
+std::vector<std::vector<float>> read_layers(const fs::path& stem, gpu::Extent extent) {
+    std::vector<std::vector<float>> layers;
+    for (int i = 1; i <= most_further_layers; ++i) {
+        const std::string name = stem.string() + "_layer" + std::to_string(i);
+        std::vector<float> layer = read_image(name, extent, 1).texels;
+        if (layer.empty()) continue;
+        if (layers.size() + 1 != static_cast<std::size_t>(i))
+            fail(name + ".pfm", "the layer before it is missing");
+        for (float& depth : layer) {
+            if (depth == 0.0F || !std::isfinite(depth)) depth = std::numeric_limits<float>::infinity();
+        }
+        layers.push_back(std::move(layer));
+    }
+    return layers;
+}
+
 // Motion that is no number is no history.
 std::vector<glm::vec3> with_finite_motion(std::vector<glm::vec3> motion) {
     for (glm::vec3& m : motion) {
@@ -129,6 +146,7 @@ GBuffer read_gbuffer(const fs::path& directory, int frame) {
                     .camera = description.camera,
                     .ao_radius = description.ao_radius,
                     .border = description.border};
+    gbuffer.layers = read_layers(stem, description.extent);
     if (!gbuffer.previous_depth.empty() && gbuffer.motion.empty())
         fail(stem.string() + "_previous_depth.pfm", "there are no motion vectors, which it belongs to");
     if (gbuffer.depth.empty()) fail(stem.string() + "_depth.pfm", "is missing (and so is .exr)");

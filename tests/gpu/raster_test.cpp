@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "gpu/gpu_test.hpp"
+#include "shaders/behind_frag.h"
 #include "shaders/image_comp.h"
 #include "shaders/slow_comp.h"
 #include "shaders/triangle_frag.h"
@@ -191,6 +192,29 @@ TEST_F(RasterTest, DispatchesSeeWhatWasRendered) {
         EXPECT_EQ(buffers[0].as<float>()[4 * i], 4.0f);
         EXPECT_EQ(buffers[1].as<float>()[4 * i], in_top_left(i) ? 6.0f : 9.0f);
     }
+}
+
+// Fragments read an image that an earlier pass has rendered to.
+TEST_F(RasterTest, AnImageIsReadWhileAnotherIsRendered) {
+    auto behind = program(false);
+    behind.fragment_spirv = behind_frag;
+    behind.image_count = 1;
+    const RasterPipeline all(device(), program(false));
+    const RasterPipeline further(device(), behind);
+    const Targets first(device());
+    const Targets second(device());
+    const std::array meshes{top_left(device(), 0.25f, 1.0f), whole(device(), 0.5f, 2.0f),
+                            whole(device(), 0.75f, 3.0f)};
+    const Constants constants;
+    std::vector<Draw> draws;
+    for (const Mesh& mesh : meshes) draws.push_back(mesh.draw(constants));
+    Commands commands(device());
+    render(commands, all, first.colors(), first.depth, 0.0f, draws);
+    for (Draw& draw : draws) draw.images = {first.place};
+    render(commands, further, second.colors(), second.depth, 0.0f, draws);
+    commands.submit();
+    const auto value = second.value.download();
+    for (std::size_t i = 0; i < pixels; ++i) EXPECT_EQ(value[i], in_top_left(i) ? 2.0f : 3.0f) << i;
 }
 
 // Rendering makes lavapipe defer later dispatches; their time must not fall behind the reading that follows

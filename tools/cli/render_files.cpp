@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/render_files.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -37,6 +39,8 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
     write("_normal.pfm", components(view.normal), 3);
     write("_motion.pfm", components(view.motion), 3);
     if (!view.motion.empty()) write("_previous_depth.pfm", previous_depths(view), 1);
+    for (std::size_t i = 0; i < view.layers.size(); ++i)
+        write(fmt::format("_layer{}.pfm", i + 1).c_str(), view.layers[i], 1);
     folder.write(prefix + ".json", scene::frame_json(view, number));
 }
 

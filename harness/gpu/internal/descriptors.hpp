@@ -11,6 +11,10 @@ namespace gloam::gpu {
 // Descriptor sets for one recording, from pools that are added as they run out.
 class DescriptorAllocator {
   public:
+    // A set of that layout, which has so many bindings of each kind.
+    [[nodiscard]] const vk::raii::DescriptorSet& allocate(const Context& context,
+                                                          const vk::raii::DescriptorSetLayout& layout,
+                                                          std::uint32_t buffers, std::uint32_t images);
     [[nodiscard]] const vk::raii::DescriptorSet& allocate(const ComputePipeline::Impl& pipeline);
 
   private:

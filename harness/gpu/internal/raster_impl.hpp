@@ -8,6 +8,7 @@ namespace gloam::gpu {
 
 struct RasterHandles {
     vk::raii::RenderPass render_pass;
+    vk::raii::DescriptorSetLayout set_layout;
     vk::raii::PipelineLayout layout;
     vk::raii::Pipeline pipeline;
 };
@@ -19,6 +20,7 @@ struct RasterPipeline::Impl {
     std::vector<Format> color_formats;
     std::uint32_t push_constant_bytes;
     bool reversed_z;
+    std::uint32_t image_count;
     Guarded<RasterHandles> handles;
 };
 
