@@ -14,6 +14,8 @@
 //               the limit, pixels of the group); else never touched
 //   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
 //   6  buffer   a GloamMethod
+//   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not finite where there is
+//               none; read when layers is more than 1
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
 #endif
@@ -21,6 +23,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool count_work = false;      // fill binding 4
 layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
+layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -64,7 +67,13 @@ layout(push_constant) uniform Parameters {
 #include "gloam/temporal/sample_budget.glsl"
 #include "gloam/temporal/smooth_invalidation.glsl"
 
+layout(binding = 8, rgba32f) uniform readonly image2D layer_image;
 layout(binding = 6, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+
+#define GLOAM_LAYERS layers
+float gloam_fetch_layer(ivec2 pixel, int layer) {
+    return imageLoad(layer_image, pixel)[layer - 1];
+}
 
 // The method: any file of this folder.
 #include "methods/hemisphere.glsl"

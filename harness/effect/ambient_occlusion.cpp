@@ -26,6 +26,13 @@ void require_guard(const scene::GBuffer& view, const Settings& settings) {
     throw std::invalid_argument(fmt::format("guard {:g}: the view has no guard band", guard));
 }
 
+// A view with fewer layers than the settings ask for.
+void require_layers(const scene::GBuffer& view, const Settings& settings) {
+    if (view.layers.size() + 1 >= settings.layers) return;
+    throw std::invalid_argument(fmt::format("layers {}: the view has {}, the first among them",
+                                            settings.layers, view.layers.size() + 1));
+}
+
 }  // namespace
 
 struct AmbientOcclusion::Impl {
@@ -74,6 +81,7 @@ void AmbientOcclusion::Impl::allocate(gpu::Extent size) {
 // them.
 void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     require_guard(new_view, settings);
+    require_layers(new_view, settings);
     (void)scene::frame_of(new_view);
     images->take(*device, new_view);
     view.camera = new_view.camera;
@@ -91,7 +99,8 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
 Program AmbientOcclusion::Impl::program() const {
     return {.method = settings.method,
             .precision = settings.precision,
-            .moving_objects = moved && images->previous_position.has_value()};
+            .moving_objects = moved && images->previous_position.has_value(),
+            .layers = settings.layers};
 }
 
 std::vector<Step> AmbientOcclusion::Impl::steps() {
@@ -109,11 +118,11 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
                           {images->depth, positions, images->before, images->reprojected},
                           bytes_of(reprojection_constants)});
     }
-    passes.push_back(
-        {"ambient_occlusion",
-         &pipelines.occlusion(program()),
-         {images->depth, images->normal, history(), images->after, images->tiles, positions, method},
-         bytes_of(occlusion_constants)});
+    passes.push_back({"ambient_occlusion",
+                      &pipelines.occlusion(program()),
+                      {images->depth, images->normal, history(), images->after, images->tiles, positions,
+                       method, nothing, images->layers ? *images->layers : nothing},
+                      bytes_of(occlusion_constants)});
     if (filters(settings)) {
         passes.push_back({"filter_x",
                           &pipelines.filter(settings.filter, settings.precision),

@@ -35,6 +35,21 @@ std::vector<float> texels_of(std::span<const glm::vec3> vectors) {
     return texels;
 }
 
+std::vector<float> texels_of(std::span<const std::vector<float>> layers) {
+    std::vector<float> texels(4 * layers.front().size(), 0.0F);
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+        for (std::size_t i = 0; i < layers[l].size(); ++i) texels[4 * i + l] = layers[l][i];
+    }
+    return texels;
+}
+
+void require_layers(std::span<const std::vector<float>> layers, gpu::Extent extent) {
+    for (const std::vector<float>& layer : layers) require_size("a depth layer", layer.size(), extent);
+    if (layers.size() <= std::size_t{scene::most_further_layers}) return;
+    throw std::invalid_argument(fmt::format("{} depth layers behind the first: expected at most {}",
+                                            layers.size(), scene::most_further_layers));
+}
+
 }  // namespace
 
 std::size_t pixels_of(gpu::Extent extent) {
@@ -63,8 +78,14 @@ void FrameImages::take(const gpu::Device& device, const scene::GBuffer& view) {
     if (!view.normal.empty()) require_size("normals", view.normal.size(), extent);
     if (!view.previous_position.empty())
         require_size("previous positions", view.previous_position.size(), extent);
+    require_layers(view.layers, extent);
     depth.upload(view.depth);
     if (!view.normal.empty()) normal.upload(texels_of(view.normal));
+    layers.reset();
+    if (!view.layers.empty()) {
+        layers.emplace(device, extent, rgba32f);
+        layers->upload(texels_of(view.layers));
+    }
     previous_position.reset();
     if (view.previous_position.empty()) return;
     previous_position.emplace(device, extent, rgba32f);

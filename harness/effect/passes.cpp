@@ -118,9 +118,11 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
-                          storage_image, storage_buffer},
+                          storage_image, storage_buffer, storage_image, storage_image},
              .push_constant_bytes = sizeof(OcclusionParameters),
-             .constants = {{.id = 0, .bits = 1}, {.id = 1, .bits = flag(program.moving_objects)}}}};
+             .constants = {{.id = 0, .bits = 1},
+                           {.id = 1, .bits = flag(program.moving_objects)},
+                           {.id = 2, .bits = program.layers}}}};
 }
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,

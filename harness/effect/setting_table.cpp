@@ -10,6 +10,7 @@
 
 #include "effect/internal/named.hpp"
 #include "effect/methods.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -92,6 +93,8 @@ void add_estimator(std::vector<Setting>& table) {
                            &S::mip_distance, any_from_0));
     table.push_back(
         number("steps", "taps", "along each half of a slice, for horizons", &S::steps, whole(1, 64)));
+    table.push_back(number("layers", "layers", "of depth that samples see; 1: what the eye sees", &S::layers,
+                           whole(1, 1 + scene::most_further_layers)));
 }
 
 void add_samples(std::vector<Setting>& table) {

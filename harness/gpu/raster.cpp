@@ -54,7 +54,7 @@ void check(const Context& context, const RasterProgram& program) {
     }
 }
 
-vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::uint32_t images) {
+vk::raii::DescriptorSetLayout make_image_layout(const Context& context, std::uint32_t images) {
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
     for (std::uint32_t i = 0; i < images; ++i) {
         bindings.push_back({.binding = i,
@@ -66,8 +66,9 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::uint3
             vk::DescriptorSetLayoutCreateInfo{.bindingCount = images, .pBindings = bindings.data()}};
 }
 
-vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
-                                     std::uint32_t push_constant_bytes) {
+vk::raii::PipelineLayout make_raster_layout(const Context& context,
+                                            const vk::raii::DescriptorSetLayout& set_layout,
+                                            std::uint32_t push_constant_bytes) {
     const vk::PushConstantRange range{.stageFlags = raster_stages, .size = push_constant_bytes};
     return {context.device,
             vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
@@ -142,8 +143,8 @@ vk::raii::Pipeline make_pipeline(const Context& context, const RasterProgram& pr
 RasterHandles create(const Context& context, const RasterProgram& program) {
     check(context, program);
     auto render_pass = make_render_pass(context, program.color_formats);
-    auto set_layout = make_set_layout(context, program.image_count);
-    auto layout = make_layout(context, set_layout, program.push_constant_bytes);
+    auto set_layout = make_image_layout(context, program.image_count);
+    auto layout = make_raster_layout(context, set_layout, program.push_constant_bytes);
     auto pipeline = make_pipeline(context, program, render_pass, layout);
     return {std::move(render_pass), std::move(set_layout), std::move(layout), std::move(pipeline)};
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/internal/peel.hpp"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 
 #include "gpu/raster.hpp"

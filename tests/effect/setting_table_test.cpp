@@ -136,6 +136,7 @@ const std::map<std::string, Case>& cases() {
         {"thickness", {"0.05", {{"method", "bitmask"}}}},
         {"angle_bias", {"0.5", {{"method", "hbao"}}}},
         {"steps", {"2", {{"method", "gtao"}}}},
+        {"layers", {"2"}},
         {"mip_distance", {"1", {{"method", "sao"}}}},
         {"samples", {"24"}},
         {"samples_converged", {"8", {{"c_spatial", "0.1"}}}},
@@ -219,9 +220,11 @@ class EverySetting : public testing::Test {
         std::optional<AmbientOcclusion> effect;
         std::vector<float> image;
         for (int i = 0; i < 5; ++i) {
-            const scene::GBuffer view =
-                scene::rasterize(device_, passes_, scene_, {72, 48},
-                                 {.frame = i, .motion = true, .guard = double{settings.guard}});
+            const scene::GBuffer view = scene::rasterize(device_, passes_, scene_, {72, 48},
+                                                         {.frame = i,
+                                                          .motion = true,
+                                                          .layers = static_cast<int>(settings.layers),
+                                                          .guard = double{settings.guard}});
             if (i == 0) effect.emplace(device_, passes_, view.extent);
             i == 0 ? effect->begin(view, settings) : effect->advance(view);
             image = effect->next().filtered;

@@ -79,15 +79,17 @@ RenderInput from_scene(const RenderOptions& options) {
                       .frames_per_view = follows ? 1 : frames};
     std::iota(input.views.begin(), input.views.end(), 0);
     input.scene = scene;
-    const double guard = double{settings_for(options, scene->ao_radius).guard};
+    const effect::Settings settings = settings_for(options, scene->ao_radius);
+    const double guard = double{settings.guard};
     const gpu::Extent wide = scene::with_border(extent, scene::guard_border(extent, guard));
     // Where only the camera moves, its matrices tell everything.
     const bool motion = follows && !scene->objects.empty();
-    input.load = [scene, extent, wide, guard, motion, first = options.frame](
-                     const gpu::Device& device, const scene::PassLibrary& passes, int view) {
+    input.load = [scene, extent, wide, guard, motion, layers = static_cast<int>(settings.layers),
+                  first = options.frame](const gpu::Device& device, const scene::PassLibrary& passes,
+                                         int view) {
         require_allowed(extent, wide, device.info());
         return scene::rasterize(device, passes, *scene, extent,
-                                {.frame = first + view, .motion = motion, .guard = guard});
+                                {.frame = first + view, .motion = motion, .layers = layers, .guard = guard});
     };
     if (options.source == "corner") {
         input.truth = scene::corner_occlusion_at;

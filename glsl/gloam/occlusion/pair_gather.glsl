@@ -6,6 +6,7 @@
 #include "gloam/geometry/height_at.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/sampling/halton_disc.glsl"
@@ -44,7 +45,8 @@ vec3 gloam_pair_offset(vec3 position, ivec2 at, GloamCamera camera, float radius
     return gloam_is_finite3(offset) ? offset : vec3(0.0);
 }
 
-// All samples of one pixel in one frame; an odd number is taken as the even one above it.
+// All samples of one pixel in one frame; an odd number is taken as the even one above it. Of further layers each tap takes, one after the other,
+// the one with which the pair blocks most.
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns (sum, kernel.count) for gloam_estimator_mean; 0 where no pair tells anything; outside the image the nearest pixel counts.
 // (0, 0) where there is nothing to gather: background, no normal, no radius. Error: that of the contributions, but for taps within
@@ -65,9 +67,29 @@ vec2 gloam_pair_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKern
         vec3 aim = vec3(kernel.radius * point * upright, 0.0);
         vec3 one = gloam_pair_offset(position, first, camera, kernel.radius);
         vec3 other = gloam_pair_offset(position, second, camera, kernel.radius);
-        vec2 heights = vec2(gloam_height_at(one, aim, view, n), gloam_height_at(other, -aim, view, n));
-        GloamPair pair = GloamPair(point * upright, heights, aim + heights.x * view, heights.y * view - aim, view, n);
-        weighted += gloam_method_pair_occlusion(pair, kernel, method);
+        vec2 most = vec2(0.0);
+        for (int look = 0; look < 2 * GLOAM_LAYERS - 1; ++look) {
+            vec3 a = one;
+            vec3 b = other;
+            if (look > 0) {
+                bool of_first = look < GLOAM_LAYERS;
+                ivec2 at = of_first ? first : second;
+                float depth = abs(GLOAM_FURTHER_LAYER(at, of_first ? look : look - GLOAM_LAYERS + 1));
+                if (gloam_is_background(depth)) continue;
+                vec3 seen = gloam_camera_position(at, depth, camera) - position;
+                a = of_first ? seen : a;
+                b = of_first ? b : seen;
+            }
+            vec2 heights = vec2(gloam_height_at(a, aim, view, n), gloam_height_at(b, -aim, view, n));
+            GloamPair pair = GloamPair(point * upright, heights, aim + heights.x * view, heights.y * view - aim, view, n);
+            vec2 found = gloam_method_pair_occlusion(pair, kernel, method);
+            bool more = most.y > 0.0 ? found.x * most.y > most.x * found.y : found.y > 0.0;
+            if (look > 0 && !more) continue;
+            most = found;
+            one = a;
+            other = b;
+        }
+        weighted += most;
     }
     return gloam_estimator_of_weighted(weighted, kernel.count);
 }

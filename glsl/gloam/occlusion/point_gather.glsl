@@ -5,6 +5,7 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/plane_depth.glsl"
 #include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
@@ -26,7 +27,8 @@ vec3 gloam_method_point(uint index, float angle);
 // Returns an occlusion; background blocks nothing.
 float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method);
 
-// One sample point.
+// One sample point. With further layers a point behind the back of what is in front of it is open: no guess of a thickness is needed. What is
+// behind the last layer nobody knows: of three or more, a back that is the last closes nothing.
 // accumulated: (sum, count) so far. position: view space, world units. frame: columns tangent, bitangent, normal.
 // index: number of the Halton point.
 // Returns (sum, count) with the sample added; outside the image the nearest pixel counts. Unchanged for a point at or
@@ -39,7 +41,19 @@ vec2 gloam_point_tap(vec2 accumulated, vec3 position, mat3 frame, GloamCamera ca
     if (point == vec3(0.0) || gloam_is_background(-at.z) || !gloam_is_finite2(at.xy)) return accumulated;
     ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
     float depth = gloam_plane_depth(pixel, at, frame[2], camera);
-    return gloam_estimator_add(accumulated, gloam_method_point_occlusion(depth, gloam_fetch_depth(pixel), kernel, method));
+    float occlusion = gloam_method_point_occlusion(depth, gloam_fetch_depth(pixel), kernel, method);
+    bool front = true;  // what the eye sees
+    float before = 0.0;
+    for (int layer = 1; layer < GLOAM_LAYERS; ++layer) {
+        float next = GLOAM_FURTHER_LAYER(pixel, layer);
+        bool closes = front && next < 0.0;
+        bool known = layer + 1 < GLOAM_LAYERS || GLOAM_LAYERS == 2;
+        if (closes && known && -next < depth) occlusion = before;
+        before = occlusion;
+        if (!closes) occlusion = max(occlusion, gloam_method_point_occlusion(depth, abs(next), kernel, method));
+        front = next > 0.0;
+    }
+    return gloam_estimator_add(accumulated, occlusion);
 }
 
 // All samples of one pixel in one frame.

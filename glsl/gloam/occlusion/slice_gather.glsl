@@ -7,6 +7,7 @@
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/sampling/circle.glsl"
@@ -51,7 +52,7 @@ struct GloamSlicePoint {
 
 // All steps of a slice. They grow towards the radius as the square of their number: horizons are made nearby.
 // Returns the march; outside the image the nearest pixel counts. Background, the point's own pixel and what rises no higher than the bias
-// above the tangent plane do not.
+// above the tangent plane do not. Further layers are further steps at the same place.
 GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint point, GloamCamera camera, GloamKernel kernel,
                              GloamMethod method) {
     vec2 center = gloam_camera_uv(point.position, camera);
@@ -62,13 +63,15 @@ GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint
         bool positive = (i & 1u) == 0u;
         float share = (float(i / 2u) + point.jitter) / float(method.steps);
         ivec2 at = gloam_nearest_pixel(center + (positive ? share * share : -share * share) * reach, camera.size);
-        float depth = gloam_fetch_depth(at);
-        if (at == pixel || gloam_is_background(depth)) continue;
-        vec3 seen = gloam_camera_position(at, depth, camera) - point.position;
-        // Moved into a slice that nearly lies in the tangent plane, it would no longer be as high.
-        if (!(dot(seen, point.normal) > kernel.bias)) continue;
-        vec3 offset = gloam_into_slice(seen, axis, point.normal);
-        march = gloam_method_slice_step(march, slice, offset, positive, kernel, method);
+        for (int layer = 0; layer < GLOAM_LAYERS; ++layer) {
+            float depth = layer == 0 ? gloam_fetch_depth(at) : abs(GLOAM_FURTHER_LAYER(at, layer));
+            if (at == pixel || gloam_is_background(depth)) break;
+            vec3 seen = gloam_camera_position(at, depth, camera) - point.position;
+            // Moved into a slice that nearly lies in the tangent plane, it would no longer be as high.
+            if (!(dot(seen, point.normal) > kernel.bias)) continue;
+            vec3 offset = gloam_into_slice(seen, axis, point.normal);
+            march = gloam_method_slice_step(march, slice, offset, positive, kernel, method);
+        }
     }
     return march;
 }

@@ -5,6 +5,7 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/sampling/tap_pixel.glsl"
@@ -25,13 +26,20 @@ vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel);
 // Returns an occlusion, finite and at least 0, scaled so that the mean over the taps, clamped to 1, is the result.
 float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method);
 
-// Contribution of the surface at a pixel; 0 for background.
+// Contribution of the surface at a pixel, of the layers the largest; 0 for background.
 // position, normal: of the shaded point, view space, world units; unit normal. at: inside the image.
 float gloam_tap_at(vec3 position, vec3 normal, ivec2 at, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     float depth = gloam_fetch_depth(at);
     if (gloam_is_background(depth)) return 0.0;
     vec3 offset = gloam_camera_position(at, depth, camera) - position;
-    return gloam_method_tap_occlusion(offset, normal, -position.z, kernel, method);
+    float occlusion = gloam_method_tap_occlusion(offset, normal, -position.z, kernel, method);
+    for (int layer = 1; layer < GLOAM_LAYERS; ++layer) {
+        depth = abs(GLOAM_FURTHER_LAYER(at, layer));
+        if (gloam_is_background(depth)) break;
+        offset = gloam_camera_position(at, depth, camera) - position;
+        occlusion = max(occlusion, gloam_method_tap_occlusion(offset, normal, -position.z, kernel, method));
+    }
+    return occlusion;
 }
 
 // All samples of one pixel in one frame.

@@ -22,8 +22,8 @@ namespace gloam::effect {
 struct FrameImages {
     FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPrecision precision);
 
-    // Takes depth, normals and positions of the frame before. Throws std::invalid_argument where one has
-    // another size than the images.
+    // Takes depth and its layers, normals and positions of the frame before. Throws std::invalid_argument
+    // where one has another size than the images.
     void take(const gpu::Device& device, const scene::GBuffer& view);
 
     // Images for what is shown of history and filter; from the first settings that map them.
@@ -38,6 +38,7 @@ struct FrameImages {
     gpu::Image filtered;
     gpu::Buffer tiles;  // TileWork
     std::optional<gpu::Image> previous_position;
+    std::optional<gpu::Image> layers;           // of depth behind the first, one in each channel
     std::optional<gpu::Image> mapped;           // what is shown of the history, where it is mapped at all
     std::optional<gpu::Image> filtered_mapped;  // and of the filter's result
 };

@@ -107,6 +107,7 @@ struct Program {
     std::string method;
     HistoryPrecision precision = HistoryPrecision::float32;
     bool moving_objects = false;
+    std::uint32_t layers = 1;
 
     friend auto operator<=>(const Program&, const Program&) = default;
 };

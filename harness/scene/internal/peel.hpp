@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gpu/device.hpp"
+#include "gpu/image.hpp"
 #include "scene/mesh.hpp"
 #include "scene/pass_library.hpp"
 
