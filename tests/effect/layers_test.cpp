@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Depth layers in the loops of all methods.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
+#include "effect/methods.hpp"
+#include "scene/rasterize.hpp"
+#include "scene/truth.hpp"
+
+namespace gloam::effect {
+namespace {
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+class Layers : public testing::Test {
+  protected:
+    Layers()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    [[nodiscard]] scene::GBuffer view_of(const char* name, gpu::Extent extent, int layers) const {
+        return scene::rasterize(device_, passes_, scene::make_scene(name), extent, {.layers = layers});
+    }
+
+    [[nodiscard]] std::vector<float> occlusion(const scene::GBuffer& view, const Settings& settings,
+                                               int frames = 2) const {
+        AmbientOcclusion effect(device_, passes_, view.extent);
+        effect.begin(view, settings);
+        Frame frame = effect.next();
+        for (int i = 1; i < frames; ++i) frame = effect.next();
+        return frame.occlusion;
+    }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+};
+
+Settings settings_for(const char* method, std::uint32_t layers, double radius) {
+    Settings settings = with_radius(with_method({}, method), static_cast<float>(radius));
+    settings.layers = layers;
+    return settings;
+}
+
+// Each can only miss what the others show: the same surface again shows nothing.
+TEST_F(Layers, TheSameAgainChangesNothing) {
+    scene::GBuffer view = view_of("moving", {64, 40}, 1);
+    const double radius = scene::make_scene("moving").ao_radius;
+    for (const MethodInfo& method : methods()) {
+        view.layers.clear();
+        const auto once = occlusion(view, settings_for(method.name.c_str(), 1, radius));
+        view.layers = {view.depth, view.depth, view.depth};
+        for (const std::uint32_t layers : {1U, 2U, 4U}) {
+            EXPECT_EQ(occlusion(view, settings_for(method.name.c_str(), layers, radius)), once)
+                << method.name << ", " << layers << " layers";
+        }
+    }
+}
+
+// Behind a bare plane seen at a tilt another plane: nothing of it rises above the first.
+TEST_F(Layers, WhatLiesBehindAPlaneLeavesItOpen) {
+    scene::GBuffer view = view_of("corner", {64, 40}, 1);
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+    view.depth.assign(view.depth.size(), 2.0F);
+    view.layers = {std::vector<float>(view.depth.size(), 2.4F), std::vector<float>(view.depth.size(), 2.8F)};
+    for (const MethodInfo& method : methods()) {
+        EXPECT_THAT(occlusion(view, settings_for(method.name.c_str(), 3, 1.0)), testing::Each(0.0F))
+            << method.name;
+    }
+}
+
+// A tube before a wall: one layer takes it for as thick as the range, and does not see what it hides.
+TEST_F(Layers, WhatATubeHidesIsFoundAgain) {
+    const scene::Scene scene = scene::make_scene("knot");
+    const scene::GBuffer view = view_of("knot", {96, 54}, 4);
+    const Truth truth = truth_from(
+        view,
+        scene::trace_geometry(scene, 0, view, {.rays = {.radius = scene.ao_radius, .rays = 128}}).occlusion);
+    const auto error = [&](std::uint32_t layers) {
+        const Settings settings = settings_for("hemisphere", layers, scene.ao_radius);
+        return errors_of(occlusion(view, settings, 8), truth).rmse;
+    };
+    const double one = error(1);
+    EXPECT_LT(error(2), 0.4 * one);
+    EXPECT_LT(error(3), 0.5 * one);
+    EXPECT_LT(error(4), 0.5 * one);
+}
+
+TEST_F(Layers, MoreThanTheViewHasAreRefused) {
+    const scene::GBuffer view = view_of("corner", {8, 8}, 2);
+    AmbientOcclusion effect(device_, passes_, view.extent);
+    Settings settings;
+    settings.layers = 3;
+    EXPECT_THAT([&] { effect.begin(view, settings); }, testing::ThrowsMessage<std::invalid_argument>(
+                                                           testing::HasSubstr("layers 3: the view has 2")));
+    scene::GBuffer uneven = view;
+    uneven.layers[0].pop_back();
+    EXPECT_THROW(effect.begin(uneven, {}), std::invalid_argument);
+    uneven.layers.assign(4, view.depth);
+    EXPECT_THROW(effect.begin(uneven, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gloam::effect
