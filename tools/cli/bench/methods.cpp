@@ -95,6 +95,7 @@ class MethodsBench {
         SceneStudy study(
             device_, passes_, cache_, scene,
             {.extent = extent_, .rays = options_.rays, .progress = progress_bar(scene.name + ": truth")});
+        report.depth.push_back(metrics_of(study.depth(), study.geometry(), extent_));
         write_picture(scene.name, "truth", study.geometry());
         write_picture(scene.name, "depth", study.depth());
         const auto progress = progress_bar(scene.name);

@@ -116,8 +116,9 @@ std::string bias_table(const MethodsReport& report) {
             if (!worst || std::abs(bias) > std::abs(worst->shown - worst->truth)) worst = &view;
             if (!is_plane(view)) cells += fmt::format(" {:+.3f} |", bias);
         }
-        text += fmt::format("| {} | {:+.3f} |{} {} |\n", row.configuration.name,
-                            widest_plane(row, &ViewResult::shown), cells, worst ? worst->view : "");
+        text += fmt::format(
+            "| {} | {:+.3f} |{} {} |\n", row.configuration.name, widest_plane(row, &ViewResult::shown), cells,
+            worst ? fmt::format("{}: {:+.3f}", worst->view, worst->shown - worst->truth) : "");
     }
     return text;
 }
@@ -129,7 +130,10 @@ std::string scenes_table(const MethodsReport& report) {
             titles.push_back(scene + what);
     }
     titles.insert(titles.end(), {"samples", "gather, ms", "frame, ms"});
-    std::string text = header(titles);
+    std::string text = header(titles) + "| *truth of the depth buffer* |";
+    for (const Metrics& depth : report.depth)
+        text += fmt::format(" *{:.3f}* | *{:.3f}* | - | - |", depth.raw.rmse, depth.after_remap.rmse);
+    text += " - | - | - |\n";
     for (const MethodRow& row : report.rows) {
         text += fmt::format("| {} |", row.configuration.name);
         double gather = 0.0;
@@ -225,11 +229,12 @@ std::string to_json(const MethodsReport& report) {
                         {"views", views},
                         {"scenes", scenes}});
     }
-    return json{{"device", report.device.name},
-                {"width", report.extent.width},
-                {"height", report.extent.height},
-                {"view_pixels", report.pixels},
-                {"configurations", rows}}
+    json depth = json::object();
+    for (std::size_t i = 0; i < report.depth.size(); ++i)
+        depth[report.scenes[i]] = errors_json(report.depth[i].raw);
+    return json{{"device", report.device.name}, {"depth_against_geometry", depth},
+                {"width", report.extent.width}, {"height", report.extent.height},
+                {"view_pixels", report.pixels}, {"configurations", rows}}
                .dump(2) +
            "\n";
 }

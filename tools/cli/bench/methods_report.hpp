@@ -22,6 +22,8 @@ struct MethodsReport {
     gpu::Extent extent;  // of the scenes' images
     int pixels = 0;      // of a side of the views
     std::vector<std::string> scenes;
+    std::vector<effect::Metrics>
+        depth;  // of each scene: the truth of its depth buffer against that of its geometry
     std::vector<MethodRow> rows;
 };
 
