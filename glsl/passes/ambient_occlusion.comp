@@ -14,6 +14,7 @@
 //               the limit, pixels of the group); else never touched
 //   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
 //   6  buffer   a GloamMethod
+//   7  rgba32f  what the method's preparation passes have written (preparation/pass.glsl); read by methods that have some
 //   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not finite where there is
 //               none; read when layers is more than 1
 #ifndef GLOAM_HISTORY
@@ -69,6 +70,7 @@ layout(push_constant) uniform Parameters {
 
 layout(binding = 8, rgba32f) uniform readonly image2D layer_image;
 layout(binding = 6, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+layout(binding = 7, rgba32f) uniform readonly image2D prepared_image;
 
 #define GLOAM_LAYERS layers
 float gloam_fetch_layer(ivec2 pixel, int layer) {
@@ -117,6 +119,11 @@ float gloam_fetch_depth(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
     if (moving_objects && parameters.invalidation != 0u) probe(pixel, depth);
     return depth;
+}
+
+// Read by methods that prepare something.
+vec4 gloam_fetch_prepared(ivec2 pixel) {
+    return imageLoad(prepared_image, pixel);
 }
 
 // Weight that the history keeps after what the probes have seen (TSSAO-SI).

@@ -25,8 +25,8 @@ Values gather_methods() {
     const Values factor = uniform(0, 2).and_special();
     const Values angle = uniform(0, 1).and_special();
     const Values mip_distance = either(constant(0.0F), log_uniform(1, 64)).and_special();
-    return vector(
-        {gather_length(), gather_length(), factor, gather_length(), angle, mip_distance, integers(0, 4)});
+    return vector({gather_length(), gather_length(), factor, gather_length(), angle, mip_distance,
+                   integers(0, 4), uniform(0, 1).and_special()});
 }
 
 bool usual_gather(const glm::vec3& position, const glm::vec3& normal,

@@ -11,6 +11,7 @@
 
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/pipelines.hpp"
+#include "effect/internal/prepared_image.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/work.hpp"
 #include "scene/guard_band.hpp"
@@ -40,7 +41,8 @@ struct AmbientOcclusion::Impl {
         : device(&the_device),
           pipelines(the_device, passes),
           nothing(the_device, {1, 1}, gpu::Format::rgba32f),
-          method(the_device, sizeof(MethodParameters)) {
+          method(the_device, sizeof(MethodParameters)),
+          prepared(the_device, passes) {
         allocate(size);
     }
 
@@ -54,6 +56,7 @@ struct AmbientOcclusion::Impl {
     bool moved = false;  // the history has not followed the last view yet
     gpu::Image nothing;  // for bindings that are not read
     gpu::Buffer method;  // MethodParameters
+    PreparedImage prepared;
     std::optional<FrameImages> images;
     NormalParameters normal_constants{};
     ReprojectionParameters reprojection_constants{};
@@ -91,6 +94,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     normal_constants = normal_parameters(view);
     occlusion_constants = occlusion_parameters(view, settings);
     method.as<MethodParameters>()[0] = method_parameters(settings);
+    prepared.take(view, settings);
     filter_x_constants = filter_parameters(view, settings, {1, 0});
     filter_y_constants = filter_parameters(view, settings, {0, 1});
     remap_constants = remap_parameters(view, settings);
@@ -118,10 +122,11 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
                           {images->depth, positions, images->before, images->reprojected},
                           bytes_of(reprojection_constants)});
     }
+    prepared.append_steps({images->depth, images->normal, history(), method}, passes);
     passes.push_back({"ambient_occlusion",
                       &pipelines.occlusion(program()),
                       {images->depth, images->normal, history(), images->after, images->tiles, positions,
-                       method, nothing, images->layers ? *images->layers : nothing},
+                       method, prepared.image_or(nothing), images->layers ? *images->layers : nothing},
                       bytes_of(occlusion_constants)});
     if (filters(settings)) {
         passes.push_back({"filter_x",

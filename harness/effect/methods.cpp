@@ -64,6 +64,14 @@ const std::vector<MethodInfo>& methods() {
          "quadratic", hbao},
         {"gtao", "horizon slices, cosine-weighted, divided by their weights (Jimenez et al. 2016)", cosine,
          "linear"},
+        {"dual_resolution",
+         "hbao at half the resolution, in full where that disagrees (Bavoil and Sainz 2009)", uniform,
+         "quadratic", hbao},
+        {"separable",
+         "slices in two directions, the first one's carried along the second (Huang et al. 2011)", cosine,
+         "linear", [](Settings& s) { s.epsilon = 0.1F; }},
+        {"mssao", "surface points under discs at several resolutions (Hoang and Low 2012)", cosine,
+         "quadratic", [](Settings& s) { s.range = 0.25F, s.steps = 5; }},
         {"bitmask", "slices of 32 sectors between front and back (Therrien et al. 2023)", cosine, "linear"},
     };
     return all;

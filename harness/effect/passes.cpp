@@ -29,12 +29,12 @@ std::string filter_include(Filter filter) {
     return "filters/" + std::get<std::string>(setting_named("filter").get(settings)) + ".glsl";
 }
 
+}  // namespace
+
 std::vector<std::string> defines_for(HistoryPrecision precision) {
     if (precision == HistoryPrecision::float32) return {};
     return {"GLOAM_HISTORY rgba16f"};
 }
-
-}  // namespace
 
 NormalParameters normal_parameters(const View& view) {
     return {view.camera.p00_p11(), size_of(view.extent), flag(view.camera.orthographic())};
@@ -69,7 +69,8 @@ MethodParameters method_parameters(const Settings& settings) {
             .thickness = settings.thickness,
             .angle_bias = settings.angle_bias,
             .mip_distance = settings.mip_distance,
-            .steps = settings.steps};
+            .steps = settings.steps,
+            .disagreement = settings.disagreement};
 }
 
 ReprojectionParameters reprojection_parameters(const View& view, const View& previous,

@@ -91,10 +91,14 @@ void add_estimator(std::vector<Setting>& table) {
     table.push_back(number("mip_distance", "pixels",
                            "from which level 1 of the depth chain is read, for taps; 0: never",
                            &S::mip_distance, any_from_0));
-    table.push_back(
-        number("steps", "taps", "along each half of a slice, for horizons", &S::steps, whole(1, 64)));
     table.push_back(number("layers", "layers", "of depth that samples see; 1: what the eye sees", &S::layers,
                            whole(1, 1 + scene::most_further_layers)));
+    table.push_back(number("steps", "taps",
+                           "along each half of a slice, for horizons; resolutions, for mssao", &S::steps,
+                           whole(1, 64)));
+    table.push_back(number("disagreement", "of the occlusion",
+                           "of neighbours at half the resolution, beyond which a pixel is sampled in full",
+                           &S::disagreement, {.most = 1.0}));
 }
 
 void add_samples(std::vector<Setting>& table) {

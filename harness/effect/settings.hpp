@@ -53,8 +53,10 @@ struct Settings {
     float thickness = 0.5F;     // bitmask: how far behind its front a surface blocks, world units, > 0
     float angle_bias = 0.0F;    // horizons: radians above the tangent plane, 0 to pi / 2
     float mip_distance = 0.0F;  // taps: pixels from which level 1 of the depth chain is read; 0: never
-    std::uint32_t steps = 4;    // horizons: taps along each half of a slice, 1 to 64
     std::uint32_t layers = 1;   // of depth that samples see, 1 to 4: the view must have as many
+    std::uint32_t steps = 4;    // horizons: taps along each half of a slice; mssao: resolutions; 1 to 64
+    float disagreement = 0.1F;  // dual resolution: of neighbours at half the resolution, in occlusion, beyond
+                                // which a pixel is sampled in full; 0 to 1
     std::uint32_t samples =
         32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples
     std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, 1 to most_samples

@@ -24,7 +24,8 @@ std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passe
         gpu::Commands commands(device);
         commands.timestamp();
         for (const Step& pass : passes) {
-            commands.dispatch(*pass.pipeline, pass.resources, groups, pass.parameters);
+            commands.dispatch(*pass.pipeline, pass.resources, pass.groups[0] == 0 ? groups : pass.groups,
+                              pass.parameters);
             commands.timestamp();
         }
         commands.submit();

@@ -137,6 +137,7 @@ const std::map<std::string, Case>& cases() {
         {"angle_bias", {"0.5", {{"method", "hbao"}}}},
         {"steps", {"2", {{"method", "gtao"}}}},
         {"layers", {"2"}},
+        {"disagreement", {"0", {{"method", "dual_resolution"}}}},
         {"mip_distance", {"1", {{"method", "sao"}}}},
         {"samples", {"24"}},
         {"samples_converged", {"8", {{"c_spatial", "0.1"}}}},

@@ -34,6 +34,7 @@ struct Method {
     float angle_bias = 0.0F;
     float mip_distance = 0.0F;
     unsigned steps = 1;
+    float disagreement = 0.05F;
 };
 
 // Of a method that reads one length.

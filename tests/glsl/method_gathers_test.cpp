@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "shader/include.hpp"
 #include "support/lab.hpp"
 
 namespace gloam {
@@ -35,15 +36,22 @@ struct Method {
     float angle_bias = 0.0F;
     float mip_distance = 0.0F;
     unsigned steps = 16;
+    float disagreement = 0.05F;
 };
 
 using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Samples, Method);
+
+// Whether passes run before the method's samples: tests/effect/preparation_test.cpp has those, with the same
+// scenes.
+bool is_prepared(const std::filesystem::path& file) {
+    return shader::read_text(file).find("passes/preparation/") != std::string::npos;
+}
 
 std::set<std::string> method_names() {
     std::set<std::string> names;
     for (const auto& file :
          std::filesystem::directory_iterator(std::filesystem::path(GLOAM_GLSL_DIR) / "passes/methods")) {
-        names.insert(file.path().stem().string());
+        if (!is_prepared(file.path())) names.insert(file.path().stem().string());
     }
     return names;
 }

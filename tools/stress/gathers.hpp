@@ -2,10 +2,13 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "check/kernel.hpp"
 #include "effect/methods.hpp"
+#include "effect/preparation.hpp"
 
 namespace gloam::stress {
 
@@ -31,6 +34,7 @@ struct GatherMethod {
     float angle_bias = 0.0F;
     float mip_distance = 0.0F;
     unsigned steps = 1;
+    float disagreement = 0.05F;
 };
 
 // (position, normal, camera, kernel, method) to (sum, count); reads depths by gloam_fetch_depth.
@@ -44,6 +48,29 @@ constexpr const char* gather_function = "gloam_method_gather";
 
 [[nodiscard]] inline std::string gather_file(const effect::MethodInfo& method) {
     return "passes/methods/" + method.name + ".glsl";
+}
+
+// What a method prepares for an image of that size; one of mssao for `resolutions`.
+[[nodiscard]] inline std::optional<effect::Preparation> gather_preparation(const effect::MethodInfo& method,
+                                                                           glm::ivec2 size,
+                                                                           unsigned resolutions) {
+    effect::Settings settings;
+    settings.method = method.name;
+    settings.steps = resolutions;
+    return effect::preparation_of(settings,
+                                  {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)});
+}
+
+// The images that a method reads: depths, and for one that prepares something its image, every texel alike.
+[[nodiscard]] inline check::ImageSet gather_images(check::Image depths,
+                                                   const std::optional<effect::Preparation>& preparation,
+                                                   float prepared) {
+    check::ImageSet images{{"gloam_fetch_depth", std::move(depths)}};
+    if (!preparation) return images;
+    const glm::ivec2 size(preparation->image.width, preparation->image.height);
+    images.emplace("gloam_fetch_prepared",
+                   check::make_image<glm::vec4>(size, [=](glm::ivec2) { return glm::vec4(prepared); }));
+    return images;
 }
 
 }  // namespace gloam::stress

@@ -66,7 +66,12 @@ void for_each_image(Visit&& visit) {
 }
 
 // Every pixel of the image, and bad positions, normals, radii and angles.
-std::vector<Gather::Inputs> gather_inputs(float bad) {
+std::vector<Gather::Inputs> gather_inputs(float bad, unsigned steps) {
+    const auto method_of_length = [steps](float length) {
+        GatherMethod method = stress::method_of_length(length);
+        method.steps = steps;
+        return method;
+    };
     const GatherKernel kernel{0.5F, 0.001F, 0.0F, 4'294'967'280U, 33};  // its index passes 2^32
     const glm::vec3 position = position_at(size / 2, 3.0F);
     const glm::vec3 normal(0, 0, 1);
@@ -100,11 +105,17 @@ bool good_sum(glm::vec2 sum) {
     return sum.x >= 0.0F && sum.y >= 0.0F && sum.y <= 33.0F;
 }
 
-Count gathers(const check::Lab& lab, const std::string& file) {
-    const Gather gather(lab, file, gather_function);
+Count gathers(const check::Lab& lab, const effect::MethodInfo& method) {
+    const Gather gather(lab, gather_file(method), gather_function);
+    const unsigned steps = 3;
+    const auto preparation = gather_preparation(method, size, steps);
     Count count;
     for_each_image([&](float bad, const check::Image& image) {
-        call(gather, gather_inputs(bad), {{"gloam_fetch_depth", image}}, good_sum, count);
+        for (const float prepared : {bad, 0.5F}) {
+            call(gather, gather_inputs(bad, steps), gather_images(image, preparation, prepared), good_sum,
+                 count);
+            if (!preparation) break;
+        }
     });
     return count;
 }
@@ -172,7 +183,7 @@ Rows poisoned_fetches(const Context& context) {
     context.progress(fmt::format("{}: fetches", poison_name));
     Rows rows;
     for (const effect::MethodInfo& method : effect::methods())
-        append_rows("method " + method.name, gathers(lab, gather_file(method)), rows);
+        append_rows("method " + method.name, gathers(lab, method), rows);
     append_rows("gloam_normal_from_depth", normals(lab), rows);
     append_rows("gloam_convergence_filter", filters(lab), rows);
     lab.require_silent_validation();

@@ -6,6 +6,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
+#include "effect/preparation.hpp"
 #include "effect/presets.hpp"
 #include "stress/footprint.hpp"
 #include "stress/poison_parts.hpp"
@@ -59,6 +60,16 @@ class Passes {
         effect_.begin(view, settings_);
         (void)effect_.next();
         return effect_.next();
+    }
+
+    // The pixels whose occlusion may depend on the depth, or on the normal, at `source`.
+    [[nodiscard]] Mask footprint(const scene::GBuffer& view, bool depth, glm::ivec2 source) const {
+        const effect::Preparation beside =
+            effect::preparation_of(settings_, extent).value_or(effect::Preparation{});
+        const double reach = depth ? double{radius + beside.reach} : double{beside.reach};
+        const bool alone = !depth && beside.reach == 0.0F;
+        const Mask mask = alone ? single_pixel(extent, source) : depth_footprint(view, reach, source);
+        return widened(mask, extent, beside.spread);
     }
 
     [[nodiscard]] int filter_half_width() const { return settings_.filter_half_width; }
@@ -130,8 +141,7 @@ class Experiment {
 
     void one_texel(scene::GBuffer view, const Place& place, float value, glm::ivec2 source,
                    const effect::Frame& clean, Damage& damage) {
-        const Mask allowed =
-            place.is_depth() ? depth_footprint(view, double{radius}, source) : single_pixel(extent, source);
+        const Mask allowed = robust_.footprint(view, place.is_depth(), source);
         const Mask wide = widened(allowed, extent, robust_.filter_half_width());
         put(view, place.target, static_cast<std::size_t>(source.y) * extent.width + source.x, value);
         const effect::Frame frame = both(view, damage);

@@ -152,23 +152,23 @@ void append_counts(const Context& context, Rows& rows) {
 }
 
 // The most samples of a frame where their Halton points take the most digits.
-Row highest_points(const Gather& gather, const std::string& method) {
+Row highest_points(const Gather& gather, const effect::MethodInfo& method) {
     constexpr glm::ivec2 size{3, 1};
+    const auto preparation = gather_preparation(method, size, 1);
     const Camera camera{{1.0F, -1.0F}, size, false};
     const GatherKernel kernel{0.4F, 0.001F, 0.0F, (1U << 24U) - effect::most_samples - 1,
                               effect::most_samples};
     const check::Image wall = check::make_image<float>(size, [](glm::ivec2) { return 3.0F; });
     const glm::vec2 sum =
-        gather.with_images({{"gloam_fetch_depth", wall}},
+        gather.with_images(gather_images(wall, preparation, 0.0F),
                            {glm::vec3(0, 0, -3), glm::vec3(0, 0, 1), camera, kernel, method_of_length(1.0F)});
-    return {name, fmt::format("method {}, {} points up to 2^24", method, effect::most_samples),
+    return {name, fmt::format("method {}, {} points up to 2^24", method.name, effect::most_samples),
             "samples missing", effect::most_samples - double{sum.y}, 0.0};
 }
 
 void append_highest_points(const Context& context, Rows& rows) {
     for (const effect::MethodInfo& method : effect::methods())
-        rows.push_back(
-            highest_points(Gather(context.lab, gather_file(method), gather_function), method.name));
+        rows.push_back(highest_points(Gather(context.lab, gather_file(method), gather_function), method));
 }
 
 }  // namespace

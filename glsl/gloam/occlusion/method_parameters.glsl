@@ -10,7 +10,8 @@ struct GloamMethod {
     float thickness;   // world units: how far behind its front a surface blocks
     float angle_bias;    // radians above the tangent plane below which nothing blocks
     float mip_distance;  // pixels from which taps read level 1 of the depth chain, twice as far level 2, and so on; 0: none does
-    uint steps;          // taps along each half of a slice, at least 1
+    uint steps;          // taps along each half of a slice, or resolutions, each half of the one before; at least 1
+    float disagreement;  // of neighbours at half the resolution, in occlusion, beyond which a pixel is sampled in full
 };
 
 #endif

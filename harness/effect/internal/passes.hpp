@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "effect/settings.hpp"
 #include "gpu/compute.hpp"
@@ -52,6 +53,7 @@ struct MethodParameters {
     float angle_bias;
     float mip_distance;
     std::uint32_t steps;
+    float disagreement;
 };
 
 struct ReprojectionParameters {
@@ -111,6 +113,9 @@ struct Program {
 
     friend auto operator<=>(const Program&, const Program&) = default;
 };
+
+// What a pass that reads or writes a history is compiled with.
+[[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
 
 // The pipelines of glsl/passes.
 [[nodiscard]] gpu::ComputePipeline normals_from_depth(const gpu::Device& device,

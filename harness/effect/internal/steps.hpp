@@ -19,6 +19,7 @@ struct Step {
     const gpu::ComputePipeline* pipeline = nullptr;
     std::vector<gpu::Resource> resources;
     std::span<const std::byte> parameters;
+    std::array<std::uint32_t, 3> groups{};  // 0: as many as the image takes
 };
 
 template <class Parameters>
@@ -26,8 +27,8 @@ std::span<const std::byte> bytes_of(const Parameters& parameters) {
     return std::as_bytes(std::span(&parameters, 1));
 }
 
-// Runs the passes in order, `repeat` times, each over `groups`; returns the median time of each. Throws like
-// gpu::Commands::submit().
+// Runs the passes in order, `repeat` times, each over its own groups or `groups`; returns the median time of
+// each. Throws like gpu::Commands::submit().
 [[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                                         const std::array<std::uint32_t, 3>& groups, int repeat);
 

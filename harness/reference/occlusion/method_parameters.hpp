@@ -12,6 +12,7 @@ struct GloamMethod {
     T angle_bias;
     T mip_distance;
     unsigned steps;
+    T disagreement;
 };
 
 }  // namespace gloam::reference

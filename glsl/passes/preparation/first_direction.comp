@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Occlusion along the first of two directions, for separable.glsl (Huang et al. 2011): one invocation a pixel. Bindings and constants:
+// pass.glsl.
+//
+// Writes the occlusion in x, 0 at the background.
+
+#include "passes/preparation/pass.glsl"
+
+#include "passes/preparation/directions.glsl"
+
+float prepared(ivec2 pixel) {
+    float depth = gloam_fetch_depth(pixel);
+    if (gloam_is_background(depth) || below_limit(depth)) return 0.0;
+    GloamCamera camera = this_camera();
+    vec3 position = gloam_camera_position(pixel, depth, camera);
+    return gloam_pair_occlusion(position, imageLoad(normal_image, pixel).xyz, camera, kernel_at(pixel), method_settings, false);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) imageStore(prepared_image, pixel, vec4(prepared(pixel)));
+}

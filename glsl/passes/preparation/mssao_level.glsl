@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_PREPARATION_MSSAO_LEVEL_GLSL
+#define GLOAM_PREPARATION_MSSAO_LEVEL_GLSL
+
+#include "gloam/filter/mssao_upsample.glsl"
+#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/mssao.glsl"
+#include "gloam/sampling/halton_disc.glsl"
+#include "passes/preparation/pyramid.glsl"
+
+// One resolution of MSSAO, any of them: a kernel of few texels, then the results of the coarser ones.
+
+// Texels that a kernel reaches at most.
+const float GLOAM_MSSAO_REACH = 6.0;
+// Height over the tangent plane, as a share of the radius, at which a coarser texel counts half to the power below.
+const float GLOAM_MSSAO_HEIGHT = 0.05;
+const float GLOAM_MSSAO_HEIGHT_POWER = 2.0;
+const float GLOAM_MSSAO_NORMAL_POWER = 8.0;
+
+// What is known of a surface: from its own level and the coarser ones.
+struct GloamLevels {
+    float largest;  // occlusion of all levels
+    float mean;     // of it
+    float count;    // levels in the mean; one whose kernel is hardly a texel counts less
+};
+
+// Texels from the point to the edge of its kernel, along both axes, and how much of a level the kernel makes: 1, but less between 2 texels
+// and 1, where on coarser levels it comes to lie within its own texel.
+vec3 gloam_mssao_reach(vec3 position, int level, GloamCamera camera, float radius) {
+    vec2 texels = gloam_camera_radius(radius, -position.z, camera) * vec2(camera.size) / float(1 << level);
+    float largest = max(abs(texels.x), abs(texels.y));
+    float share = level == 0 ? 1.0 : clamp(largest - 1.0, 0.0, 1.0);
+    return vec3(largest > GLOAM_MSSAO_REACH ? texels * (GLOAM_MSSAO_REACH / largest) : texels, share);
+}
+
+// Occlusion of one level.
+// position, normal: of the surface; unit normal. center: where it is, texels of the level. reach: texels.
+float gloam_mssao_occlusion(vec3 position, vec3 normal, vec2 center, vec2 reach, int level, GloamCamera camera, GloamKernel kernel,
+                            int coarsest) {
+    vec2 accumulated = vec2(0.0);
+    vec2 last = vec2(gloam_level_size(camera.size, level) - 1);
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec2 at = center + reach * gloam_halton_disc(kernel.first + i + 1u, kernel.angle);
+        vec3 seen = gloam_pyramid_position(ivec2(clamp(at, vec2(0.0), last)), level, camera, coarsest);
+        vec3 offset = seen - position;
+        float contribution = dot(offset, normal) > kernel.bias ? gloam_contribution_mssao(offset, normal, kernel.radius) : 0.0;
+        accumulated = gloam_estimator_add(accumulated, seen.z < 0.0 ? contribution : 0.0);
+    }
+    return gloam_estimator_mean(accumulated);
+}
+
+// The levels from `level` on at a surface: those of the four texels around it, as far as they lie on it. Nothing for one beyond the coarsest.
+// center: where the surface is, pixels of the full image.
+GloamLevels gloam_mssao_upsampled(vec3 position, vec3 normal, vec2 center, int level, GloamCamera camera, float radius, int coarsest) {
+    if (level > coarsest) return GloamLevels(0.0, 0.0, 0.0);
+    vec2 at = center / float(1 << level) - 0.5;
+    ivec2 first = ivec2(floor(at));
+    ivec2 last = gloam_level_size(camera.size, level) - 1;
+    GloamWeightedMean largest = gloam_weighted_mean_empty();
+    GloamWeightedMean mean = gloam_weighted_mean_empty();
+    GloamWeightedMean count = gloam_weighted_mean_empty();
+    for (int i = 0; i < 4; ++i) {
+        ivec2 texel = first + ivec2(i & 1, i >> 1);
+        if (texel != clamp(texel, ivec2(0), last)) continue;
+        vec3 other = gloam_pyramid_position(texel, level, camera, coarsest);
+        if (!(other.z < 0.0)) continue;
+        vec2 share = 1.0 - abs(vec2(texel) - at);
+        vec3 facing = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, coarsest, GLOAM_PYRAMID_NORMALS)).xyz;
+        float height = dot(other - position, normal) / (GLOAM_MSSAO_HEIGHT * radius);
+        float weight = gloam_mssao_upsample_weight(share.x * share.y, height, dot(facing, normal), GLOAM_MSSAO_HEIGHT_POWER,
+                                                   GLOAM_MSSAO_NORMAL_POWER);
+        vec3 known = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, coarsest, GLOAM_PYRAMID_RESULTS)).xyz;
+        float levels = float(coarsest + 1 - level);
+        largest = gloam_weighted_mean_add(largest, known.x, weight);
+        mean = gloam_weighted_mean_add(mean, known.y, weight);
+        count = gloam_weighted_mean_add(count, known.z / levels, weight);
+    }
+    return GloamLevels(gloam_weighted_mean_value(largest, 0.0), gloam_weighted_mean_value(mean, 0.0),
+                       gloam_weighted_mean_value(count, 0.0) * float(coarsest + 1 - level));
+}
+
+// A surface at one level, with the coarser ones.
+// position: view space, world units, in front of the eye. normal: unit.
+GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera camera, GloamKernel kernel, int coarsest) {
+    vec2 center = gloam_camera_uv(position, camera) * vec2(camera.size);
+    vec3 reach = gloam_mssao_reach(position, level, camera, kernel.radius);
+    float own = reach.z == 0.0 ? 0.0 : gloam_mssao_occlusion(position, normal, center / float(1 << level), reach.xy, level, camera,
+                                                             kernel, coarsest);
+    GloamLevels coarser = gloam_mssao_upsampled(position, normal, center, level + 1, camera, kernel.radius, coarsest);
+    float count = reach.z + coarser.count;
+    float mean = count > 0.0 ? (reach.z * own + coarser.count * coarser.mean) / count : 0.0;
+    return GloamLevels(max(reach.z * own, coarser.largest), clamp(mean, 0.0, 1.0), count);
+}
+
+#endif

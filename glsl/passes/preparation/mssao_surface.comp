@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// The surfaces of one level of MSSAO's pyramid, from the level before (CS-F): one invocation for each texel. Bindings and constants: pass.glsl.
+// Reads range: how far apart in depth the pixels of one surface may be.
+//
+// Writes the position and the normal of the pyramid's texel (pyramid.glsl), zeros for background.
+
+#include "passes/preparation/pass.glsl"
+
+#include "gloam/filter/mssao_downsample.glsl"
+#include "passes/preparation/pyramid.glsl"
+
+struct Surface {
+    vec3 position;
+    vec3 normal;
+};
+
+vec4 gloam_fetch_prepared(ivec2 pixel) {
+    return imageLoad(prepared_image, pixel);
+}
+
+int coarsest() {
+    return gloam_coarsest_level(method_settings.steps);
+}
+
+// A texel of the level before; nothing outside it.
+Surface finer(ivec2 texel) {
+    int level = parameters.level - 1;
+    ivec2 size = gloam_level_size(parameters.size, level);
+    if (texel.x >= size.x || texel.y >= size.y) return Surface(vec3(0.0), vec3(0.0));
+    vec3 position = gloam_pyramid_position(texel, level, this_camera(), coarsest());
+    vec3 normal = level == 0 ? imageLoad(normal_image, texel).xyz
+                             : imageLoad(prepared_image, gloam_pyramid_texel(texel, level, parameters.size, coarsest(),
+                                                                             GLOAM_PYRAMID_NORMALS)).xyz;
+    return Surface(position, normal);
+}
+
+// The one or two surfaces of positive weight as one.
+Surface chosen(Surface surfaces[4], vec4 depths, vec4 weights) {
+    int second = -1;
+    int third = -1;
+    for (int i = 0; i < 4; ++i) {
+        if (!(weights[i] > 0.0)) continue;
+        if (second < 0) {
+            second = i;
+        } else {
+            third = i;
+        }
+    }
+    if (second < 0) return Surface(vec3(0.0), vec3(0.0));
+    if (third < 0) return Surface(surfaces[second].position, gloam_safe_normalize(surfaces[second].normal, vec3(0.0)));
+    if (depths[third] < depths[second]) {
+        int nearer = third;
+        third = second;
+        second = nearer;
+    }
+    return Surface(0.5 * surfaces[second].position + 0.5 * surfaces[third].position,
+                   gloam_mssao_normal(surfaces[second].normal, surfaces[third].normal));
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = gloam_level_size(parameters.size, parameters.level);
+    if (texel.x >= size.x || texel.y >= size.y) return;
+    Surface surfaces[4];
+    vec4 depths;
+    for (int i = 0; i < 4; ++i) {
+        surfaces[i] = finer(2 * texel + ivec2(i & 1, i >> 1));
+        depths[i] = -surfaces[i].position.z;
+    }
+    Surface one = chosen(surfaces, depths, gloam_mssao_weights(depths, method_settings.range));
+    ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, coarsest(), GLOAM_PYRAMID_POSITIONS);
+    imageStore(prepared_image, at, vec4(one.position, 0.0));
+    at = gloam_pyramid_texel(texel, parameters.level, parameters.size, coarsest(), GLOAM_PYRAMID_NORMALS);
+    imageStore(prepared_image, at, vec4(one.normal, 0.0));
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_PREPARATION_PASS_GLSL
+#define GLOAM_PREPARATION_PASS_GLSL
+
+// What the preparation passes have in common. They run before ambient_occlusion.comp, in the order of their method's list, and write
+// parts of one image that the method reads by gloam_fetch_prepared. Nothing of a frame stays in it.
+//
+// Define GLOAM_HISTORY as rgba16f for a history of half precision, else it is rgba32f.
+// Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
+//   0  r32f     eye-linear depth, world units; background 0 or not finite
+//   1  rgba32f  view-space normal facing the eye in xyz
+//   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used, depth)
+//   3  rgba32f  the prepared image, written and, by passes that build on others, read
+//   4  buffer   a GloamMethod
+#ifndef GLOAM_HISTORY
+#define GLOAM_HISTORY rgba32f
+#endif
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
+layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D history_before;
+layout(binding = 3, rgba32f) uniform image2D prepared_image;
+
+layout(push_constant) uniform Parameters {
+    vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
+    ivec2 size;            // of the images of bindings 0 to 2, pixels, with the guard band
+    ivec2 border;          // guard band on each side, pixels
+    float radius;          // of influence, world units
+    float bias;            // world units
+    uint samples;          // k_1, for each pixel that has not converged
+    uint samples_converged;  // k_2, for each pixel that has
+    float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
+    float weight_max;      // w_max: samples in the mean, at most
+    float c_rot;           // kernels are rotated below this convergence; 0 never
+    float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
+    uint orthographic;     // 1, or 0 for perspective
+    uint shade_border;     // 1: the band has occlusion as well; 0: it is left out
+    int level;             // that the pass writes, 1 for half the resolution, of passes that run once for each
+} parameters;
+
+#include "gloam/geometry/borders.glsl"
+#include "gloam/geometry/camera.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/method_parameters.glsl"
+#include "gloam/sampling/hash_rotation.glsl"
+#include "gloam/temporal/convergence.glsl"
+#include "gloam/temporal/history.glsl"
+#include "gloam/temporal/rotation_switch.glsl"
+#include "gloam/temporal/sample_budget.glsl"
+
+layout(binding = 4, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+
+GloamCamera this_camera() {
+    return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
+}
+
+float gloam_fetch_depth(ivec2 pixel) {
+    return imageLoad(depth_image, pixel).x;
+}
+
+// The samples that ambient_occlusion.comp takes at a pixel in this frame.
+GloamKernel kernel_at(ivec2 pixel) {
+    GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
+    float convergence = gloam_convergence(before.weight, parameters.weight_max);
+    bool rotated = gloam_rotation_enabled(convergence, parameters.c_rot);
+    float angle = rotated ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
+    uint samples = uint(gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples),
+                                           int(parameters.samples_converged)));
+    return GloamKernel(parameters.radius, parameters.bias, angle, before.index, samples);
+}
+
+// Whether a surface of that depth is open without a sample, its radius of influence being too small to see.
+bool below_limit(float depth) {
+    vec2 reach = gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
+    return max(reach.x, reach.y) < parameters.least_radius;
+}
+
+// Whether no pixel of the frame lies within so many pixels: what only the guard band would read.
+bool far_from_frame(ivec2 pixel, int pixels) {
+    if (parameters.shade_border != 0u) return false;
+    ivec2 inner = pixel - parameters.border;
+    ivec2 apart = abs(inner - gloam_clamp_to_edge(inner, parameters.size - 2 * parameters.border));
+    return max(apart.x, apart.y) > pixels;
+}
+
+#endif

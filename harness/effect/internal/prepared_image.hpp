@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
+#include "effect/preparation.hpp"
+#include "gpu/image.hpp"
+
+namespace gloam::effect {
+
+// Push constants of the passes of glsl/passes/preparation, as pass.glsl declares them.
+struct PreparationParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    glm::ivec2 border;
+    float radius;
+    float bias;
+    std::uint32_t samples;
+    std::uint32_t samples_converged;
+    float c_spatial;
+    float weight_max;
+    float c_rot;
+    float least_radius;
+    std::uint32_t orthographic;
+    std::uint32_t shade_border;
+    std::int32_t level;
+};
+
+// The image that a method's preparation passes write, with what they need. Nothing is allocated or compiled
+// for a method that prepares nothing.
+class PreparedImage {
+  public:
+    PreparedImage(const gpu::Device& device, const scene::PassLibrary& library);
+
+    // For the next frames of a view.
+    void take(const View& view, const Settings& settings);
+
+    // The other one where the method prepares nothing.
+    [[nodiscard]] const gpu::Image& image_or(const gpu::Image& other) const {
+        return image_ ? *image_ : other;
+    }
+
+    // What the passes read besides their own image.
+    struct Sources {
+        const gpu::Image& depth;
+        const gpu::Image& normal;
+        const gpu::Image& history;
+        const gpu::Buffer& method;
+    };
+
+    // Compiles what is missing. The steps hold until the next take().
+    void append_steps(const Sources& sources, std::vector<Step>& steps);
+
+  private:
+    [[nodiscard]] const gpu::ComputePipeline& pipeline(const std::string& file);
+
+    const gpu::Device* device_;
+    scene::PassLibrary library_;
+    HistoryPrecision precision_ = HistoryPrecision::float32;
+    std::optional<Preparation> preparation_;
+    std::optional<gpu::Image> image_;
+    std::vector<PreparationParameters> constants_;  // for each pass
+    std::map<std::pair<std::string, HistoryPrecision>, gpu::ComputePipeline> pipelines_;
+};
+
+}  // namespace gloam::effect

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "gpu/image.hpp"
+
+namespace gloam::effect {
+
+// A pass that runs before ambient_occlusion.comp and writes a part of the prepared image.
+struct PreparationPass {
+    std::string name;         // of its time, unlike those of the frame's other passes
+    std::string file;         // in glsl/passes/preparation
+    gpu::Extent invocations;  // 8 x 8 a group
+    int level = 0;            // given to the pass as a constant
+};
+
+// What a method needs before its samples: some passes, in order, and the image (rgba32f) that they leave to
+// it.
+struct Preparation {
+    gpu::Extent image;
+    std::vector<PreparationPass> passes;
+    // A result may come from samples of surfaces that lie beside the pixel's: in pixels, and in the world.
+    int spread = 0;
+    float reach = 0.0F;
+};
+
+// The preparation of the method of the settings for views of that size, guard band included; none for a
+// method that does without.
+[[nodiscard]] std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view);
+
+}  // namespace gloam::effect

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/prepared_image.hpp"
+
+namespace gloam::effect {
+namespace {
+
+PreparationParameters preparation_parameters(const View& view, const Settings& settings, int level) {
+    const OcclusionParameters all = occlusion_parameters(view, settings);
+    return {.p00_p11 = all.p00_p11,
+            .size = all.size,
+            .border = all.border,
+            .radius = all.radius,
+            .bias = all.bias,
+            .samples = all.samples,
+            .samples_converged = all.samples_converged,
+            .c_spatial = all.c_spatial,
+            .weight_max = all.weight_max,
+            .c_rot = all.c_rot,
+            .least_radius = all.least_radius,
+            .orthographic = all.orthographic,
+            .shade_border = all.shade_border,
+            .level = level};
+}
+
+gpu::ComputePipeline preparation_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
+                                          const std::string& file, HistoryPrecision precision) {
+    using enum gpu::BindingKind;
+    const shader::Spirv spirv = library.compile("preparation/" + file, defines_for(precision));
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
+             .push_constant_bytes = sizeof(PreparationParameters)}};
+}
+
+}  // namespace
+
+PreparedImage::PreparedImage(const gpu::Device& device, const scene::PassLibrary& library)
+    : device_(&device), library_(library) {}
+
+void PreparedImage::take(const View& view, const Settings& settings) {
+    precision_ = settings.precision;
+    preparation_ = preparation_of(settings, view.extent);
+    constants_.clear();
+    if (!preparation_) {
+        image_.reset();
+        return;
+    }
+    if (!image_ || image_->extent() != preparation_->image) {
+        image_.emplace(*device_, preparation_->image, gpu::Format::rgba32f);
+    }
+    for (const PreparationPass& pass : preparation_->passes)
+        constants_.push_back(preparation_parameters(view, settings, pass.level));
+}
+
+const gpu::ComputePipeline& PreparedImage::pipeline(const std::string& file) {
+    const std::pair key(file, precision_);
+    const auto known = pipelines_.find(key);
+    if (known != pipelines_.end()) return known->second;
+    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, precision_)).first->second;
+}
+
+void PreparedImage::append_steps(const Sources& sources, std::vector<Step>& steps) {
+    if (!preparation_) return;
+    for (std::size_t i = 0; i < preparation_->passes.size(); ++i) {
+        const PreparationPass& pass = preparation_->passes[i];
+        steps.push_back(
+            {.name = pass.name,
+             .pipeline = &pipeline(pass.file),
+             .resources = {sources.depth, sources.normal, sources.history, *image_, sources.method},
+             .parameters = bytes_of(constants_[i]),
+             .groups = groups_for(pass.invocations)});
+    }
+}
+
+}  // namespace gloam::effect
