@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <map>
 
@@ -39,19 +40,19 @@ Preparation separable(const Settings& settings, gpu::Extent view) {
 
 // As preparation/pyramid.glsl lays it out.
 gpu::Extent pyramid_size(gpu::Extent view, std::uint32_t coarsest) {
-    gpu::Extent size = level_size(view, 1);
-    std::uint32_t column = 0;
-    for (std::uint32_t level = 2; level <= coarsest; ++level) column += level_size(view, level).height;
-    if (coarsest > 1) size.width += level_size(view, 2).width;
-    return {size.width, std::max(size.height, column)};
+    gpu::Extent size = level_size(view, coarsest);
+    for (std::uint32_t level = 1; level <= coarsest; ++level) {
+        size.width += level_size(view, level).width;
+        size.height += level_size(view, level).height;
+    }
+    return size;
 }
 
 // All coarser levels' surfaces, each from the one before, then their occlusion from the coarsest on.
 Preparation mssao(const Settings& settings, gpu::Extent view) {
     const std::uint32_t coarsest = std::clamp(settings.steps, 1U, most_resolutions) - 1;
     if (coarsest == 0) return {.image = {1, 1}};
-    const gpu::Extent pyramid = pyramid_size(view, coarsest);
-    Preparation all{.image = {3 * pyramid.width, pyramid.height}};
+    Preparation all{.image = pyramid_size(view, coarsest)};
     for (std::uint32_t level = 1; level <= coarsest; ++level) {
         all.passes.push_back({fmt::format("surface_{}", level), "mssao_surface.comp", level_size(view, level),
                               static_cast<int>(level)});

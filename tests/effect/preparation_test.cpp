@@ -106,20 +106,29 @@ class Prepared : public testing::TestWithParam<std::string> {
     scene::PassLibrary passes_;
 };
 
+// The frame after `frames` of them, by passes that are already there.
+Frame follow(AmbientOcclusion& effect, const scene::GBuffer& view, const Settings& settings, int frames) {
+    effect.begin(view, settings);
+    for (int i = 1; i < frames; ++i) (void)effect.next();
+    return effect.next();
+}
+
 TEST_P(Prepared, ABarePlaneIsOpen) {
-    for (const bool orthographic : {false, true}) {
-        for (const glm::dvec3 tilt :
-             {glm::dvec3(0, 0, 1), glm::dvec3(0.8, -0.5, 1), glm::dvec3(-1.4, 1.0, 1)}) {
-            for (const gpu::Extent extent : {gpu::Extent{67, 51}, gpu::Extent{5, 1}, gpu::Extent{1, 3}}) {
-                Settings settings = settings_for(GetParam(), 0.5F);
-                settings.bias = 2e-5F;
-                settings.angle_bias = 0.0F;
-                settings.least_radius = 0.0F;
-                const Frame frame = run(plane(extent, orthographic, tilt), settings, 2);
+    Settings settings = settings_for(GetParam(), 0.5F);
+    settings.bias = 2e-5F;
+    settings.angle_bias = 0.0F;
+    settings.least_radius = 0.0F;
+    for (const gpu::Extent extent : {gpu::Extent{67, 51}, gpu::Extent{5, 1}, gpu::Extent{1, 3}}) {
+        AmbientOcclusion effect(device_, passes_, extent);
+        for (const bool orthographic : {false, true}) {
+            for (const glm::dvec3 tilt :
+                 {glm::dvec3(0, 0, 1), glm::dvec3(0.8, -0.5, 1), glm::dvec3(-1.4, 1.0, 1)}) {
+                const Frame frame = follow(effect, plane(extent, orthographic, tilt), settings, 2);
                 EXPECT_THAT(frame.occlusion, testing::Each(testing::Le(1e-6F)))
                     << extent.width << " x " << extent.height << " tilt " << tilt.x
                     << (orthographic ? " orthographic" : " perspective");
-                EXPECT_EQ(frame.work.samples, 32U * extent.width * extent.height);
+                EXPECT_EQ(frame.work.samples, 32U * (frame.work.pixels - frame.work.background));
+                EXPECT_LT(frame.work.background, frame.work.pixels);  // beyond the plane's horizon
             }
         }
     }
@@ -127,17 +136,16 @@ TEST_P(Prepared, ABarePlaneIsOpen) {
 
 TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
+    const Settings settings = settings_for(GetParam(), 0.5F);
     for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}}) {
+        AmbientOcclusion effect(device_, passes_, extent);
         for (const float depth : {infinity, 0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
             scene::GBuffer view = view_of(extent, false, [](glm::dvec2) { return 3.0; });
             view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
-            const auto expect_open = [&] {
-                EXPECT_THAT(run(view, settings_for(GetParam(), 0.5F), 2).occlusion, testing::Each(0.0F));
-            };
             view.depth.back() = depth;  // a surface before nothing
-            expect_open();
+            EXPECT_THAT(follow(effect, view, settings, 2).occlusion, testing::Each(0.0F));
             view.depth.assign(view.depth.size(), depth);
-            expect_open();
+            EXPECT_THAT(follow(effect, view, settings, 2).occlusion, testing::Each(0.0F));
         }
     }
 }
@@ -173,8 +181,8 @@ TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
     for (const PassTime& time : effect.next().times) names.push_back(time.pass);
     EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
     std::vector<std::string> expected;
-    for (const PreparationPass& pass : preparation_of(settings, view.extent)->passes)
-        expected.push_back(pass.name);
+    const Preparation preparation = preparation_of(settings, view.extent).value();
+    for (const PreparationPass& pass : preparation.passes) expected.push_back(pass.name);
     expected.insert(expected.end(), {"ambient_occlusion", "filter_x", "filter_y"});
     EXPECT_EQ(names, expected);
 
@@ -195,32 +203,187 @@ TEST_P(Prepared, HistoryOfHalfPrecision) {
 INSTANTIATE_TEST_SUITE_P(All, Prepared, testing::ValuesIn(prepared_methods()),
                          [](const auto& info) { return info.param; });
 
-// As Methods.AGrooveHasTheMethodsOwnValue has it for the others.
-class Groove : public Prepared {
-  protected:
-    [[nodiscard]] float at_the_line(Settings settings) const {
-        settings.bias = 1e-5F;
-        settings.angle_bias = 0.0F;
-        settings.samples = 64;
-        settings.samples_converged = 64;
-        settings.weight_max = 8192.0F;
-        const gpu::Extent extent{129, 129};
-        const Frame frame = run(groove(extent), settings, 16);
-        return frame.occlusion[64 * extent.width + 64];
-    }
-};
+using Separable = Prepared;
+using DualResolution = Prepared;
+using MultiResolution = Prepared;
 
-TEST_F(Groove, DualResolutionIsThatOfHbao) {
-    Settings settings = settings_for("dual_resolution", 0.5F);
-    settings.steps = 16;
-    settings.disagreement = 0.0F;
-    EXPECT_NEAR(at_the_line(settings), 0.25, 0.03);
+// In one frame all pixels see the same pair of directions, along x and along y: a groove along one of them is
+// seen in full by the other, and the mean of both is half of it, whichever is prepared.
+TEST_F(Separable, AWallAlongADirectionIsSeenByTheOther) {
+    Settings settings = settings_for("separable", 0.9F);
+    settings.bias = 1e-5F;
+    settings.samples = 64;
+    settings.c_rot = 0.0F;
+    const gpu::Extent extent{129, 129};
+    const auto value_at_the_line = [&](bool turned) {
+        scene::GBuffer view = groove(extent);
+        if (turned) {
+            const std::vector<float> depth = view.depth;
+            for (unsigned y = 0; y < 129; ++y)
+                for (unsigned x = 0; x < 129; ++x) view.depth[129 * y + x] = depth[129 * x + y];
+        }
+        return double{run(view, settings).occlusion[129 * 64 + 64]};
+    };
+    // sin(45 degrees)^2 / 2 of one slice, as the steps of pixels show it.
+    EXPECT_NEAR(value_at_the_line(false), 0.5 * 0.25, 0.012);
+    EXPECT_NEAR(value_at_the_line(true), value_at_the_line(false), 2e-3);
 }
 
-TEST_F(Groove, SeparableIsCosineWeighted) {
+// All directions in turn make the cosine-weighted occlusion, (1 - cos 45 degrees) / 2.
+TEST_F(Separable, AllPairsOfDirectionsAreTheHemisphere) {
     Settings settings = settings_for("separable", 0.5F);
+    settings.bias = 1e-5F;
+    settings.samples = 64;
+    settings.samples_converged = 64;
+    settings.weight_max = 8192.0F;
     settings.epsilon = 1e-3F;  // nothing is carried
-    EXPECT_NEAR(at_the_line(settings), 0.146447, 0.03);
+    const Frame frame = run(groove({129, 129}), settings, 16);
+    EXPECT_NEAR(frame.occlusion[129 * 64 + 64], 0.146447, 0.03);
+}
+
+// Whether the 3 x 3 small pixels around a pixel's own differ by more than the tolerance.
+bool disagrees(const std::vector<float>& full, glm::ivec2 size, glm::ivec2 pixel, float tolerance) {
+    float low = 1.0F;
+    float high = 0.0F;
+    for (int y = pixel.y / 2 - 1; y <= pixel.y / 2 + 1; ++y) {
+        for (int x = pixel.x / 2 - 1; x <= pixel.x / 2 + 1; ++x) {
+            if (x < 0 || y < 0 || 2 * x >= size.x || 2 * y >= size.y) continue;
+            const float value = full[static_cast<std::size_t>(2 * y * size.x + 2 * x)];
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    }
+    return high - low > tolerance;
+}
+
+// Pixels of the small image have hbao's result, and so has every pixel whose neighbourhood disagrees.
+TEST_F(DualResolution, IsHbaoWhereItIsNotInterpolated) {
+    for (const glm::ivec2 size : {glm::ivec2(64, 36), glm::ivec2(63, 37)}) {
+        const scene::GBuffer view =
+            rasterized("corner", {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)});
+        Settings settings = settings_for("hbao", 1.0F);
+        settings.c_rot = 0.0F;
+        const std::vector<float> full = run(view, settings).occlusion;
+        for (const float tolerance : {0.0F, 0.05F, 1.0F}) {
+            settings.method = "dual_resolution";
+            settings.disagreement = tolerance;
+            const std::vector<float> dual = run(view, settings).occlusion;
+            int in_full = 0;
+            int interpolated = 0;
+            double off = 0.0;
+            for (int i = 0; i < size.x * size.y; ++i) {
+                const glm::ivec2 pixel(i % size.x, i / size.x);
+                const auto index = static_cast<std::size_t>(i);
+                const bool small = pixel.x % 2 == 0 && pixel.y % 2 == 0;
+                if (small || disagrees(full, size, pixel, tolerance)) {
+                    EXPECT_EQ(dual[index], full[index]) << pixel.x << ' ' << pixel.y << ' ' << tolerance;
+                    in_full += small ? 0 : 1;
+                } else {
+                    ++interpolated;
+                    off += std::abs(double{dual[index]} - double{full[index]});
+                }
+            }
+            EXPECT_EQ(in_full == 0, tolerance == 1.0F);
+            if (tolerance == 0.05F) {
+                EXPECT_GT(in_full, 50);
+                EXPECT_GT(interpolated, 200);
+            }
+            EXPECT_LE(off, 0.02 * interpolated) << tolerance;
+        }
+    }
+}
+
+// A small image that is the large one: rows that are all alike, of which every other is left out.
+TEST_F(DualResolution, ADuplicateChangesNothing) {
+    const gpu::Extent extent{65, 33};
+    Settings settings = settings_for("hbao", 0.3F);
+    settings.c_rot = 0.0F;
+    const scene::GBuffer view = groove(extent);
+    const Frame full = run(view, settings);
+    settings.method = "dual_resolution";
+    settings.disagreement = 1.0F;
+    const Frame dual = run(view, settings);
+    for (unsigned y = 8; y < 25; ++y) {
+        for (unsigned x = 0; x < 65; x += 2)
+            EXPECT_NEAR(dual.occlusion[65 * y + x], full.occlusion[65 * y + x], 1e-5) << x << ' ' << y;
+    }
+}
+
+// A block stands 20 pixels from the middle, beyond the reach of the finest kernel alone.
+TEST_F(MultiResolution, CoarserLevelsReachFurther) {
+    scene::GBuffer view = view_of({129, 65}, true, [](glm::dvec2 at) { return at.x > 0.62 ? 4.6 : 5.0; });
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+    Settings settings = settings_for("mssao", 0.9F);
+    std::vector<float> at_the_middle;
+    for (const std::uint32_t resolutions : {1U, 2U, 3U, 4U, 5U, 9U}) {
+        settings.steps = resolutions;
+        at_the_middle.push_back(run(view, settings, 8).occlusion[129 * 32 + 64]);
+    }
+    EXPECT_EQ(at_the_middle[0], 0.0F);
+    EXPECT_EQ(at_the_middle[1], 0.0F);  // 12 pixels
+    EXPECT_GT(at_the_middle[2], 0.004F);
+    EXPECT_GT(at_the_middle[4], 0.004F);
+}
+
+// What one resolution sees of a surface is combined with nothing: 1 - (1 - x)^2, x being the mean
+// contribution.
+TEST_F(MultiResolution, OneLevelIsItsOwnMaximumAndMean) {
+    const double slope = 0.5;
+    scene::GBuffer view =
+        view_of({65, 65}, true, [&](glm::dvec2 at) { return 5.0 - slope * std::abs(at.x); });
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+    Settings settings = settings_for("mssao", 0.15F);  // 5 pixels
+    settings.bias = 0.0F;
+    settings.steps = 1;
+    settings.samples = 256;
+    settings.samples_converged = 256;
+    settings.weight_max = 1e6F;
+    const double found = double{run(view, settings, 16).occlusion[65 * 32 + 32]};
+    // The mean over all places in the disc, each read at its pixel's centre.
+    const double pixel = 2.0 / 65.0;
+    double sum = 0.0;
+    int count = 0;
+    for (double y = -0.15; y < 0.15; y += 0.0005) {
+        for (double x = -0.15; x < 0.15; x += 0.0005) {
+            if (x * x + y * y > 0.15 * 0.15) continue;
+            const glm::dvec2 at = pixel * glm::round(glm::dvec2(x, y) / pixel);
+            const glm::dvec3 v(at, slope * std::abs(at.x));
+            const double d = glm::length(v);
+            sum += d > 0.0 ? std::max(1.0 - d * d / (0.15 * 0.15), 0.0) * v.z / d : 0.0;
+            ++count;
+        }
+    }
+    const double x = sum / count;
+    EXPECT_NEAR(found, 1.0 - (1.0 - x) * (1.0 - x), 0.005);
+}
+
+// A valley in the middle of images of sizes that do and do not halve: its occlusion stays in the middle.
+TEST_F(MultiResolution, NothingDriftsWithTheLevels) {
+    for (const std::uint32_t width : {64U, 63U, 61U, 67U}) {
+        const gpu::Extent extent{width, 31};
+        scene::GBuffer view = view_of(extent, true, [](glm::dvec2 at) { return 5.0 - 0.6 * std::abs(at.x); });
+        for (std::size_t i = 0; i < view.depth.size(); ++i) {
+            const double side = 2.0 * static_cast<double>(i % width) + 1.0 - width;
+            view.normal.emplace_back(glm::normalize(glm::vec3(side > 0.0   ? -0.6F
+                                                              : side < 0.0 ? 0.6F
+                                                                           : 0.0F,
+                                                              0, 1)));
+        }
+        Settings settings = settings_for("mssao", 0.8F);
+        settings.range = 1.0F;
+        const Frame frame = run(view, settings, 16);
+        double sum = 0.0;
+        double moment = 0.0;
+        for (unsigned y = 10; y < 21; ++y) {
+            for (unsigned x = 0; x < width; ++x) {
+                const double value = double{frame.occlusion[width * y + x]};
+                sum += value;
+                moment += value * (x + 0.5 - 0.5 * width);
+            }
+        }
+        EXPECT_GT(sum / (11.0 * width), 0.02);
+        EXPECT_LT(std::abs(moment / sum), 0.25) << width;  // pixels
+    }
 }
 
 }  // namespace

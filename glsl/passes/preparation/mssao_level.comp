@@ -29,13 +29,13 @@ void main() {
     ivec2 size = gloam_level_size(parameters.size, parameters.level);
     if (texel.x >= size.x || texel.y >= size.y) return;
     int coarsest = gloam_coarsest_level(method_settings.steps);
-    vec3 position = gloam_pyramid_position(texel, parameters.level, this_camera(), coarsest);
-    vec3 normal = gloam_fetch_prepared(gloam_pyramid_texel(texel, parameters.level, parameters.size, coarsest,
+    vec3 position = gloam_pyramid_position(texel, parameters.level, this_camera());
+    vec3 normal = gloam_fetch_prepared(gloam_pyramid_texel(texel, parameters.level, parameters.size,
                                                            GLOAM_PYRAMID_NORMALS)).xyz;
     GloamLevels levels = GloamLevels(0.0, 0.0, 0.0);
     if (gloam_can_gather(position, normal, parameters.radius)) {
         levels = gloam_mssao_at(position, normal, parameters.level, this_camera(), kernel_of(texel), coarsest);
     }
-    ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, coarsest, GLOAM_PYRAMID_RESULTS);
+    ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, GLOAM_PYRAMID_RESULTS);
     imageStore(prepared_image, at, vec4(levels.largest, levels.mean, levels.count, 0.0));
 }

@@ -38,13 +38,12 @@ vec3 gloam_mssao_reach(vec3 position, int level, GloamCamera camera, float radiu
 
 // Occlusion of one level.
 // position, normal: of the surface; unit normal. center: where it is, texels of the level. reach: texels.
-float gloam_mssao_occlusion(vec3 position, vec3 normal, vec2 center, vec2 reach, int level, GloamCamera camera, GloamKernel kernel,
-                            int coarsest) {
+float gloam_mssao_occlusion(vec3 position, vec3 normal, vec2 center, vec2 reach, int level, GloamCamera camera, GloamKernel kernel) {
     vec2 accumulated = vec2(0.0);
     vec2 last = vec2(gloam_level_size(camera.size, level) - 1);
     for (uint i = 0u; i < kernel.count; ++i) {
         vec2 at = center + reach * gloam_halton_disc(kernel.first + i + 1u, kernel.angle);
-        vec3 seen = gloam_pyramid_position(ivec2(clamp(at, vec2(0.0), last)), level, camera, coarsest);
+        vec3 seen = gloam_pyramid_position(ivec2(clamp(at, vec2(0.0), last)), level, camera);
         vec3 offset = seen - position;
         float contribution = dot(offset, normal) > kernel.bias ? gloam_contribution_mssao(offset, normal, kernel.radius) : 0.0;
         accumulated = gloam_estimator_add(accumulated, seen.z < 0.0 ? contribution : 0.0);
@@ -65,14 +64,14 @@ GloamLevels gloam_mssao_upsampled(vec3 position, vec3 normal, vec2 center, int l
     for (int i = 0; i < 4; ++i) {
         ivec2 texel = first + ivec2(i & 1, i >> 1);
         if (texel != clamp(texel, ivec2(0), last)) continue;
-        vec3 other = gloam_pyramid_position(texel, level, camera, coarsest);
+        vec3 other = gloam_pyramid_position(texel, level, camera);
         if (!(other.z < 0.0)) continue;
         vec2 share = 1.0 - abs(vec2(texel) - at);
-        vec3 facing = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, coarsest, GLOAM_PYRAMID_NORMALS)).xyz;
+        vec3 facing = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, GLOAM_PYRAMID_NORMALS)).xyz;
         float height = dot(other - position, normal) / (GLOAM_MSSAO_HEIGHT * radius);
         float weight = gloam_mssao_upsample_weight(share.x * share.y, height, dot(facing, normal), GLOAM_MSSAO_HEIGHT_POWER,
                                                    GLOAM_MSSAO_NORMAL_POWER);
-        vec3 known = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, coarsest, GLOAM_PYRAMID_RESULTS)).xyz;
+        vec3 known = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, GLOAM_PYRAMID_RESULTS)).xyz;
         float levels = float(coarsest + 1 - level);
         largest = gloam_weighted_mean_add(largest, known.x, weight);
         mean = gloam_weighted_mean_add(mean, known.y, weight);
@@ -87,8 +86,7 @@ GloamLevels gloam_mssao_upsampled(vec3 position, vec3 normal, vec2 center, int l
 GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera camera, GloamKernel kernel, int coarsest) {
     vec2 center = gloam_camera_uv(position, camera) * vec2(camera.size);
     vec3 reach = gloam_mssao_reach(position, level, camera, kernel.radius);
-    float own = reach.z == 0.0 ? 0.0 : gloam_mssao_occlusion(position, normal, center / float(1 << level), reach.xy, level, camera,
-                                                             kernel, coarsest);
+    float own = reach.z == 0.0 ? 0.0 : gloam_mssao_occlusion(position, normal, center / float(1 << level), reach.xy, level, camera, kernel);
     GloamLevels coarser = gloam_mssao_upsampled(position, normal, center, level + 1, camera, kernel.radius, coarsest);
     float count = reach.z + coarser.count;
     float mean = count > 0.0 ? (reach.z * own + coarser.count * coarser.mean) / count : 0.0;

@@ -19,18 +19,14 @@ vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
 }
 
-int coarsest() {
-    return gloam_coarsest_level(method_settings.steps);
-}
-
 // A texel of the level before; nothing outside it.
 Surface finer(ivec2 texel) {
     int level = parameters.level - 1;
     ivec2 size = gloam_level_size(parameters.size, level);
     if (texel.x >= size.x || texel.y >= size.y) return Surface(vec3(0.0), vec3(0.0));
-    vec3 position = gloam_pyramid_position(texel, level, this_camera(), coarsest());
+    vec3 position = gloam_pyramid_position(texel, level, this_camera());
     vec3 normal = level == 0 ? imageLoad(normal_image, texel).xyz
-                             : imageLoad(prepared_image, gloam_pyramid_texel(texel, level, parameters.size, coarsest(),
+                             : imageLoad(prepared_image, gloam_pyramid_texel(texel, level, parameters.size,
                                                                              GLOAM_PYRAMID_NORMALS)).xyz;
     return Surface(position, normal);
 }
@@ -69,8 +65,8 @@ void main() {
         depths[i] = -surfaces[i].position.z;
     }
     Surface one = chosen(surfaces, depths, gloam_mssao_weights(depths, method_settings.range));
-    ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, coarsest(), GLOAM_PYRAMID_POSITIONS);
+    ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, GLOAM_PYRAMID_POSITIONS);
     imageStore(prepared_image, at, vec4(one.position, 0.0));
-    at = gloam_pyramid_texel(texel, parameters.level, parameters.size, coarsest(), GLOAM_PYRAMID_NORMALS);
+    at = gloam_pyramid_texel(texel, parameters.level, parameters.size, GLOAM_PYRAMID_NORMALS);
     imageStore(prepared_image, at, vec4(one.normal, 0.0));
 }

@@ -5,10 +5,10 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/camera.glsl"
 
-// Surfaces at ever smaller resolutions, and what was found there, in one image: level 1, of half the resolution, at the upper left, the
-// smaller ones in a column to its right; three such blocks side by side hold positions, normals and results. A texel of level l stands for
-// the block of 2^l x 2^l pixels that it covers, and the last of a row for what is left of one: sizes are rounded up, so that
-// at any size texel i begins at pixel 2^l i and nothing drifts.
+// Surfaces at ever smaller resolutions, and what was found there, in one image of about the size of the full one: positions of level 1,
+// of half the resolution, in its upper left quarter, normals in the upper right, results in the lower left, and in the fourth likewise
+// the next level. A texel of level l stands for the block of 2^l x 2^l pixels that it covers, and the last of a row for what is left of
+// one: sizes are rounded up, so that at any size texel i begins at pixel 2^l i and nothing drifts.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, in world units.
 float gloam_fetch_depth(ivec2 pixel);
@@ -34,18 +34,16 @@ ivec2 gloam_level_size(ivec2 size, int level) {
 }
 
 // Where in the image of all levels a texel lies.
-// texel: inside its level. size: of the full image. coarsest: the last level. block: of the three above.
-ivec2 gloam_pyramid_texel(ivec2 texel, int level, ivec2 size, int coarsest, int block) {
-    ivec2 half_size = gloam_level_size(size, 1);
-    int width = half_size.x + (coarsest > 1 ? gloam_level_size(size, 2).x : 0);
-    ivec2 at = texel + ivec2(block * width + (level > 1 ? half_size.x : 0), 0);
-    for (int l = 2; l < level; ++l) at.y += gloam_level_size(size, l).y;
+// texel: inside its level, from 1. size: of the full image. kind: one of the three above.
+ivec2 gloam_pyramid_texel(ivec2 texel, int level, ivec2 size, int kind) {
+    ivec2 at = texel + gloam_level_size(size, level) * ivec2(kind & 1, kind >> 1);
+    for (int l = 1; l < level; ++l) at += gloam_level_size(size, l);
     return at;
 }
 
 // Position of the surface that a texel stands for, view space, world units; the zero vector for background.
-vec3 gloam_pyramid_position(ivec2 texel, int level, GloamCamera camera, int coarsest) {
-    if (level > 0) return gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, coarsest, GLOAM_PYRAMID_POSITIONS)).xyz;
+vec3 gloam_pyramid_position(ivec2 texel, int level, GloamCamera camera) {
+    if (level > 0) return gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, GLOAM_PYRAMID_POSITIONS)).xyz;
     float depth = gloam_fetch_depth(texel);
     return gloam_is_background(depth) ? vec3(0.0) : gloam_camera_position(texel, depth, camera);
 }

@@ -24,8 +24,12 @@ const std::vector<OwnValue>& own_values() {
         {"tangent_sphere", own::tangent_sphere},
         {"angle", own::angle},
         {"hbao", own::hbao},
+        {"dual_resolution", own::hbao},  // whose results it takes, or interpolates
         {"gtao", own::gtao},
         {"bitmask", own::bitmask},
+        {"separable", nullptr, "half of a pixel's result is that of the pixels beside it"},
+        {"mssao", nullptr,
+         "most of its samples lie in images of other resolutions, made of the depths' medians"},
     };
     return all;
 }
