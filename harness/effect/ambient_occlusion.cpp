@@ -122,11 +122,12 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
                           {images->depth, positions, images->before, images->reprojected},
                           bytes_of(reprojection_constants)});
     }
-    prepared.append_steps({images->depth, images->normal, history(), method}, passes);
+    const gpu::Image& layers = images->layers ? *images->layers : nothing;
+    prepared.append_steps({images->depth, images->normal, history(), method, layers}, passes);
     passes.push_back({"ambient_occlusion",
                       &pipelines.occlusion(program()),
                       {images->depth, images->normal, history(), images->after, images->tiles, positions,
-                       method, prepared.image_or(nothing), images->layers ? *images->layers : nothing},
+                       method, prepared.image_or(nothing), layers},
                       bytes_of(occlusion_constants)});
     if (filters(settings)) {
         passes.push_back({"filter_x",

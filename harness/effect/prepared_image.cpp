@@ -23,13 +23,16 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
 }
 
 gpu::ComputePipeline preparation_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
-                                          const std::string& file, HistoryPrecision precision) {
+                                          const std::string& file, HistoryPrecision precision,
+                                          std::uint32_t layers) {
     using enum gpu::BindingKind;
     const shader::Spirv spirv = library.compile("preparation/" + file, defines_for(precision));
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
-             .push_constant_bytes = sizeof(PreparationParameters)}};
+             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
+                          storage_image},
+             .push_constant_bytes = sizeof(PreparationParameters),
+             .constants = {{.id = 0, .bits = layers}}}};
 }
 
 }  // namespace
@@ -39,6 +42,7 @@ PreparedImage::PreparedImage(const gpu::Device& device, const scene::PassLibrary
 
 void PreparedImage::take(const View& view, const Settings& settings) {
     precision_ = settings.precision;
+    layers_ = settings.layers;
     preparation_ = preparation_of(settings, view.extent);
     constants_.clear();
     if (!preparation_) {
@@ -53,22 +57,23 @@ void PreparedImage::take(const View& view, const Settings& settings) {
 }
 
 const gpu::ComputePipeline& PreparedImage::pipeline(const std::string& file) {
-    const std::pair key(file, precision_);
+    const std::tuple key(file, precision_, layers_);
     const auto known = pipelines_.find(key);
     if (known != pipelines_.end()) return known->second;
-    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, precision_)).first->second;
+    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, precision_, layers_))
+        .first->second;
 }
 
 void PreparedImage::append_steps(const Sources& sources, std::vector<Step>& steps) {
     if (!preparation_) return;
     for (std::size_t i = 0; i < preparation_->passes.size(); ++i) {
         const PreparationPass& pass = preparation_->passes[i];
-        steps.push_back(
-            {.name = pass.name,
-             .pipeline = &pipeline(pass.file),
-             .resources = {sources.depth, sources.normal, sources.history, *image_, sources.method},
-             .parameters = bytes_of(constants_[i]),
-             .groups = groups_for(pass.invocations)});
+        steps.push_back({.name = pass.name,
+                         .pipeline = &pipeline(pass.file),
+                         .resources = {sources.depth, sources.normal, sources.history, *image_,
+                                       sources.method, sources.layers},
+                         .parameters = bytes_of(constants_[i]),
+                         .groups = groups_for(pass.invocations)});
     }
 }
 

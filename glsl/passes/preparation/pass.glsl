@@ -12,10 +12,13 @@
 //   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used, depth)
 //   3  rgba32f  the prepared image, written and, by passes that build on others, read
 //   4  buffer   a GloamMethod
+//   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is more than 1
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const int layers = 1;  // of depth that the samples see, 1 to 4
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -50,6 +53,12 @@ layout(push_constant) uniform Parameters {
 #include "gloam/temporal/sample_budget.glsl"
 
 layout(binding = 4, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+layout(binding = 5, rgba32f) uniform readonly image2D layer_image;
+
+#define GLOAM_LAYERS layers
+float gloam_fetch_layer(ivec2 pixel, int layer) {
+    return imageLoad(layer_image, pixel)[layer - 1];
+}
 
 GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);

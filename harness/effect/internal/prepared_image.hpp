@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "effect/internal/passes.hpp"
@@ -52,6 +52,7 @@ class PreparedImage {
         const gpu::Image& normal;
         const gpu::Image& history;
         const gpu::Buffer& method;
+        const gpu::Image& layers;
     };
 
     // Compiles what is missing. The steps hold until the next take().
@@ -63,10 +64,11 @@ class PreparedImage {
     const gpu::Device* device_;
     scene::PassLibrary library_;
     HistoryPrecision precision_ = HistoryPrecision::float32;
+    std::uint32_t layers_ = 1;
     std::optional<Preparation> preparation_;
     std::optional<gpu::Image> image_;
     std::vector<PreparationParameters> constants_;  // for each pass
-    std::map<std::pair<std::string, HistoryPrecision>, gpu::ComputePipeline> pipelines_;
+    std::map<std::tuple<std::string, HistoryPrecision, std::uint32_t>, gpu::ComputePipeline> pipelines_;
 };
 
 }  // namespace gloam::effect
