@@ -46,9 +46,10 @@ Scene make_corner() {
     const glm::dvec3 x{extent, 0, 0};
     const glm::dvec3 y{0, extent, 0};
     const glm::dvec3 z{0, 0, extent};
-    Scene scene{.name = "corner", .mesh = make_parallelogram({0, 0, 0}, z, x, cell)};
-    append(scene.mesh, make_parallelogram({0, 0, 0}, x, y, cell));
-    append(scene.mesh, make_parallelogram({0, 0, 0}, y, z, cell));
+    Scene scene{.name = "corner",
+                .mesh = colored(make_parallelogram({0, 0, 0}, z, x, cell), {0.8F, 0.8F, 0.8F})};
+    append(scene.mesh, colored(make_parallelogram({0, 0, 0}, x, y, cell), {0.15F, 0.7F, 0.15F}));
+    append(scene.mesh, colored(make_parallelogram({0, 0, 0}, y, z, cell), {0.8F, 0.1F, 0.1F}));
     scene.camera = {.eye = {3.6, 3.1, 3.9},
                     .target = {0.6, 0.6, 0.6},
                     .fovy_rad = 0.9,

@@ -28,6 +28,7 @@ struct GBuffer {
     // negative where the surface is seen from behind (it ends what lies in front of it); nothing more: not
     // finite.
     std::vector<std::vector<float>> layers;
+    std::vector<glm::vec3> color;  // diffuse albedo, linear, [0, 1]. Empty: white
     CameraFrame camera;
     std::optional<double> ao_radius;  // world units
     gpu::Extent border;  // guard band around the frame, pixels on each side, part of extent (guard_band.hpp)

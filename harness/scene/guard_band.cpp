@@ -68,6 +68,7 @@ GBuffer cropped(const GBuffer& view) {
                   .normal = cropped(view, view.normal),
                   .motion = cropped(view, view.motion),
                   .previous_depth = cropped(view, view.previous_depth),
+                  .color = cropped(view, view.color),
                   .camera = view.camera,
                   .ao_radius = view.ao_radius,
                   .previous_position = cropped(view, view.previous_position),

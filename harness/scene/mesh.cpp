@@ -15,7 +15,17 @@ Bounds bounds_of(const Mesh& mesh) {
     return bounds;
 }
 
+Mesh colored(Mesh mesh, const glm::vec3& color) {
+    mesh.colors.assign(mesh.triangle_count(), color);
+    return mesh;
+}
+
 void append(Mesh& mesh, const Mesh& other) {
+    if (!mesh.colors.empty() || !other.colors.empty()) {
+        mesh.colors.resize(mesh.triangle_count(), default_color);
+        mesh.colors.insert(mesh.colors.end(), other.colors.begin(), other.colors.end());
+        mesh.colors.resize(mesh.triangle_count() + other.triangle_count(), default_color);
+    }
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
     mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());

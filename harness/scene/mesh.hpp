@@ -9,11 +9,15 @@
 
 namespace gloam::scene {
 
+// What has no colour of its own: a light grey.
+constexpr glm::vec3 default_color(0.7F);
+
 // Triangles in world units: three indices each, one normal (unit length) for each position.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<std::uint32_t> indices;
+    std::vector<glm::vec3> colors{};  // diffuse albedo of each triangle, linear, [0, 1]; empty: default_color
 
     [[nodiscard]] std::size_t triangle_count() const { return indices.size() / 3; }
 };
@@ -27,7 +31,10 @@ struct Bounds {
 // Throws std::invalid_argument for a mesh without positions.
 [[nodiscard]] Bounds bounds_of(const Mesh& mesh);
 
-// Adds the triangles of `other`.
+// The mesh in one colour.
+[[nodiscard]] Mesh colored(Mesh mesh, const glm::vec3& color);
+
+// Adds the triangles of `other`, with their colours.
 void append(Mesh& mesh, const Mesh& other);
 
 // The mesh scaled about the origin, then moved.

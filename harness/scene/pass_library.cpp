@@ -39,13 +39,23 @@ std::string with_include(std::string text, const PassLibrary::Replacement& repla
 PassLibrary::PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache)
     : glsl_(std::move(glsl)), cache_(cache) {}
 
-shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines,
+shader::Source PassLibrary::source(const std::string& name, const std::vector<std::string>& defines,
                                    const std::vector<Replacement>& replacements) const {
     const std::filesystem::path file = glsl_ / "passes" / name;
     std::string text = with_defines(shader::read_text(file), defines);
     for (const Replacement& replacement : replacements) text = with_include(std::move(text), replacement);
-    return cache_.compile({.name = file.string(), .text = text},
-                          {.stage = stage_of(file),
+    return {.name = file.string(), .text = text};
+}
+
+std::string PassLibrary::text(const std::string& name, const std::vector<std::string>& defines,
+                              const std::vector<Replacement>& replacements) const {
+    return shader::flatten(source(name, defines, replacements), {glsl_});
+}
+
+shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines,
+                                   const std::vector<Replacement>& replacements) const {
+    return cache_.compile(source(name, defines, replacements),
+                          {.stage = stage_of(name),
                            .include_roots = {glsl_},
                            .variant = {.optimization = shader::Optimization::performance}});
 }

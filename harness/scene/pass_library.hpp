@@ -28,7 +28,14 @@ class PassLibrary {
     [[nodiscard]] shader::Spirv compile(const std::string& name, const std::vector<std::string>& defines = {},
                                         const std::vector<Replacement>& replacements = {}) const;
 
+    // The text that compile() compiles, without an #include. Throws like it, but for what does not compile.
+    [[nodiscard]] std::string text(const std::string& name, const std::vector<std::string>& defines = {},
+                                   const std::vector<Replacement>& replacements = {}) const;
+
   private:
+    [[nodiscard]] shader::Source source(const std::string& name, const std::vector<std::string>& defines,
+                                        const std::vector<Replacement>& replacements) const;
+
     std::filesystem::path glsl_;
     shader::SpirvCache cache_;
 };

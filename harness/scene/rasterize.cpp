@@ -114,7 +114,7 @@ class Shot {
   public:
     Shot(const gpu::Device& device, const Scene& scene, gpu::Extent frame, const RasterizeOptions& options)
         : options_(options),
-          moving_(options.motion || options.ids),
+          moving_(options.motion || options.ids || options.color),
           border_(guard_border(frame, options.guard)),
           now_(with_border(camera_at(scene, options.frame), frame, border_)),
           before_(with_border(camera_at(scene, std::max(0, options.frame - 1)), frame, border_)),
@@ -141,6 +141,7 @@ class Shot {
         }
         view.normal = to_vectors(colors_[1].download());
         if (moving_) read_extras(view);
+        if (options_.color) view.color = colors_of(scene);
         if (options_.layers > 1) {
             view.layers = peel(device, passes, view_space_mesh(scene, options_.frame),
                                {view.extent, view.camera.proj_vk, now_.reversed_z}, options_.layers);
@@ -167,6 +168,18 @@ class Shot {
         gpu::Commands commands(device);
         gpu::render(commands, pipeline, colors, depth_, 0.0F, std::span(&all, 1));
         commands.submit();
+    }
+
+    [[nodiscard]] std::vector<glm::vec3> colors_of(const Scene& scene) const {
+        const std::vector<glm::vec3> of_triangles = view_space_mesh(scene, options_.frame).colors;
+        std::vector<glm::vec3> colors;
+        for (const float triangle : colors_[3].download()) {
+            const auto number = static_cast<std::size_t>(triangle);  // counted from 1; 0: the background
+            const bool own = number > 0 && number <= of_triangles.size();
+            colors.push_back(own ? of_triangles[number - 1]
+                                 : glm::vec3(number > 0 ? 1.0F : 0.0F) * default_color);
+        }
+        return colors;
     }
 
     void read_extras(GBuffer& view) const {
@@ -205,7 +218,7 @@ GBuffer rasterize(const gpu::Device& device, const PassLibrary& passes, const Sc
     if (options.layers < 1 || options.layers > 1 + most_further_layers)
         throw std::invalid_argument("layers " + std::to_string(options.layers) + ": expected 1 to " +
                                     std::to_string(1 + most_further_layers));
-    if (options.ids && view_space_mesh(scene, 0).triangle_count() >= 1U << 24)
+    if ((options.ids || options.color) && view_space_mesh(scene, 0).triangle_count() >= 1U << 24)
         throw std::invalid_argument("scene " + scene.name + ": too many triangles to tell apart");
     return Shot(device, scene, extent, options).take(device, passes, scene);
 }

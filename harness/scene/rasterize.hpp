@@ -13,6 +13,7 @@ struct RasterizeOptions {
     int frame = 0;
     bool motion = false;  // GBuffer::motion and previous_position; in frame 0 nothing has a history
     bool ids = false;     // GBuffer::object and triangle
+    bool color = false;   // GBuffer::color, of the triangles; 0 at the background
     int layers = 1;      // of depth, 1 to 1 + most_further_layers: GBuffer::layers has those behind the first
     double guard = 0.0;  // part of the image drawn around it on each side, 0 to 0.5 (guard_band.hpp)
 };

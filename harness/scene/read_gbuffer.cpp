@@ -70,6 +70,12 @@ std::vector<glm::vec3> with_unit_length(std::vector<glm::vec3> normals, const st
     return normals;
 }
 
+// Albedo: what is no number is 0.
+std::vector<glm::vec3> within_unit(std::vector<glm::vec3> colors) {
+    for (glm::vec3& color : colors) color = is_finite(color) ? glm::clamp(color, 0.0F, 1.0F) : glm::vec3(0);
+    return colors;
+}
+
 // PREFIX_layer1 and so on, as many as there are without a gap.
 std::vector<std::vector<float>> read_layers(const fs::path& stem, gpu::Extent extent) {
     std::vector<std::vector<float>> layers;
@@ -146,6 +152,7 @@ GBuffer read_gbuffer(const fs::path& directory, int frame) {
                     .camera = description.camera,
                     .ao_radius = description.ao_radius,
                     .border = description.border};
+    gbuffer.color = within_unit(to_vectors(read("_color", 3)));
     gbuffer.layers = read_layers(stem, description.extent);
     if (!gbuffer.previous_depth.empty() && gbuffer.motion.empty())
         fail(stem.string() + "_previous_depth.pfm", "there are no motion vectors, which it belongs to");

@@ -18,6 +18,8 @@ void check_mesh(const std::string& name, const Mesh& mesh) {
         fail(fmt::format("{} indices, expected three for each triangle", mesh.indices.size()));
     if (mesh.normals.size() != mesh.positions.size())
         fail(fmt::format("{} normals for {} positions", mesh.normals.size(), mesh.positions.size()));
+    if (!mesh.colors.empty() && mesh.colors.size() != mesh.triangle_count())
+        fail(fmt::format("{} colours for {} triangles", mesh.colors.size(), mesh.triangle_count()));
     for (const std::uint32_t index : mesh.indices) {
         if (index >= mesh.positions.size())
             fail(fmt::format("index {} is beyond its {} positions", index, mesh.positions.size()));

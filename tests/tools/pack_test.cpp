@@ -2,6 +2,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "effect/methods.hpp"
+#include "scene/pass_library.hpp"
+#include "shader/compile.hpp"
 #include "tools/expect.hpp"
 
 namespace gloam::test {
@@ -58,7 +61,38 @@ TEST(Pack, AnEnginesOwnImagesServeThePrototypes) {
     }
 }
 
+// The module of the packed text is that of the pass in the library, to the word: so is every image.
+TEST(Pack, AWholePassIsThePassItself) {
+    const scene::PassLibrary passes(GLOAM_GLSL_DIR);
+    for (const effect::MethodInfo& method : effect::methods()) {
+        const CommandResult result = run_command({"pack", "--method", method.name});
+        expect_success(result);
+        EXPECT_THAT(result.out, Not(HasSubstr("#include"))) << method.name;
+        const shader::Spirv packed =
+            shader::compile({.name = "packed", .text = result.out},
+                            {.stage = shader::Stage::compute,
+                             .variant = {.optimization = shader::Optimization::performance}});
+        EXPECT_EQ(packed, passes.compile("ambient_occlusion.comp", {},
+                                         {{"methods/hemisphere.glsl", "methods/" + method.name + ".glsl"}}))
+            << method.name;
+    }
+}
+
+TEST(Pack, APresetBringsItsSettings) {
+    const CommandResult result = run_command({"pack", "--preset", "gtao-quality"});
+    expect_success(result);
+    EXPECT_THAT(result.out, HasSubstr("gloam_gtao_add"));
+    EXPECT_THAT(result.out, HasSubstr("//   steps = 3\n"));
+    EXPECT_THAT(run_command({"pack", "--method", "disc", "--preset", "fast"}).out,
+                HasSubstr("//   samples = 8\n"));
+}
+
 TEST(Pack, BadInputIsNamed) {
+    expect_could_not_run(run_command({"pack"}), "--method");
+    expect_could_not_run(run_command({"pack", "--method", "magic"}), "magic");
+    expect_could_not_run(run_command({"pack", "--preset", "magic"}), "magic");
+    expect_could_not_run(run_command({"pack", halton, "--method", "disc"}), "give no files");
+    expect_could_not_run(run_command({"pack", "--method", "disc", "--version", "330"}), "330");
     expect_could_not_run(run_command({"pack", "gloam/no/such.glsl"}), "gloam/no/such.glsl");
     expect_could_not_run(run_command({"pack", halton, "--version", "110"}), "110");
     expect_could_not_run(run_command({"pack", halton, "--out", "/no/such/folder/file"}),

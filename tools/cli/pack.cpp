@@ -10,7 +10,12 @@
 #include <vector>
 
 #include "cli/environment.hpp"
+#include "effect/methods.hpp"
+#include "effect/presets.hpp"
+#include "effect/setting_table.hpp"
 #include "report/output_file.hpp"
+#include "scene/pass_library.hpp"
+#include "shader/compile.hpp"
 #include "shader/include.hpp"
 #include "shader/language.hpp"
 
@@ -23,6 +28,8 @@ struct PackOptions {
     std::vector<std::string> files;
     std::string version = "450";
     fs::path out;
+    std::string method;
+    std::string preset;
 };
 
 // A file as given, or by its name inside the library.
@@ -32,7 +39,47 @@ fs::path find_file(const std::string& name, const std::vector<fs::path>& roots) 
     return shader::resolve_include(name, {}, roots);
 }
 
+void put_packed(const report::OutputFile& out, const PackOptions& options, const std::string& text) {
+    if (options.out.empty()) {
+        fmt::print("{}", text);
+    } else {
+        out.write(text);
+    }
+}
+
+// The settings that the pass is given, by the names that `gloam list settings` explains.
+std::string settings_comment(const std::string& preset) {
+    const effect::Settings settings = effect::preset_named(preset).settings;
+    std::string text = fmt::format("// The preset {}, lengths for a radius of 1:\n", preset);
+    for (const effect::Setting& setting : effect::setting_table())
+        text += fmt::format("//   {} = {}\n", setting.name, effect::text_of(setting.get(settings)));
+    return text;
+}
+
+// ambient_occlusion.comp with one method.
+void pack_pass(const PackOptions& options) {
+    if (!options.files.empty())
+        throw std::invalid_argument("--method and --preset pack a whole pass: give no files with them");
+    if (options.version != "450") {
+        throw std::invalid_argument(
+            fmt::format("--version {}: a whole pass is for Vulkan, expected 450", options.version));
+    }
+    std::string method = options.method;
+    if (method.empty()) method = effect::preset_named(options.preset).settings.method;
+    const std::string name = effect::method_named(method).name;
+    const report::OutputFile out(options.out);
+    const scene::PassLibrary passes(glsl_directory());
+    std::string text =
+        passes.text("ambient_occlusion.comp", {}, {{"methods/hemisphere.glsl", "methods/" + name + ".glsl"}});
+    if (!options.preset.empty()) text += "\n" + settings_comment(options.preset);
+    (void)shader::compile({.name = "packed text", .text = text}, {.stage = shader::Stage::compute});
+    put_packed(out, options, text);
+}
+
 void run_pack(const PackOptions& options) {
+    if (!options.method.empty() || !options.preset.empty()) return pack_pass(options);
+    if (options.files.empty())
+        throw std::invalid_argument("nothing to pack: give files, --method NAME or --preset NAME");
     const auto language = shader::language_from(options.version);
     if (!language) {
         throw std::invalid_argument("unknown GLSL version \"" + options.version +
@@ -44,12 +91,7 @@ void run_pack(const PackOptions& options) {
     const report::OutputFile out(options.out);
     const std::string body = shader::flatten(files, roots);
     shader::check_compiles({.name = "packed text", .text = body}, *language, roots);
-    const std::string text = shader::preamble(*language) + body;
-    if (options.out.empty()) {
-        fmt::print("{}", text);
-    } else {
-        out.write(text);
-    }
+    put_packed(out, options, shader::preamble(*language) + body);
 }
 
 }  // namespace
@@ -58,7 +100,11 @@ void add_pack(CLI::App& app) {
     auto options = std::make_shared<PackOptions>();
     CLI::App* command =
         app.add_subcommand("pack", "flatten shader includes into one self-contained GLSL file");
-    command->add_option("file", options->files, "includes, as paths or as gloam/...")->required();
+    command->add_option("file", options->files, "includes, as paths or as gloam/...");
+    command->add_option("--method", options->method,
+                        "instead of files: the whole compute pass of a method (gloam list methods)");
+    command->add_option("--preset", options->preset,
+                        "that of a preset's method, or of --method, with the preset's settings as a comment");
     command->add_option("--version", options->version, "450, 330, 300es or 310es")->capture_default_str();
     command->add_option("--out", options->out, "file to write (standard output when not given)");
     command->callback([options] { run_pack(*options); });

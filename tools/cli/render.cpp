@@ -13,6 +13,7 @@
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/progress.hpp"
+#include "cli/render_directions.hpp"
 #include "cli/render_files.hpp"
 #include "cli/render_history.hpp"
 #include "cli/render_input.hpp"
@@ -72,6 +73,7 @@ class Renderer {
                    .cache_directory = cache_directory()}),
           passes_(glsl_directory(), cache_directory()),
           progress_(progress_bar(input_.name + ": frames")) {
+        if (options.light) environment_ = environment_named(*options.light);
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
         report_ = {.source = input_.name,
                    .preset = options.preset,
@@ -119,7 +121,17 @@ class Renderer {
             report_.frames.push_back(std::move(entry));
             progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
         }
+        write_directions(number + input_.frames_per_view - 1, wide, settings);
         before_ = Before{number, settings.radius, std::move(wide)};
+    }
+
+    // What is asked for beside the occlusion, of the view alone.
+    void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings) {
+        if (!options_.bent_normals && !environment_) return;
+        if (!directional_) directional_.emplace(device_, passes_);
+        if (options_.bent_normals)
+            write_bent_normals(out_, number, directional_->bent_normals(wide, settings));
+        if (environment_) write_light(out_, number, directional_->light(wide, settings, *environment_));
     }
 
     // Why the view has no history; empty: it has.
@@ -197,6 +209,8 @@ class Renderer {
     gpu::Device device_;
     scene::PassLibrary passes_;
     std::optional<effect::AmbientOcclusion> effect_;
+    std::optional<effect::Directional> directional_;
+    std::optional<scene::Environment> environment_;
     std::optional<Before> before_;
     RenderHistory history_;
     std::function<void(double)> progress_;
@@ -235,6 +249,12 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
         "guard band: part of the image rendered around it on each side, so that what lies near "
         "its edge has its neighbourhood; 0 to 0.5, usually 0.05 to 0.1 (default: none)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
+    command.add_flag("--bent-normals", options.bent_normals,
+                     "write the directions in which points are open, and the cones around them, too");
+    command.add_option(
+        "--light", options.light,
+        "white, sky, or an environment as .exr or .pfm: write the scene in its light, with what "
+        "blocks it and what bounces once, too");
     command
         .add_option("--set", options.set, "NAME=VALUE: any setting (gloam list settings); may be repeated")
         ->allow_extra_args(false);

@@ -26,7 +26,9 @@ struct RenderOptions {
     std::optional<float> bias;    // world units; otherwise a part of the radius
     std::optional<float> guard;   // part of the image on each side
     bool no_filter = false;
-    std::vector<std::string> set;  // NAME=VALUE
+    std::vector<std::string> set;      // NAME=VALUE
+    bool bent_normals = false;         // and cones
+    std::optional<std::string> light;  // white, sky or a file: directional occlusion in it
     int repeat = 1;
     std::string device;
     bool validation = false;

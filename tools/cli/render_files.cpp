@@ -12,13 +12,6 @@
 namespace gloam::cli {
 namespace {
 
-std::vector<float> components(const std::vector<glm::vec3>& vectors) {
-    std::vector<float> texels;
-    texels.reserve(3 * vectors.size());
-    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z});
-    return texels;
-}
-
 // Of the surface points, in the camera of the frame before; 0 at the background.
 std::vector<float> previous_depths(const scene::GBuffer& view) {
     if (view.previous_position.empty()) return view.previous_depth;
@@ -29,6 +22,13 @@ std::vector<float> previous_depths(const scene::GBuffer& view) {
 
 }  // namespace
 
+std::vector<float> components_of(const std::vector<glm::vec3>& vectors) {
+    std::vector<float> texels;
+    texels.reserve(3 * vectors.size());
+    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z});
+    return texels;
+}
+
 void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffer& view) {
     const std::string prefix = scene::frame_prefix(number);
     const auto write = [&](const char* name, const std::vector<float>& texels, int channels) {
@@ -36,8 +36,9 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
         folder.write(prefix + name, report::to_pfm(texels, view.extent.width, view.extent.height, channels));
     };
     write("_depth.pfm", view.depth, 1);
-    write("_normal.pfm", components(view.normal), 3);
-    write("_motion.pfm", components(view.motion), 3);
+    write("_normal.pfm", components_of(view.normal), 3);
+    write("_color.pfm", components_of(view.color), 3);
+    write("_motion.pfm", components_of(view.motion), 3);
     if (!view.motion.empty()) write("_previous_depth.pfm", previous_depths(view), 1);
     for (std::size_t i = 0; i < view.layers.size(); ++i)
         write(fmt::format("_layer{}.pfm", i + 1).c_str(), view.layers[i], 1);

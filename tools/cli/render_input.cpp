@@ -85,11 +85,12 @@ RenderInput from_scene(const RenderOptions& options) {
     // Where only the camera moves, its matrices tell everything.
     const bool motion = follows && !scene->objects.empty();
     input.load = [scene, extent, wide, guard, motion, layers = static_cast<int>(settings.layers),
-                  first = options.frame](const gpu::Device& device, const scene::PassLibrary& passes,
-                                         int view) {
+                  color = options.light.has_value(), first = options.frame](
+                     const gpu::Device& device, const scene::PassLibrary& passes, int view) {
         require_allowed(extent, wide, device.info());
-        return scene::rasterize(device, passes, *scene, extent,
-                                {.frame = first + view, .motion = motion, .layers = layers, .guard = guard});
+        return scene::rasterize(
+            device, passes, *scene, extent,
+            {.frame = first + view, .motion = motion, .color = color, .layers = layers, .guard = guard});
     };
     if (options.source == "corner") {
         input.truth = scene::corner_occlusion_at;

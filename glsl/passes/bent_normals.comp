@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Bent normals and cones (Klehm et al. 2011; CS-L): the mean direction in which each point is open, and the half angle of the cone around
+// it that stands for the open directions. One invocation a pixel.
+//
+// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
+//   4  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is open the normal
+//               and 0; zeros at the background
+#include "directional/points.glsl"
+#include "gloam/shading/bent_cone.glsl"
+#include "gloam/shading/bent_normal.glsl"
+
+layout(binding = 4, rgba32f) uniform writeonly image2D bent_image;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    Shaded shaded;
+    if (!shaded_at(pixel, shaded)) {
+        imageStore(bent_image, pixel, vec4(0.0));
+        return;
+    }
+    vec4 bent = vec4(0.0);
+    for (uint i = 0u; i < parameters.samples; ++i) {
+        Sample s = sample_of(shaded, i);
+        if (s.counts) bent = gloam_bent_add(bent, s.direction, s.visibility);
+    }
+    imageStore(bent_image, pixel, vec4(gloam_bent_normal(bent, shaded.normal), gloam_cone_angle(gloam_bent_length(bent))));
+}

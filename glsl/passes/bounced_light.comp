@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// One bounce of light off what blocks (Ritschel, Grosch and Seidel 2009; CS-D), after direct_light.comp. One invocation a pixel.
+// Reads epsilon of the method: the least distance of a sender, d_min.
+//
+// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
+//   4  rgba32f  written: radiance that leaves the surface by the bounce in xyz, 0 at the background. w is 0
+//   5  rgba32f  diffuse albedo in xyz, [0, 1]
+//   6  rgba32f  radiance that the surfaces send: the result of direct_light.comp
+#include "directional/points.glsl"
+#include "gloam/shading/directional_occlusion.glsl"
+
+layout(binding = 4, rgba32f) uniform writeonly image2D light_image;
+layout(binding = 5, rgba32f) uniform readonly image2D albedo_image;
+layout(binding = 6, rgba32f) uniform readonly image2D direct_image;
+
+// What the surface seen at a blocked sample sends to the point.
+vec3 bounced(Shaded shaded, Sample s) {
+    float depth = gloam_fetch_depth(s.pixel);
+    if (gloam_is_background(depth)) return vec3(0.0);
+    vec3 offset = gloam_camera_position(s.pixel, depth, this_camera()) - shaded.position;
+    vec3 sender_normal = gloam_safe_normalize(imageLoad(normal_image, s.pixel).xyz, vec3(0.0));
+    return gloam_ssdo_bounce(offset, shaded.normal, sender_normal, imageLoad(direct_image, s.pixel).xyz, parameters.radius,
+                             method_settings.epsilon, s.visibility);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    Shaded shaded;
+    vec3 sum = vec3(0.0);
+    float count = 0.0;
+    if (shaded_at(pixel, shaded)) {
+        for (uint i = 0u; i < parameters.samples; ++i) {
+            Sample s = sample_of(shaded, i);
+            if (!s.counts) continue;
+            if (s.visibility < 1.0) sum += bounced(shaded, s);
+            count += 1.0;
+        }
+    }
+    imageStore(light_image, pixel, vec4(gloam_ssdo_light(sum, count, imageLoad(albedo_image, pixel).xyz), 0.0));
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Light from an environment, from the directions in which each point is open (Ritschel, Grosch and Seidel 2009; CS-D). One invocation a pixel.
+//
+// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
+//   4  rgba32f  written: radiance that leaves the surface in xyz, in the unit of the environment; 0 at the background. w is 0
+//   5  rgba32f  diffuse albedo in xyz, [0, 1]
+//   6  rgba32f  radiance of the environment in xyz, over directions of the world: columns are longitudes, -z in the middle and +x
+//               to the right of it, rows polar angles from +y; each texel is one value
+#include "directional/points.glsl"
+#include "gloam/numeric/inverse_trigonometry.glsl"
+#include "gloam/shading/directional_occlusion.glsl"
+
+layout(binding = 4, rgba32f) uniform writeonly image2D light_image;
+layout(binding = 5, rgba32f) uniform readonly image2D albedo_image;
+layout(binding = 6, rgba32f) uniform readonly image2D environment_image;
+
+// direction: view space, unit.
+vec3 environment(vec3 direction) {
+    vec3 world = mat3(parameters.world_from_view[0].xyz, parameters.world_from_view[1].xyz, parameters.world_from_view[2].xyz) * direction;
+    ivec2 size = imageSize(environment_image);
+    vec2 at = vec2(0.5 + gloam_atan2(world.x, -world.z) / 6.283185307, gloam_acos(world.y) / 3.141592654);
+    return imageLoad(environment_image, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1)).xyz;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    Shaded shaded;
+    vec3 sum = vec3(0.0);
+    float count = 0.0;
+    if (shaded_at(pixel, shaded)) {
+        for (uint i = 0u; i < parameters.samples; ++i) {
+            Sample s = sample_of(shaded, i);
+            if (!s.counts) continue;
+            sum += gloam_ssdo_direct(s.direction, shaded.normal, environment(s.direction), s.visibility);
+            count += 1.0;
+        }
+    }
+    imageStore(light_image, pixel, vec4(gloam_ssdo_light(sum, count, imageLoad(albedo_image, pixel).xyz), 0.0));
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_DIRECTIONAL_POINTS_GLSL
+#define GLOAM_DIRECTIONAL_POINTS_GLSL
+
+// What the passes share that ask in which directions a point is open: their bindings, and the samples, which are those of Ritschel et al.
+// (2009): points of the half ball around the normal, uniform in direction and radius, each blocked or not as for the method hemisphere.
+//
+// Descriptor set 0 of each of them:
+//   0  r32f     eye-linear depth, world units; background 0 or not finite
+//   1  rgba32f  view-space normal facing the eye in xyz
+//   2  rgba32f  further depth layers, as ambient_occlusion.comp has them; read when layers is more than 1
+//   3  buffer   a GloamMethod
+//   4 and on    as the pass says
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const int layers = 1;  // of depth that the samples see, 1 to 4
+
+layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
+layout(binding = 2, rgba32f) uniform readonly image2D layer_image;
+
+layout(push_constant) uniform Parameters {
+    vec2 p00_p11;           // elements [0][0] and [1][1] of the projection, y down
+    ivec2 size;             // of the images, pixels, with the guard band
+    float radius;           // of influence, world units
+    float bias;             // world units
+    uint samples;           // for each pixel
+    uint orthographic;      // 1, or 0 for perspective
+    mat3x4 world_from_view;  // rotation, of which xyz of each column are meant
+} parameters;
+
+#define GLOAM_LAYERS layers
+float gloam_fetch_layer(ivec2 pixel, int layer) {
+    return imageLoad(layer_image, pixel)[layer - 1];
+}
+
+#include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/occlusion/blocked.glsl"
+#include "gloam/occlusion/point_gather.glsl"
+#include "gloam/sampling/halton.glsl"
+#include "gloam/sampling/hash_rotation.glsl"
+#include "gloam/sampling/hemisphere.glsl"
+#include "gloam/sampling/rotation.glsl"
+
+layout(binding = 3, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+
+float gloam_fetch_depth(ivec2 pixel) {
+    return imageLoad(depth_image, pixel).x;
+}
+
+vec3 gloam_method_point(uint index, float angle) {
+    return gloam_rotate_hemisphere(gloam_hemisphere_uniform(gloam_halton_3d(index)), angle);
+}
+
+float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method) {
+    return gloam_sample_blocked(depth, buffer_depth, kernel.bias, method.range);
+}
+
+// The point that is shaded.
+struct Shaded {
+    vec3 position;  // view space, world units
+    vec3 normal;    // unit
+    mat3 frame;     // tangent, bitangent, normal
+    GloamKernel kernel;
+};
+
+// One direction in which it may be open.
+struct Sample {
+    vec3 direction;    // view space, unit
+    float visibility;  // 1 open, 0 blocked
+    ivec2 pixel;       // where the sample lies
+    bool counts;       // false behind the eye
+};
+
+GloamCamera this_camera() {
+    return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
+}
+
+// Whether there is something to shade at a pixel, and what.
+bool shaded_at(ivec2 pixel, out Shaded shaded) {
+    vec3 normal = imageLoad(normal_image, pixel).xyz;
+    shaded.position = gloam_camera_position(pixel, gloam_fetch_depth(pixel), this_camera());
+    shaded.normal = gloam_safe_normalize(normal, vec3(0.0));
+    shaded.kernel = GloamKernel(parameters.radius, parameters.bias, gloam_hash_rotation(pixel), 0u, parameters.samples);
+    if (!gloam_can_gather(shaded.position, normal, parameters.radius)) return false;
+    shaded.frame = gloam_tangent_frame(normal);
+    return true;
+}
+
+// i: number of the sample, from 0.
+Sample sample_of(Shaded shaded, uint i) {
+    vec3 along = shaded.frame * gloam_method_point(i + 1u, shaded.kernel.angle);
+    vec2 tap = gloam_point_tap(vec2(0.0), shaded.position, shaded.frame, this_camera(), shaded.kernel, method_settings, i + 1u);
+    ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(shaded.position + parameters.radius * along, this_camera()), parameters.size);
+    return Sample(gloam_safe_normalize(along, vec3(0.0)), 1.0 - tap.x, pixel, tap.y > 0.0);
+}
+
+#endif

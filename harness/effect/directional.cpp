@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "effect/directional.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "effect/internal/frame_images.hpp"
+#include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
+#include "scene/guard_band.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum gpu::BindingKind;
+using enum gpu::Format;
+
+// As in directional/points.glsl.
+struct Parameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    float radius;
+    float bias;
+    std::uint32_t samples;
+    std::uint32_t orthographic;
+    std::array<glm::vec4, 3> world_from_view;
+};
+
+Parameters parameters_of(const scene::GBuffer& view, const Settings& settings) {
+    const glm::mat3 world_from_view = glm::transpose(glm::mat3(view.camera.view));
+    Parameters parameters{.p00_p11 = view.camera.p00_p11(),
+                          .size = {static_cast<int>(view.extent.width), static_cast<int>(view.extent.height)},
+                          .radius = settings.radius,
+                          .bias = settings.bias,
+                          .samples = settings.samples,
+                          .orthographic = view.camera.orthographic() ? 1U : 0U,
+                          .world_from_view = {}};
+    for (int i = 0; i < 3; ++i)
+        parameters.world_from_view[static_cast<std::size_t>(i)] = glm::vec4(world_from_view[i], 0.0F);
+    return parameters;
+}
+
+std::vector<float> texels_of(const std::vector<glm::vec3>& vectors) {
+    std::vector<float> texels;
+    texels.reserve(4 * vectors.size());
+    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z, 0.0F});
+    return texels;
+}
+
+std::vector<glm::vec3> vectors_of(const std::vector<float>& texels) {
+    std::vector<glm::vec3> vectors(texels.size() / 4);
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        vectors[i] = {texels[4 * i], texels[4 * i + 1], texels[4 * i + 2]};
+    return vectors;
+}
+
+gpu::ComputePipeline make_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
+                                   const std::string& pass, std::uint32_t layers) {
+    const bool lights = pass != "bent_normals";
+    std::vector<gpu::BindingKind> bindings{storage_image, storage_image, storage_image, storage_buffer,
+                                           storage_image};
+    if (lights) bindings.insert(bindings.end(), 2, storage_image);
+    const shader::Spirv spirv = library.compile(pass + ".comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = bindings,
+             .push_constant_bytes = sizeof(Parameters),
+             .constants = {{.id = 0, .bits = layers}}}};
+}
+
+void require(const scene::GBuffer& view, const Settings& settings) {
+    validate(settings);
+    if (!view.color.empty() && view.color.size() != view.depth.size()) {
+        throw std::invalid_argument(
+            fmt::format("colours: {} pixels, expected {}", view.color.size(), view.depth.size()));
+    }
+    if (view.layers.size() + 1 < settings.layers) {
+        throw std::invalid_argument(fmt::format("layers {}: the view has {}, the first among them",
+                                                settings.layers, view.layers.size() + 1));
+    }
+}
+
+}  // namespace
+
+struct Directional::Impl {
+    Impl(const gpu::Device& the_device, const scene::PassLibrary& passes)
+        : device(&the_device),
+          library(passes),
+          normals(normals_from_depth(the_device, passes)),
+          nothing(the_device, {1, 1}, rgba32f),
+          method(the_device, sizeof(MethodParameters)) {}
+
+    const gpu::Device* device;
+    scene::PassLibrary library;
+    gpu::ComputePipeline normals;
+    std::map<std::pair<std::string, std::uint32_t>, gpu::ComputePipeline> pipelines;  // by pass and layers
+    gpu::Image nothing;
+    gpu::Buffer method;
+
+    [[nodiscard]] const gpu::ComputePipeline& pipeline(const std::string& pass, std::uint32_t layers) {
+        const std::pair key(pass, layers);
+        const auto found = pipelines.find(key);
+        if (found != pipelines.end()) return found->second;
+        return pipelines.emplace(key, make_pipeline(*device, library, pass, layers)).first->second;
+    }
+
+    // A view on the device, with normals.
+    [[nodiscard]] FrameImages taken(const scene::GBuffer& view, const Settings& settings) {
+        require(view, settings);
+        FrameImages images(*device, view.extent, HistoryPrecision::float32);
+        images.take(*device, view);
+        method.as<MethodParameters>()[0] = method_parameters(settings);
+        if (view.normal.empty()) {
+            const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
+            const Step step{
+                "normals_from_depth", &normals, {images.depth, images.normal}, bytes_of(parameters)};
+            (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1);
+        }
+        return images;
+    }
+
+    // Runs a pass that writes `out`; `read` are its bindings behind that.
+    void shade(const std::string& pass, const FrameImages& images, const gpu::Image& out,
+               std::vector<gpu::Resource> read, const scene::GBuffer& view, const Settings& settings) {
+        const Parameters parameters = parameters_of(view, settings);
+        std::vector<gpu::Resource> resources{images.depth, images.normal,
+                                             images.layers ? *images.layers : nothing, method, out};
+        resources.insert(resources.end(), read.begin(), read.end());
+        const Step step{pass, &pipeline(pass, settings.layers), std::move(resources), bytes_of(parameters)};
+        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1);
+    }
+};
+
+Directional::Directional(const gpu::Device& device, const scene::PassLibrary& passes)
+    : impl_(std::make_unique<Impl>(device, passes)) {}
+Directional::~Directional() = default;
+Directional::Directional(Directional&&) noexcept = default;
+Directional& Directional::operator=(Directional&&) noexcept = default;
+
+BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings) {
+    const FrameImages images = impl_->taken(view, settings);
+    const gpu::Image bent(*impl_->device, view.extent, rgba32f);
+    impl_->shade("bent_normals", images, bent, {}, view, settings);
+    const std::vector<float> texels = bent.download();
+    return {.extent = scene::frame_of(view),
+            .direction = scene::cropped(view, vectors_of(texels)),
+            .half_angle = scene::cropped(view, channel(texels, 3))};
+}
+
+DirectionalLight Directional::light(const scene::GBuffer& view, const Settings& settings,
+                                    const scene::Environment& environment) {
+    const FrameImages images = impl_->taken(view, settings);
+    const gpu::Device& device = *impl_->device;
+    gpu::Image albedo(device, view.extent, rgba32f);
+    albedo.upload(view.color.empty() ? std::vector<float>(4 * view.depth.size(), 1.0F)
+                                     : texels_of(view.color));
+    gpu::Image around(device, environment.extent, rgba32f);
+    around.upload(texels_of(environment.radiance));
+    const gpu::Image direct(device, view.extent, rgba32f);
+    const gpu::Image bounced(device, view.extent, rgba32f);
+    impl_->shade("direct_light", images, direct, {albedo, around}, view, settings);
+    impl_->shade("bounced_light", images, bounced, {albedo, direct}, view, settings);
+    return {.extent = scene::frame_of(view),
+            .direct = scene::cropped(view, vectors_of(direct.download())),
+            .bounced = scene::cropped(view, vectors_of(bounced.download()))};
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "gpu/device.hpp"
+#include "scene/environment.hpp"
+#include "scene/gbuffer.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::effect {
+
+// The directions in which points are open (CS-L), rows from the top, without the view's guard band.
+struct BentNormals {
+    gpu::Extent extent;
+    std::vector<glm::vec3>
+        direction;  // their mean: unit, view space; the normal where nothing is open, 0 at the background
+    std::vector<float> half_angle;  // of the cone that stands for them, radians in [0, pi / 2]
+};
+
+// Radiance that leaves the surfaces (CS-D), linear, in the environment's unit, likewise; 0 at the background.
+struct DirectionalLight {
+    gpu::Extent extent;
+    std::vector<glm::vec3> direct;   // of the environment's light, from where the point is open
+    std::vector<glm::vec3> bounced;  // of that, once off what blocks
+};
+
+// What the depth buffer tells of directions: points of the half ball around each pixel, uniform in direction
+// and radius, blocked or not as for the method hemisphere. One frame each, of Settings::samples samples, with
+// its radius, bias, range, layers, and epsilon as the least distance of what sends light; no history.
+class Directional {
+  public:
+    // The device must outlive this. Throws std::runtime_error when a shader does not compile.
+    Directional(const gpu::Device& device, const scene::PassLibrary& passes);
+    ~Directional();
+    Directional(Directional&&) noexcept;
+    Directional& operator=(Directional&&) noexcept;
+
+    // Both throw std::invalid_argument for settings out of range, images whose size disagrees, and fewer
+    // layers than the settings ask for. Normals that are missing are reconstructed from depth.
+    [[nodiscard]] BentNormals bent_normals(const scene::GBuffer& view, const Settings& settings);
+    [[nodiscard]] DirectionalLight light(const scene::GBuffer& view, const Settings& settings,
+                                         const scene::Environment& environment);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gloam::effect

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Bent normals and light by direction, as their passes make them.
+#include "effect/directional.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "effect/ambient_occlusion.hpp"
+#include "numeric/random.hpp"
+#include "reference/geometry/camera.hpp"
+#include "reference/geometry/pixel_center.hpp"
+#include "reference/geometry/plane_depth.hpp"
+#include "reference/occlusion/blocked.hpp"
+#include "reference/sampling/hemisphere.hpp"
+#include "reference/sampling/tangent_frame.hpp"
+#include "reference/shading/directional_occlusion.hpp"
+#include "scene/primitives.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+class Directions : public testing::Test {
+  protected:
+    Directions()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")),
+          directional_(device_, passes_) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+    Directional directional_;
+};
+
+Settings many(float radius = 1.0F) {
+    Settings settings = with_radius({}, radius);
+    settings.samples = 1024;
+    return settings;
+}
+
+// A wall parallel to the image, orthographic. Its left part may stand nearer.
+scene::GBuffer step(float left, float right, double view_height = 8.0) {
+    constexpr gpu::Extent extent{48, 32};
+    scene::GBuffer view{
+        .extent = extent, .depth = {}, .normal = std::vector(std::size_t{48} * 32, glm::vec3(0, 0, 1))};
+    for (std::size_t i = 0; i < view.normal.size(); ++i) view.depth.push_back(i % 48 < 24 ? left : right);
+    view.camera =
+        scene::make_frame({.projection = scene::Projection::orthographic, .view_height = view_height}, 1.5);
+    return view;
+}
+
+// The step hides the left half of the hemisphere from what is beside it; it is higher than the radius.
+constexpr std::size_t beside = 16 * 48 + 24;
+constexpr float high = 1.5F;
+constexpr double close = 0.5;  // view: a pixel's centre is a 128th from the step
+
+double degrees_between(const glm::vec3& a, const glm::vec3& b) {
+    return std::acos(std::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)) * 180.0 / pi;
+}
+
+TEST_F(Directions, AnOpenPlaneBendsNothing) {
+    const BentNormals bent = directional_.bent_normals(step(3.0F, 3.0F), many());
+    for (std::size_t i = 0; i < bent.direction.size(); ++i) {
+        ASSERT_LT(degrees_between(bent.direction[i], {0, 0, 1}), 0.5) << i;
+        ASSERT_NEAR(bent.half_angle[i], 0.5 * pi, 0.02) << i;  // L = 1/2
+    }
+}
+
+TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
+    const BentNormals bent = directional_.bent_normals(step(3.0F - high, 3.0F, close), many());
+    const float diagonal = std::sqrt(0.5F);
+    EXPECT_LT(degrees_between(bent.direction[beside], {diagonal, 0, diagonal}), 10.0);
+    EXPECT_NEAR(bent.half_angle[beside], std::acos(std::sqrt(2.0) - 1.0), 0.1);
+}
+
+// Inside a ball that is small beside the radius nothing is open.
+TEST_F(Directions, WhereNothingIsOpenTheNormalStays) {
+    scene::Scene ball{.name = "ball", .mesh = scene::make_sphere({0, 0, 0}, 1.0, 24, 48)};
+    ball.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .near = 0.01};
+    const scene::GBuffer view = scene::rasterize(device_, passes_, ball, {24, 16});
+    Settings settings = with_radius({}, 1e4F);
+    settings.samples = 32;
+    const BentNormals bent = directional_.bent_normals(view, settings);
+    const DirectionalLight light = directional_.light(view, settings, scene::constant_environment({1, 1, 1}));
+    std::size_t closed = 0;  // a sample that falls beside the image may be open
+    for (std::size_t i = 0; i < bent.direction.size(); ++i) {
+        if (light.direct[i] != glm::vec3(0)) continue;
+        ++closed;
+        ASSERT_EQ(bent.half_angle[i], 0.0F) << i;
+        ASSERT_LT(degrees_between(bent.direction[i], view.normal[i]), 0.1) << i;
+    }
+    EXPECT_GT(closed, bent.direction.size() / 2);
+}
+
+TEST_F(Directions, WhiteLightOnAnOpenPlaneIsWhite) {
+    const DirectionalLight light =
+        directional_.light(step(3.0F, 3.0F), many(), scene::constant_environment({1, 1, 1}));
+    for (std::size_t i = 0; i < light.direct.size(); ++i) {
+        ASSERT_NEAR(light.direct[i].x, 1.0F, 5e-3) << i;
+        ASSERT_EQ(light.bounced[i], glm::vec3(0)) << i;
+    }
+}
+
+// Albedo times light times visibility, whichever directions it is estimated by.
+TEST_F(Directions, ConstantLightIsVisibility) {
+    const scene::GBuffer view =
+        scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36}, {.color = true});
+    const glm::vec3 radiance(0.5F, 2.0F, 1.0F);
+    const DirectionalLight light = directional_.light(view, many(), scene::constant_environment(radiance));
+    AmbientOcclusion effect(device_, passes_, view.extent);
+    effect.begin(view, many());
+    const Frame frame = effect.next();
+    for (std::size_t i = 0; i < view.depth.size(); ++i) {
+        if (!std::isfinite(view.depth[i])) continue;
+        const glm::vec3 expected = view.color[i] * radiance * (1.0F - frame.occlusion[i]);
+        ASSERT_LT(glm::length(light.direct[i] - expected), 0.03F * glm::length(view.color[i] * radiance))
+            << i;
+    }
+}
+
+TEST_F(Directions, LightComesFromWhereItIs) {
+    scene::Environment sides{.extent = {2, 1}, .radiance = {{1, 0, 0}, {0, 1, 0}}};  // -x red, +x green
+    const DirectionalLight light = directional_.light(step(3.0F - high, 3.0F, close), many(), sides);
+    EXPECT_GT(light.direct[beside].y, 0.45F);
+    EXPECT_LT(light.direct[beside].x, 0.1F);
+    const DirectionalLight open = directional_.light(step(3.0F, 3.0F), many(), sides);
+    EXPECT_NEAR(open.direct[beside].x, 0.5F, 0.02F);
+    EXPECT_NEAR(open.direct[beside].y, 0.5F, 0.02F);
+    scene::GBuffer turned = step(3.0F, 3.0F);  // looking down +y: up is the surface's normal
+    turned.camera = scene::make_frame({.target = {0, -1, 0},
+                                       .up = {0, 0, -1},
+                                       .projection = scene::Projection::orthographic,
+                                       .view_height = 8.0},
+                                      1.5);
+    const DirectionalLight sky = directional_.light(turned, many(), scene::sky_environment());
+    EXPECT_GT(sky.direct[beside].z, sky.direct[beside].x + 0.1F);
+}
+
+// One pixel's bounce by the references, from random points.
+glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, const Settings& settings,
+                     glm::ivec2 pixel) {
+    const reference::GloamCamera<double> camera{
+        glm::dvec2(view.camera.p00_p11()),
+        {static_cast<int>(view.extent.width), static_cast<int>(view.extent.height)},
+        view.camera.orthographic()};
+    const auto at = [&](glm::ivec2 p) { return static_cast<std::size_t>(p.y * camera.size.x + p.x); };
+    const glm::dvec3 position =
+        reference::gloam_camera_position(pixel, double{view.depth[at(pixel)]}, camera);
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(view.normal[at(pixel)]));
+    const glm::dmat3 frame = reference::gloam_tangent_frame(normal);
+    const double radius = double{settings.radius};
+    numeric::Random random(11);
+    glm::dvec3 sum(0);
+    constexpr int count = 80'000;
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 point =
+            reference::gloam_hemisphere_uniform(glm::dvec3(random.unit(), random.unit(), random.unit()));
+        const glm::dvec3 there = position + radius * (frame * point);
+        const glm::ivec2 seen =
+            reference::gloam_nearest_pixel(reference::gloam_camera_uv(there, camera), camera.size);
+        const double depth = reference::gloam_plane_depth(seen, there, normal, camera);
+        const double buffer = double{view.depth[at(seen)]};
+        const double blocked =
+            reference::gloam_sample_blocked(depth, buffer, double{settings.bias}, double{settings.range});
+        if (blocked == 0.0) continue;
+        const glm::dvec3 offset = reference::gloam_camera_position(seen, buffer, camera) - position;
+        sum += reference::gloam_ssdo_bounce(offset, normal, glm::dvec3(view.normal[at(seen)]),
+                                            glm::dvec3(light.direct[at(seen)]), radius,
+                                            double{settings.epsilon}, 1.0 - blocked);
+    }
+    return glm::dvec3(view.color[at(pixel)]) * sum / double{count};
+}
+
+// The corner's walls are red and green.
+TEST_F(Directions, AWallTintsTheFloorBesideIt) {
+    const scene::GBuffer view =
+        scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36}, {.color = true});
+    const Settings settings = many();
+    const DirectionalLight light = directional_.light(view, settings, scene::constant_environment({1, 1, 1}));
+    int red = 0;
+    int green = 0;
+    int compared = 0;
+    for (int y = 0; y < 36; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const auto i = static_cast<std::size_t>(64 * y + x);
+            const bool floor = view.color[i].x == view.color[i].y && view.color[i].x > 0.0F;
+            const glm::vec3& bounce = light.bounced[i];
+            if (!floor || bounce.x + bounce.y < 0.05F) continue;
+            red += bounce.x > 1.5F * bounce.y ? 1 : 0;
+            green += bounce.y > 1.5F * bounce.x ? 1 : 0;
+            if (++compared % 20 != 0) continue;
+            const glm::dvec3 expected = bounce_of(view, light, settings, {x, y});
+            EXPECT_LT(glm::length(glm::dvec3(bounce) - expected), 0.05 * glm::length(expected) + 2e-3)
+                << x << " " << y;
+        }
+    }
+    EXPECT_GT(red, 20);
+    EXPECT_GT(green, 20);
+    EXPECT_GT(compared, 100);
+}
+
+TEST_F(Directions, WithoutNormalsAndWithLayersAndABand) {
+    scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("corner"), {31, 17},
+                                           {.color = true, .layers = 2, .guard = 0.25});
+    Settings settings = many();
+    settings.samples = 16;
+    settings.layers = 2;
+    view.normal.clear();
+    const BentNormals bent = directional_.bent_normals(view, settings);
+    EXPECT_EQ(bent.direction.size(), 31U * 17U);
+    for (const glm::vec3& direction : bent.direction) EXPECT_NEAR(glm::length(direction), 1.0F, 1e-5);
+    EXPECT_EQ(directional_.light(view, settings, scene::sky_environment()).bounced.size(), 31U * 17U);
+    settings.layers = 3;
+    EXPECT_THROW((void)directional_.bent_normals(view, settings), std::invalid_argument);
+    settings.layers = 1;
+    view.color.pop_back();
+    EXPECT_THROW((void)directional_.light(view, settings, scene::sky_environment()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gloam::effect

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+
+#include "tools/expect.hpp"
+
+namespace gloam::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+CommandResult render(const fs::path& out, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"render", "corner", "--size", "40x24", "--out", out.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_command(arguments);
+}
+
+TEST(RenderDirections, BentNormalsAndLightAreFiles) {
+    const TemporaryDirectory folder;
+    const fs::path out = folder.path() / "out";
+    expect_success(render(out, {"--bent-normals", "--light", "sky"}));
+    for (const char* name : {"bent.pfm", "bent.png", "cone.pfm", "light.pfm", "light.png", "bounce.pfm"})
+        EXPECT_GT(fs::file_size(out / (std::string("f0000_") + name)), 100U) << name;
+}
+
+TEST(RenderDirections, NothingIsWrittenThatWasNotAskedFor) {
+    const TemporaryDirectory folder;
+    const fs::path out = folder.path() / "out";
+    expect_success(render(out, {}));
+    EXPECT_FALSE(fs::exists(out / "f0000_bent.pfm"));
+    EXPECT_FALSE(fs::exists(out / "f0000_light.pfm"));
+}
+
+TEST(RenderDirections, AnEnvironmentFromAFile) {
+    const TemporaryDirectory folder;
+    const fs::path file = folder.path() / "half.pfm";
+    std::ofstream(file, std::ios::binary) << "PF\n1 1\n-1.0\n"
+                                          << std::string("\0\0\0\x3f\0\0\0\x3f\0\0\0\x3f", 12);
+    expect_success(render(folder.path() / "out", {"--light", file.string()}));
+}
+
+TEST(RenderDirections, BadEnvironmentsAreNamed) {
+    const TemporaryDirectory folder;
+    const fs::path out = folder.path() / "out";
+    expect_could_not_run(render(out, {"--light", "/no/such.exr"}), "/no/such.exr");
+    expect_could_not_run(render(out, {"--light", "noon"}), "noon");
+    const fs::path grey = folder.path() / "grey.pfm";
+    std::ofstream(grey, std::ios::binary) << "Pf\n1 1\n-1.0\n" << std::string(4, '\0');
+    expect_could_not_run(render(out, {"--light", grey.string()}), "grey.pfm");
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(RenderDirections, LayersThatAFolderDoesNotHaveAreNamed) {
+    const TemporaryDirectory folder;
+    const fs::path views = folder.path() / "views";
+    expect_success(render(folder.path() / "out", {"--write-gbuffer", views.string(), "--set", "layers=3"}));
+    EXPECT_TRUE(fs::exists(views / "f0000_layer2.pfm"));
+    const auto again = [&](const char* layers) {
+        return run_command({"render", "--gbuffer", views.string(), "--out", (folder.path() / "b").string(),
+                            "--set", std::string("layers=") + layers});
+    };
+    expect_success(again("3"));
+    expect_could_not_run(again("4"), "layers 4: the view has 3");
+}
+
+}  // namespace
+}  // namespace gloam::test
