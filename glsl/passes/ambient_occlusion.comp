@@ -126,6 +126,11 @@ vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
 }
 
+// Read by the methods that look at the surface under a sample.
+vec3 gloam_fetch_normal(ivec2 pixel) {
+    return imageLoad(normal_image, pixel).xyz;
+}
+
 // Weight that the history keeps after what the probes have seen (TSSAO-SI).
 float weight_after_change(float weight) {
     if (!moving_objects) return weight;

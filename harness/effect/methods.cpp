@@ -36,6 +36,16 @@ void hbao(Settings& s) {
     s.steps = 6;
 }
 
+void mixture(Settings& s) {
+    s.angle_bias = 0.3F;
+}
+
+// The engine's: 0.8 of its unit, up to 3 steps on a side.
+void unreal(Settings& s) {
+    s.epsilon = 0.8F;
+    s.steps = 3;
+}
+
 }  // namespace
 
 const std::vector<MethodInfo>& methods() {
@@ -72,6 +82,20 @@ const std::vector<MethodInfo>& methods() {
          "linear", [](Settings& s) { s.epsilon = 0.1F; }},
         {"mssao", "surface points under discs at several resolutions (Hoang and Low 2012)", cosine,
          "quadratic", [](Settings& s) { s.range = 0.25F, s.steps = 5; }},
+        {"hsao", "the same horizons, marched in eye space (Dimitrov, Bavoil and Sainz 2008)", uniform,
+         "quadratic", hbao},
+        {"poisson", "rays of a lifted Poisson disc (Sourimant et al. 2011)", cosine, "none up to the radius"},
+        {"ssdo", "what of light from everywhere does not arrive (Ritschel, Grosch and Seidel 2009)", cosine,
+         "linear", [](Settings& s) { s.steps = 1; }},
+        {"sphere_proxy", "pixels as balls (Shanmugam and Arikan 2007)", shape, "none up to the radius"},
+        {"disc_proxy", "pixels as discs of their surface (Bunnell 2005)", cosine, "none up to the radius"},
+        {"mixture", "pixels as balls above the biased tangent plane (Song 2010)", shape, "linear", mixture},
+        {"unreal", "nearest steps to both sides, the later shader of Unreal Engine 4", shape, "1 / distance",
+         unreal},
+        {"curvature", "the quadric through the pixel's surroundings (after Hattori et al. 2012)", shape,
+         "none up to the radius"},
+        {"depth_darkening", "unsharp mask of the depth (Luft, Colditz and Deussen 2006)", shape, "none"},
+        {"aksoy_phaneuf_two", "aksoy_phaneuf at a fine and a broad radius", shape, "linear"},
         {"bitmask", "slices of 32 sectors between front and back (Therrien et al. 2023)", cosine, "linear"},
     };
     return all;

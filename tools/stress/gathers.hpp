@@ -65,7 +65,11 @@ constexpr const char* gather_function = "gloam_method_gather";
 [[nodiscard]] inline check::ImageSet gather_images(check::Image depths,
                                                    const std::optional<effect::Preparation>& preparation,
                                                    float prepared) {
-    check::ImageSet images{{"gloam_fetch_depth", std::move(depths)}};
+    // Normals as bad as the depths.
+    check::Image normals = check::make_image<glm::vec3>(
+        depths.size, [&](glm::ivec2 at) { return glm::vec3(0, 0, depths.at<float>(at)); });
+    check::ImageSet images{{"gloam_fetch_depth", std::move(depths)},
+                           {"gloam_fetch_normal", std::move(normals)}};
     if (!preparation) return images;
     const glm::ivec2 size(preparation->image.width, preparation->image.height);
     images.emplace("gloam_fetch_prepared",
