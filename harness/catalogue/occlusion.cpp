@@ -14,6 +14,7 @@ void append_occlusion(Entries& entries) {
     append_volumes(entries);
     append_gathers(entries);
     append_slice_gathers(entries);
+    append_ray_gathers(entries);
     append_occlusion_scalable(entries);
     append_occlusion_layers(entries);
     append_occlusion_proxies(entries);

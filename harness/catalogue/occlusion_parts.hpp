@@ -14,5 +14,6 @@ void append_volumes(Entries& entries);        // methods that pair opposite samp
 void append_slice_methods(Entries& entries);  // methods that work in slices through the eye
 void append_gathers(Entries& entries);        // the estimators of a pixel, which read images
 void append_slice_gathers(Entries& entries);  // those that march along slices
+void append_ray_gathers(Entries& entries);    // those that march along rays, or sum over proxies
 
 }  // namespace gloam::catalogue

@@ -27,10 +27,10 @@ struct GloamProxy {
 };
 
 // Defined by the method: what a piece contributes. normal: of the shaded point, unit.
-// Returns an occlusion in [0, 1] before intensity.
+// Returns an occlusion in [0, 1].
 float gloam_method_proxy_occlusion(GloamProxy proxy, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method);
 
-// Contribution of the piece of surface at a pixel; 0 for background, beyond the radius, and where it is no higher than the bias above the
+// Contribution of the piece of surface at a pixel; 0 for background, beyond the radius or for one that is not finite, and where it is no higher than the bias above the
 // tangent plane.
 // position, normal: of the shaded point, view space, world units; unit normal. at: inside the image.
 // Error: that of the method, but for pieces within rounding of the radius or the bias.
@@ -38,15 +38,15 @@ float gloam_proxy_at(vec3 position, vec3 normal, ivec2 at, GloamCamera camera, G
     float depth = gloam_fetch_depth(at);
     if (gloam_is_background(depth)) return 0.0;
     vec3 offset = gloam_camera_position(at, depth, camera) - position;
-    if (!(dot(offset, normal) > kernel.bias && gloam_length(offset) <= kernel.radius)) return 0.0;
+    if (!(dot(offset, normal) > kernel.bias && gloam_length(offset) <= kernel.radius && kernel.radius <= 3.402823466e38)) return 0.0;
     vec2 pixels = gloam_camera_radius(kernel.radius, depth, camera) * vec2(camera.size);
     return gloam_method_proxy_occlusion(GloamProxy(offset, kernel.radius / pixels, at), normal, camera, kernel, method);
 }
 
 // All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse square, and are weighted
-// so that their mean is the sum over all pixels of the disc but the shaded one.
+// so that their mean is the sum over all pixels of the disc but the shaded one, times the intensity; NaN and what is below 0 as 0.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns (sum, count) for gloam_estimator_mean; outside the image the nearest pixel counts. (0, 0) where there is nothing to
+// Returns (sum, count) for gloam_estimator_mean, the sum at most the count; outside the image the nearest pixel counts. (0, 0) where there is nothing to
 // gather: background, no normal, no radius. Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
 vec2 gloam_proxy_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     vec2 accumulated = vec2(0.0);
@@ -64,7 +64,8 @@ vec2 gloam_proxy_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKer
         float piece = at == pixel ? 0.0 : gloam_proxy_at(position, n, at, camera, kernel, method);
         accumulated = gloam_estimator_add(accumulated, piece > 0.0 ? 2.0 * zeta.y * pixels * piece : 0.0);
     }
-    return accumulated;
+    float sum = method.intensity * accumulated.x;
+    return vec2(sum > 0.0 ? min(sum, accumulated.y) : 0.0, accumulated.y);
 }
 
 #endif

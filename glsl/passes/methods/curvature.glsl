@@ -52,7 +52,7 @@ vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKe
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     vec2 center = gloam_camera_uv(position, camera);
     vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
-    float turned = kernel.angle / 6.283185307;
+    float turned = gloam_unit_interval(kernel.angle / 6.283185307);
     vec2 accumulated = vec2(0.0);
     for (uint i = 0u; i < max(kernel.count / 4u, 1u); ++i) {
         uint index = kernel.first / 4u + i + 1u;

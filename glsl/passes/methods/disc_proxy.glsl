@@ -25,7 +25,7 @@ float gloam_disc_area(GloamProxy proxy, vec3 surface_normal, GloamCamera camera)
 float gloam_method_proxy_occlusion(GloamProxy proxy, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     vec3 emitter = gloam_safe_normalize(gloam_fetch_normal(proxy.pixel), vec3(0.0));
     float area = gloam_disc_area(proxy, emitter, camera);
-    return method.intensity * gloam_contribution_disc_proxy_cosine(proxy.offset, normal, emitter, area, 1.0);
+    return gloam_contribution_disc_proxy_cosine(proxy.offset, normal, emitter, area, 1.0);
 }
 
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {

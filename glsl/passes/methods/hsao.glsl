@@ -15,7 +15,7 @@
 
 GloamRay gloam_method_ray(uint index, mat3 frame, GloamKernel kernel, GloamMethod method) {
     uint slice = index / 2u + 1u;
-    float turned = kernel.angle / 6.283185307;
+    float turned = gloam_unit_interval(kernel.angle / 6.283185307);
     vec2 direction = gloam_circle_point(0.5 * fract(gloam_radical_inverse_base2(slice) + turned));
     if ((index & 1u) == 1u) direction = -direction;
     vec2 start = gloam_hbao_start(gloam_tangent_elevation(frame[2], direction), method.angle_bias);

@@ -22,7 +22,7 @@ float gloam_method_proxy_occlusion(GloamProxy proxy, vec3 normal, GloamCamera ca
     float above = gloam_above_horizon(proxy.offset, gloam_mixture_horizon(proxy.offset, normal, method.angle_bias));
     float weight = gloam_falloff_linear(gloam_length(proxy.offset), kernel.radius);
     float radius = 0.5 * gloam_sqrt(proxy.size.x * proxy.size.y);
-    return method.intensity * above * weight * gloam_contribution_sphere(proxy.offset, normal, radius);
+    return above * weight * gloam_contribution_sphere(proxy.offset, normal, radius);
 }
 
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {

@@ -16,7 +16,7 @@
 GloamRay gloam_method_ray(uint index, mat3 frame, GloamKernel kernel, GloamMethod method) {
     float turn = 6.283185307 * gloam_radical_inverse_base2(index / 64u);
     vec2 disc = gloam_rotate_disc(gloam_poisson_disc(index), kernel.angle + turn);
-    float jitter = fract(gloam_radical_inverse(index + 1u, 3u) + kernel.angle / 6.283185307);
+    float jitter = fract(gloam_radical_inverse(index + 1u, 3u) + gloam_unit_interval(kernel.angle / 6.283185307));
     return GloamRay(frame * gloam_hemisphere_lift(disc), jitter, vec2(0.0));
 }
 

@@ -12,7 +12,7 @@
 
 float gloam_method_proxy_occlusion(GloamProxy proxy, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     float radius = 0.5 * gloam_sqrt(proxy.size.x * proxy.size.y);
-    return method.intensity * gloam_contribution_sphere_cosine(proxy.offset, normal, radius);
+    return gloam_contribution_sphere_cosine(proxy.offset, normal, radius);
 }
 
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {

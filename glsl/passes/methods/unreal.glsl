@@ -15,7 +15,7 @@
 
 GloamRay gloam_method_ray(uint index, mat3 frame, GloamKernel kernel, GloamMethod method) {
     uint pair = index / 2u + 1u;
-    float turned = kernel.angle / 6.283185307;
+    float turned = gloam_unit_interval(kernel.angle / 6.283185307);
     vec2 direction = gloam_circle_point(0.5 * fract(gloam_radical_inverse_base2(pair) + turned));
     if ((index & 1u) == 1u) direction = -direction;
     return GloamRay(vec3(direction, 0.0), fract(gloam_radical_inverse(pair, 3u) + turned), vec2(0.0));

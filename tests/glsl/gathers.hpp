@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "check/shader_test.hpp"
+
+// gloam_method_gather of glsl/passes/methods, and images for it.
+namespace gloam::test {
+
+// As in gloam/geometry/camera.glsl, gloam/occlusion/gather_kernel.glsl and method_parameters.glsl.
+struct Camera {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    bool orthographic;
+};
+struct Samples {
+    float radius;
+    float bias;
+    float angle;
+    unsigned first;
+    unsigned count;
+};
+struct Method {
+    float range = 2.0F;
+    float epsilon = 0.05F;
+    float intensity = 0.2F;
+    float thickness = 1e3F;
+    float angle_bias = 0.0F;
+    float mip_distance = 0.0F;
+    unsigned steps = 16;
+    float disagreement = 0.05F;
+};
+
+using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Samples, Method);
+
+using Depths = std::function<float(glm::ivec2)>;
+using Normals = std::function<glm::vec3(glm::ivec2)>;
+
+// What the eye sees; normals that are not given face it.
+inline check::ImageSet view_of(
+    glm::ivec2 size, const Depths& depth,
+    const Normals& normal = [](glm::ivec2) { return glm::vec3(0, 0, 1); }) {
+    return {{"gloam_fetch_depth", check::make_image<float>(size, depth)},
+            {"gloam_fetch_normal", check::make_image<glm::vec3>(size, normal)}};
+}
+
+}  // namespace gloam::test

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Methods against what defines them where no closed form of a groove does: the sum over every pixel, another
+// method with the same taps, a bowl of known curvature.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+#include "gathers.hpp"
+#include "support/lab.hpp"
+
+namespace gloam {
+namespace {
+
+using glm::dvec3;
+using test::Camera;
+using test::Gather;
+using test::Method;
+using test::Samples;
+
+// An orthographic eye whose pixels are `pixel` wide; the shaded point is in the middle of the middle one.
+constexpr int side = 65;
+constexpr int middle = side / 2;
+constexpr double pixel = 1.0 / 16.0;
+const Camera eye{glm::vec2(2.0 / (side * pixel), -2.0 / (side * pixel)), glm::ivec2(side), true};
+
+// A surface over the image plane, y up.
+struct Surface {
+    std::function<double(double x, double y)> height;
+    std::function<dvec3(double x, double y)> normal;
+
+    static double x(glm::ivec2 p) { return pixel * (p.x - middle); }
+    static double y(glm::ivec2 p) { return -pixel * (p.y - middle); }
+    dvec3 offset(glm::ivec2 p) const { return {x(p), y(p), height(x(p), y(p)) - height(0, 0)}; }
+    check::ImageSet view() const {
+        return test::view_of(
+            glm::ivec2(side), [&](glm::ivec2 p) { return static_cast<float>(5.0 - height(x(p), y(p))); },
+            [&](glm::ivec2 p) { return glm::vec3(normal(x(p), y(p))); });
+    }
+};
+
+class Relatives : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab();
+
+    check::Kernel<Gather> method(const std::string& name) const {
+        return {lab, "passes/methods/" + name + ".glsl", "gloam_method_gather"};
+    }
+    // The mean over that many frames of 256 samples at the middle of the view.
+    double mean(const std::string& name, const Surface& surface, float radius, const Method& settings,
+                unsigned frames) const {
+        std::vector<check::Kernel<Gather>::Inputs> inputs;
+        const glm::vec3 position(0, 0, surface.height(0, 0) - 5.0);
+        for (unsigned f = 0; f < frames; ++f) {
+            const Samples samples{
+                .radius = radius, .bias = 1e-4F, .angle = 0.0F, .first = 256 * f, .count = 256};
+            inputs.emplace_back(position, glm::vec3(surface.normal(0, 0)), eye, samples, settings);
+        }
+        glm::dvec2 sum(0);
+        for (const glm::vec2 part : method(name)(inputs, surface.view())) sum += glm::dvec2(part);
+        return sum.x / sum.y;
+    }
+};
+
+// A floor and a wall that rises from it at x = a, both seen from 45 degrees above.
+Surface corner(double a) {
+    const double slope = std::sqrt(0.5);
+    const dvec3 floor(-slope, 0, slope);
+    const dvec3 wall(slope, 0, slope);
+    // Along x of the image both rise or fall by 45 degrees; the edge is at x = -a cos 45.
+    return {[=](double x, double) { return x < -a * slope ? -x - 2.0 * a * slope : x; },
+            [=](double x, double) { return x < -a * slope ? wall : floor; }};
+}
+
+double occlusion_of_a_ball(const dvec3& offset, const dvec3& n, double radius) {
+    const double squared = glm::dot(offset, offset);
+    return radius * radius / squared * std::max(glm::dot(offset, n), 0.0) / std::sqrt(squared);
+}
+
+// The sum over every pixel of the disc but the point's own.
+double sum_over_pixels(const Surface& surface, double radius,
+                       const std::function<double(const dvec3& offset, glm::ivec2 at)>& piece) {
+    double sum = 0.0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const glm::ivec2 at(x, y);
+            const dvec3 offset = surface.offset(at);
+            const bool own = x == middle && y == middle;
+            if (!own && glm::length(offset) <= radius) sum += piece(offset, at);
+        }
+    }
+    return sum;
+}
+
+TEST_F(Relatives, ProxiesAddUpToTheSumOverAllPixels) {
+    const Surface scene = corner(0.5);
+    const dvec3 n = scene.normal(0, 0);
+    const double balls = sum_over_pixels(scene, 1.0, [&](const dvec3& offset, glm::ivec2) {
+        return occlusion_of_a_ball(offset, n, 0.5 * pixel);
+    });
+    const double bounded = sum_over_pixels(scene, 1.0, [&](const dvec3& offset, glm::ivec2) {
+        const double distance = glm::length(offset);
+        const double x = 0.5 * pixel / distance;
+        return (1.0 - std::sqrt(1.0 - x * x)) * std::max(glm::dot(offset, n), 0.0) / distance *
+               (1.0 - distance);
+    });
+    const double discs = sum_over_pixels(scene, 1.0, [&](const dvec3& offset, glm::ivec2 at) {
+        const double squared = glm::dot(offset, offset);
+        const dvec3 emitter = scene.normal(Surface::x(at), Surface::y(at));
+        const double area = pixel * pixel / emitter.z;
+        return area / (area + std::numbers::pi * squared) * std::max(glm::dot(offset, n), 0.0) *
+               std::max(-glm::dot(offset, emitter), 0.0) / squared;
+    });
+    const Method whole{.intensity = 1.0F};
+    EXPECT_NEAR(mean("sphere_proxy", scene, 1.0F, whole, 64), balls, 0.01 * balls);
+    EXPECT_NEAR(mean("mixture", scene, 1.0F, whole, 64), bounded, 0.01 * bounded);
+    EXPECT_NEAR(mean("disc_proxy", scene, 1.0F, whole, 64), discs, 0.01 * discs);
+}
+
+// Discs that do not hide one another are the occlusion up to the radius: of a wall at half of it,
+// (acos c - c sqrt(1 - c^2)) / pi, c = 1/2.
+TEST_F(Relatives, DiscsOfAWallAreItsOcclusion) {
+    const double exact = (std::acos(0.5) - 0.5 * std::sqrt(0.75)) / std::numbers::pi;
+    EXPECT_NEAR(exact, 0.195501, 1e-6);
+    EXPECT_NEAR(mean("disc_proxy", corner(1.0), 2.0F, Method{.intensity = 1.0F}, 64), exact, 0.005);
+}
+
+// The inside of a ball of radius 4 R / 3: q = R k / 2 = 3 / 8.
+TEST_F(Relatives, ABowlHasTheOcclusionOfItsCurvature) {
+    const double r = 4.0 / 3.0;
+    const auto depth = [=](double x, double y) { return std::sqrt(std::max(r * r - x * x - y * y, 0.1)); };
+    const Surface bowl{[=](double x, double y) { return -depth(x, y); },
+                       [=](double x, double y) { return glm::normalize(dvec3(-x, -y, depth(x, y))); }};
+    const double q = 3.0 / 8.0;
+    EXPECT_NEAR(mean("curvature", bowl, 1.0F, Method{}, 4), q * q / (1.0 + q * q), 1e-4);
+}
+
+// With a radius of so few pixels that the squared and the even steps fall on the same ones, both are the
+// same method.
+TEST_F(Relatives, HsaoIsHbaoWithTheSameTaps) {
+    const Camera camera{glm::vec2(0.5F, 0.5F), glm::ivec2(9), true};  // y up
+    const auto view = test::view_of(camera.size, [](glm::ivec2 p) {
+        return 5.0F - 0.15F * static_cast<float>((p.x * 7 + p.y * 13 + p.x * p.y) % 5);
+    });
+    const glm::vec3 position(0, 0, -5.0F + 0.15F * static_cast<float>((4 * 7 + 4 * 13 + 16) % 5));
+    const auto hbao = method("hbao");
+    const auto hsao = method("hsao");
+    int same = 0;
+    for (unsigned slice = 1; slice <= 256; ++slice) {
+        const auto inverse = [&](unsigned base) {
+            double value = 0.0;
+            double digit = 1.0 / base;
+            for (unsigned i = slice; i > 0; i /= base, digit /= base) value += digit * (i % base);
+            return value;
+        };
+        const double turn = std::numbers::pi * inverse(2);
+        const double radius = 2.5;  // pixels
+        const auto tap = [&](double share) {
+            return glm::ivec2(std::lround(radius * share * std::cos(turn)),
+                              std::lround(radius * share * std::sin(turn)));
+        };
+        bool alike = true;
+        for (int i = 0; i < 2; ++i) {
+            const double share = (i + inverse(3)) / 2.0;
+            alike = alike && tap(share) == tap(share * share);
+        }
+        if (!alike) continue;
+        ++same;
+        const Samples samples{.radius = static_cast<float>(radius * 4.0 / 9.0),
+                              .bias = 1e-4F,
+                              .angle = 0.0F,
+                              .first = 4 * (slice - 1),
+                              .count = 4};
+        const Method settings{.intensity = 1.0F, .steps = 2};
+        const glm::vec3 normal = glm::normalize(glm::vec3(0.3F, -0.2F, 1.0F));
+        const glm::vec2 one = hbao.with_images(view, {position, normal, camera, samples, settings});
+        const glm::vec2 other = hsao.with_images(view, {position, normal, camera, samples, settings});
+        EXPECT_NEAR(one.x, other.x, 4e-6F) << slice;
+        EXPECT_EQ(one.y, other.y);
+    }
+    EXPECT_GT(same, 20);
+}
+
+// Each setting that a method says it reads changes what it says of a rough surface, and no other does.
+struct Reads {
+    std::string method;
+    std::vector<std::string> settings;
+};
+
+class RelativesSettings : public testing::TestWithParam<Reads> {};
+
+TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
+    const check::Lab lab = test::make_lab();
+    const check::Kernel<Gather> gather(lab, "passes/methods/" + GetParam().method + ".glsl",
+                                       "gloam_method_gather");
+    const auto bump = [](glm::ivec2 p) { return static_cast<float>((p.x * 31 + p.y * 17) % 11) / 11.0F; };
+    const auto view = test::view_of(
+        glm::ivec2(side), [&](glm::ivec2 p) { return 5.0F - bump(p); },
+        [&](glm::ivec2 p) {
+            return glm::vec3(4.0F * bump(p) - 2.0F, 2.0F - 4.0F * bump({p.y, p.x}), 1.0F);
+        });
+    const auto result = [&](const Method& method) {
+        const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.5F, .first = 0, .count = 48};
+        return gather.with_images(view, {glm::vec3(0, 0, -4.9F), glm::vec3(0, 0, 1), eye, samples, method});
+    };
+    const Method plain{.range = 0.8F, .intensity = 0.05F, .angle_bias = 0.1F, .steps = 4};
+    std::map<std::string, Method> changed;
+    for (const char* name :
+         {"range", "epsilon", "intensity", "thickness", "angle_bias", "mip_distance", "steps"})
+        changed[name] = plain;
+    changed["range"].range = 0.3F;
+    changed["epsilon"].epsilon = 0.02F;
+    changed["intensity"].intensity = 0.03F;
+    changed["thickness"].thickness = 0.1F;
+    changed["angle_bias"].angle_bias = 0.3F;
+    changed["mip_distance"].mip_distance = 2.0F;
+    changed["steps"].steps = 3;
+    for (const auto& [name, method] : changed) {
+        const bool read = std::ranges::find(GetParam().settings, name) != GetParam().settings.end();
+        EXPECT_EQ(result(method) != result(plain), read) << name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RelativesSettings,
+    testing::Values(Reads{"hsao", {"angle_bias", "intensity", "steps"}}, Reads{"poisson", {"range", "steps"}},
+                    Reads{"ssdo", {"range", "steps"}}, Reads{"sphere_proxy", {"intensity"}},
+                    Reads{"disc_proxy", {"intensity"}}, Reads{"mixture", {"angle_bias", "intensity"}},
+                    Reads{"unreal", {"epsilon", "intensity", "steps"}}, Reads{"curvature", {"range"}},
+                    Reads{"depth_darkening", {"intensity", "range"}},
+                    Reads{"aksoy_phaneuf_two", {"mip_distance"}}),
+    [](const auto& info) { return info.param.method; });
+
+}  // namespace
+}  // namespace gloam
