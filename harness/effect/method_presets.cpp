@@ -37,10 +37,14 @@ Settings study_alchemy(std::uint32_t samples) {
     return settings;
 }
 
-Settings slices(const char* method, std::uint32_t count, std::uint32_t steps) {
-    Settings settings = configuration(method, 2 * count * steps);
+Settings rays(const char* method, std::uint32_t count, std::uint32_t steps) {
+    Settings settings = configuration(method, count * steps);
     settings.steps = steps;
     return settings;
+}
+
+Settings slices(const char* method, std::uint32_t count, std::uint32_t steps) {
+    return rays(method, 2 * count, steps);
 }
 
 // Lengths of a figure of the ISSAO paper, with the radius they go with.
@@ -80,6 +84,11 @@ std::vector<Preset> method_presets() {
         {"angle-quality", "the study's: 32 pairs", studied(configuration("angle", 64))},
         {"sao-performance", "the SAO paper's 9 samples", sao(9)},
         {"sao-quality", "11 samples", sao(11)},
+        {"poisson-performance", "Sourimant's least: 8 rays of 4 steps", rays("poisson", 8, 4)},
+        {"poisson-quality", "and most: 24 rays, of 8 steps", rays("poisson", 24, 8)},
+        {"aksoy_phaneuf-two", "Aksoy and Phaneuf's 32 taps, at two radii",
+         configuration("aksoy_phaneuf_two", 32)},
+        {"unreal-quality", "the engine's 6 mirrored directions of 3 steps", rays("unreal", 12, 3)},
         {"issao-figure3", "the ISSAO paper's figure 3: 12 samples",
          issao({1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F})},
         {"issao-figure4", "its figure 4", issao({1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F})},
