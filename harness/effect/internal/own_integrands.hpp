@@ -19,15 +19,29 @@ namespace gloam::effect::own {
 [[nodiscard]] Integrand sao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand issao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand aksoy_phaneuf(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand aksoy_phaneuf_two(const SeenSurface& seen, const Settings& settings);
 
 // Opposite pairs of them.
 [[nodiscard]] Integrand volumetric(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand tangent_sphere(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand angle(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand depth_darkening(const SeenSurface& seen, const Settings& settings);
 
 // Slices through the eye, of so many steps to each side as the settings say.
 [[nodiscard]] Integrand hbao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand gtao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand bitmask(const SeenSurface& seen, const Settings& settings);
+
+// Rays of so many steps as the settings say.
+[[nodiscard]] Integrand poisson(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand ssdo(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand hsao(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand unreal(const SeenSurface& seen, const Settings& settings);
+
+// Pixels as pieces of surface, and the quadric through them.
+[[nodiscard]] Integrand sphere_proxy(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand disc_proxy(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand mixture(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand curvature(const SeenSurface& seen, const Settings& settings);
 
 }  // namespace gloam::effect::own

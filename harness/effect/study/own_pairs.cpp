@@ -107,4 +107,16 @@ Integrand angle(const SeenSurface& seen, const Settings& s) {
     };
 }
 
+// CS-R: how far the Gaussian mean of the surroundings lies in front.
+Integrand depth_darkening(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const Pair pair = pair_at(seen, u);
+        const double weight = std::exp(-2.0 * u[0]);
+        const double range = double{s.range};
+        const double mean =
+            0.5 * (std::clamp(pair.first, -range, range) + std::clamp(pair.second, -range, range));
+        return weight * glm::dvec2(double{s.intensity} * (mean - double{s.bias}), 1.0);
+    };
+}
+
 }  // namespace gloam::effect::own

@@ -77,4 +77,17 @@ Integrand aksoy_phaneuf(const SeenSurface& seen, const Settings& s) {
     });
 }
 
+// The same at a quarter of the radius as well, both added.
+Integrand aksoy_phaneuf_two(const SeenSurface& seen, const Settings& s) {
+    return [broad = aksoy_phaneuf(seen, s), seen, bias = double{s.bias}](const std::array<double, 3>& u) {
+        const glm::dvec2 place =
+            0.25 * seen.reach() * u[0] * glm::dvec2(std::cos(turn * u[1]), std::sin(turn * u[1]));
+        const Seen surface = seen.at(place);
+        const glm::dvec3& v = surface.offset;
+        const bool counts = !surface.background && glm::dot(v, seen.normal()) > bias;
+        const double fine = counts ? std::max(1.0 - 4.0 * glm::length(v), 0.0) : 0.0;
+        return broad(u) + glm::dvec2(2.0 * u[0] * fine, 0.0);
+    };
+}
+
 }  // namespace gloam::effect::own

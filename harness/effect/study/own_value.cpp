@@ -30,6 +30,16 @@ const std::vector<OwnValue>& own_values() {
         {"separable", nullptr, "half of a pixel's result is that of the pixels beside it"},
         {"mssao", nullptr,
          "most of its samples lie in images of other resolutions, made of the depths' medians"},
+        {"hsao", own::hsao},
+        {"poisson", own::poisson},
+        {"ssdo", own::ssdo},
+        {"unreal", own::unreal},
+        {"sphere_proxy", own::sphere_proxy},
+        {"disc_proxy", own::disc_proxy},
+        {"mixture", own::mixture},
+        {"curvature", own::curvature},
+        {"depth_darkening", own::depth_darkening},
+        {"aksoy_phaneuf_two", own::aksoy_phaneuf_two},
     };
     return all;
 }

@@ -27,7 +27,9 @@ Seen SeenSurface::at(const glm::dvec2& place) const {
     const auto hit = view_->scene.first_hit(origin, direction);
     seen.background = !hit;
     seen.depth = hit ? hit->distance : std::numeric_limits<double>::infinity();
-    if (hit) seen.offset = origin + hit->distance * direction - view_->point;
+    if (!hit) return seen;
+    seen.offset = origin + hit->distance * direction - view_->point;
+    seen.normal = glm::dot(hit->normal, direction) > 0.0 ? -hit->normal : hit->normal;
     return seen;
 }
 

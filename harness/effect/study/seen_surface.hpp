@@ -11,6 +11,7 @@ namespace gloam::effect {
 // What an estimator sees at a place of a view's image.
 struct Seen {
     glm::dvec3 offset{0};  // from the shaded point to the surface, in units of the radius; 0 for background
+    glm::dvec3 normal{0};  // of the surface, unit, facing the eye
     double depth = 0.0;    // eye-linear; infinity for background
     bool background = false;
     bool own_pixel = false;  // that of the shaded point
@@ -29,6 +30,9 @@ class SeenSurface {
 
     // Half the image of a disc parallel to the screen of the radius 1 around the point.
     [[nodiscard]] double reach() const { return orthographic_ ? 1.0 : -1.0 / view_->point.z; }
+
+    // Width of a pixel on the image plane of places; 0 without pixels.
+    [[nodiscard]] double pitch() const { return pitch_; }
 
     // Places are positions on the image plane: x / depth and y / depth, y up; in an orthographic view x and
     // y. With pixels, the surface is that at the centre of the nearest one inside the image.

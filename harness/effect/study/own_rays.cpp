@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "effect/internal/own_integrands.hpp"
+
+namespace gloam::effect::own {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double right_angle = 0.5 * std::numbers::pi;
+
+// A direction over the tangent plane.
+glm::dvec3 direction_over(const glm::dvec3& normal, double azimuth, double cosine) {
+    const glm::dvec3 helper = std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 tangent = glm::normalize(glm::cross(helper, normal));
+    const glm::dvec3 bitangent = glm::cross(normal, tangent);
+    const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+    return sine * (std::cos(azimuth) * tangent + std::sin(azimuth) * bitangent) + cosine * normal;
+}
+
+glm::dvec2 place_of(const SeenSurface& seen, const glm::dvec3& point) {
+    return glm::dvec2(point) / (seen.orthographic() ? 1.0 : -point.z);
+}
+
+// Whether one of the steps lies behind what the eye sees, by more than the bias and at most the range.
+bool blocked(const SeenSurface& seen, const Settings& s, const glm::dvec3& direction, double jitter) {
+    for (std::uint32_t i = 0; i < s.steps; ++i) {
+        const glm::dvec3 at = seen.view().point + (i + jitter) / s.steps * direction;
+        if (!(at.z < 0.0) || seen.at(place_of(seen, at)).own_pixel) continue;
+        const SeenSurface::Compared compared = seen.compared(at);
+        const double in_front = compared.depth - compared.buffer;
+        if (in_front > double{s.bias} && in_front <= double{s.range}) return true;
+    }
+    return false;
+}
+
+// What is seen where the steps of a ray parallel to the image are projected, as far as it stands out of the
+// tangent plane.
+template <class Visit>
+void along_the_image(const SeenSurface& seen, const Settings& s, const glm::dvec3& direction, double jitter,
+                     const Visit& visit) {
+    for (std::uint32_t i = 0; i < s.steps; ++i) {
+        const double share = (i + jitter) / s.steps;
+        const Seen surface = seen.at(share * seen.reach() * glm::dvec2(direction));
+        if (surface.background || surface.own_pixel) continue;
+        if (glm::dot(surface.offset, seen.normal()) > double{s.bias}) visit(surface.offset);
+    }
+}
+
+}  // namespace
+
+// CS-J: rays in cosine-weighted directions, of which the disc has 64 radii.
+Integrand poisson(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const double radius_squared = (std::floor(64.0 * u[0]) + 0.5) / 64.0;
+        const auto direction = direction_over(seen.normal(), turn * u[1], std::sqrt(1.0 - radius_squared));
+        return glm::dvec2(blocked(seen, s, direction, u[2]) ? 1.0 : 0.0, 1.0);
+    };
+}
+
+// CS-D under constant light: uniform directions that count twice their cosine.
+Integrand ssdo(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const auto direction = direction_over(seen.normal(), turn * u[0], u[1]);
+        return glm::dvec2(blocked(seen, s, direction, u[2]) ? 2.0 * u[1] : 0.0, 1.0);
+    };
+}
+
+// CS-C2: HBAO's sum along one ray, what was seen beside it moved into its slice along the tangent plane.
+Integrand hsao(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const glm::dvec3 along(std::cos(turn * u[0]), std::sin(turn * u[0]), 0.0);
+        const glm::dvec3 aside = glm::cross(along, glm::dvec3(0, 0, 1));
+        const glm::dvec3& n = seen.normal();
+        const double turned = glm::dot(aside, n);
+        const double steep = 1.0 - turned * turned;
+        const glm::dvec3 across = steep > 1e-3 ? (aside - turned * n) / steep : aside;
+        const double tangent = std::atan2(-glm::dot(n, along), n.z);
+        double horizon = std::sin(std::min(tangent + double{s.angle_bias}, right_angle));
+        double occlusion = 0.0;
+        along_the_image(seen, s, along, u[1], [&](const glm::dvec3& v) {
+            const glm::dvec3 offset = v - glm::dot(v, aside) * across;
+            const double length = glm::length(offset);
+            if (!(length < 1.0 && offset.z / length > horizon)) return;
+            occlusion += (offset.z / length - horizon) * (1.0 - length * length);
+            horizon = offset.z / length;
+        });
+        return glm::dvec2(double{s.intensity} * occlusion / (1.0 - std::sin(double{s.angle_bias})), 1.0);
+    };
+}
+
+// CS-P, the later shader: the largest sat(epsilon (v . n) / (v . v)) of a side, of which (1 - occ)^2 is open.
+Integrand unreal(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const glm::dvec3 along(std::cos(turn * u[0]), std::sin(turn * u[0]), 0.0);
+        double occlusion = 0.0;
+        along_the_image(seen, s, along, u[1], [&](const glm::dvec3& v) {
+            const double tap = double{s.epsilon} * glm::dot(v, seen.normal()) / glm::dot(v, v);
+            occlusion = std::max(occlusion, std::min(tap, 1.0));
+        });
+        const double open = 1.0 - occlusion;
+        return glm::dvec2(std::min(double{s.intensity}, 1.0) * (1.0 - open * open), 1.0);
+    };
+}
+
+}  // namespace gloam::effect::own

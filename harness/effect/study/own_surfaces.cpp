@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "effect/internal/own_integrands.hpp"
+
+namespace gloam::effect::own {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double turn = 2.0 * pi;
+
+// The piece of surface in a pixel, per area of the pixel at its depth, so that there is a limit of small
+// pixels.
+struct Piece {
+    double distance = 0.0;  // of the shaded point
+    double cosine = 0.0;    // of the offset to its normal
+    double pixel = 0.0;     // width in the scene; 0 in the limit
+    double facing = 0.0;    // cosine of the piece's normal to the offset back
+    double seen_at = 0.0;   // the piece's normal times the view ray, whose part along the axis is 1
+};
+
+// The sum over the pixels within the disc, as an integral over its radius and angle.
+template <class Contribution>
+Integrand pieces(const SeenSurface& seen, const Settings& s, const Contribution& contribution) {
+    return [seen, s, contribution](const std::array<double, 3>& u) {
+        const glm::dvec2 place =
+            seen.reach() * u[0] * glm::dvec2(std::cos(turn * u[1]), std::sin(turn * u[1]));
+        const Seen surface = seen.at(place);
+        if (surface.background || surface.own_pixel) return glm::dvec2(0.0, 1.0);
+        const glm::dvec3& v = surface.offset;
+        const double distance = glm::length(v);
+        const double height = glm::dot(v, seen.normal());
+        if (!(height > double{s.bias} && distance <= 1.0)) return glm::dvec2(0.0, 1.0);
+        const double scale = seen.orthographic() ? 1.0 : surface.depth;
+        const glm::dvec3 position = v + seen.view().point;
+        const glm::dvec3 ray = seen.orthographic() ? glm::dvec3(0, 0, -1) : position / surface.depth;
+        const Piece piece{.distance = distance,
+                          .cosine = height / distance,
+                          .pixel = seen.pitch() * scale,
+                          .facing = std::max(-glm::dot(v, surface.normal) / distance, 0.0),
+                          .seen_at = -glm::dot(surface.normal, ray)};
+        const double disc = pi * seen.reach() * seen.reach() * 2.0 * u[0];  // of places, per radius
+        const double occlusion = disc * scale * scale * contribution(piece, s, seen.normal(), v);
+        return glm::dvec2(double{s.intensity} * occlusion, 1.0);
+    };
+}
+
+// A ball's (r / D)^2 and its share of the half space, r half the pixel's width, per area of the pixel.
+double ball(const Piece& piece) {
+    return 0.25 / (piece.distance * piece.distance);
+}
+double ball_fraction(const Piece& piece) {
+    const double x = 0.5 * piece.pixel / piece.distance;
+    return ball(piece) / (1.0 + std::sqrt(1.0 - x * x));
+}
+
+// The surface at an end of a cross, as it differs from the shaded point; nothing for another surface.
+struct End {
+    glm::dvec3 offset{0};
+    glm::dvec3 turn{0};
+};
+
+End end_at(const SeenSurface& seen, const glm::dvec2& place, double range) {
+    const Seen surface = seen.at(place);
+    if (surface.background || glm::length(surface.offset) > range) return {};
+    return {surface.offset, surface.normal - seen.normal()};
+}
+
+// The curvature of the surface in the direction at an angle from the first arm, of the quadratic form that
+// the changes of position and normal along both arms give.
+double curvature_at(const End& first, const End& second, double angle) {
+    const double length = glm::length(first.offset);
+    if (length < 1e-9) return 0.0;
+    const glm::dvec3 along = first.offset / length;
+    const double shear = glm::dot(second.offset, along);
+    const double across = glm::length(second.offset - shear * along);
+    if (across < 1e-4 * glm::length(second.offset) || across == 0.0) return 0.0;
+    const double b = std::sin(angle) / across;
+    const double a = (std::cos(angle) - b * shear) / length;
+    const glm::dvec3 step = a * first.offset + b * second.offset;
+    return -glm::dot(step, a * first.turn + b * second.turn);
+}
+
+}  // namespace
+
+// CS-H: balls as wide as their pixels, cosine-weighted.
+Integrand sphere_proxy(const SeenSurface& seen, const Settings& s) {
+    return pieces(seen, s, [](const Piece& piece, const Settings&, const glm::dvec3&, const glm::dvec3&) {
+        return ball(piece) * piece.cosine;
+    });
+}
+
+// CS-S: discs of the surface's area and normal, cosine-weighted.
+Integrand disc_proxy(const SeenSurface& seen, const Settings& s) {
+    return pieces(seen, s, [](const Piece& piece, const Settings&, const glm::dvec3&, const glm::dvec3&) {
+        const double seen_at = std::max(piece.seen_at, 0.05);
+        const double area = piece.pixel * piece.pixel / seen_at;
+        const double share = 1.0 / (seen_at * (area + pi * piece.distance * piece.distance));
+        return share * piece.cosine * piece.facing;
+    });
+}
+
+// CS-H: balls by their solid angle, above the biased tangent plane, linear falloff.
+Integrand mixture(const SeenSurface& seen, const Settings& s) {
+    return pieces(
+        seen, s, [](const Piece& piece, const Settings& settings, const glm::dvec3& n, const glm::dvec3& v) {
+            const double across = glm::length(glm::dvec2(v));
+            const double slope = across > 0.0 ? -glm::dot(glm::dvec2(n), glm::dvec2(v)) / across : 0.0;
+            const double least = std::atan2(slope, n.z) + double{settings.angle_bias};
+            if (!(std::atan2(v.z, across) > std::min(least, 0.5 * pi))) return 0.0;
+            return ball_fraction(piece) * piece.cosine * (1.0 - piece.distance);
+        });
+}
+
+// CS-K: the mean over directions of sin^2 of the quadric's horizon, from crosses of half the radius to all of
+// it.
+Integrand curvature(const SeenSurface& seen, const Settings& s) {
+    return [seen, range = double{s.range}](const std::array<double, 3>& u) {
+        const double share = (0.5 + 0.5 * u[0]) * seen.reach();
+        // The image's y points down, and so do its crosses.
+        const glm::dvec2 arm =
+            share * glm::dvec2(std::cos(0.25 * turn * u[1]), -std::sin(0.25 * turn * u[1]));
+        const glm::dvec2 other(arm.y, -arm.x);
+        const auto across = [&](const glm::dvec2& along) {
+            const End ahead = end_at(seen, along, range);
+            const End behind = end_at(seen, -along, range);
+            return End{ahead.offset - behind.offset, ahead.turn - behind.turn};
+        };
+        const double q = 0.5 * std::max(curvature_at(across(arm), across(other), turn * u[2]), 0.0);
+        return glm::dvec2(q * q / (1.0 + q * q), 1.0);
+    };
+}
+
+}  // namespace gloam::effect::own
