@@ -6,6 +6,7 @@
 #include "gloam/geometry/length.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/sampling/circle.glsl"
@@ -24,23 +25,30 @@ struct GloamProxy {
     vec3 offset;  // from the shaded point, view space, world units
     vec2 size;    // of the pixel at that depth, world units
     ivec2 pixel;  // inside the image
+    int layer;    // 0: what the eye sees there; 1 and more: behind it
 };
 
 // Defined by the method: what a piece contributes. normal: of the shaded point, unit.
 // Returns an occlusion in [0, 1].
 float gloam_method_proxy_occlusion(GloamProxy proxy, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method);
 
-// Contribution of the piece of surface at a pixel; 0 for background, beyond the radius or for one that is not finite, and where it is no higher than the bias above the
+// Contribution of the piece of surface at a pixel, of the layers the largest; 0 for background, beyond the radius or for one that is not finite, and where it is no higher than the bias above the
 // tangent plane.
 // position, normal: of the shaded point, view space, world units; unit normal. at: inside the image.
 // Error: that of the method, but for pieces within rounding of the radius or the bias.
 float gloam_proxy_at(vec3 position, vec3 normal, ivec2 at, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
-    float depth = gloam_fetch_depth(at);
-    if (gloam_is_background(depth)) return 0.0;
-    vec3 offset = gloam_camera_position(at, depth, camera) - position;
-    if (!(dot(offset, normal) > kernel.bias && gloam_length(offset) <= kernel.radius && kernel.radius <= 3.402823466e38)) return 0.0;
-    vec2 pixels = gloam_camera_radius(kernel.radius, depth, camera) * vec2(camera.size);
-    return gloam_method_proxy_occlusion(GloamProxy(offset, kernel.radius / pixels, at), normal, camera, kernel, method);
+    float occlusion = 0.0;
+    for (int layer = 0; layer < GLOAM_LAYERS; ++layer) {
+        float depth = layer == 0 ? gloam_fetch_depth(at) : abs(GLOAM_FURTHER_LAYER(at, layer));
+        if (gloam_is_background(depth)) break;
+        vec3 offset = gloam_camera_position(at, depth, camera) - position;
+        bool near = gloam_length(offset) <= kernel.radius && kernel.radius <= 3.402823466e38;
+        if (!(near && dot(offset, normal) > kernel.bias)) continue;
+        vec2 pixels = gloam_camera_radius(kernel.radius, depth, camera) * vec2(camera.size);
+        GloamProxy proxy = GloamProxy(offset, kernel.radius / pixels, at, layer);
+        occlusion = max(occlusion, gloam_method_proxy_occlusion(proxy, normal, camera, kernel, method));
+    }
+    return occlusion;
 }
 
 // All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse square, and are weighted

@@ -5,6 +5,7 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/plane_depth.glsl"
 #include "gloam/occlusion/estimator.glsl"
+#include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/sampling/eye_march.glsl"
@@ -44,7 +45,7 @@ vec2 gloam_method_ray_end(GloamRay ray, vec3 normal, GloamMethod method);
 // All steps of a ray, evenly spaced up to the radius.
 // position: of the shaded point, view space, world units. normal: of it, unit.
 // Returns the ray with what the method has seen; outside the image the nearest pixel counts. Background, the point's own pixel and steps
-// that are not in front of the eye do not. Error: that of the method's steps, but for points within rounding of a pixel's border.
+// that are not in front of the eye do not. Further layers are further steps at the same place. Error: that of the method's steps, but for points within rounding of a pixel's border.
 GloamRay gloam_ray_march(GloamRay ray, vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(position, camera), camera.size);
     int steps = int(method.steps);
@@ -52,11 +53,13 @@ GloamRay gloam_ray_march(GloamRay ray, vec3 position, vec3 normal, GloamCamera c
         vec3 at = gloam_eye_march(position, ray.direction, kernel.radius, i, steps, ray.jitter);
         if (gloam_is_background(-at.z) || !gloam_is_finite2(at.xy)) continue;
         ivec2 there = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
-        float depth = gloam_fetch_depth(there);
-        if (there == pixel || gloam_is_background(depth)) continue;
-        vec3 offset = gloam_camera_position(there, depth, camera) - position;
-        GloamRayTap tap = GloamRayTap(offset, gloam_plane_depth(there, at, normal, camera), depth);
-        ray.seen = gloam_method_ray_step(ray, tap, normal, kernel, method);
+        for (int layer = 0; layer < GLOAM_LAYERS; ++layer) {
+            float depth = layer == 0 ? gloam_fetch_depth(there) : abs(GLOAM_FURTHER_LAYER(there, layer));
+            if (there == pixel || gloam_is_background(depth)) break;
+            vec3 offset = gloam_camera_position(there, depth, camera) - position;
+            GloamRayTap tap = GloamRayTap(offset, gloam_plane_depth(there, at, normal, camera), depth);
+            ray.seen = gloam_method_ray_step(ray, tap, normal, kernel, method);
+        }
     }
     return ray;
 }

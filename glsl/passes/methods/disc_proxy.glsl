@@ -8,7 +8,8 @@
 // Discs in the place of pixels (Bunnell, GPU Gems 2, on what the eye sees; CS-S): each pixel within the radius is a disc of the surface's area
 // there and its normal, which blocks A / (A + pi D^2) times both cosines: the exact cosine-weighted occlusion up to the radius, of surfaces
 // that do not hide one another. A surface through the point itself is seen edge-on from there and blocks nothing: a groove is open along its
-// line. Reads intensity, a factor of the sum.
+// line. Of further layers nobody knows the normals: they do not count.
+// Reads intensity, a factor of the sum.
 
 // Defined by the user: view-space normal facing the eye of a pixel inside the image, any length.
 vec3 gloam_fetch_normal(ivec2 pixel);
@@ -23,6 +24,7 @@ float gloam_disc_area(GloamProxy proxy, vec3 surface_normal, GloamCamera camera)
 }
 
 float gloam_method_proxy_occlusion(GloamProxy proxy, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
+    if (proxy.layer > 0) return 0.0;
     vec3 emitter = gloam_safe_normalize(gloam_fetch_normal(proxy.pixel), vec3(0.0));
     float area = gloam_disc_area(proxy, emitter, camera);
     return gloam_contribution_disc_proxy_cosine(proxy.offset, normal, emitter, area, 1.0);

@@ -21,7 +21,7 @@ GloamRay gloam_method_ray(uint index, mat3 frame, GloamKernel kernel, GloamMetho
 }
 
 vec2 gloam_method_ray_step(GloamRay ray, GloamRayTap tap, vec3 normal, GloamKernel kernel, GloamMethod method) {
-    return vec2(gloam_sample_blocked(tap.depth, tap.buffer_depth, kernel.bias, method.range), 0.0);
+    return vec2(max(ray.seen.x, gloam_sample_blocked(tap.depth, tap.buffer_depth, kernel.bias, method.range)), 0.0);
 }
 
 vec2 gloam_method_ray_end(GloamRay ray, vec3 normal, GloamMethod method) {

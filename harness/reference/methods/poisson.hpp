@@ -20,9 +20,10 @@ struct PoissonMethod {
                                gloam_unit_interval(T(kernel.angle / T(6.283185307F))));
         return {frame * gloam_hemisphere_lift(disc), jitter, vec2<T>(T(0), T(0))};
     }
-    vec2<T> step(GloamRay<T> /*ray*/, GloamRayTap<T> tap, vec3<T> /*normal*/, GloamKernel<T> kernel,
+    vec2<T> step(GloamRay<T> ray, GloamRayTap<T> tap, vec3<T> /*normal*/, GloamKernel<T> kernel,
                  GloamMethod<T> method) const {
-        return vec2<T>(gloam_sample_blocked(tap.depth, tap.buffer_depth, kernel.bias, method.range), T(0));
+        const T blocked = gloam_sample_blocked(tap.depth, tap.buffer_depth, kernel.bias, method.range);
+        return vec2<T>(max(ray.seen.x, blocked), T(0));
     }
     vec2<T> end(GloamRay<T> ray, vec3<T> /*normal*/, GloamMethod<T> /*method*/) const {
         return vec2<T>(ray.seen.x, T(1));

@@ -21,6 +21,7 @@ struct GloamProxy {
     vec3<T> offset;
     vec2<T> size;
     glm::ivec2 pixel;
+    int layer;
 };
 
 template <class T, class Method, class Fetch>
@@ -34,7 +35,7 @@ T gloam_proxy_at(vec3<T> position, vec3<T> normal, glm::ivec2 at, GloamCamera<T>
         return T(0);
     const vec2<T> size(T(camera.size.x), T(camera.size.y));
     const vec2<T> pixels = gloam_camera_radius(kernel.radius, depth, camera) * size;
-    const GloamProxy<T> proxy{offset, kernel.radius / pixels, at};
+    const GloamProxy<T> proxy{offset, kernel.radius / pixels, at, 0};
     return method.occlusion(proxy, normal, camera, kernel, parameters);
 }
 
