@@ -22,6 +22,27 @@ TEST(Plot, IsAnSvgThatNamesItsCurves) {
         EXPECT_THAT(svg, HasSubstr(text));
 }
 
+TEST(Plot, DrawsFrontsWithTheirLabelsAndPng) {
+    const Plot plot{.title = "front",
+                    .x = "time",
+                    .y = "error",
+                    .logarithmic = true,
+                    .curves = {{"all", {{1, 4}, {2, 3}, {3, 3}}, CurveStyle::background},
+                               {"some", {{2, 3}}, CurveStyle::points},
+                               {"best", {{1, 4}, {2, 3}}, CurveStyle::steps, {"first/4", "second/8"}}}};
+    const std::string svg = to_svg(plot);
+    for (const char* text : {"all", "some", "best", "first/4", "second/8"}) EXPECT_THAT(svg, HasSubstr(text));
+    EXPECT_THAT(to_png(plot), testing::StartsWith("\x89PNG"));
+}
+
+TEST(Plot, LabelsOfAnotherNumberAreAnError) {
+    EXPECT_THAT(
+        [] {
+            (void)to_svg({.title = "t", .curves = {{"c", {{1, 1}, {2, 2}}, CurveStyle::steps, {"one"}}}});
+        },
+        testing::ThrowsMessage<std::invalid_argument>(HasSubstr("1 labels, expected 2")));
+}
+
 TEST(Plot, WithoutAPointIsAnError) {
     EXPECT_THAT(
         [] {

@@ -32,6 +32,27 @@ std::string line_of(const Row& row, bool bold) {
                        static_cast<double>(q.memory_bytes) / (1024.0 * 1024.0));
 }
 
+// Of each method or preset, single and temporal, the row with the least error.
+std::vector<const Row*> best_of(const Benchmark& benchmark, const std::string& scene) {
+    std::vector<const Row*> best;
+    for (const Row& row : benchmark.rows) {
+        if (row.configuration.scene != scene) continue;
+        Configuration family = row.configuration;
+        family.samples = 0;
+        const auto found = std::ranges::find(best, family, [](const Row* other) {
+            Configuration its = other->configuration;
+            its.samples = 0;
+            return its;
+        });
+        if (found == best.end()) {
+            best.push_back(&row);
+        } else if (row.quality.geometry < (*found)->quality.geometry) {
+            *found = &row;
+        }
+    }
+    return best;
+}
+
 }  // namespace
 
 std::string scene_front_table(const Benchmark& benchmark, const std::string& scene) {
@@ -40,13 +61,11 @@ std::string scene_front_table(const Benchmark& benchmark, const std::string& sce
     return text;
 }
 
-std::string scene_table(const Benchmark& benchmark, const std::string& scene) {
+std::string best_table(const Benchmark& benchmark, const std::string& scene) {
     const std::vector<const Row*> front = front_of(benchmark, scene);
     std::string text = row_titles;
-    for (const Row& row : benchmark.rows) {
-        if (row.configuration.scene == scene)
-            text += line_of(row, std::ranges::find(front, &row) != front.end());
-    }
+    for (const Row* row : best_of(benchmark, scene))
+        text += line_of(*row, std::ranges::find(front, row) != front.end());
     return text;
 }
 

@@ -14,8 +14,9 @@ namespace gloam::report {
 // SSIM, flicker, memory.
 [[nodiscard]] std::string scene_front_table(const Benchmark& benchmark, const std::string& scene);
 
-// All rows of a scene, in the same columns; those on the front are bold.
-[[nodiscard]] std::string scene_table(const Benchmark& benchmark, const std::string& scene);
+// The row with the least RMSE (G) of each method and preset, single and temporal, in the same columns; those
+// on the front are bold.
+[[nodiscard]] std::string best_table(const Benchmark& benchmark, const std::string& scene);
 
 // The front over all scenes: choice, copies, milliseconds, error relative to each scene's best, mean error.
 [[nodiscard]] std::string overall_table(const Benchmark& benchmark);

@@ -6,31 +6,27 @@
 #include <stdexcept>
 
 #include "cli/bench/answers.hpp"
+#include "cli/bench/benchmark_files.hpp"
 #include "cli/bench/configurations.hpp"
+#include "cli/bench/framework.hpp"
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/measure.hpp"
+#include "cli/bench/scaling.hpp"
 #include "cli/environment.hpp"
-#include "cli/read_text.hpp"
+#include "cli/progress.hpp"
 #include "effect/study/copy_clock.hpp"
-#include "report/benchmark/benchmark_json.hpp"
 #include "report/benchmark/budget.hpp"
 #include "report/benchmark/compare.hpp"
+#include "report/benchmark/join.hpp"
 #include "report/benchmark/pareto.hpp"
 #include "report/benchmark/tables.hpp"
-#include "report/output_file.hpp"
-#include "report/output_folder.hpp"
 
 namespace gloam::cli {
 namespace {
 
-report::Benchmark benchmark_of(const std::filesystem::path& file) {
-    const std::string text = read_text(file);
-    try {
-        return report::benchmark_from_json(text);
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(
-            fmt::format("{} is not what `gloam bench --json` writes: {}", file.string(), error.what()));
-    }
+// Scaling and framework, where they are asked for, are all that is measured.
+bool asks_for_time_against_error(const BenchmarkOptions& options) {
+    return !options.scaling && !options.framework;
 }
 
 void check(const BenchmarkOptions& options) {
@@ -42,55 +38,43 @@ void check(const BenchmarkOptions& options) {
     if (!options.compare.empty() || !options.from.empty()) return;
     (void)configurations_of(options);
     (void)image_size(options.size);
+    check_scaling(options);
 }
 
 int compare_files(const BenchmarkOptions& options) {
     const report::Comparison comparison =
-        report::compared(benchmark_of(options.compare.at(0)), benchmark_of(options.compare.at(1)));
+        report::compared(benchmark_from(options.compare.at(0)), benchmark_from(options.compare.at(1)));
     fmt::print("{}", report::to_text(comparison));
     return options.fail_if_worse && comparison.got_worse() ? 1 : 0;
 }
 
-void print_fronts(const report::Benchmark& benchmark) {
-    fmt::print("{} ({}), {} x {} pixels; a copy takes {:.4f} ms. Pareto fronts, time against RMSE (G):\n",
-               benchmark.device, benchmark.driver, benchmark.width, benchmark.height,
-               benchmark.copy_ms.median);
-    for (const std::string& scene : report::scenes_of(benchmark))
-        fmt::print("\n{}\n\n{}", scene, report::scene_front_table(benchmark, scene));
-    fmt::print("\nall scenes\n\n{}", report::overall_table(benchmark));
+void print_tables(const report::Benchmark& benchmark) {
+    if (!benchmark.rows.empty()) {
+        fmt::print("{} ({}), {} x {} pixels; a copy takes {:.4f} ms. Pareto fronts, time against RMSE (G):\n",
+                   benchmark.device, benchmark.driver, benchmark.width, benchmark.height,
+                   benchmark.copy_ms.median);
+        for (const std::string& scene : report::scenes_of(benchmark))
+            fmt::print("\n{}\n\n{}", scene, report::scene_front_table(benchmark, scene));
+        fmt::print("\nall scenes\n\n{}", report::overall_table(benchmark));
+    }
+    if (!benchmark.scaling.empty()) fmt::print("\nscaling\n\n{}", report::scaling_table(benchmark));
+    if (!benchmark.framework.empty()) fmt::print("\nframework\n\n{}", report::framework_table(benchmark));
 }
 
-// The files of one run: whether they can be written is found out before it.
-class Outputs {
-  public:
-    explicit Outputs(const BenchmarkOptions& options) : json_(options.json), csv_(options.csv) {
-        if (!options.out.empty()) folder_.emplace(options.out);
-    }
-
-    // The journal is worth keeping whatever happens next.
-    void keep_folder() {
-        if (folder_) folder_->keep();
-    }
-
-    void write(const report::Benchmark& benchmark) {
-        json_.write(report::to_json(benchmark));
-        csv_.write(report::to_csv(benchmark));
-        if (!folder_) return;
-        folder_->write("results.json", report::to_json(benchmark));
-        folder_->write("results.csv", report::to_csv(benchmark));
-        folder_->keep();
-    }
-
-  private:
-    report::OutputFile json_;
-    report::OutputFile csv_;
-    std::optional<report::OutputFolder> folder_;
-};
-
-int report_on(const report::Benchmark& benchmark, const BenchmarkOptions& options, Outputs& outputs) {
-    outputs.write(benchmark);
-    print_fronts(benchmark);
+int report_on(const report::Benchmark& benchmark, const BenchmarkOptions& options, BenchmarkFiles& files) {
+    files.write(benchmark);
+    print_tables(benchmark);
     return answer(benchmark, options) ? 0 : 1;
+}
+
+report::Benchmark measured(const BenchmarkOptions& options, const gpu::Device& device) {
+    const scene::PassLibrary passes(glsl_directory(), cache_directory());
+    if (asks_for_time_against_error(options)) return measured_benchmark(options, device, passes);
+    report::Benchmark benchmark{.device = device.info().name, .driver = device.info().driver};
+    if (options.scaling) benchmark.scaling = measured_scaling(options, device, passes);
+    if (options.framework)
+        benchmark.framework = framework_figures(options.device, options.repeat, progress_bar("framework"));
+    return benchmark;
 }
 
 }  // namespace
@@ -99,18 +83,19 @@ int run_benchmark(const BenchmarkOptions& options) {
     check(options);
     if (!options.compare.empty()) return compare_files(options);
     if (!options.from.empty()) {
-        const report::Benchmark benchmark = benchmark_of(options.from);
-        Outputs outputs(options);
-        return report_on(benchmark, options, outputs);
+        std::vector<report::Benchmark> parts;
+        for (const auto& file : options.from) parts.push_back(benchmark_from(file));
+        const report::Benchmark benchmark = report::joined(parts);
+        BenchmarkFiles files(options);
+        return report_on(benchmark, options, files);
     }
     gpu::Device device({.device = options.device,
                         .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
                         .cache_directory = cache_directory()});
     effect::require_timestamps(device.info());
-    const scene::PassLibrary passes(glsl_directory(), cache_directory());
-    Outputs outputs(options);
-    outputs.keep_folder();
-    const int status = report_on(measured_benchmark(options, device, passes), options, outputs);
+    BenchmarkFiles files(options);
+    files.keep_folder();
+    const int status = report_on(measured(options, device), options, files);
     const auto messages = device.take_validation_messages();
     for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
     return messages.empty() ? status : 1;

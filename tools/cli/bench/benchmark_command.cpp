@@ -33,11 +33,19 @@ void add_what(CLI::App& bench, BenchmarkOptions& options) {
         ->capture_default_str();
 }
 
+void add_costs(CLI::App& bench, BenchmarkOptions& options) {
+    bench.add_flag("--scaling", options.scaling,
+                   "instead: time against pixels, samples, radius, filter and objects, with exponents");
+    bench.add_option("--scaling-sizes", options.scaling_sizes, "WIDTHxHEIGHT of --scaling, smallest first")
+        ->capture_default_str();
+    bench.add_flag("--framework", options.framework, "instead: what the shader-test framework itself costs");
+}
+
 void add_answers(CLI::App& bench, BenchmarkOptions& options) {
     bench.add_option("--budget", options.budget, "name the most exact within this time: 1ms, 40copies");
     bench.add_option("--error", options.error, "name the fastest with at most this RMSE")
         ->check(CLI::PositiveNumber);
-    bench.add_option("--from", options.from, "results of an earlier --json, instead of measuring");
+    bench.add_option("--from", options.from, "results of earlier --json as one, instead of measuring");
     bench.add_option("--compare", options.compare, "two results: what changed from OLD to NEW")->expected(2);
     bench.add_flag("--fail-if-worse", options.fail_if_worse,
                    "with --compare: status 1 when something got worse beyond its spread");
@@ -47,6 +55,9 @@ void add_outputs(CLI::App& bench, BenchmarkOptions& options) {
     bench.add_option("--device", options.device, "name or index of the device");
     bench.add_flag("--validation", options.validation,
                    "Vulkan validation layers on; any message is an error");
+    bench.add_option(
+        "--report", options.report,
+        "write the benchmark as a Markdown page; its plots lie in --out, or images/benchmark beside it");
     bench.add_option("--json", options.json, "write every number to this file");
     bench.add_option("--csv", options.csv, "a line for each configuration");
     bench.add_option("--out", options.out, "folder for results, plots and the journal");
@@ -59,6 +70,7 @@ void add_outputs(CLI::App& bench, BenchmarkOptions& options) {
 void add_benchmark(CLI::App& bench, int& status) {
     auto options = std::make_shared<BenchmarkOptions>();
     add_what(bench, *options);
+    add_costs(bench, *options);
     add_answers(bench, *options);
     add_outputs(bench, *options);
     bench.callback([options, &bench, &status] {

@@ -22,12 +22,13 @@ struct BenchmarkOptions {
     bool single_only = false;
     bool resume = false;
     bool scaling = false;
+    std::vector<std::string> scaling_sizes{"320x180", "640x360", "1280x720", "1920x1080", "3840x2160"};
     bool framework = false;
     std::string budget;  // "1ms", "40copies"; empty: not asked
     double error = 0.0;  // 0: not asked
     bool fail_if_worse = false;
     std::vector<std::filesystem::path> compare;  // two result files, or none
-    std::filesystem::path from;                  // a result file in place of a run
+    std::vector<std::filesystem::path> from;     // result files in place of a run
     std::string device;
     bool validation = false;
     std::filesystem::path json;    // empty: not written

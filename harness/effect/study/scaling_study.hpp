@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "gpu/device.hpp"
+#include "gpu/image.hpp"
+#include "scene/pass_library.hpp"
+#include "scene/scene.hpp"
+
+namespace gloam::effect {
+
+struct ScalingOptions {
+    std::string method;
+    std::vector<gpu::Extent> sizes{{320, 180}, {640, 360}, {1280, 720}, {1920, 1080}, {3840, 2160}};
+    int repeat = 3;                          // rounds over the values of a thing
+    std::function<void(double)> progress{};  // called with the part done, in [0, 1]
+};
+
+// How long a frame takes while one thing grows.
+struct ScalingRun {
+    std::string of;                                 // "pixels", "samples", "radius in pixels", ...
+    std::vector<std::pair<double, double>> points;  // value; all passes, median, milliseconds
+};
+
+// The scene `moving` in the smallest of the sizes, with 16 samples for each pixel: while the pixels grow (at
+// the same radius in pixels), the samples, the radius (in pixels at the point the camera looks at), the taps
+// on each side of the filter, the moving objects (a frame with a history). Values are visited in rounds.
+// Throws std::invalid_argument for no size and an unknown method, and like AmbientOcclusion.
+[[nodiscard]] std::vector<ScalingRun> study_scaling(const gpu::Device& device,
+                                                    const scene::PassLibrary& passes,
+                                                    const ScalingOptions& options);
+
+}  // namespace gloam::effect

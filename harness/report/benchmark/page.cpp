@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "report/benchmark/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "report/benchmark/pareto.hpp"
+#include "report/benchmark/tables.hpp"
+
+namespace gloam::report {
+namespace {
+
+constexpr const char* introduction = R"(# Time against error
+
+Which method, with how many samples, takes how long and comes how near to the truth. `gloam bench` measures it on any device and
+writes this page; other devices rank methods otherwise, so measure on yours:
+
+    tools/run bench --out FOLDER --report FOLDER/benchmark.md
+    tools/run bench --from FOLDER/results.json --budget 40copies --error 0.05
+    tools/run bench --compare OLD.json NEW.json
+
+)";
+
+constexpr const char* explanation = R"(
+- **Configurations** are METHOD/SAMPLES/MODE, or PRESET/SAMPLES/MODE. *Single* is one frame of the method with the settings of the preset
+  `paper`, the filter included; *temporal* the settings of the preset `moving` over the frames of a moving camera. SAMPLES is what is
+  asked for in each pixel and frame; *samples taken* is what the passes counted.
+- **Time** is the device's, by its own clock. Configurations are visited in rounds, each once a round, so that drift falls on all alike;
+  told are medians. A **copy** is the time of a pass that reads one R32F texel and writes one for each pixel (`glsl/passes/copy.comp`),
+  measured beside every frame: a frame's time is divided by the copies' of that moment. *Gather* is the pass that takes the samples.
+- **Error** is the root mean square error against the traced truth: (G) of the geometry, (D) of the depth buffer ([truth.md](truth.md)); raw is
+  before the filter. It is the mean over the scored frames, the same frames for all. SSIM is of the last of them, against (G). *Flicker*
+  is the mean change from frame to frame at the same points.
+- **Memory** is of all images and buffers that the passes are given, G-buffer included.
+- **The front** (Pareto): nothing else is both as fast and as near to the truth. *Over all scenes* times are geometric means, and errors
+  geometric means of the ratio to the least that any configuration has in the scene.
+)";
+
+std::string circumstances(const Benchmark& benchmark) {
+    return fmt::format(
+        "Measured on {} ({}), {} x {} pixels, {} rounds; a temporal run has {} frames, of which the last {} "
+        "are "
+        "scored; the truth takes {} rays a pixel. A copy takes {:.4f} ms (quartiles {:.4f} and {:.4f}).\n",
+        benchmark.device, benchmark.driver, benchmark.width, benchmark.height, benchmark.repeat,
+        benchmark.frames, benchmark.scored, benchmark.rays, benchmark.copy_ms.median, benchmark.copy_ms.low,
+        benchmark.copy_ms.high);
+}
+
+std::string picture(const std::string& images, const std::string& name) {
+    return fmt::format("![{}]({}/{}.svg)\n\n", name, images, name);
+}
+
+std::string scaling_section(const Benchmark& benchmark, const std::string& images) {
+    if (benchmark.scaling.empty()) return {};
+    std::string text =
+        "\n## Scaling\n\nTime of all passes of a single frame while one thing grows: time ~ value^exponent, "
+        "least squares on "
+        "logarithmic axes. Pixels grow at the same radius in pixels.\n\n";
+    std::set<std::string> shown;
+    for (const Growth& growth : benchmark.scaling) {
+        if (!shown.insert(growth.of).second) continue;
+        std::string name = "scaling-" + growth.of;
+        std::ranges::replace(name, ' ', '-');
+        text += picture(images, name);
+    }
+    return text + scaling_table(benchmark);
+}
+
+std::string framework_section(const Benchmark& benchmark) {
+    if (benchmark.framework.empty()) return {};
+    return "\n## The framework\n\nInputs uploaded, one dispatch, every canary checked, outputs downloaded. "
+           "*Of a copy*: "
+           "the rate as a fraction of that of a bare dispatch that copies the same bytes, in turn. The rest "
+           "of what the "
+           "framework costs: [benchmarks.md](benchmarks.md).\n\n" +
+           framework_table(benchmark);
+}
+
+}  // namespace
+
+std::string to_benchmark_page(const Benchmark& benchmark, const std::string& images) {
+    const std::vector<std::string> scenes = scenes_of(benchmark);
+    std::string text = introduction + circumstances(benchmark) + explanation;
+    if (!overall_of(benchmark).empty()) {
+        text += "\n## Over all scenes\n\n" + picture(images, "overall") + overall_table(benchmark);
+    }
+    for (const std::string& scene : scenes) {
+        text += fmt::format("\n## `{}`\n\n{}The front:\n\n{}\nEach method at its most exact:\n\n{}", scene,
+                            picture(images, scene), scene_front_table(benchmark, scene),
+                            best_table(benchmark, scene));
+    }
+    text += scaling_section(benchmark, images) + framework_section(benchmark);
+    return text;
+}
+
+}  // namespace gloam::report
