@@ -87,7 +87,7 @@ std::string scaling_table(const Benchmark& benchmark) {
     for (const Growth& growth : benchmark.scaling) {
         std::string points;
         for (const auto& [value, ms] : growth.points)
-            points += fmt::format("{}{:g}: {}", points.empty() ? "" : ", ", value, number(ms, 3));
+            points += fmt::format("{}{:.4g}: {}", points.empty() ? "" : ", ", value, number(ms, 3));
         text += fmt::format("| {} | {} | {} | {} |\n", growth.of, growth.method, number(growth.exponent, 3),
                             points);
     }

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "report/benchmark/benchmark_json.hpp"
+#include "report/benchmark/journal.hpp"
+#include "report/benchmark/page.hpp"
+#include "report/benchmark/plots.hpp"
+#include "report/benchmark_rows.hpp"
+#include "support/run_command.hpp"
+
+namespace gloam::report {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string read(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Benchmark everything() {
+    Benchmark benchmark =
+        make_benchmark({make_row("a", "m", 4, 10, 0.05), make_row("a", "n", 8, 30, 0.02, true),
+                        make_row("a", "n", 4, 40, 0.03, true)});
+    benchmark.rows[1].configuration.preset = "p";
+    benchmark.scaling = {
+        {.of = "moving objects", .method = "m", .points = {{1, 2}, {4, 8}}, .exponent = 1.0}};
+    benchmark.framework = {{"figure", "ms", 1.25}};
+    return benchmark;
+}
+
+TEST(BenchmarkJson, ReadsWhatItWrote) {
+    const Benchmark benchmark = everything();
+    const std::string text = to_json(benchmark);
+    const Benchmark back = benchmark_from_json(text);
+    EXPECT_EQ(to_json(back), text);
+    EXPECT_EQ(back.rows[1].configuration, benchmark.rows[1].configuration);
+    EXPECT_EQ(back.rows[1].quality.memory_bytes, 3'145'728U);
+    EXPECT_TRUE(std::isnan(back.rows[0].quality.flicker));
+    EXPECT_EQ(back.rows[0].passes, benchmark.rows[0].passes);
+    EXPECT_EQ(back.scaling[0].points, benchmark.scaling[0].points);
+    EXPECT_EQ(back.framework[0].value, 1.25);
+}
+
+TEST(BenchmarkJson, SaysWhereSomethingElseStands) {
+    const std::string text = to_json(everything());
+    const auto refusal = [&](const std::string& from, const std::string& to, const char* named) {
+        std::string bad = text;
+        bad.replace(bad.find(from), from.size(), to);
+        EXPECT_THAT([&] { (void)benchmark_from_json(bad); },
+                    testing::ThrowsMessage<std::runtime_error>(HasSubstr(named)))
+            << to;
+    };
+    refusal("\"benchmark\": 1", "\"benchmark\": 2", "version 1");
+    refusal("\"benchmark\": 1,", "", "benchmark: expected this field");
+    refusal("\"samples\": 4", "\"samples\": \"many\"", "results[0].samples: expected a count");
+    refusal("\"temporal\": false", "\"temporal\": 3", "results[0].temporal");
+    refusal("{", "", "no JSON");
+    EXPECT_THROW((void)benchmark_from_json("[]"), std::runtime_error);
+}
+
+TEST(BenchmarkJson, CsvHasALineForEachConfiguration) {
+    const std::string text = to_csv(everything());
+    EXPECT_EQ(test::line_count(text), 4);
+    EXPECT_THAT(text, HasSubstr("\na,m,,4,single,0.05,"));
+    EXPECT_THAT(text, HasSubstr("\na,n,p,8,temporal,0.02,"));
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+TEST(BenchmarkPlots, OneForEachSceneAndGrowth) {
+    const auto plots = plots_of(everything());
+    ASSERT_EQ(plots.size(), 3U);
+    EXPECT_EQ(plots[0].first, "a");
+    EXPECT_EQ(plots[1].first, "overall");
+    EXPECT_EQ(plots[2].first, "scaling-moving-objects");
+    const Plot& scene = plots[0].second;
+    ASSERT_EQ(scene.curves.size(), 4U);
+    EXPECT_EQ(scene.curves[0].name, "others");
+    EXPECT_EQ(scene.curves[0].points.size(), 1U);  // beaten in both
+    EXPECT_EQ(scene.curves[2].name, "p, temporal");
+    EXPECT_THAT(scene.curves[3].labels, testing::ElementsAre("m/4/single", "p/8/temporal"));
+    EXPECT_THAT(to_svg(scene), HasSubstr("p/8/temporal"));
+}
+
+TEST(BenchmarkPage, HoldsFrontsScalingAndFramework) {
+    const std::string page = to_benchmark_page(everything(), "images/x");
+    for (const char* text :
+         {"## `a`", "images/x/a.svg", "images/x/overall.svg", "320 x 180", "| m/4/single |",
+          "**p/8/temporal**", "| n/4/temporal |", "## Scaling", "images/x/scaling-moving-objects.svg",
+          "1: 2.000, 4: 8.000", "## The framework", "1.25 ms"})
+        EXPECT_THAT(page, HasSubstr(text));
+}
+
+class BenchmarkJournal : public testing::Test {
+  protected:
+    [[nodiscard]] Journal open(bool resume) const { return {file_, setup_, resume}; }
+
+    static Visit visit(int round, double ms) {
+        Visit visit{.configuration = configuration(), .round = round};
+        if (round == 0) visit.quality = Quality{.geometry = 0.25};
+        visit.readings = {{{{"ambient_occlusion", ms}}, 0.5}};
+        return visit;
+    }
+    static Configuration configuration() { return {.scene = "s", .method = "m", .samples = 4}; }
+
+    test::TemporaryDirectory folder_;
+    fs::path file_ = folder_.path() / "journal.jsonl";
+    JournalSetup setup_{
+        .device = "d", .driver = "e", .width = 8, .height = 4, .frames = 2, .scored = 1, .rays = 32};
+};
+
+TEST_F(BenchmarkJournal, TakesUpWhereItWasLeft) {
+    {
+        Journal journal = open(false);
+        journal.add(visit(0, 1.0));
+        journal.add(visit(1, 2.0));
+    }
+    const Journal journal = open(true);
+    EXPECT_TRUE(journal.has(configuration(), 0));
+    EXPECT_TRUE(journal.has(configuration(), 1));
+    EXPECT_FALSE(journal.has(configuration(), 2));
+    const Row row = journal.row_of(configuration());
+    EXPECT_EQ(row.readings, 2U);
+    EXPECT_EQ(row.quality.geometry, 0.25);
+    EXPECT_EQ(row.total_ms.median, 1.5);
+    EXPECT_EQ(row.total_copies.median, 3.0);
+    EXPECT_EQ(journal.copies().median, 0.5);
+}
+
+TEST_F(BenchmarkJournal, DropsALineThatWasBeingWritten) {
+    { open(false).add(visit(0, 1.0)); }
+    const std::string whole = read(file_);
+    std::ofstream(file_, std::ios::app) << R"({"configuration":{"scene":"s")";
+    Journal journal = open(true);
+    EXPECT_EQ(read(file_), whole);
+    EXPECT_TRUE(journal.has(configuration(), 0));
+    journal.add(visit(1, 3.0));
+    EXPECT_TRUE(open(true).has(configuration(), 1));
+}
+
+TEST_F(BenchmarkJournal, StartsEmptyWhereNothingIsToBeResumed) {
+    { open(false).add(visit(0, 1.0)); }
+    EXPECT_FALSE(open(false).has(configuration(), 0));
+    fs::remove(file_);
+    EXPECT_FALSE(open(true).has(configuration(), 0));
+    EXPECT_TRUE(fs::exists(file_));
+    std::ofstream(file_).close();
+    EXPECT_FALSE(open(true).has(configuration(), 0));
+}
+
+TEST_F(BenchmarkJournal, RefusesWhatWasMeasuredOtherwiseAndWhatIsNone) {
+    { open(false).add(visit(0, 1.0)); }
+    const std::string whole = read(file_);
+    const auto refusal = [&](const char* text) {
+        EXPECT_THAT([&] { (void)open(true); }, testing::ThrowsMessage<std::runtime_error>(HasSubstr(text)));
+    };
+    setup_.width = 16;
+    refusal("cannot resume");
+    EXPECT_EQ(read(file_), whole);
+    setup_.width = 8;
+    std::ofstream(file_, std::ios::app) << "{}\n";
+    refusal("line 3: configuration: expected this field");
+    std::ofstream(file_) << "something\n";
+    refusal("cannot resume");
+    EXPECT_THROW(Journal("/no/such/folder/journal.jsonl", setup_, false), std::runtime_error);
+}
+
+TEST_F(BenchmarkJournal, WithoutAFileKeepsInMemory) {
+    Journal journal({}, setup_, false);
+    journal.add(visit(0, 1.0));
+    EXPECT_TRUE(journal.has(configuration(), 0));
+}
+
+}  // namespace
+}  // namespace gloam::report

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "report/benchmark/summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "report/benchmark/growth.hpp"
+
+namespace gloam::report {
+namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
+
+TEST(BenchmarkSummary, SpreadIsMedianAndQuartiles) {
+    const Spread spread = spread_of(std::array{5.0, 1.0, 4.0, 2.0, 3.0});
+    EXPECT_EQ(spread.median, 3.0);
+    EXPECT_EQ(spread.low, 2.0);
+    EXPECT_EQ(spread.high, 4.0);
+    const Spread two = spread_of(std::array{1.0, 2.0});
+    EXPECT_EQ(two.median, 1.5);
+    EXPECT_EQ(two.low, 1.25);
+    EXPECT_EQ(two.high, 1.75);
+    EXPECT_EQ(spread_of(std::array{7.0}).high, 7.0);
+}
+
+TEST(BenchmarkSummary, SpreadLeavesOutWhatIsNotFinite) {
+    EXPECT_EQ(spread_of(std::array{1.0, std::nan(""), HUGE_VAL}).median, 1.0);
+    EXPECT_TRUE(std::isnan(spread_of({}).median));
+    EXPECT_TRUE(std::isnan(spread_of(std::array{std::nan("")}).low));
+}
+
+TEST(BenchmarkSummary, ThePassesThatTakeSamplesAreTheGather) {
+    EXPECT_TRUE(is_gather("ambient_occlusion"));
+    EXPECT_TRUE(is_gather("ambient_occlusion_quarter"));
+    EXPECT_FALSE(is_gather("filter_x"));
+    EXPECT_FALSE(is_gather(""));
+}
+
+TEST(BenchmarkSummary, TimesAreMediansAndCopiesThoseOfTheirMoment) {
+    const std::array readings{Reading{{{"ambient_occlusion", 3.0}, {"filter_x", 1.0}}, 0.1},
+                              Reading{{{"ambient_occlusion", 6.0}, {"filter_x", 2.0}}, 0.2},
+                              Reading{{{"reproject", 1.0}, {"ambient_occlusion", 4.0}}, 0.1}};
+    const Row row = row_of({.scene = "s", .method = "m", .samples = 4}, {.geometry = 0.5}, readings);
+    EXPECT_EQ(row.readings, 3U);
+    EXPECT_EQ(row.quality.geometry, 0.5);
+    EXPECT_EQ(row.gather_ms.median, 4.0);
+    EXPECT_EQ(row.total_ms.median, 5.0);
+    EXPECT_DOUBLE_EQ(row.gather_copies.median, 30.0);
+    EXPECT_DOUBLE_EQ(row.total_copies.median, 40.0);  // 40, 40, 50: drift cancels
+    EXPECT_THAT(row.passes,
+                ElementsAre(Pair("ambient_occlusion", 4.0), Pair("filter_x", 1.5), Pair("reproject", 1.0)));
+}
+
+TEST(BenchmarkSummary, WithoutReadingsNothingIsKnown) {
+    const Row row = row_of({}, {}, {});
+    EXPECT_TRUE(std::isnan(row.total_copies.median));
+    EXPECT_TRUE(std::isnan(row.quality.geometry));
+    EXPECT_TRUE(row.passes.empty());
+}
+
+TEST(BenchmarkSummary, KeysNameConfigurations) {
+    EXPECT_EQ(key_of({.scene = "s", .method = "m", .samples = 4}), "s/m/4/single");
+    EXPECT_EQ(key_of({.scene = "s", .method = "m", .preset = "p", .samples = 8, .temporal = true}),
+              "s/p/8/temporal");
+    EXPECT_EQ(choice_of({.scene = "s", .method = "m", .samples = 4}), "m/4/single");
+}
+
+TEST(BenchmarkGrowth, FitsTheExponent) {
+    std::vector<std::pair<double, double>> points;
+    for (const double x : {1.0, 2.0, 5.0, 30.0}) points.emplace_back(x, 3.0 * std::pow(x, 1.7));
+    EXPECT_NEAR(exponent_of(points), 1.7, 1e-12);
+    points = {{1, 2}, {10, 2}, {100, 2}};
+    EXPECT_NEAR(exponent_of(points), 0.0, 1e-12);
+    points = {{1, 1}, {1, 4}, {4, 2}, {4, 8}};  // least squares: between the two
+    EXPECT_NEAR(exponent_of(points), 0.5, 1e-12);
+}
+
+TEST(BenchmarkGrowth, LeavesOutWhatHasNoLogarithm) {
+    const std::vector<std::pair<double, double>> points{{0, 5},    {1, 1}, {-1, 2}, {3, std::nan("")},
+                                                        {10, 100}, {5, 0}};
+    EXPECT_NEAR(exponent_of(points), 2.0, 1e-12);
+    EXPECT_TRUE(std::isnan(exponent_of({})));
+    const std::vector<std::pair<double, double>> same{{2, 1}, {2, 3}};
+    EXPECT_TRUE(std::isnan(exponent_of(same)));
+}
+
+}  // namespace
+}  // namespace gloam::report
