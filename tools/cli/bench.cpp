@@ -8,8 +8,8 @@
 namespace gloam::cli {
 
 void add_bench(CLI::App& app, int& status) {
-    CLI::App* group = app.add_subcommand(
-        "bench", "time against error: which method with how many samples, on this device");
+    CLI::App* group =
+        app.add_subcommand("bench", "time against error: which method with how many samples, on this device");
     group->require_subcommand(0, 1);
     add_benchmark(*group, status);
     add_bench_temporal(*group, status);
