@@ -16,7 +16,7 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
         throw std::invalid_argument(fmt::format("{} scored frames of {}: expected 1 to {}", frames.scored,
                                                 frames.frames, frames.frames));
     }
-    const std::vector<scene::GBuffer>& views = with_guard(0.0);
+    const std::vector<scene::GBuffer>& views = views_with(0.0, 1);
     const scene::TruthSettings traced{.rays = {.radius = scene_.ao_radius, .rays = frames.rays}};
     for (int i = first_scored(); i < frames.frames; ++i) {
         const scene::GBuffer& view = views[static_cast<std::size_t>(i)];
@@ -28,19 +28,21 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
     }
 }
 
-const scene::GBuffer& BenchmarkViews::view(int frame, double guard) {
-    return with_guard(guard).at(static_cast<std::size_t>(frame));
+const scene::GBuffer& BenchmarkViews::view(int frame, const Settings& settings) {
+    return views_with(double{settings.guard}, static_cast<int>(settings.layers))
+        .at(static_cast<std::size_t>(frame));
 }
 
 const ScoredFrame& BenchmarkViews::scored(int frame) const {
     return scored_.at(static_cast<std::size_t>(frame - first_scored()));
 }
 
-std::vector<scene::GBuffer>& BenchmarkViews::with_guard(double guard) {
-    std::vector<scene::GBuffer>& views = views_[guard];
+std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers) {
+    std::vector<scene::GBuffer>& views = views_[{guard, layers}];
     for (int i = static_cast<int>(views.size()); i < frames_.frames; ++i) {
-        views.push_back(scene::rasterize(*device_, passes_, scene_, frames_.extent,
-                                         {.frame = i, .motion = !scene_.objects.empty(), .guard = guard}));
+        views.push_back(scene::rasterize(
+            *device_, passes_, scene_, frames_.extent,
+            {.frame = i, .motion = !scene_.objects.empty(), .guard = guard, .layers = layers}));
     }
     return views;
 }

@@ -3,10 +3,13 @@
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "effect/errors.hpp"
 #include "effect/history_map.hpp"
+#include "effect/settings.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/truth_cache.hpp"
 
@@ -41,8 +44,8 @@ class BenchmarkViews {
     [[nodiscard]] const BenchmarkFrames& frames() const { return frames_; }
     [[nodiscard]] int first_scored() const { return frames_.frames - frames_.scored; }
 
-    // A frame, with a guard band of that part of it on each side.
-    [[nodiscard]] const scene::GBuffer& view(int frame, double guard);
+    // A frame, with the guard band and the layers of depth that the settings ask for.
+    [[nodiscard]] const scene::GBuffer& view(int frame, const Settings& settings);
     [[nodiscard]] const ScoredFrame& scored(int frame) const;
 
   private:
@@ -50,10 +53,10 @@ class BenchmarkViews {
     scene::PassLibrary passes_;
     scene::Scene scene_;
     BenchmarkFrames frames_;
-    std::map<double, std::vector<scene::GBuffer>> views_;  // by guard band
+    std::map<std::pair<double, int>, std::vector<scene::GBuffer>> views_;  // by guard band and layers
     std::vector<ScoredFrame> scored_;
 
-    std::vector<scene::GBuffer>& with_guard(double guard);
+    std::vector<scene::GBuffer>& views_with(double guard, int layers);
 };
 
 }  // namespace gloam::effect

@@ -79,29 +79,27 @@ ConfigurationVisit ConfigurationStudy::visit(BenchmarkViews& views, const Settin
 
 ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const Settings& settings, int round) {
     const BenchmarkFrames& frames = views.frames();
-    const double guard = double{settings.guard};
-    AmbientOcclusion& effect = effect_for(views.view(0, guard).extent);
+    AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
     if (round > 0) {
-        effect.begin(views.view(views.first_scored() + round % frames.scored, guard), settings);
+        effect.begin(views.view(views.first_scored() + round % frames.scored, settings), settings);
         const double copy = clock_.measure();
         return {.readings = {{effect.next().times, copy}}};
     }
     Judge judge(views);
     for (int i = views.first_scored(); i < frames.frames; ++i) {
-        effect.begin(views.view(i, guard), settings);
+        effect.begin(views.view(i, settings), settings);
         judge.add(i, effect.next(), {});
     }
     return {.quality = judge.mean()};
 }
 
 ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const Settings& settings, int round) {
-    const double guard = double{settings.guard};
-    AmbientOcclusion& effect = effect_for(views.view(0, guard).extent);
+    AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
     Judge judge(views);
     ConfigurationVisit visit;
     std::vector<float> before;
     for (int i = 0; i < views.frames().frames; ++i) {
-        const scene::GBuffer& view = views.view(i, guard);
+        const scene::GBuffer& view = views.view(i, settings);
         if (i == 0) {
             effect.begin(view, settings);
         } else {
