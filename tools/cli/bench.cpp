@@ -3,6 +3,7 @@
 
 #include "cli/bench/benchmark_command.hpp"
 #include "cli/bench/methods.hpp"
+#include "cli/bench/skips.hpp"
 #include "cli/bench/temporal.hpp"
 
 namespace gloam::cli {
@@ -14,6 +15,7 @@ void add_bench(CLI::App& app, int& status) {
     add_benchmark(*group, status);
     add_bench_temporal(*group, status);
     add_bench_methods(*group, status);
+    add_bench_skips(*group, status);
 }
 
 }  // namespace gloam::cli

@@ -88,24 +88,29 @@ ordered_json history_json(const HistoryReport& history) {
 
 ordered_json frame_json(const FrameReport& frame) {
     const effect::Work& work = frame.work;
-    ordered_json json{{"frame", frame.number},
-                      {"width", frame.extent.width},
-                      {"height", frame.extent.height},
-                      {"history", history_json(frame.history)},
-                      {"radius", frame.settings.radius},
-                      {"bias", frame.settings.bias},
-                      {"times_ms", times_json(frame.times)},
-                      {"samples", work.samples},
-                      {"convergence", frame.mean_convergence},
-                      {"pixels", work.pixels},
-                      {"pixels_skipped",
-                       {{"background", work.background},
-                        {"radius_below_pixel", work.below_radius},
-                        {"filter_converged", work.converged}}},
-                      {"tiles", work.tiles},
-                      {"tiles_skipped",
-                       {{"background", work.tiles_background},
-                        {"nothing_to_sample", work.tiles_skipped - work.tiles_background}}}};
+    ordered_json json{
+        {"frame", frame.number},
+        {"width", frame.extent.width},
+        {"height", frame.extent.height},
+        {"history", history_json(frame.history)},
+        {"radius", frame.settings.radius},
+        {"bias", frame.settings.bias},
+        {"times_ms", times_json(frame.times)},
+        {"samples", work.samples},
+        {"convergence", frame.mean_convergence},
+        {"pixels", work.pixels},
+        {"pixels_skipped",
+         {{"background", work.background},
+          {"radius_below_pixel", work.below_radius},
+          {"filter_converged", work.converged}}},
+        {"tiles", work.tiles},
+        {"tiles_skipped",
+         {{"background", work.tiles_background},
+          {"nothing_to_sample", work.tiles_skipped - work.tiles_background}}},
+        {"tiles_shaded", work.tiles_shaded},
+        {"tiles_open", work.tiles_open},
+        {"tiles_filtered", work.tiles_filtered},
+        {"tiles_left_out", {{"background", work.tiles_blank}, {"settled", work.tiles_settled}}}};
     if (frame.scene_frame) json["scene_frame"] = *frame.scene_frame;
     if (frame.flicker) json["flicker"] = *frame.flicker;
     if (frame.truth) json["truth"] = truth_json(*frame.truth);

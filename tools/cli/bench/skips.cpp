@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/skips.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/bench/image_size.hpp"
+#include "cli/drivers.hpp"
+#include "cli/environment.hpp"
+#include "cli/progress.hpp"
+#include "effect/study/copy_clock.hpp"
+#include "effect/study/skip_cases.hpp"
+#include "report/output_file.hpp"
+
+namespace gloam::cli {
+namespace {
+
+using effect::SkipCase;
+using effect::SkipTimes;
+using nlohmann::ordered_json;
+
+struct Row {
+    SkipCase skip_case;
+    SkipTimes times;
+};
+
+// A count of tiles as a part of all, in per cent.
+double percent(std::uint64_t tiles, const effect::Work& work) {
+    return 100.0 * static_cast<double>(tiles) / static_cast<double>(work.tiles);
+}
+
+std::string table_row(const Row& row) {
+    const SkipTimes& t = row.times;
+    const auto part = [&](double time) { return time / t.without; };
+    return fmt::format(
+        "| {} | {} | {:.0f} % | {:.0f} % | {:.0f} % | {:.1f} | {:.1f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | "
+        "{:.2f} | {:.2f} |\n",
+        row.skip_case.name, row.skip_case.what, percent(t.work.tiles_blank, t.work),
+        percent(t.work.tiles_open, t.work), percent(t.work.tiles_settled, t.work), t.without / t.copy,
+        t.with / t.copy, part(t.background), part(t.open), part(t.settled), part(t.with), t.with / t.fresh,
+        row.skip_case.target);
+}
+
+std::string table_of(const std::vector<Row>& rows) {
+    std::string text =
+        "| scene | | tiles of background | open | settled | copies without | copies | of the time without: "
+        "background left out | open | "
+        "settled | all | of a first frame | target "
+        "|\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+    for (const Row& row : rows) text += table_row(row);
+    return text;
+}
+
+ordered_json json_of(const Row& row) {
+    const SkipTimes& t = row.times;
+    return {{"scene", row.skip_case.name},
+            {"what", row.skip_case.what},
+            {"tiles", t.work.tiles},
+            {"tiles_blank", t.work.tiles_blank},
+            {"tiles_open", t.work.tiles_open},
+            {"tiles_settled", t.work.tiles_settled},
+            {"tiles_filtered", t.work.tiles_filtered},
+            {"copy_ms", t.copy},
+            {"without_ms", t.without},
+            {"with_ms", t.with},
+            {"background_ms", t.background},
+            {"open_ms", t.open},
+            {"settled_ms", t.settled},
+            {"first_frame_ms", t.fresh},
+            {"ratio", t.with / t.without},
+            {"copies", t.with / t.copy},
+            {"target", row.skip_case.target}};
+}
+
+}  // namespace
+
+int run_bench_skips(const BenchSkipsOptions& options) {
+    const gpu::Extent extent = image_size(options.size);
+    const report::OutputFile json(options.json);
+    const gpu::Device device({.device = options.device,
+                              .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                              .cache_directory = cache_directory()});
+    effect::require_timestamps(device.info());
+    const scene::PassLibrary passes(glsl_directory(), cache_directory());
+    const auto progress = progress_bar("skips");
+    const std::vector<SkipCase> cases = effect::skip_cases(device, passes, extent);
+    std::vector<Row> rows;
+    for (const SkipCase& skip_case : cases) {
+        rows.push_back({skip_case, effect::skip_times(device, passes, skip_case, options.rounds)});
+        progress(static_cast<double>(rows.size()) / static_cast<double>(cases.size()));
+    }
+    fmt::print("{}, {} x {} pixels\n\n{}", device.info().name, extent.width, extent.height, table_of(rows));
+    ordered_json document{{"device", device.info().name}, {"width", extent.width}, {"height", extent.height}};
+    document["cases"] = ordered_json::array();
+    for (const Row& row : rows) document["cases"].push_back(json_of(row));
+    json.write(document.dump(2) + "\n");
+    const auto messages = device.take_validation_messages();
+    for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
+    return messages.empty() ? 0 : 1;
+}
+
+void add_bench_skips(CLI::App& bench, int& status) {
+    auto options = std::make_shared<BenchSkipsOptions>();
+    CLI::App* command =
+        bench.add_subcommand("skips", "what is saved by leaving out what the scene does not need");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
+    command->add_option("--rounds", options->rounds, "over all ways to run a scene")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--device", options->device, "name or index of the device");
+    command->add_flag("--validation", options->validation,
+                      "Vulkan validation layers on; any message is an error");
+    command->add_option("--json", options->json, "write every number to this file");
+    add_driver_option(*command);
+    command->callback([options, &status] { status = run_bench_skips(*options); });
+}
+
+}  // namespace gloam::cli

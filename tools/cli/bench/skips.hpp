@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+namespace gloam::cli {
+
+// What `gloam bench skips` was asked.
+struct BenchSkipsOptions {
+    std::string size = "320x180";
+    int rounds = 3;  // over all ways to run a case
+    std::string device;
+    bool validation = false;
+    std::filesystem::path json;  // empty: not written
+};
+
+// Measures what each skip saves, and prints the table. Returns the exit status: 0, or 1 when the validation
+// layers had something to say.
+[[nodiscard]] int run_bench_skips(const BenchSkipsOptions& options);
+
+// Adds the subcommand; `status` receives what it returns.
+void add_bench_skips(CLI::App& bench, int& status);
+
+}  // namespace gloam::cli
