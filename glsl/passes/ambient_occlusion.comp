@@ -5,6 +5,7 @@
 // whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
 //
 // Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
+// Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is rgba32f.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
@@ -14,13 +15,16 @@
 //               the limit, pixels of the group); else never touched
 //   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
 //   6  buffer   a GloamMethod
-//   7  rgba32f  what the method's preparation passes have written (preparation/pass.glsl); read by methods that have some
+//   7  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have some
 //   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not finite where there is
 //               none; read when layers is more than 1
 //   9  buffer   lists of tiles; read when listed is set
 //  10  buffer   the tiles' states of this frame; STATE_SETTLED is added when listed is set
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
+#endif
+#ifndef GLOAM_PREPARED
+#define GLOAM_PREPARED rgba32f
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -74,7 +78,7 @@ layout(push_constant) uniform Parameters {
 
 layout(binding = 8, rgba32f) uniform readonly image2D layer_image;
 layout(binding = 6, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
-layout(binding = 7, rgba32f) uniform readonly image2D prepared_image;
+layout(binding = 7, GLOAM_PREPARED) uniform readonly image2D prepared_image;
 
 #define GLOAM_LAYERS layers
 float gloam_fetch_layer(ivec2 pixel, int layer) {

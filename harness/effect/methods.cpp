@@ -62,6 +62,8 @@ const std::vector<MethodInfo>& methods() {
         {"alchemy", "surface points under a disc (McGuire et al. 2011)", cosine, "alchemy", alchemy, true},
         {"sao", "surface points on a spiral, far ones from a depth chain (McGuire et al. 2012)", cosine,
          "cubic", sao},
+        {"sao_chain", "sao with its depth chain in an image: the same result (McGuire et al. 2012)", cosine,
+         "cubic", sao},
         {"issao", "surface points under the covering circle, dense near the pixel (ISSAO)", cosine, "alchemy",
          issao},
         {"aksoy_phaneuf", "surface points under a disc by their distance (Aksoy and Phaneuf 2011)", shape,

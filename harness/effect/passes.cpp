@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "effect/preparation.hpp"
 #include "effect/setting_table.hpp"
 
 namespace gloam::effect {
@@ -43,6 +44,12 @@ std::vector<gpu::SpecializationConstant> constants_of(std::optional<TileLists> l
 std::vector<std::string> defines_for(HistoryPrecision precision) {
     if (precision == HistoryPrecision::float32) return {};
     return {"GLOAM_HISTORY rgba16f"};
+}
+
+std::vector<std::string> defines_for(HistoryPrecision precision, gpu::Format prepared) {
+    std::vector<std::string> defines = defines_for(precision);
+    if (prepared == gpu::Format::r32f) defines.emplace_back("GLOAM_PREPARED r32f");
+    return defines;
 }
 
 NormalParameters normal_parameters(const View& view) {
@@ -124,9 +131,9 @@ gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::
 
 gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::PassLibrary& library,
                                        const Program& program) {
-    const shader::Spirv spirv =
-        library.compile("ambient_occlusion.comp", defines_for(program.precision),
-                        {{method_include("hemisphere"), method_include(program.method)}});
+    const shader::Spirv spirv = library.compile(
+        "ambient_occlusion.comp", defines_for(program.precision, prepared_format(program.method)),
+        {{method_include("hemisphere"), method_include(program.method)}});
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,

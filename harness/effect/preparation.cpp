@@ -11,6 +11,9 @@
 namespace gloam::effect {
 namespace {
 
+// GLOAM_LAST_TAP_LEVEL of gloam/sampling/tap_pixel.glsl.
+constexpr std::uint32_t last_tap_level = 5;
+
 // From a texel of the coarsest level to the last that counts for it: its kernel's 6, 2 for each
 // interpolation, whose texels grow to it as 1 + 1/2 + 1/4 ..., and its own.
 constexpr int mssao_texels = 11;
@@ -33,6 +36,7 @@ Preparation dual_resolution(const Settings&, gpu::Extent view) {
 // Each pixel's occlusion along its first direction, which others take over from two standard deviations away.
 Preparation separable(const Settings& settings, gpu::Extent view) {
     return {.image = view,
+            .format = gpu::Format::r32f,
             .passes = {{"first_direction", "first_direction.comp", view}},
             .spread = 1,
             .reach = 2.0F * settings.epsilon};
@@ -65,11 +69,25 @@ Preparation mssao(const Settings& settings, gpu::Extent view) {
     return all;
 }
 
+// As preparation/depth_chain.glsl lays it out.
+Preparation sao_chain(const Settings&, gpu::Extent view) {
+    const auto level = [view](std::uint32_t l) {
+        return gpu::Extent{std::max(view.width >> l, 1U), std::max(view.height >> l, 1U)};
+    };
+    std::uint32_t column = 0;
+    for (std::uint32_t l = 2; l <= last_tap_level; ++l) column += level(l).height;
+    return {.image = {level(1).width + level(2).width, std::max(level(1).height, column)},
+            .format = gpu::Format::r32f,
+            .passes = {{"depth_chain", "depth_chain.comp", level(1)}}};
+}
+
 using Prepare = Preparation (*)(const Settings&, gpu::Extent);
 
 const std::map<std::string, Prepare>& preparations() {
-    static const std::map<std::string, Prepare> all{
-        {"dual_resolution", dual_resolution}, {"mssao", mssao}, {"separable", separable}};
+    static const std::map<std::string, Prepare> all{{"dual_resolution", dual_resolution},
+                                                    {"mssao", mssao},
+                                                    {"sao_chain", sao_chain},
+                                                    {"separable", separable}};
     return all;
 }
 
@@ -79,6 +97,12 @@ std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent 
     const auto found = preparations().find(settings.method);
     if (found == preparations().end()) return std::nullopt;
     return found->second(settings, view);
+}
+
+gpu::Format prepared_format(const std::string& method) {
+    Settings settings;
+    settings.method = method;
+    return preparation_of(settings, {1, 1}).value_or(Preparation{}).format;
 }
 
 }  // namespace gloam::effect

@@ -18,10 +18,10 @@ struct PreparationPass {
     int level = 0;            // given to the pass as a constant
 };
 
-// What a method needs before its samples: some passes, in order, and the image (rgba32f) that they leave to
-// it.
+// What a method needs before its samples: some passes, in order, and the image that they leave to it.
 struct Preparation {
     gpu::Extent image;
+    gpu::Format format = gpu::Format::rgba32f;  // or r32f
     std::vector<PreparationPass> passes;
     // A result may come from samples of surfaces that lie beside the pixel's: in pixels, and in the world.
     int spread = 0;
@@ -31,5 +31,8 @@ struct Preparation {
 // The preparation of the method of the settings for views of that size, guard band included; none for a
 // method that does without.
 [[nodiscard]] std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view);
+
+// Of a method's prepared image; rgba32f for one that prepares nothing.
+[[nodiscard]] gpu::Format prepared_format(const std::string& method);
 
 }  // namespace gloam::effect

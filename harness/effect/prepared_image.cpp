@@ -23,10 +23,10 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
 }
 
 gpu::ComputePipeline preparation_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
-                                          const std::string& file, HistoryPrecision precision,
+                                          const std::string& file, const std::vector<std::string>& defines,
                                           std::uint32_t layers) {
     using enum gpu::BindingKind;
-    const shader::Spirv spirv = library.compile("preparation/" + file, defines_for(precision));
+    const shader::Spirv spirv = library.compile("preparation/" + file, defines);
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
@@ -49,8 +49,10 @@ void PreparedImage::take(const View& view, const Settings& settings) {
         image_.reset();
         return;
     }
-    if (!image_ || image_->extent() != preparation_->image) {
-        image_.emplace(*device_, preparation_->image, gpu::Format::rgba32f);
+    const bool fits =
+        image_ && image_->extent() == preparation_->image && image_->format() == preparation_->format;
+    if (!fits) {
+        image_.emplace(*device_, preparation_->image, preparation_->format);
     }
     for (const PreparationPass& pass : preparation_->passes)
         constants_.push_back(preparation_parameters(view, settings, pass.level));
@@ -60,7 +62,8 @@ const gpu::ComputePipeline& PreparedImage::pipeline(const std::string& file) {
     const std::tuple key(file, precision_, layers_);
     const auto known = pipelines_.find(key);
     if (known != pipelines_.end()) return known->second;
-    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, precision_, layers_))
+    const std::vector<std::string> defines = defines_for(precision_, preparation_->format);
+    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, defines, layers_))
         .first->second;
 }
 

@@ -5,16 +5,20 @@
 // What the preparation passes have in common. They run before ambient_occlusion.comp, in the order of their method's list, and write
 // parts of one image that the method reads by gloam_fetch_prepared. Nothing of a frame stays in it.
 //
-// Define GLOAM_HISTORY as rgba16f for a history of half precision, else it is rgba32f.
+// Define GLOAM_HISTORY as rgba16f for a history of half precision, else it is rgba32f; and GLOAM_PREPARED as r32f for the passes whose
+// image has one channel (first_direction.comp, depth_chain.comp), else it is rgba32f.
 // Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used, depth)
-//   3  rgba32f  the prepared image, written and, by passes that build on others, read
+//   3  prepared the prepared image, written and, by passes that build on others, read
 //   4  buffer   a GloamMethod
 //   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is more than 1
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
+#endif
+#ifndef GLOAM_PREPARED
+#define GLOAM_PREPARED rgba32f
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -23,7 +27,7 @@ layout(constant_id = 0) const int layers = 1;  // of depth that the samples see,
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
 layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D history_before;
-layout(binding = 3, rgba32f) uniform image2D prepared_image;
+layout(binding = 3, GLOAM_PREPARED) uniform image2D prepared_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down

@@ -121,6 +121,8 @@ struct Program {
 
 // What a pass that reads or writes a history is compiled with.
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
+// And one that reads or writes a prepared image of that format.
+[[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision, gpu::Format prepared);
 
 // The pipelines of glsl/passes.
 [[nodiscard]] gpu::ComputePipeline normals_from_depth(const gpu::Device& device,

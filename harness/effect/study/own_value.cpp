@@ -18,6 +18,7 @@ const std::vector<OwnValue>& own_values() {
         {"filion", own::filion},
         {"alchemy", own::alchemy},
         {"sao", own::sao},
+        {"sao_chain", own::sao},
         {"issao", own::issao},
         {"aksoy_phaneuf", own::aksoy_phaneuf},
         {"volumetric", own::volumetric},
