@@ -42,7 +42,7 @@ std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers
     for (int i = static_cast<int>(views.size()); i < frames_.frames; ++i) {
         views.push_back(scene::rasterize(
             *device_, passes_, scene_, frames_.extent,
-            {.frame = i, .motion = !scene_.objects.empty(), .guard = guard, .layers = layers}));
+            {.frame = i, .motion = !scene_.objects.empty(), .layers = layers, .guard = guard}));
     }
     return views;
 }
