@@ -37,7 +37,9 @@ TEST(Bench, MeasuresResumesAnswersAndCompares) {
         EXPECT_GE(double{row.at("total_ms").at("median")}, double{row.at("gather_ms").at("median")});
         EXPECT_GT(double{row.at("quality").at("rmse_geometry")}, 0.0);
         EXPECT_LT(double{row.at("quality").at("rmse_geometry")}, 0.3);
-        EXPECT_NEAR(double{row.at("quality").at("samples_taken")}, double{row.at("samples")}, 1e-9);
+        const double taken = row.at("quality").at("samples_taken");
+        EXPECT_GT(taken, 0.0);
+        EXPECT_LE(taken, double{row.at("samples")} + 1e-9);  // fewer where nothing can block
         EXPECT_GT(std::uint64_t{row.at("quality").at("memory_bytes")}, 64U * 36U * 4U * 10U);
         EXPECT_EQ(std::size_t{row.at("readings")}, row.at("temporal") ? 2U : 1U);
         EXPECT_EQ(row.at("quality").at("flicker").is_number(), bool{row.at("temporal")});
