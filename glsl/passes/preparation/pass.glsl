@@ -74,7 +74,9 @@ float gloam_fetch_depth(ivec2 pixel) {
 
 // The samples that ambient_occlusion.comp takes at a pixel in this frame.
 GloamKernel kernel_at(ivec2 pixel) {
-    GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
+    // Where there is no geometry nothing may have been written: tiles of background are left out (tiles/select.comp).
+    bool known = !gloam_is_background(gloam_fetch_depth(pixel));
+    GloamHistory before = gloam_history_unpack(known ? imageLoad(history_before, pixel) : vec4(0.0));
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     bool rotated = gloam_rotation_enabled(convergence, parameters.c_rot);
     float angle = rotated ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
