@@ -31,6 +31,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool count_work = false;      // fill binding 4
 layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
+layout(constant_id = 3) const bool reject_taps = false;     // leave out taps further in front than GloamMethod::range (CS-REJ)
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -61,12 +62,20 @@ layout(push_constant) uniform Parameters {
     float confidence_factor;  // invalidation 2: S, per radius of change
     uint still;            // 1: the view and its objects are those of the last frame
     uint freeze;           // 1: pixels that have converged take no samples then
+    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many everywhere
+    float samples_radius;  // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many everywhere
+    uint samples_least;    // of those, at least
+    float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
+    float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
 } parameters;
 
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/radius_cap.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
+#include "gloam/sampling/count_by_distance.glsl"
+#include "gloam/sampling/count_by_radius.glsl"
 #include "gloam/sampling/hash_rotation.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
@@ -75,11 +84,13 @@ layout(push_constant) uniform Parameters {
 #include "gloam/temporal/rotation_switch.glsl"
 #include "gloam/temporal/sample_budget.glsl"
 #include "gloam/temporal/smooth_invalidation.glsl"
+#include "gloam/temporal/smoothing.glsl"
 
 layout(binding = 8, rgba32f) uniform readonly image2D layer_image;
 layout(binding = 6, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
 layout(binding = 7, GLOAM_PREPARED) uniform readonly image2D prepared_image;
 
+#define GLOAM_REJECTS_TAPS reject_taps
 #define GLOAM_LAYERS layers
 float gloam_fetch_layer(ivec2 pixel, int layer) {
     return imageLoad(layer_image, pixel)[layer - 1];
@@ -163,35 +174,59 @@ void count(uint what, uint amount) {
     if ((count_work || listed) && amount > 0u) atomicAdd(counted[what], amount);
 }
 
+// Half-axes of the projected radius, pixels.
+vec2 reach_at(float depth) {
+    return gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
+}
+
+// Radius of influence, world units: smaller where its projection would exceed the cap.
+float radius_at(float depth) {
+    vec2 reach = reach_at(depth);
+    float larger = max(reach.x, reach.y);
+    if (!(larger > parameters.radius_cap)) return parameters.radius;
+    vec2 capped = gloam_radius_cap(reach, parameters.radius_cap);
+    return parameters.radius * (max(capped.x, capped.y) / larger);
+}
+
 // (sum, count) of `samples` samples.
 vec2 gather(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     GloamCamera camera = this_camera();
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     float angle = gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
-    GloamKernel kernel = GloamKernel(parameters.radius, parameters.bias, angle, before.index, samples);
+    GloamKernel kernel = GloamKernel(radius_at(depth), parameters.bias, angle, before.index, samples);
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
     if (moving_objects) neighborhood = Neighborhood(position, imageLoad(previous_position_image, pixel).xyz, normal, 0.0);
     return gloam_method_gather(position, normal, camera, kernel, method_settings);
 }
 
-uint samples_for(GloamHistory before) {
+uint samples_for(GloamHistory before, float depth) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     if (parameters.freeze != 0u && parameters.still != 0u && convergence >= 1.0) return 0u;
-    return uint(gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples),
-                                   int(parameters.samples_converged)));
+    int samples = gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples), int(parameters.samples_converged));
+    int least = min(int(parameters.samples_least), samples);
+    if (parameters.samples_distance > 0.0) samples = gloam_count_by_distance(depth, parameters.samples_distance, samples, least);
+    if (parameters.samples_radius > 0.0) {
+        vec2 reach = reach_at(depth);
+        samples = gloam_count_by_radius(max(reach.x, reach.y), parameters.samples_radius, least, samples);
+    }
+    return uint(samples);
 }
 
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
-    uint samples = samples_for(before);
+    uint samples = samples_for(before, depth);
     count(ASKED, samples > 0u ? 1u : 0u);
     // Where nothing is blocked, each sample counts and adds nothing.
     vec2 fresh = vec2(0.0, float(samples));
     if (samples > 0u && !open_tile) fresh = gather(pixel, depth, before, samples);
     count(TAKEN, uint(fresh.y));
-    vec2 blended = gloam_blend(before.occlusion, weight_after_change(before.weight), gloam_estimator_mean(fresh), fresh.y,
-                               parameters.weight_max);
+    float mean = gloam_estimator_mean(fresh);
+    float weight = weight_after_change(before.weight);
+    vec2 blended = gloam_blend(before.occlusion, weight, mean, fresh.y, parameters.weight_max);
+    if (parameters.smoothing > 0.0 && fresh.y > 0.0) {
+        blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, mean, parameters.smoothing);
+    }
     return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples, parameters.table_size), depth);
 }
 
@@ -209,7 +244,7 @@ GloamHistory shade(ivec2 pixel) {
     count(BACKGROUND, background ? 1u : 0u);
     if (background && parameters.skip_background != 0u) return gloam_history_empty(depth);
 
-    vec2 reach = gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
+    vec2 reach = reach_at(depth);
     if (!background && max(reach.x, reach.y) < parameters.least_radius) {
         count(BELOW_LIMIT, 1u);
         return GloamHistory(0.0, parameters.weight_max, 0u, depth);  // known for certain: converged

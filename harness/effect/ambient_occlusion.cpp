@@ -130,6 +130,7 @@ Program AmbientOcclusion::Impl::program() const {
             .precision = settings.precision,
             .moving_objects = moved && images->previous_position.has_value(),
             .layers = settings.layers,
+            .reject_taps = settings.reject_taps,
             .listed = selects_tiles(settings)};
 }
 
@@ -211,10 +212,10 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     return passes;
 }
 
-// Not where samples are probes as well, nor where they see further layers.
+// Not where samples are probes as well, where they see further layers, and where some of them do not count.
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
     const bool probes = program().moving_objects && settings.invalidation != Invalidation::none;
-    return settings.skip_open && settings.layers == 1 && method_named(settings.method).open_is_zero &&
+    return settings.skip_open && settings.layers == 1 && !settings.reject_taps && method_named(settings.method).open_is_zero &&
            !view.camera.orthographic() && !probes;
 }
 

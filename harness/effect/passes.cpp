@@ -77,7 +77,12 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .weight_small = settings.weight_small,
             .confidence_factor = settings.confidence_factor,
             .still = 0,
-            .freeze = flag(settings.freeze)};
+            .freeze = flag(settings.freeze),
+            .samples_distance = settings.samples_distance,
+            .samples_radius = settings.samples_radius,
+            .samples_least = settings.samples_least,
+            .radius_cap = settings.radius_cap,
+            .smoothing = settings.smoothing};
 }
 
 MethodParameters method_parameters(const Settings& settings) {
@@ -143,6 +148,7 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
              .constants = {{.id = 0, .bits = 1},
                            {.id = 1, .bits = flag(program.moving_objects)},
                            {.id = 2, .bits = program.layers},
+                           {.id = 3, .bits = flag(program.reject_taps)},
                            {.id = listed_constant, .bits = flag(program.listed)}}}};
 }
 

@@ -107,6 +107,22 @@ void add_samples(std::vector<Setting>& table) {
                            &S::samples, whole(1, most_samples)));
     table.push_back(number("samples_converged", "samples", "k_2: for each pixel that has",
                            &S::samples_converged, whole(1, most_samples)));
+    table.push_back(number("samples_distance", "world units of depth",
+                           "of the far plane: fewer samples the further away; 0: as many everywhere",
+                           &S::samples_distance, any_from_0));
+    table.push_back(number("samples_radius", "pixels",
+                           "fewer samples where the projected radius is smaller; 0: as many everywhere",
+                           &S::samples_radius, any_from_0));
+    table.push_back(number("samples_least", "samples", "of samples_distance and samples_radius, at least",
+                           &S::samples_least, whole(0, most_samples)));
+    table.push_back(number("radius_cap", "pixels", "the projected radius is at most that large",
+                           &S::radius_cap, positive));
+    table.push_back(flag("reject_taps",
+                         "points, taps and slices leave out what is further in front than range",
+                         &S::reject_taps));
+    table.push_back(number("smoothing", "of a frame",
+                           "in an exponential mean over frames; 0: the mean of all samples", &S::smoothing,
+                           {.most = 1.0}));
     table.push_back(number("c_spatial", "", "convergence from which a pixel takes k_2; above 1: never",
                            &S::c_spatial, any_from_0));
     table.push_back(number("table_size", "samples",

@@ -60,7 +60,17 @@ struct Settings {
     std::uint32_t samples =
         32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples
     std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, 1 to most_samples
-    float c_spatial = 0.3F;                // convergence from which a pixel takes k_2; above 1: never
+    float samples_distance = 0.0F;  // CS-N, of the far plane, world units: k / (1 + k depth / distance)
+                                    // samples; 0: k everywhere
+    float samples_radius =
+        0.0F;  // ISSAO-LOD, pixels: fewer than k where the projected radius is smaller; 0: k everywhere
+    std::uint32_t samples_least = 4;  // of those two, where k is not less, 0 to most_samples
+    float radius_cap = 1e18F;  // pixels: the radius shrinks where its projection would be larger (CS-G), > 0
+    bool reject_taps =
+        false;  // points, taps, slices: what is further in front than `range` is left out (CS-REJ)
+    float smoothing =
+        0.0F;  // part of each frame in an exponential mean (CS-G), 0 to 1; 0: the mean of all (eq. 5)
+    float c_spatial = 0.3F;  // convergence from which a pixel takes k_2; above 1: never
     std::uint32_t table_size =
         65'536;                 // samples after which the sequence starts over, 1 to 2^24, to 2048 in float16
     float weight_max = 500.0F;  // samples in the mean at most, 1 to 2^23

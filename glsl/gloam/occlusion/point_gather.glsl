@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/plane_depth.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -40,8 +41,10 @@ vec2 gloam_point_tap(vec2 accumulated, vec3 position, mat3 frame, GloamCamera ca
     vec3 at = position + kernel.radius * (frame * point);
     if (point == vec3(0.0) || gloam_is_background(-at.z) || !gloam_is_finite2(at.xy)) return accumulated;
     ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
+    float seen = gloam_fetch_depth(pixel);
+    if (GLOAM_REJECTS_TAPS && gloam_tap_rejected(-position.z, seen, method.range)) return accumulated;
     float depth = gloam_plane_depth(pixel, at, frame[2], camera);
-    float occlusion = gloam_method_point_occlusion(depth, gloam_fetch_depth(pixel), kernel, method);
+    float occlusion = gloam_method_point_occlusion(depth, seen, kernel, method);
     bool front = true;  // what the eye sees
     float before = 0.0;
     for (int layer = 1; layer < GLOAM_LAYERS; ++layer) {

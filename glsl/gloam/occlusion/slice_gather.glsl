@@ -6,6 +6,7 @@
 #include "gloam/geometry/into_slice.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/geometry/slice.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -66,6 +67,7 @@ GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint
         for (int layer = 0; layer < GLOAM_LAYERS; ++layer) {
             float depth = layer == 0 ? gloam_fetch_depth(at) : abs(GLOAM_FURTHER_LAYER(at, layer));
             if (at == pixel || gloam_is_background(depth)) break;
+            if (GLOAM_REJECTS_TAPS && gloam_tap_rejected(-point.position.z, depth, method.range)) continue;
             vec3 seen = gloam_camera_position(at, depth, camera) - point.position;
             // Moved into a slice that nearly lies in the tangent plane, it would no longer be as high.
             if (!(dot(seen, point.normal) > kernel.bias)) continue;

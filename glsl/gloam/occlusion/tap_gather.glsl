@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -56,6 +57,7 @@ vec2 gloam_tap_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKerne
     for (uint i = 0u; i < kernel.count; ++i) {
         ivec2 at = gloam_nearest_pixel(center + reach * gloam_method_tap(i, position, kernel), camera.size);
         at = gloam_tap_pixel(at, pixel, camera.size, method.mip_distance);
+        if (GLOAM_REJECTS_TAPS && gloam_tap_rejected(-position.z, gloam_fetch_depth(at), method.range)) continue;
         accumulated = gloam_estimator_add(accumulated, gloam_tap_at(position, n, at, camera, kernel, method));
     }
     return accumulated;

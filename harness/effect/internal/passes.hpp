@@ -46,6 +46,11 @@ struct OcclusionParameters {
     float confidence_factor;
     std::uint32_t still;
     std::uint32_t freeze;
+    float samples_distance;
+    float samples_radius;
+    std::uint32_t samples_least;
+    float radius_cap;
+    float smoothing;
 };
 
 // GloamMethod, as the pass's buffer holds it.
@@ -114,6 +119,7 @@ struct Program {
     HistoryPrecision precision = HistoryPrecision::float32;
     bool moving_objects = false;
     std::uint32_t layers = 1;
+    bool reject_taps = false;
     bool listed = false;  // runs over the list of shaded tiles
 
     friend auto operator<=>(const Program&, const Program&) = default;

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Settings that decide how many samples a pixel takes, from how far, which of them count, and how frames are
+// averaged.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+class SampleSettings : public testing::Test {
+  protected:
+    SampleSettings()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    [[nodiscard]] Frame frame_of(const Settings& settings, int frames = 1) const {
+        const scene::GBuffer view = scene::rasterize(device_, passes_, scene_, {96, 64});
+        AmbientOcclusion effect(device_, passes_, view.extent);
+        effect.begin(view, settings);
+        Frame frame = effect.next();
+        for (int i = 1; i < frames; ++i) frame = effect.next();
+        return frame;
+    }
+
+    // Of the scene's radius, every sample taken and counted.
+    [[nodiscard]] Settings plain(const char* method = "hemisphere") const {
+        Settings settings = with_radius(with_method({}, method), static_cast<float>(scene_.ao_radius));
+        settings.least_radius = 0.0F;
+        settings.skip_open = false;
+        return settings;
+    }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+    scene::Scene scene_ = scene::make_scene("columns");
+};
+
+double per_pixel(const Frame& frame) {
+    return static_cast<double>(frame.work.samples) /
+           static_cast<double>(frame.work.pixels - frame.work.background);
+}
+
+double mean_of(const std::vector<float>& values) {
+    double sum = 0.0;
+    for (const float value : values) sum += double{value};
+    return sum / static_cast<double>(values.size());
+}
+
+TEST_F(SampleSettings, FewerAreTakenFarAway) {
+    Settings settings = plain();
+    EXPECT_NEAR(per_pixel(frame_of(settings)), 32.0, 0.5);
+    settings.samples_distance = 30.0F;
+    const double far_ones = per_pixel(frame_of(settings));
+    EXPECT_GE(far_ones, 4.0);
+    EXPECT_LT(far_ones, 24.0);
+    settings.samples_distance = 1e-3F;  // every pixel lies beyond
+    EXPECT_NEAR(per_pixel(frame_of(settings)), 4.0, 0.1);
+    settings.samples_least = 9;
+    EXPECT_NEAR(per_pixel(frame_of(settings)), 9.0, 0.2);
+}
+
+TEST_F(SampleSettings, FewerAreTakenWhereTheRadiusIsSmall) {
+    Settings settings = plain();
+    settings.samples_radius = 1e-3F;  // every radius is larger
+    EXPECT_EQ(frame_of(settings).occlusion, frame_of(plain()).occlusion);
+    settings.samples_radius = 1e6F;
+    EXPECT_NEAR(per_pixel(frame_of(settings)), 4.0, 0.1);
+}
+
+// In an orthographic view all pixels have the same projected radius: half of it is half the radius.
+TEST_F(SampleSettings, TheCapOfTheRadiusIsASmallerRadius) {
+    scene_.camera_path = {};
+    scene_.camera.projection = scene::Projection::orthographic;
+    scene_.camera.view_height = 4.0;
+    const double pixels = scene_.ao_radius / 4.0 * 64;
+    Settings settings = plain();
+    const std::vector<float> whole = frame_of(settings).occlusion;
+    settings.radius_cap = static_cast<float>(pixels * 2);
+    EXPECT_EQ(frame_of(settings).occlusion, whole);
+    settings.radius_cap = static_cast<float>(pixels / 2);
+    const std::vector<float> capped = frame_of(settings).occlusion;
+    settings.radius_cap = 1e18F;
+    settings.radius /= 2;
+    const std::vector<float> smaller = frame_of(settings).occlusion;
+    EXPECT_GT(mean_of(whole), 1.2 * mean_of(smaller));
+    EXPECT_NEAR(mean_of(capped), mean_of(smaller), 1e-3);
+}
+
+// A tap that tells nothing is no sample: the fewer count, the less the history takes of them.
+TEST_F(SampleSettings, RejectedTapsDoNotCount) {
+    for (const char* method : {"hemisphere", "alchemy"}) {
+        Settings settings = plain(method);
+        settings.range = 0.1F;
+        const Frame all = frame_of(settings);
+        settings.reject_taps = true;
+        const Frame some = frame_of(settings);
+        EXPECT_LT(some.work.samples, all.work.samples * 99 / 100) << method;
+        EXPECT_GT(some.work.samples, all.work.samples / 2) << method;
+        EXPECT_LT(mean_of(some.convergence), mean_of(all.convergence)) << method;
+        settings.range = 1e6F;
+        EXPECT_EQ(frame_of(settings).work.samples, all.work.samples) << method;
+    }
+}
+
+// A slice has its weight whatever its steps find: what is left out there is an open step.
+TEST_F(SampleSettings, RejectedStepsAreOpen) {
+    Settings settings = plain("gtao");
+    const Frame all = frame_of(settings);
+    settings.reject_taps = true;
+    settings.range = 0.02F;
+    const Frame some = frame_of(settings);
+    EXPECT_EQ(some.work.samples, all.work.samples);
+    EXPECT_LT(mean_of(some.occlusion), 0.9 * mean_of(all.occlusion));
+}
+
+// The mean of two frames of the same number of samples tells the second one: (a + b) / 2.
+TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
+    Settings settings = plain();
+    settings.c_spatial = 2.0F;
+    const std::vector<float> first = frame_of(settings).occlusion;
+    const std::vector<float> both = frame_of(settings, 2).occlusion;
+    settings.smoothing = 0.25F;
+    EXPECT_EQ(frame_of(settings).occlusion, first);
+    const std::vector<float> smoothed = frame_of(settings, 2).occlusion;
+    double most = 0.0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const double second = 2.0 * double{both[i]} - double{first[i]};
+        most = std::max(
+            most, std::abs(double{smoothed[i]} - (double{first[i]} + 0.25 * (second - double{first[i]}))));
+    }
+    EXPECT_LT(most, 1e-5);
+}
+
+}  // namespace
+}  // namespace gloam::effect
