@@ -66,23 +66,25 @@ double mean_of(const std::vector<float>& values) {
 
 TEST_F(SampleSettings, FewerAreTakenFarAway) {
     Settings settings = plain();
-    EXPECT_NEAR(per_pixel(frame_of(settings)), 32.0, 0.5);
+    const double all = per_pixel(frame_of(settings));
+    EXPECT_GT(all, 30.0);  // a few lie behind the eye
     settings.samples_distance = 30.0F;
     const double far_ones = per_pixel(frame_of(settings));
-    EXPECT_GE(far_ones, 4.0);
-    EXPECT_LT(far_ones, 24.0);
+    EXPECT_GE(far_ones, all * 4 / 32);
+    EXPECT_LT(far_ones, all * 24 / 32);
     settings.samples_distance = 1e-3F;  // every pixel lies beyond
-    EXPECT_NEAR(per_pixel(frame_of(settings)), 4.0, 0.1);
+    EXPECT_NEAR(per_pixel(frame_of(settings)), all * 4 / 32, 0.1);
     settings.samples_least = 9;
-    EXPECT_NEAR(per_pixel(frame_of(settings)), 9.0, 0.2);
+    EXPECT_NEAR(per_pixel(frame_of(settings)), all * 9 / 32, 0.1);
 }
 
 TEST_F(SampleSettings, FewerAreTakenWhereTheRadiusIsSmall) {
     Settings settings = plain();
+    const Frame all = frame_of(settings);
     settings.samples_radius = 1e-3F;  // every radius is larger
-    EXPECT_EQ(frame_of(settings).occlusion, frame_of(plain()).occlusion);
+    EXPECT_EQ(frame_of(settings).occlusion, all.occlusion);
     settings.samples_radius = 1e6F;
-    EXPECT_NEAR(per_pixel(frame_of(settings)), 4.0, 0.1);
+    EXPECT_NEAR(per_pixel(frame_of(settings)), per_pixel(all) * 4 / 32, 0.1);
 }
 
 // In an orthographic view all pixels have the same projected radius: half of it is half the radius.
@@ -133,8 +135,10 @@ TEST_F(SampleSettings, RejectedStepsAreOpen) {
 
 // The mean of two frames of the same number of samples tells the second one: (a + b) / 2.
 TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
+    scene_ = scene::make_scene("corner");
     Settings settings = plain();
     settings.c_spatial = 2.0F;
+    ASSERT_EQ(per_pixel(frame_of(settings)), 32.0);
     const std::vector<float> first = frame_of(settings).occlusion;
     const std::vector<float> both = frame_of(settings, 2).occlusion;
     settings.smoothing = 0.25F;
