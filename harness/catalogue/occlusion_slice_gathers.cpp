@@ -80,7 +80,7 @@ void append_march(Entries& entries) {
         },
         {.domain = Domain{marches, slices(), points, cameras(), gather_kernels(), gather_methods()}.adjusted(
              place_before_camera(14, 23)),
-         .budget = {.absolute = 4e-6, .backward_ulp = 4},
+         .budget = {.backward_ulp = 4},
          .promised = make_predicate<Signature>(
              [](const March&, const Slice&, const Point& point, const Camera& c, const Kernel& k,
                 const Method& m) { return usual_gather(point.position, point.normal, c, k, m); }),

@@ -199,7 +199,7 @@ void append_gtao_arcs(Entries& entries) {
                         .source = "derived from Jimenez et al. 2016, eq 10"},
                        GLOAM_REFERENCE(gloam_gtao_side),
                        {.domain = {cosines(), projected_angles(), directions()},
-                        .budget = {.absolute = 1e-6},
+                        .budget = {.absolute = 8e-7},
                         .codomain = {0, half_pi},
                         .promised = make_predicate<Side>([](double, double n, const glm::dvec2& normal) {
                             return std::abs(n) <= 1.6 && glm::dot(normal, normal) < 1.001;

@@ -116,7 +116,7 @@ struct Directional::Impl {
             const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
             const Step step{
                 "normals_from_depth", &normals, {images.depth, images.normal}, bytes_of(parameters)};
-            (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1, {});
+            (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1);
         }
         return images;
     }
@@ -129,7 +129,7 @@ struct Directional::Impl {
                                              images.layers ? *images.layers : nothing, method, out};
         resources.insert(resources.end(), read.begin(), read.end());
         const Step step{pass, &pipeline(pass, settings.layers), std::move(resources), bytes_of(parameters)};
-        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1, {});
+        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1);
     }
 };
 

@@ -27,6 +27,7 @@ struct MethodInfo {
     // Samples a ball or disc of the radius, and each that meets nothing higher than the bias above the
     // tangent plane counts and adds exactly 0.
     bool open_is_zero = false;
+    bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
 };
 
 // All methods; the first is the default.

@@ -32,7 +32,7 @@ std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passe
                           const std::function<void()>& before_each) {
     std::vector<std::vector<double>> times(passes.size());
     for (int i = 0; i < repeat; ++i) {
-        before_each();
+        if (before_each) before_each();
         gpu::Commands commands(device);
         commands.timestamp();
         for (const Step& pass : passes) {

@@ -117,17 +117,20 @@ class Filters : public testing::TestWithParam<std::string> {
         const shader::Spirv spirv = passes_.compile(
             "spatial_filter.comp", {}, {{"filters/convergence.glsl", "filters/" + GetParam() + ".glsl"}});
         using enum gpu::BindingKind;
-        const gpu::ComputePipeline pipeline(device_, {.spirv = spirv,
-                                                      .bindings = std::vector(4, storage_image),
-                                                      .push_constant_bytes = sizeof(Parameters)});
+        const gpu::ComputePipeline pipeline(
+            device_,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
+             .push_constant_bytes = sizeof(Parameters)});
         parameters.size = field.size;
         const std::array<std::uint32_t, 3> groups{(extent.width + 7) / 8, (extent.height + 7) / 8, 1};
+        const gpu::Buffer no_list(device_, 64);
         gpu::Commands commands(device_);
         for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
             parameters.axis = axis;
             const bool along_x = axis.x == 1;
             const std::vector<gpu::Resource> resources{depth, along_x ? source : half,
-                                                       along_x ? half : source, normal};
+                                                       along_x ? half : source, normal, no_list};
             commands.dispatch(pipeline, resources, groups, std::as_bytes(std::span(&parameters, 1)));
         }
         commands.submit();

@@ -172,7 +172,8 @@ TEST_P(Prepared, TheBandIsReadWithoutBeingShaded) {
 
 TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
     const scene::GBuffer view = rasterized("corner", {33, 21});
-    const Settings settings = settings_for(GetParam(), 1.0F);
+    Settings settings = settings_for(GetParam(), 1.0F);
+    settings.skip_background = settings.skip_open = settings.skip_settled = false;
     AmbientOcclusion effect(device_, passes_, view.extent);
     effect.begin(view, settings);
     std::vector<std::string> names;
@@ -184,10 +185,11 @@ TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
     expected.insert(expected.end(), {"ambient_occlusion", "filter_x", "filter_y"});
     EXPECT_EQ(names, expected);
 
-    effect.begin(view, settings_for("hemisphere", 1.0F));
+    settings.method = "hemisphere";
+    effect.begin(view, settings);
     const Frame other = effect.next();
     EXPECT_EQ(other.times.size(), 3U);
-    EXPECT_EQ(other.occlusion, run(view, settings_for("hemisphere", 1.0F)).occlusion);
+    EXPECT_EQ(other.occlusion, run(view, settings).occlusion);
 }
 
 TEST_P(Prepared, HistoryOfHalfPrecision) {
@@ -215,6 +217,7 @@ TEST_F(DepthChain, IsTheFullImageToTheBit) {
         const Frame full = run(view, settings, 3);
         settings.method = "sao_chain";
         EXPECT_EQ(run(view, settings, 3).occlusion, full.occlusion) << extent.width;
+        if (extent.height == 1) continue;  // nothing is occluded in it
         settings.mip_distance = 0.0F;
         EXPECT_NE(run(view, settings, 3).occlusion, full.occlusion) << extent.width;
     }
@@ -374,10 +377,7 @@ TEST_F(MultiResolution, NothingDriftsWithTheLevels) {
         scene::GBuffer view = view_of(extent, true, [](glm::dvec2 at) { return 5.0 - 0.6 * std::abs(at.x); });
         for (std::size_t i = 0; i < view.depth.size(); ++i) {
             const double side = 2.0 * static_cast<double>(i % width) + 1.0 - width;
-            view.normal.emplace_back(glm::normalize(glm::vec3(side > 0.0   ? -0.6F
-                                                              : side < 0.0 ? 0.6F
-                                                                           : 0.0F,
-                                                              0, 1)));
+            view.normal.emplace_back(glm::normalize(glm::dvec3(-0.6 * glm::sign(side), 0, 1)));
         }
         Settings settings = settings_for("mssao", 0.8F);
         settings.range = 1.0F;

@@ -51,7 +51,8 @@ class Passes {
   public:
     Passes(const gpu::Device& device, const scene::PassLibrary& library, const effect::MethodInfo& method)
         : effect_(device, library, extent),
-          settings_(with_radius(with_method(effect::preset_named("paper").settings, method.name), radius)) {
+          settings_(with_radius(with_method(effect::preset_named("paper").settings, method.name), radius)),
+          reads_normals_(method.reads_normals) {
         settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
     }
 
@@ -66,8 +67,9 @@ class Passes {
     [[nodiscard]] Mask footprint(const scene::GBuffer& view, bool depth, glm::ivec2 source) const {
         const effect::Preparation beside =
             effect::preparation_of(settings_, extent).value_or(effect::Preparation{});
-        const double reach = depth ? double{radius + beside.reach} : double{beside.reach};
-        const bool alone = !depth && beside.reach == 0.0F;
+        const bool sampled = depth || reads_normals_;
+        const double reach = sampled ? double{radius + beside.reach} : double{beside.reach};
+        const bool alone = !sampled && beside.reach == 0.0F;
         const Mask mask = alone ? single_pixel(extent, source) : depth_footprint(view, reach, source);
         return widened(mask, extent, beside.spread);
     }
@@ -77,6 +79,7 @@ class Passes {
   private:
     effect::AmbientOcclusion effect_;
     effect::Settings settings_;
+    bool reads_normals_;
 };
 
 // What one place suffered, over all bad values.

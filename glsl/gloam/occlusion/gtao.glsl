@@ -70,7 +70,7 @@ float gloam_gtao_arc_uniform(float horizon, float sine) {
 // What a horizon takes from a slice, cosine-weighted: from its cosine.
 // horizon: cos h of gloam_gtao_horizon, taken to the nearer end outside [-1, 1]. angle: n, radians. normal: (cos n, sin n). Both for the positive
 // side; on the negative side -n.
-// Returns an amount in [0, pi / 2]; 0 for NaN. Error: 1e-6.
+// Returns an amount in [0, pi / 2]; 0 for NaN. Error: 8e-7.
 float gloam_gtao_side(float horizon, float angle, vec2 normal) {
     float c = clamp(horizon, -1.0, 1.0);
     float s = gloam_sqrt((1.0 - c) * (1.0 + c));

@@ -34,7 +34,7 @@ std::span<const std::byte> bytes_of(const Parameters& parameters) {
 // `groups`; returns the median time of each. Throws like gpu::Commands::submit().
 [[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                                         const std::array<std::uint32_t, 3>& groups, int repeat,
-                                        const std::function<void()>& before_each);
+                                        const std::function<void()>& before_each = {});
 
 // Bytes of all images and buffers that the passes are given, each counted once.
 [[nodiscard]] std::uint64_t memory_of(std::span<const Step> passes);

@@ -13,7 +13,7 @@ constexpr int frames = 8;
 // A mean of few samples, so that a view settles in few frames; what a settled view costs is not theirs to
 // say.
 constexpr float few_samples = 64.0F;
-constexpr int settled_after = 5;
+constexpr int settled_after = 64;
 
 // A square floor that fills most of the view of a camera that walks over it.
 scene::Scene floor_scene() {

@@ -80,9 +80,9 @@ ordered_json json_of(const Row& row) {
 int run_bench_skips(const BenchSkipsOptions& options) {
     const gpu::Extent extent = image_size(options.size);
     const report::OutputFile json(options.json);
-    const gpu::Device device({.device = options.device,
-                              .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                              .cache_directory = cache_directory()});
+    gpu::Device device({.device = options.device,
+                        .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                        .cache_directory = cache_directory()});
     effect::require_timestamps(device.info());
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
     const auto progress = progress_bar("skips");
