@@ -58,7 +58,7 @@ struct Setup {
     double distance = away;
     double half_height = half_image;  // of the image, at the point's depth
     bool seen_whole = true;
-    bool smooth = true;
+    bool flat = true;
 };
 
 ClosedFormView view_of(const Setup& setup, Projection projection) {
@@ -69,7 +69,7 @@ ClosedFormView view_of(const Setup& setup, Projection projection) {
                         .normal = place.turned({0, 0, 1}),
                         .occlusion = setup.occlusion,
                         .seen_whole = setup.seen_whole,
-                        .smooth = setup.smooth};
+                        .flat = setup.flat};
     view.camera.projection = projection;
     view.camera.view_height = 2.0 * setup.half_height;
     view.camera.fovy_rad = 2.0 * std::atan(setup.half_height / setup.distance);
@@ -133,7 +133,7 @@ ClosedFormView groove(Projection projection) {
     return on_floor({.name = "groove",
                      .description = "floor that rises by 45 degrees from the line through the point",
                      .occlusion = 0.5 * (1.0 - std::cos(quarter)),
-                     .smooth = false},
+                     .flat = false},
                     projection,
                     [](AnalyticScene& scene, const Placement& place) { add_slope(scene, place, 1.0); });
 }
@@ -142,7 +142,7 @@ ClosedFormView valley(Projection projection) {
     return on_floor({.name = "valley",
                      .description = "line between two slopes of 45 degrees",
                      .occlusion = 1.0 - std::cos(quarter),
-                     .smooth = false},
+                     .flat = false},
                     projection, [](AnalyticScene& scene, const Placement& place) {
                         add_slope(scene, place, 1.0);
                         add_slope(scene, place, -1.0);
@@ -153,7 +153,7 @@ ClosedFormView pit(Projection projection) {
     const Setup setup{.name = "pit",
                       .description = "bottom of a funnel that rises by 45 degrees all round",
                       .occlusion = 0.5,
-                      .smooth = false};
+                      .flat = false};
     ClosedFormView view = view_of(setup, projection);
     view.scene.add_cone(view.point, view.normal, quarter);
     return view;
@@ -166,7 +166,8 @@ ClosedFormView sphere(Projection projection) {
                       .description = "inside of a sphere of radius R",
                       .occlusion = 1.0 / 12.0,
                       .distance = orthographic ? 1.0 : 1.9,
-                      .half_height = half_image};
+                      .half_height = half_image,
+                      .flat = false};
     ClosedFormView view = view_of(setup, projection);
     view.scene.add_sphere(view.point + view.normal, 1.0);
     return view;

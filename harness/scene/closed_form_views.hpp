@@ -27,7 +27,7 @@ struct ClosedFormView {
     glm::dvec3 normal{0, 0, 1};
     double occlusion = 0.0;  // there: TSSAO-1, cosine-weighted, linear falloff
     bool seen_whole = true;  // the depth buffer is the scene
-    bool smooth = true;      // the surface has one normal around the point
+    bool flat = true;        // the surface around the point is a plane
 };
 
 // Planes at three tilts, walls at three distances, a ceiling, grooves, a pit, the inside of a sphere, a step,

@@ -140,10 +140,10 @@ Settings ideal(const std::string& method) {
     settings.bias = 1e-9F;  // what rounding in double may do to a plane
     settings.angle_bias = 0.0F;
     settings.epsilon = method == "sao" ? settings.epsilon : 0.0F;
-    settings.intensity = method == "hbao" ? 1.0F : 0.2F;
+    settings.intensity = method == "hbao" || method == "hsao" ? 1.0F : 0.2F;
     settings.range = 1e6F;
     settings.thickness = 1e6F;
-    settings.steps = 64;
+    settings.steps = method == "ssdo" ? 1 : 64;
     return settings;
 }
 
@@ -164,7 +164,7 @@ constexpr double exact = 1e-5;
 
 TEST(OwnValues, OfABarePlane) {
     for (const OwnValue& own : own_values()) {
-        if (own.integrand == nullptr) continue;
+        if (own.integrand == nullptr || own.of_pixels) continue;
         const bool whole_ball = own.name == "crytek" || own.name == "volumetric";
         for (const char* plane : {"plane 0", "plane 30", "plane 60"})
             expect_own_value(own.name, plane, whole_ball ? 0.5 : 0.0, exact);
@@ -181,6 +181,10 @@ TEST(OwnValues, OfGroovesAndPits) {
     expect_own_value("filion", "valley", 0.5, exact);
     expect_own_value("filion", "pit", std::sqrt(0.5), exact);
     expect_own_value("crytek", "groove", 0.625, exact);
+    expect_own_value("poisson", "groove", cosine, exact);
+    expect_own_value("poisson", "pit", 0.5, exact);
+    expect_own_value("ssdo", "groove", cosine, exact);
+    expect_own_value("ssdo", "pit", 0.5, exact);
     // Under the disc of a perspective view lies another part of a slope than under the ball.
     expect_own_value("volumetric", "groove", 0.625, exact, parallel);
     expect_own_value("volumetric", "valley", 0.75, exact, parallel);
@@ -198,6 +202,21 @@ TEST(OwnValues, OfSlices) {
     expect_own_value("hbao", "groove", 0.25, 0.003);
     expect_own_value("hbao", "valley", 0.5, 0.003);
     expect_own_value("hbao", "pit", std::sqrt(0.5), 0.003);
+    expect_own_value("hsao", "groove", 0.25, 0.003);
+    expect_own_value("hsao", "pit", std::sqrt(0.5), 0.003);
+}
+
+// A sphere of radius 1 has q = k R / 2 = 1/2 everywhere, and the mean of sin^2 is q^2 / (1 + q^2).
+TEST(OwnValues, OfCurvature) {
+    expect_own_value("curvature", "sphere", 0.2, exact);
+}
+
+TEST(OwnValues, OfPixelsAreNoneWithoutThem) {
+    const ClosedFormView view = view_named("pit", Projection::perspective);
+    for (const OwnValue& own : own_values()) {
+        const bool known = own_value(view, with_method(Settings{}, own.name), 0, 0.01).has_value();
+        EXPECT_EQ(known, own.integrand != nullptr && !own.of_pixels) << own.name;
+    }
 }
 
 // With the distance: what is cosine-weighted and falls linearly is the truth itself.
@@ -223,7 +242,7 @@ TEST(OwnValues, OfObscurance) {
 // The pixels' own share vanishes with their size.
 TEST(OwnValues, FinerImagesComeNearerToTheLimit) {
     for (const OwnValue& own : own_values()) {
-        if (own.integrand == nullptr) continue;
+        if (own.integrand == nullptr || own.of_pixels) continue;
         const ClosedFormView view = view_named("wall 0.25", Projection::perspective);
         const Settings settings = with_method(Settings{}, own.name);
         const double limit = own_value(view, settings, 0, tolerance)->value;

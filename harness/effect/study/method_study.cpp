@@ -41,11 +41,13 @@ std::vector<ViewResult> study_views(ClosedFormStudy& study, const MethodConfigur
     std::vector<ViewResult> results;
     for (const scene::ClosedFormView& view : scene::closed_form_views(scene::Projection::perspective)) {
         const Estimate measured = study.measure(view, configuration.settings, options);
+        const bool of_pixels = own_value_of(configuration.settings.method).of_pixels;
+        const std::uint32_t pixels = of_pixels ? options.pixels : 0;
         const double visible = remap_of(configuration.settings)(1.0 - measured.value);
         results.push_back({.view = view.name,
                            .truth = view.occlusion,
                            .measured = measured,
-                           .own = own_value(view, configuration.settings, 0, 5e-4),
+                           .own = own_value(view, configuration.settings, pixels, 5e-4),
                            .shown = 1.0 - visible});
     }
     return results;
@@ -75,7 +77,8 @@ Truth SceneStudy::traced(const Measured& measured) const {
 
 // nullptr for a method that estimates no occlusion by rays, or with a falloff of its own.
 const Truth* SceneStudy::own_truth(const MethodInfo& method) {
-    const auto falloff = scene::falloff_named(method.falloff);
+    const bool step = method.falloff == "none up to the radius";
+    const auto falloff = step ? scene::Falloff::step : scene::falloff_named(method.falloff);
     if (!falloff || (method.measure != Measure::cosine && method.measure != Measure::uniform)) return nullptr;
     const bool cosine = method.measure == Measure::cosine;
     const Measured measured{cosine ? scene::Weighting::cosine : scene::Weighting::uniform, *falloff};

@@ -35,7 +35,8 @@ struct ViewResult {
     std::string view;
     double truth = 0.0;  // cosine-weighted, linear falloff
     Estimate measured;
-    std::optional<Estimate> own;  // what the method's mean tends to on ever finer images; nullopt: not known
+    // What the method's mean tends to on ever finer images, or on this one where it grows with them.
+    std::optional<Estimate> own;  // nullopt: not known
     double shown = 0.0;           // what is measured, after the remap
 };
 

@@ -35,9 +35,9 @@ const std::vector<OwnValue>& own_values() {
         {"poisson", own::poisson},
         {"ssdo", own::ssdo},
         {"unreal", own::unreal},
-        {"sphere_proxy", own::sphere_proxy},
+        {"sphere_proxy", own::sphere_proxy, "", true},
         {"disc_proxy", own::disc_proxy},
-        {"mixture", own::mixture},
+        {"mixture", own::mixture, "", true},
         {"curvature", own::curvature},
         {"depth_darkening", own::depth_darkening},
         {"aksoy_phaneuf_two", own::aksoy_phaneuf_two},
@@ -55,7 +55,7 @@ std::optional<Estimate> own_value(const scene::ClosedFormView& view, const Setti
         throw std::invalid_argument(
             fmt::format("radius {:g}: expected 1, the unit of the views", settings.radius));
     const OwnValue& own = own_value_of(settings.method);
-    if (own.integrand == nullptr) return std::nullopt;
+    if (own.integrand == nullptr || (own.of_pixels && pixels == 0)) return std::nullopt;
     return expectation(own.integrand(SeenSurface(view, pixels), settings), tolerance);
 }
 

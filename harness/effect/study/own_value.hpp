@@ -18,7 +18,8 @@ struct OwnValue {
     // What one sample (or pair, or slice) contributes, from the published equations and in double: no code of
     // the shaders and none of their sequences. Settings are for a radius of 1.
     Integrand (*integrand)(const SeenSurface&, const Settings&) = nullptr;
-    std::string none;  // without an integrand: why there is none
+    std::string none{};      // without an integrand: why there is none
+    bool of_pixels = false;  // what it tends to grows without bound as pixels shrink
 };
 
 // One for each of methods().
