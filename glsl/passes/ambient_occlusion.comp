@@ -5,7 +5,7 @@
 // whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
 //
 // Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
+// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none
@@ -17,6 +17,8 @@
 //   7  rgba32f  what the method's preparation passes have written (preparation/pass.glsl); read by methods that have some
 //   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not finite where there is
 //               none; read when layers is more than 1
+//   9  buffer   lists of tiles; read when listed is set
+//  10  buffer   the tiles' states of this frame; STATE_SETTLED is added when listed is set
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
 #endif
@@ -53,6 +55,8 @@ layout(push_constant) uniform Parameters {
     float change_tolerance;  // change of a distance that is taken for rounding, world units
     float weight_small;    // invalidation 1: samples
     float confidence_factor;  // invalidation 2: S, per radius of change
+    uint still;            // 1: the view and its objects are those of the last frame
+    uint freeze;           // 1: pixels that have converged take no samples then
 } parameters;
 
 #include "gloam/geometry/borders.glsl"
@@ -77,15 +81,20 @@ float gloam_fetch_layer(ivec2 pixel, int layer) {
     return imageLoad(layer_image, pixel)[layer - 1];
 }
 
+#define GLOAM_LIST_BINDING 9
+#include "tiles/listed.glsl"
+layout(binding = 10, std430) buffer TileStates { uint tile_states[]; };
+
 // The method: any file of this folder.
 #include "methods/hemisphere.glsl"
 
-shared uint counted[4];
+shared uint counted[5];
 
 const uint TAKEN = 0u;
 const uint BACKGROUND = 1u;
 const uint BELOW_LIMIT = 2u;
 const uint PIXELS = 3u;
+const uint ASKED = 4u;  // pixels that may change in the next frame as well
 
 const uint CLAMP = 1u;
 const uint CONFIDENCE = 2u;
@@ -98,6 +107,8 @@ struct Neighborhood {
     float change;  // largest, world units
 };
 Neighborhood neighborhood;
+
+bool open_tile = false;  // nothing can block a sample of this tile (tiles/open.comp)
 
 GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
@@ -140,7 +151,7 @@ float weight_after_change(float weight) {
 }
 
 void count(uint what, uint amount) {
-    if (count_work && amount > 0u) atomicAdd(counted[what], amount);
+    if ((count_work || listed) && amount > 0u) atomicAdd(counted[what], amount);
 }
 
 // (sum, count) of `samples` samples.
@@ -157,6 +168,7 @@ vec2 gather(ivec2 pixel, float depth, GloamHistory before, uint samples) {
 
 uint samples_for(GloamHistory before) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
+    if (parameters.freeze != 0u && parameters.still != 0u && convergence >= 1.0) return 0u;
     return uint(gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples),
                                    int(parameters.samples_converged)));
 }
@@ -164,7 +176,10 @@ uint samples_for(GloamHistory before) {
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
     uint samples = samples_for(before);
-    vec2 fresh = gather(pixel, depth, before, samples);
+    count(ASKED, samples > 0u ? 1u : 0u);
+    // Where nothing is blocked, each sample counts and adds nothing.
+    vec2 fresh = vec2(0.0, float(samples));
+    if (samples > 0u && !open_tile) fresh = gather(pixel, depth, before, samples);
     count(TAKEN, uint(fresh.y));
     vec2 blended = gloam_blend(before.occlusion, weight_after_change(before.weight), gloam_estimator_mean(fresh), fresh.y,
                                parameters.weight_max);
@@ -193,20 +208,26 @@ GloamHistory shade(ivec2 pixel) {
     return sampled(pixel, depth);
 }
 
+// What the tile took, and whether it has settled.
+void report(uint tile) {
+    if (count_work) work[tile] = uvec4(counted[TAKEN], counted[BACKGROUND], counted[BELOW_LIMIT], counted[PIXELS]);
+    if (listed && parameters.still != 0u && counted[ASKED] == 0u) tile_states[tile] |= STATE_SETTLED;
+}
+
 void main() {
-    if (count_work) {
-        if (gl_LocalInvocationIndex < 4u) counted[gl_LocalInvocationIndex] = 0u;
+    uint entry = group_entry(parameters.size);
+    open_tile = listed && (entry & ENTRY_OPEN) != 0u;
+    if (count_work || listed) {
+        if (gl_LocalInvocationIndex < 5u) counted[gl_LocalInvocationIndex] = 0u;
         barrier();
     }
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = pixel_of(entry, parameters.size);
     if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) {
         imageStore(history_after, pixel, gloam_history_pack(shade(pixel)));
     }
-    if (count_work) {
+    if (count_work || listed) {
         barrier();
-        uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-        if (gl_LocalInvocationIndex == 0u) {
-            work[group] = uvec4(counted[TAKEN], counted[BACKGROUND], counted[BELOW_LIMIT], counted[PIXELS]);
-        }
+        uvec2 tiles = tiles_of(parameters.size);
+        if (gl_LocalInvocationIndex == 0u && (entry & ~ENTRY_OPEN) < tiles.x * tiles.y) report(entry & ~ENTRY_OPEN);
     }
 }

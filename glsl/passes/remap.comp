@@ -4,10 +4,11 @@
 // history must not see the result.
 //
 // Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
+// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  history  occlusion in x: the history, or the filter's result
 //   2  rgba32f  written: mapped occlusion in x, in [0, 1], yzw of binding 1; background as it is
+//   3  buffer   lists of tiles; read when listed is set
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
 #endif
@@ -16,6 +17,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D source_image;
 layout(binding = 2, rgba32f) uniform writeonly image2D mapped_image;
+
+#define GLOAM_LIST_BINDING 3
+#include "tiles/listed.glsl"
 
 layout(push_constant) uniform Parameters {
     ivec2 size;  // of the images, pixels
@@ -28,7 +32,7 @@ layout(push_constant) uniform Parameters {
 #include "gloam/shading/remap.glsl"
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = pixel_of(group_entry(parameters.size), parameters.size);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     vec4 texel = imageLoad(source_image, pixel);
     if (!gloam_is_background(imageLoad(depth_image, pixel).x)) {

@@ -4,12 +4,13 @@
 // hidden, outside the image or another surface has no history.
 //
 // Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
+// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
 //   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
 //   2  history  of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
 //   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0, 0, depth)
 //               for none
+//   4  buffer   lists of tiles; read when listed is set
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
 #endif
@@ -21,6 +22,9 @@ layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D previous_position_image;
 layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D previous_history;
 layout(binding = 3, GLOAM_HISTORY) uniform writeonly image2D history;
+
+#define GLOAM_LIST_BINDING 4
+#include "tiles/listed.glsl"
 
 layout(push_constant) uniform Parameters {
     mat4 previous_from_current;  // view space of this frame to that of the previous one
@@ -83,7 +87,7 @@ GloamHistory reprojected(ivec2 pixel) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = pixel_of(group_entry(parameters.size), parameters.size);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     imageStore(history, pixel, gloam_history_pack(reprojected(pixel)));
 }

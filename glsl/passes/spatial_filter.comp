@@ -5,11 +5,12 @@
 // distance and depth (ISSAO-7), or as SAO has it.
 //
 // Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
+// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  history  occlusion in x, accumulated samples in y, anything in zw: the history, or this pass's result along x
 //   2  rgba32f  written: filtered occlusion in x, yzw of binding 1
 //   3  rgba32f  view-space normal in xyz; read by the filter geometry alone
+//   4  buffer   lists of tiles; read when listed is set
 #ifndef GLOAM_HISTORY
 #define GLOAM_HISTORY rgba32f
 #endif
@@ -19,6 +20,9 @@ layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D source_image;
 layout(binding = 2, rgba32f) uniform writeonly image2D filtered_image;
 layout(binding = 3, rgba32f) uniform readonly image2D normal_image;
+
+#define GLOAM_LIST_BINDING 4
+#include "tiles/listed.glsl"
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;        // elements [0][0] and [1][1] of the projection, y down
@@ -38,7 +42,7 @@ layout(push_constant) uniform Parameters {
 #include "filters/convergence.glsl"
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = pixel_of(group_entry(parameters.size), parameters.size);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     vec4 texel = imageLoad(source_image, pixel);
     texel.x = filtered_occlusion(pixel);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <optional>
 #include <stdexcept>
@@ -13,11 +14,17 @@
 #include "effect/internal/pipelines.hpp"
 #include "effect/internal/prepared_image.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/internal/tiles.hpp"
 #include "effect/internal/work.hpp"
+#include "effect/methods.hpp"
 #include "scene/guard_band.hpp"
 
 namespace gloam::effect {
 namespace {
+
+std::array<std::int32_t, 2> size_of(gpu::Extent extent) {
+    return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height)};
+}
 
 // A view without the band that the settings ask for.
 void require_guard(const scene::GBuffer& view, const Settings& settings) {
@@ -53,9 +60,12 @@ struct AmbientOcclusion::Impl {
     Settings settings;
     bool begun = false;
     bool reconstruct_normals = false;
-    bool moved = false;  // the history has not followed the last view yet
-    gpu::Image nothing;  // for bindings that are not read
-    gpu::Buffer method;  // MethodParameters
+    bool moved = false;            // the history has not followed the last view yet
+    bool shown = false;            // the last view has had a frame
+    bool open_known = false;       // which tiles of the last view are open
+    bool second_is_after = false;  // of the two images of the history, which are swapped
+    gpu::Image nothing;            // for bindings that are not read
+    gpu::Buffer method;            // MethodParameters
     PreparedImage prepared;
     std::optional<FrameImages> images;
     NormalParameters normal_constants{};
@@ -64,12 +74,23 @@ struct AmbientOcclusion::Impl {
     FilterParameters filter_x_constants{};
     FilterParameters filter_y_constants{};
     RemapParameters remap_constants{};
+    SelectParameters select_constants{};
+    SelectFilteredParameters select_filtered_constants{};
+    BoundParameters bound_constants{};
+    OpenParameters open_constants{};
 
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
     [[nodiscard]] Program program() const;
     [[nodiscard]] const gpu::Image& history() const { return moved ? images->reprojected : images->before; }
+    [[nodiscard]] std::optional<TileLists> listed(TileLists list) const;
+    [[nodiscard]] Step over(TileLists list, Step pass) const;
     [[nodiscard]] std::vector<Step> steps();
+    [[nodiscard]] SelectParameters select_parameters() const;
+    void append_selection(std::vector<Step>& passes);
+    [[nodiscard]] bool finds_open_tiles() const;
+    void append_open(std::vector<Step>& passes);
+    void append_filter(std::vector<Step>& passes);
     void append_remap(std::vector<Step>& passes);
     [[nodiscard]] Frame collect() const;
     [[nodiscard]] Work work(std::span<const float> convergence) const;
@@ -98,17 +119,69 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     filter_x_constants = filter_parameters(view, settings, {1, 0});
     filter_y_constants = filter_parameters(view, settings, {0, 1});
     remap_constants = remap_parameters(view, settings);
+    const std::int32_t reach = filter_reach(settings);
+    select_filtered_constants = {.size = size_of(view.extent), .reach = {reach, reach}};
+    shown = false;
+    open_known = false;
 }
 
 Program AmbientOcclusion::Impl::program() const {
     return {.method = settings.method,
             .precision = settings.precision,
             .moving_objects = moved && images->previous_position.has_value(),
-            .layers = settings.layers};
+            .layers = settings.layers,
+            .listed = selects_tiles(settings)};
+}
+
+// The list of tiles that a pass runs on; none: all of them.
+std::optional<TileLists> AmbientOcclusion::Impl::listed(TileLists list) const {
+    return selects_tiles(settings) ? std::optional(list) : std::nullopt;
+}
+
+// A pass over the list, or over the whole image.
+Step AmbientOcclusion::Impl::over(TileLists list, Step pass) const {
+    if (!listed(list)) return pass;
+    pass.indirect = &images->tile_selection.lists();
+    pass.offset = offset_of(list);
+    return pass;
+}
+
+void AmbientOcclusion::Impl::append_selection(std::vector<Step>& passes) {
+    if (!selects_tiles(settings)) return;
+    const Tiles& tiles = images->tile_selection;
+    if (finds_open_tiles() && !open_known) append_open(passes);
+    select_constants = select_parameters();
+    const std::array<std::uint32_t, 3> tile_groups =
+        groups_for({groups_for(view.extent)[0], groups_for(view.extent)[1]});
+    passes.push_back(
+        {"select_tiles",
+         &pipelines.selection(),
+         {images->depth, tiles.before(), tiles.after(), tiles.lists(), tiles.open(), images->tiles},
+         bytes_of(select_constants),
+         tile_groups});
+    if (!filters(settings)) return;
+    passes.push_back({"select_filtered_tiles",
+                      &pipelines.filtered_selection(),
+                      {tiles.after(), tiles.lists()},
+                      bytes_of(select_filtered_constants),
+                      tile_groups});
+}
+
+SelectParameters AmbientOcclusion::Impl::select_parameters() const {
+    std::uint32_t written = second_is_after ? image_second_history : image_first_history;
+    if (moved) written |= image_reprojected;
+    if (filters(settings)) written |= image_half_filtered | image_filtered;
+    if (remaps(settings)) written |= image_mapped | (filters(settings) ? image_filtered_mapped : 0U);
+    return {.size = size_of(view.extent),
+            .written = written,
+            .background = settings.skip_background ? 1U : 0U,
+            .settled = settings.skip_settled && shown ? 1U : 0U,
+            .open = finds_open_tiles() ? 1U : 0U};
 }
 
 std::vector<Step> AmbientOcclusion::Impl::steps() {
     const gpu::Image& positions = images->previous_position ? *images->previous_position : nothing;
+    const Tiles& tiles = images->tile_selection;
     std::vector<Step> passes;
     if (reconstruct_normals) {
         passes.push_back({"normals_from_depth",
@@ -116,45 +189,82 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
                           {images->depth, images->normal},
                           bytes_of(normal_constants)});
     }
+    append_selection(passes);
     if (moved) {
-        passes.push_back({"reproject",
-                          &pipelines.reprojection(program()),
-                          {images->depth, positions, images->before, images->reprojected},
-                          bytes_of(reprojection_constants)});
+        passes.push_back(over(TileLists::shaded,
+                              {"reproject",
+                               &pipelines.reprojection(program()),
+                               {images->depth, positions, images->before, images->reprojected, tiles.lists()},
+                               bytes_of(reprojection_constants)}));
     }
     const gpu::Image& layers = images->layers ? *images->layers : nothing;
     prepared.append_steps({images->depth, images->normal, history(), method, layers}, passes);
-    passes.push_back({"ambient_occlusion",
-                      &pipelines.occlusion(program()),
-                      {images->depth, images->normal, history(), images->after, images->tiles, positions,
-                       method, prepared.image_or(nothing), layers},
-                      bytes_of(occlusion_constants)});
-    if (filters(settings)) {
-        passes.push_back({"filter_x",
-                          &pipelines.filter(settings.filter, settings.precision),
-                          {images->depth, images->after, images->half_filtered, images->normal},
-                          bytes_of(filter_x_constants)});
-        passes.push_back({"filter_y",
-                          &pipelines.filter(settings.filter, HistoryPrecision::float32),
-                          {images->depth, images->half_filtered, images->filtered, images->normal},
-                          bytes_of(filter_y_constants)});
-    }
+    occlusion_constants.still = shown ? 1 : 0;
+    passes.push_back(over(TileLists::shaded,
+                          {"ambient_occlusion",
+                           &pipelines.occlusion(program()),
+                           {images->depth, images->normal, history(), images->after, images->tiles, positions,
+                            method, prepared.image_or(nothing), layers, tiles.lists(), tiles.after()},
+                           bytes_of(occlusion_constants)}));
+    append_filter(passes);
     append_remap(passes);
     return passes;
+}
+
+// Not where samples are probes as well, nor where they see further layers.
+bool AmbientOcclusion::Impl::finds_open_tiles() const {
+    const bool probes = program().moving_objects && settings.invalidation != Invalidation::none;
+    return settings.skip_open && settings.layers == 1 && method_named(settings.method).open_is_zero &&
+           !view.camera.orthographic() && !probes;
+}
+
+void AmbientOcclusion::Impl::append_open(std::vector<Step>& passes) {
+    const Tiles& tiles = images->tile_selection;
+    const glm::vec2 p = view.camera.p00_p11();
+    bound_constants = {.size = size_of(view.extent)};
+    open_constants = {.p00_p11 = {p.x, p.y},
+                      .size = size_of(view.extent),
+                      .radius = settings.radius,
+                      .bias = settings.bias};
+    passes.push_back(
+        {"bound_tiles", &pipelines.bounding(), {images->depth, tiles.bounds()}, bytes_of(bound_constants)});
+    passes.push_back({"open_tiles",
+                      &pipelines.opening(),
+                      {images->depth, images->normal, tiles.bounds(), tiles.open()},
+                      bytes_of(open_constants)});
+}
+
+void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
+    if (!filters(settings)) return;
+    const gpu::Buffer& lists = images->tile_selection.lists();
+    const auto along = [&](const char* name, HistoryPrecision precision, TileLists list,
+                           const gpu::Image& from, const gpu::Image& to, const FilterParameters& constants) {
+        passes.push_back(over(list, {name,
+                                     &pipelines.filter(settings.filter, precision, listed(list)),
+                                     {images->depth, from, to, images->normal, lists},
+                                     bytes_of(constants)}));
+    };
+    along("filter_x", settings.precision, TileLists::filtered_x, images->after, images->half_filtered,
+          filter_x_constants);
+    along("filter_y", HistoryPrecision::float32, TileLists::filtered_y, images->half_filtered,
+          images->filtered, filter_y_constants);
 }
 
 // What is shown, of the history and of the filter's result.
 void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     if (!remaps(settings)) return;
-    passes.push_back({"remap",
-                      &pipelines.remapping(settings.precision),
-                      {images->depth, images->after, *images->mapped},
-                      bytes_of(remap_constants)});
+    const gpu::Buffer& lists = images->tile_selection.lists();
+    passes.push_back(
+        over(TileLists::shaded, {"remap",
+                                 &pipelines.remapping(settings.precision, listed(TileLists::shaded)),
+                                 {images->depth, images->after, *images->mapped, lists},
+                                 bytes_of(remap_constants)}));
     if (!filters(settings)) return;
-    passes.push_back({"remap_filtered",
-                      &pipelines.remapping(HistoryPrecision::float32),
-                      {images->depth, images->filtered, *images->filtered_mapped},
-                      bytes_of(remap_constants)});
+    passes.push_back(over(TileLists::filtered_y,
+                          {"remap_filtered",
+                           &pipelines.remapping(HistoryPrecision::float32, listed(TileLists::filtered_y)),
+                           {images->depth, images->filtered, *images->filtered_mapped, lists},
+                           bytes_of(remap_constants)}));
 }
 
 Frame AmbientOcclusion::Impl::collect() const {
@@ -179,6 +289,13 @@ Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
     std::vector<TileWork> counts(images->tiles.size() / sizeof(TileWork));
     std::memcpy(counts.data(), images->tiles.bytes().data(), images->tiles.size());
     Work total = summed(counts);
+    const bool selected = selects_tiles(settings);
+    const SelectedTiles tiles = images->tile_selection.counts();
+    total.tiles_shaded = selected ? tiles.shaded : total.tiles;
+    if (filters(settings)) total.tiles_filtered = selected ? tiles.filtered : total.tiles;
+    total.tiles_blank = tiles.background;
+    total.tiles_open = tiles.open;
+    total.tiles_settled = tiles.settled;
     if (settings.filter == Filter::convergence) {
         for (const float value : convergence) total.converged += value >= settings.c_adaptive ? 1 : 0;
     }
@@ -200,6 +317,7 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
     if (reformat) impl.allocate(impl.view.extent);
     impl.take(view);
     impl.moved = false;
+    impl.images->tile_selection.forget();
     impl.images->before.upload(std::vector<float>(4 * pixels_of(impl.view.extent), 0.0F));
     impl.begun = true;
 }
@@ -222,13 +340,18 @@ Frame AmbientOcclusion::next(int repeat) {
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
     // Each run reads the same history and writes the same images, so running again changes nothing.
     const std::vector<Step> steps = impl.steps();
-    std::vector<PassTime> times = run(*impl.device, steps, groups_for(impl.view.extent), repeat);
+    std::vector<PassTime> times = run(*impl.device, steps, groups_for(impl.view.extent), repeat,
+                                      [&] { impl.images->tile_selection.clear_lists(); });
     Frame frame = impl.collect();
     frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);
     impl.reconstruct_normals = false;
+    impl.open_known = impl.open_known || impl.finds_open_tiles();
     impl.moved = false;
+    impl.shown = true;
     std::swap(impl.images->before, impl.images->after);
+    impl.second_is_after = !impl.second_is_after;
+    impl.images->tile_selection.advance();
     return frame;
 }
 

@@ -32,6 +32,11 @@ struct Work {
     std::uint64_t tiles = 0;
     std::uint64_t tiles_background = 0;  // without any geometry
     std::uint64_t tiles_skipped = 0;     // without any pixel to sample, those without geometry included
+    std::uint64_t tiles_shaded = 0;      // that the pass ran on at all
+    std::uint64_t tiles_filtered = 0;    // likewise, of the filter; 0 without one
+    std::uint64_t tiles_blank = 0;       // left out: background, as all images show already
+    std::uint64_t tiles_open = 0;        // shaded without a tap: nothing can block any
+    std::uint64_t tiles_settled = 0;     // left out: nothing moves, and no pixel asks for a sample
 };
 
 // One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the

@@ -70,7 +70,8 @@ FrameImages::FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPre
       after(device, size, format_of(precision)),
       half_filtered(device, size, rgba32f),
       filtered(device, size, rgba32f),
-      tiles(device, tiles_of(size) * sizeof(TileWork)) {}
+      tiles(device, tiles_of(size) * sizeof(TileWork)),
+      tile_selection(device, size) {}
 
 void FrameImages::take(const gpu::Device& device, const scene::GBuffer& view) {
     const gpu::Extent extent = depth.extent();

@@ -41,13 +41,15 @@ void hbao(Settings& s) {
 const std::vector<MethodInfo>& methods() {
     using enum Measure;
     static const std::vector<MethodInfo> all{
-        {"hemisphere", "occlusion by points in the half ball (TSSAO-3, TSSAO-14)", cosine, "linear"},
+        {"hemisphere", "occlusion by points in the half ball (TSSAO-3, TSSAO-14)", cosine, "linear", nullptr,
+         true},
         {"disc", "how concave the surface is, by surface points under a disc (TSSAO-12, TSSAO-13)", shape,
-         "none"},
+         "none", nullptr, true},
         {"crytek", "points of a whole ball (Mittring 2007)", volume, "none",
          [](Settings& s) { s.remap_a = 0.5F, s.bias = 0.0F; }},
-        {"filion", "points of the half ball, uniform (Filion and McNaughton 2008)", uniform, "linear"},
-        {"alchemy", "surface points under a disc (McGuire et al. 2011)", cosine, "alchemy", alchemy},
+        {"filion", "points of the half ball, uniform (Filion and McNaughton 2008)", uniform, "linear",
+         nullptr, true},
+        {"alchemy", "surface points under a disc (McGuire et al. 2011)", cosine, "alchemy", alchemy, true},
         {"sao", "surface points on a spiral, far ones from a depth chain (McGuire et al. 2012)", cosine,
          "cubic", sao},
         {"issao", "surface points under the covering circle, dense near the pixel (ISSAO)", cosine, "alchemy",

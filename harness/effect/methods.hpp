@@ -24,6 +24,9 @@ struct MethodInfo {
     std::string falloff;  // with the distance of the blocker: "linear", "none", ...
     void (*adapt)(Settings&) =
         nullptr;  // what it needs beside a preset's settings; lengths for a radius of 1
+    // Samples a ball or disc of the radius, and each that meets nothing higher than the bias above the
+    // tangent plane counts and adds exactly 0.
+    bool open_is_zero = false;
 };
 
 // All methods; the first is the default.

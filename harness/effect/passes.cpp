@@ -29,6 +29,15 @@ std::string filter_include(Filter filter) {
     return "filters/" + std::get<std::string>(setting_named("filter").get(settings)) + ".glsl";
 }
 
+constexpr std::uint32_t listed_constant = 10;
+constexpr std::uint32_t list_constant = 11;
+
+// Of a pass that runs over a list of tiles, or over the whole image.
+std::vector<gpu::SpecializationConstant> constants_of(std::optional<TileLists> list) {
+    return {{.id = listed_constant, .bits = flag(list.has_value())},
+            {.id = list_constant, .bits = static_cast<std::uint32_t>(list.value_or(TileLists::shaded))}};
+}
+
 }  // namespace
 
 std::vector<std::string> defines_for(HistoryPrecision precision) {
@@ -59,7 +68,9 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .invalidation = static_cast<std::uint32_t>(settings.invalidation),
             .change_tolerance = settings.change_tolerance,
             .weight_small = settings.weight_small,
-            .confidence_factor = settings.confidence_factor};
+            .confidence_factor = settings.confidence_factor,
+            .still = 0,
+            .freeze = flag(settings.freeze)};
 }
 
 MethodParameters method_parameters(const Settings& settings) {
@@ -119,11 +130,13 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
-                          storage_image, storage_buffer, storage_image, storage_image},
+                          storage_image, storage_buffer, storage_image, storage_image, storage_buffer,
+                          storage_buffer},
              .push_constant_bytes = sizeof(OcclusionParameters),
              .constants = {{.id = 0, .bits = 1},
                            {.id = 1, .bits = flag(program.moving_objects)},
-                           {.id = 2, .bits = program.layers}}}};
+                           {.id = 2, .bits = program.layers},
+                           {.id = listed_constant, .bits = flag(program.listed)}}}};
 }
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
@@ -131,29 +144,66 @@ gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibra
     const shader::Spirv spirv = library.compile("reproject.comp", defines_for(program.precision));
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image},
+             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
              .push_constant_bytes = sizeof(ReprojectionParameters),
-             .constants = {{.id = 0, .bits = flag(program.moving_objects)}}}};
+             .constants = {{.id = 0, .bits = flag(program.moving_objects)},
+                           {.id = listed_constant, .bits = flag(program.listed)}}}};
 }
 
 gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::PassLibrary& library,
-                                    Filter filter, HistoryPrecision precision) {
+                                    Filter filter, HistoryPrecision precision,
+                                    std::optional<TileLists> list) {
     const shader::Spirv spirv =
         library.compile("spatial_filter.comp", defines_for(precision),
                         {{filter_include(Filter::convergence), filter_include(filter)}});
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image},
-             .push_constant_bytes = sizeof(FilterParameters)}};
+             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
+             .push_constant_bytes = sizeof(FilterParameters),
+             .constants = constants_of(list)}};
 }
 
 gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
-                           HistoryPrecision precision) {
+                           HistoryPrecision precision, std::optional<TileLists> list) {
     const shader::Spirv spirv = library.compile("remap.comp", defines_for(precision));
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image},
-             .push_constant_bytes = sizeof(RemapParameters)}};
+             .bindings = {storage_image, storage_image, storage_image, storage_buffer},
+             .push_constant_bytes = sizeof(RemapParameters),
+             .constants = constants_of(list)}};
+}
+
+gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
+    const shader::Spirv spirv = library.compile("tiles/select.comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer,
+                          storage_buffer},
+             .push_constant_bytes = sizeof(SelectParameters)}};
+}
+
+gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
+    const shader::Spirv spirv = library.compile("tiles/bound.comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_buffer},
+             .push_constant_bytes = sizeof(BoundParameters)}};
+}
+
+gpu::ComputePipeline open_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
+    const shader::Spirv spirv = library.compile("tiles/open.comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_image, storage_image, storage_buffer, storage_buffer},
+             .push_constant_bytes = sizeof(OpenParameters)}};
+}
+
+gpu::ComputePipeline select_filtered_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
+    const shader::Spirv spirv = library.compile("tiles/select_filtered.comp");
+    return {device,
+            {.spirv = spirv,
+             .bindings = {storage_buffer, storage_buffer},
+             .push_constant_bytes = sizeof(SelectFilteredParameters)}};
 }
 
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {

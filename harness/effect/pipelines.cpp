@@ -25,13 +25,32 @@ const gpu::ComputePipeline& Pipelines::reprojection(const Program& program) {
     return found_or_made(reprojection_, program, [&] { return reproject(*device_, library_, program); });
 }
 
-const gpu::ComputePipeline& Pipelines::filter(Filter filter, HistoryPrecision precision) {
-    return found_or_made(filter_, {filter, precision},
-                         [&] { return spatial_filter(*device_, library_, filter, precision); });
+const gpu::ComputePipeline& Pipelines::filter(Filter filter, HistoryPrecision precision,
+                                              std::optional<TileLists> list) {
+    return found_or_made(filter_, {filter, precision, list},
+                         [&] { return spatial_filter(*device_, library_, filter, precision, list); });
 }
 
-const gpu::ComputePipeline& Pipelines::remapping(HistoryPrecision precision) {
-    return found_or_made(remapping_, precision, [&] { return remap(*device_, library_, precision); });
+const gpu::ComputePipeline& Pipelines::remapping(HistoryPrecision precision, std::optional<TileLists> list) {
+    return found_or_made(remapping_, {precision, list},
+                         [&] { return remap(*device_, library_, precision, list); });
+}
+
+const gpu::ComputePipeline& Pipelines::selection() {
+    return found_or_made(of_tiles_, std::string("select"), [&] { return select_tiles(*device_, library_); });
+}
+
+const gpu::ComputePipeline& Pipelines::bounding() {
+    return found_or_made(of_tiles_, std::string("bound"), [&] { return bound_tiles(*device_, library_); });
+}
+
+const gpu::ComputePipeline& Pipelines::opening() {
+    return found_or_made(of_tiles_, std::string("open"), [&] { return open_tiles(*device_, library_); });
+}
+
+const gpu::ComputePipeline& Pipelines::filtered_selection() {
+    return found_or_made(of_tiles_, std::string("select_filtered"),
+                         [&] { return select_filtered_tiles(*device_, library_); });
 }
 
 }  // namespace gloam::effect

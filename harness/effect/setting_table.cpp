@@ -170,8 +170,14 @@ void add_output(std::vector<Setting>& table) {
     table.push_back(number("guard", "of the frame", "guard band on each side", &S::guard, {.most = 0.5}));
     table.push_back(flag("guard_history", "the band is sampled too: what moves in from it has a history",
                          &S::guard_history));
+    table.push_back(
+        flag("freeze", "what has converged takes no more samples while nothing moves", &S::freeze));
     table.push_back(flag("skip_background", "off: background goes the long way, to the same result",
                          &S::skip_background));
+    table.push_back(flag("skip_open", "off: tiles that nothing can block are sampled, to the same result",
+                         &S::skip_open));
+    table.push_back(flag("skip_settled", "off: tiles that would not change are shaded, to the same result",
+                         &S::skip_settled));
 }
 
 SettingValue value_of(const Setting& setting, std::string_view text) {

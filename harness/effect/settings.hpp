@@ -88,7 +88,10 @@ struct Settings {
         one_pixel;       // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
     bool guard_history = true;    // the band is sampled as well: what moves in from it has a history
+    bool freeze = false;          // what has converged takes no more samples while nothing moves
     bool skip_background = true;  // off: background goes the long way, to the same result
+    bool skip_open = true;        // off: tiles that nothing can block are sampled, to the same result
+    bool skip_settled = true;     // off: tiles that would not change are shaded, to the same result
 };
 
 // Whether a filter follows the estimate.

@@ -15,17 +15,28 @@ std::uint64_t bytes_of(const gpu::Image& image) {
     return std::uint64_t{image.extent().width} * image.extent().height * texel;
 }
 
+void record(gpu::Commands& commands, const Step& pass, const std::array<std::uint32_t, 3>& groups) {
+    if (pass.indirect == nullptr) {
+        commands.dispatch(*pass.pipeline, pass.resources, pass.groups[0] == 0 ? groups : pass.groups,
+                          pass.parameters);
+    } else {
+        commands.dispatch_indirect(*pass.pipeline, pass.resources, *pass.indirect, pass.offset,
+                                   pass.parameters);
+    }
+}
+
 }  // namespace
 
 std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
-                          const std::array<std::uint32_t, 3>& groups, int repeat) {
+                          const std::array<std::uint32_t, 3>& groups, int repeat,
+                          const std::function<void()>& before_each) {
     std::vector<std::vector<double>> times(passes.size());
     for (int i = 0; i < repeat; ++i) {
+        before_each();
         gpu::Commands commands(device);
         commands.timestamp();
         for (const Step& pass : passes) {
-            commands.dispatch(*pass.pipeline, pass.resources, pass.groups[0] == 0 ? groups : pass.groups,
-                              pass.parameters);
+            record(commands, pass, groups);
             commands.timestamp();
         }
         commands.submit();

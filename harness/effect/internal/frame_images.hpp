@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "effect/internal/tiles.hpp"
 #include "effect/settings.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/image.hpp"
@@ -37,6 +38,7 @@ struct FrameImages {
     gpu::Image half_filtered;
     gpu::Image filtered;
     gpu::Buffer tiles;  // TileWork
+    Tiles tile_selection;
     std::optional<gpu::Image> previous_position;
     std::optional<gpu::Image> layers;           // of depth behind the first, one in each channel
     std::optional<gpu::Image> mapped;           // what is shown of the history, where it is mapped at all

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "effect/internal/tiles.hpp"
 #include "effect/settings.hpp"
 #include "gpu/compute.hpp"
 #include "scene/camera.hpp"
@@ -42,6 +44,8 @@ struct OcclusionParameters {
     float change_tolerance;
     float weight_small;
     float confidence_factor;
+    std::uint32_t still;
+    std::uint32_t freeze;
 };
 
 // GloamMethod, as the pass's buffer holds it.
@@ -110,6 +114,7 @@ struct Program {
     HistoryPrecision precision = HistoryPrecision::float32;
     bool moving_objects = false;
     std::uint32_t layers = 1;
+    bool listed = false;  // runs over the list of shaded tiles
 
     friend auto operator<=>(const Program&, const Program&) = default;
 };
@@ -125,13 +130,21 @@ struct Program {
                                                      const Program& program);  // counts its work
 [[nodiscard]] gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
                                              const Program& program);
-// `precision`: of the image that the pass reads. Throws std::invalid_argument for Filter::none.
+// `precision`: of the image that the pass reads. `list`: of the tiles that it runs on; none: the whole image.
+// Throws std::invalid_argument for Filter::none.
 [[nodiscard]] gpu::ComputePipeline spatial_filter(const gpu::Device& device,
                                                   const scene::PassLibrary& library, Filter filter,
-                                                  HistoryPrecision precision);
+                                                  HistoryPrecision precision, std::optional<TileLists> list);
 
 [[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
-                                         HistoryPrecision precision);
+                                         HistoryPrecision precision, std::optional<TileLists> list);
+
+// Which tiles the others run on.
+[[nodiscard]] gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library);
+[[nodiscard]] gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLibrary& library);
+[[nodiscard]] gpu::ComputePipeline open_tiles(const gpu::Device& device, const scene::PassLibrary& library);
+[[nodiscard]] gpu::ComputePipeline select_filtered_tiles(const gpu::Device& device,
+                                                         const scene::PassLibrary& library);
 
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);

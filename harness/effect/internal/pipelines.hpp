@@ -2,9 +2,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "effect/internal/passes.hpp"
+#include "effect/internal/tiles.hpp"
 
 namespace gloam::effect {
 
@@ -19,8 +23,15 @@ class Pipelines {
     [[nodiscard]] const gpu::ComputePipeline& occlusion(const Program& program);
     [[nodiscard]] const gpu::ComputePipeline& reprojection(const Program& program);
     // `precision`: of the image that the pass reads.
-    [[nodiscard]] const gpu::ComputePipeline& filter(Filter filter, HistoryPrecision precision);
-    [[nodiscard]] const gpu::ComputePipeline& remapping(HistoryPrecision precision);
+    // `list`: of the tiles that it runs on; none: the whole image.
+    [[nodiscard]] const gpu::ComputePipeline& filter(Filter filter, HistoryPrecision precision,
+                                                     std::optional<TileLists> list);
+    [[nodiscard]] const gpu::ComputePipeline& remapping(HistoryPrecision precision,
+                                                        std::optional<TileLists> list);
+    [[nodiscard]] const gpu::ComputePipeline& selection();
+    [[nodiscard]] const gpu::ComputePipeline& filtered_selection();
+    [[nodiscard]] const gpu::ComputePipeline& bounding();
+    [[nodiscard]] const gpu::ComputePipeline& opening();
 
   private:
     const gpu::Device* device_;
@@ -28,8 +39,9 @@ class Pipelines {
     gpu::ComputePipeline normals_;
     std::map<Program, gpu::ComputePipeline> occlusion_;
     std::map<Program, gpu::ComputePipeline> reprojection_;
-    std::map<std::pair<Filter, HistoryPrecision>, gpu::ComputePipeline> filter_;
-    std::map<HistoryPrecision, gpu::ComputePipeline> remapping_;
+    std::map<std::tuple<Filter, HistoryPrecision, std::optional<TileLists>>, gpu::ComputePipeline> filter_;
+    std::map<std::pair<HistoryPrecision, std::optional<TileLists>>, gpu::ComputePipeline> remapping_;
+    std::map<std::string, gpu::ComputePipeline> of_tiles_;
 };
 
 }  // namespace gloam::effect

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct Step {
     std::vector<gpu::Resource> resources;
     std::span<const std::byte> parameters;
     std::array<std::uint32_t, 3> groups{};  // 0: as many as the image takes
+    const gpu::Buffer* indirect = nullptr;  // where the device finds the groups instead, if anywhere
+    std::size_t offset = 0;                 // bytes
 };
 
 template <class Parameters>
@@ -27,10 +30,11 @@ std::span<const std::byte> bytes_of(const Parameters& parameters) {
     return std::as_bytes(std::span(&parameters, 1));
 }
 
-// Runs the passes in order, `repeat` times, each over its own groups or `groups`; returns the median time of
-// each. Throws like gpu::Commands::submit().
+// Runs the passes in order, `repeat` times, each time after `before_each`, each over its own groups or
+// `groups`; returns the median time of each. Throws like gpu::Commands::submit().
 [[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
-                                        const std::array<std::uint32_t, 3>& groups, int repeat);
+                                        const std::array<std::uint32_t, 3>& groups, int repeat,
+                                        const std::function<void()>& before_each);
 
 // Bytes of all images and buffers that the passes are given, each counted once.
 [[nodiscard]] std::uint64_t memory_of(std::span<const Step> passes);

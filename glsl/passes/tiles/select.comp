@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Says which tiles have to be shaded in this frame, and lists them: one invocation a tile. A tile is left out
+// - without any geometry, once the images show background all over it: nothing reads or writes it then;
+// - in a view that stands still, once none of its pixels has asked for a sample: both history images hold the same then, and will.
+//
+// Dispatch ceil(tiles / 8) groups. Descriptor set 0:
+//   0  r32f    eye-linear depth, world units; background 0 or not finite
+//   1  buffer  the tiles' states after the last frame
+//   2  buffer  written: after this one, but for STATE_SETTLED of the tiles that are shaded
+//   3  buffer  the lists, their counts 0 and their `layers` 1; the first and the counts are filled
+//   4  buffer  for each tile 1 where nothing can block any tap of its pixels, else 0; read when open_tiles is set
+//   5  buffer  what the tiles took in the last frame, as ambient_occlusion.comp writes it: the samples of settled tiles become 0
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "list.glsl"
+
+layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 1, std430) readonly buffer StatesBefore { uint states_before[]; };
+layout(binding = 2, std430) writeonly buffer StatesAfter { uint states_after[]; };
+layout(binding = 3, std430) buffer TileLists {
+    TileList tile_lists[4];
+    uint listed_tiles[];
+};
+layout(binding = 4, std430) readonly buffer OpenTiles { uint open_tile[]; };
+layout(binding = 5, std430) buffer Work { uvec4 work[]; };
+
+layout(push_constant) uniform Parameters {
+    ivec2 size;        // of the images, pixels
+    uint written;      // images that this frame writes, a bit each from 0 on
+    uint background;   // 1: leave out tiles without geometry
+    uint settled;      // 1: leave out tiles that have settled: the view is that of the last frame
+    uint open_tiles;   // 1: mark tiles that nothing can block
+} parameters;
+
+#include "gloam/geometry/background.glsl"
+
+bool without_geometry(uvec2 tile) {
+    ivec2 first = ivec2(tile * TILE_SIDE);
+    ivec2 end = min(first + int(TILE_SIDE), parameters.size);
+    for (int y = first.y; y < end.y; ++y) {
+        for (int x = first.x; x < end.x; ++x) {
+            if (!gloam_is_background(imageLoad(depth_image, ivec2(x, y)).x)) return false;
+        }
+    }
+    return true;
+}
+
+void append(uint tile, uint tiles) {
+    uint position = atomicAdd(tile_lists[SHADED_TILES].tiles, 1u);
+    atomicMax(tile_lists[SHADED_TILES].columns, min(position + 1u, LIST_COLUMNS));
+    atomicMax(tile_lists[SHADED_TILES].rows, position / LIST_COLUMNS + 1u);
+    bool open = parameters.open_tiles != 0u && open_tile[tile] != 0u;
+    if (open) atomicAdd(tile_lists[SKIPPED_TILES].layers, 1u);
+    listed_tiles[SHADED_TILES * tiles + position] = tile | (open ? ENTRY_OPEN : 0u);
+}
+
+void main() {
+    uvec2 tiles = tiles_of(parameters.size);
+    uvec2 at = gl_GlobalInvocationID.xy;
+    if (at.x >= tiles.x || at.y >= tiles.y) return;
+    uint tile = at.y * tiles.x + at.x;
+    uint before = states_before[tile];
+    uint written = parameters.written << STATE_BLANK_SHIFT;
+    bool settled = parameters.settled != 0u && (before & STATE_SETTLED) != 0u;
+    // A settled tile is blank where it was blank before.
+    bool blank = parameters.background != 0u && (settled ? before >> STATE_BLANK_SHIFT != 0u : without_geometry(at));
+    uint kept = blank ? before >> STATE_BLANK_SHIFT << STATE_BLANK_SHIFT : 0u;
+    if (blank && (before & written) == written) {
+        atomicAdd(tile_lists[SKIPPED_TILES].columns, 1u);
+        states_after[tile] = kept | STATE_BACKGROUND | (settled ? STATE_SETTLED : 0u);
+    } else if (settled) {
+        atomicAdd(tile_lists[SKIPPED_TILES].rows, 1u);
+        states_after[tile] = kept | STATE_SETTLED;
+        work[tile].x = 0u;
+    } else {
+        append(tile, tiles.x * tiles.y);
+        states_after[tile] = STATE_SHADED | (blank ? kept | written : 0u);
+    }
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "effect/settings.hpp"
+#include "gpu/buffer.hpp"
+#include "gpu/image.hpp"
+
+namespace gloam::effect {
+
+// A list of tiles in the buffer of them, as glsl/passes/tiles/list.glsl has it, and an indirect dispatch.
+struct TileList {
+    std::uint32_t columns = 0;
+    std::uint32_t rows = 0;
+    std::uint32_t layers = 0;
+    std::uint32_t tiles = 0;
+};
+
+enum class TileLists : std::uint8_t { shaded, filtered_x, filtered_y };
+
+// Images whose tiles may be known to hold nothing but background: bits of SelectParameters::written.
+enum TileImage : std::uint32_t {
+    image_first_history = 1,
+    image_second_history = 2,
+    image_reprojected = 4,
+    image_half_filtered = 8,
+    image_filtered = 16,
+    image_mapped = 32,
+    image_filtered_mapped = 64
+};
+
+// Push constants of tiles/select.comp.
+struct SelectParameters {
+    std::array<std::int32_t, 2> size;
+    std::uint32_t written;
+    std::uint32_t background;
+    std::uint32_t settled;
+    std::uint32_t open;
+};
+
+// Of tiles/bound.comp.
+struct BoundParameters {
+    std::array<std::int32_t, 2> size;
+};
+
+// Of tiles/open.comp.
+struct OpenParameters {
+    std::array<float, 2> p00_p11;
+    std::array<std::int32_t, 2> size;
+    float radius;
+    float bias;
+};
+
+// And of tiles/select_filtered.comp.
+struct SelectFilteredParameters {
+    std::array<std::int32_t, 2> size;
+    std::array<std::int32_t, 2> reach;
+};
+
+// How many tiles a frame ran on, and why it left others out.
+struct SelectedTiles {
+    std::uint32_t shaded = 0;
+    std::uint32_t filtered = 0;
+    std::uint32_t background = 0;
+    std::uint32_t settled = 0;
+    std::uint32_t open = 0;  // of those shaded: without a tap
+};
+
+// What is known of the tiles of an image from frame to frame, and the lists of those that passes run on.
+class Tiles {
+  public:
+    Tiles(const gpu::Device& device, gpu::Extent extent);
+
+    // Nothing is known any more.
+    void forget();
+
+    // Empties the lists: before each run of the passes.
+    void clear_lists();
+
+    // The states of this frame become those of the last.
+    void advance() { std::swap(before_, after_); }
+
+    [[nodiscard]] SelectedTiles counts() const;
+
+    [[nodiscard]] const gpu::Buffer& before() const { return before_; }
+    [[nodiscard]] const gpu::Buffer& after() const { return after_; }
+    [[nodiscard]] const gpu::Buffer& lists() const { return lists_; }
+    [[nodiscard]] const gpu::Buffer& open() const { return open_; }
+    [[nodiscard]] const gpu::Buffer& bounds() const { return bounds_; }
+
+  private:
+    gpu::Buffer before_;
+    gpu::Buffer after_;
+    gpu::Buffer lists_;
+    gpu::Buffer open_;
+    gpu::Buffer bounds_;
+};
+
+// Where a list is in the buffer, bytes.
+[[nodiscard]] std::size_t offset_of(TileLists list);
+
+// Whether a frame runs over lists of tiles at all.
+[[nodiscard]] bool selects_tiles(const Settings& settings);
+
+// Pixels that the settings' filter reads to each side, at most.
+[[nodiscard]] std::int32_t filter_reach(const Settings& settings);
+
+}  // namespace gloam::effect

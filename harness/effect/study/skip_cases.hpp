@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "effect/study/skip_study.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::effect {
+
+// A mostly empty sky, a wide floor, a view that stands still and has settled, and one with nothing to skip;
+// each with the part of the time that is its target. Throws like scene::rasterize().
+[[nodiscard]] std::vector<SkipCase> skip_cases(const gpu::Device& device, const scene::PassLibrary& passes,
+                                               gpu::Extent extent);
+
+}  // namespace gloam::effect

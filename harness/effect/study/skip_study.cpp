@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/skip_study.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "effect/internal/work.hpp"
+#include "effect/study/copy_clock.hpp"
+
+namespace gloam::effect {
+namespace {
+
+double time_of(const Frame& frame) {
+    double sum = 0.0;
+    for (const PassTime& time : frame.times) sum += time.ms;
+    return sum;
+}
+
+// One way to run a case, and how long its frames took.
+struct Contestant {
+    Settings settings;
+    std::vector<double> times;
+    std::vector<double> first_times;
+    Work work;
+};
+
+// The frames of a round: those of the views, or one after the warm ones of a view that stands still.
+void run_round(AmbientOcclusion& effect, const SkipCase& skip_case, Contestant& contestant) {
+    effect.begin(skip_case.views.front(), contestant.settings);
+    contestant.first_times.push_back(time_of(effect.next()));
+    for (int i = 0; i < skip_case.warm; ++i) (void)effect.next();
+    for (std::size_t i = 1; i < skip_case.views.size(); ++i) {
+        effect.advance(skip_case.views[i]);
+        const Frame frame = effect.next();
+        // What the images hold is known after a few frames.
+        if (2 * i >= skip_case.views.size()) contestant.times.push_back(time_of(frame));
+        contestant.work = frame.work;
+    }
+    if (skip_case.views.size() > 1) return;
+    const Frame frame = effect.next();
+    contestant.times.push_back(time_of(frame));
+    contestant.work = frame.work;
+}
+
+Settings only(const Settings& settings, bool Settings::*skip) {
+    Settings one = without_skips(settings);
+    one.*skip = true;
+    return one;
+}
+
+}  // namespace
+
+Settings without_skips(Settings settings) {
+    settings.skip_background = false;
+    settings.skip_open = false;
+    settings.skip_settled = false;
+    return settings;
+}
+
+SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes, const SkipCase& skip_case,
+                     int rounds) {
+    require_timestamps(device.info());
+    if (skip_case.views.empty()) throw std::invalid_argument("a case of skips without a view");
+    if (rounds < 1) throw std::invalid_argument(fmt::format("rounds {}: expected 1 or more", rounds));
+    const Settings& all = skip_case.settings;
+    std::array contestants{Contestant{without_skips(all), {}, {}, {}}, Contestant{all, {}, {}, {}},
+                           Contestant{only(all, &Settings::skip_background), {}, {}, {}},
+                           Contestant{only(all, &Settings::skip_open), {}, {}, {}},
+                           Contestant{only(all, &Settings::skip_settled), {}, {}, {}}};
+    AmbientOcclusion effect(device, passes, skip_case.views.front().extent);
+    CopyClock clock(device, passes, skip_case.views.front().extent);
+    double copy = 0.0;
+    for (int round = 0; round <= rounds; ++round) {
+        for (Contestant& contestant : contestants) {
+            run_round(effect, skip_case, contestant);
+            if (round == 0) contestant = {contestant.settings, {}, {}, {}};  // drivers compile
+        }
+        copy = clock.measure();
+    }
+    const auto of = [&](std::size_t i) { return median(contestants.at(i).times); };
+    return {.without = of(0),
+            .with = of(1),
+            .background = of(2),
+            .open = of(3),
+            .settled = of(4),
+            .fresh = median(contestants[1].first_times),
+            .copy = copy,
+            .work = contestants[1].work};
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "scene/gbuffer.hpp"
+
+namespace gloam::effect {
+
+// Views of one size, and what is measured of them.
+struct SkipCase {
+    std::string name;
+    std::string what;                   // in a few words
+    std::vector<scene::GBuffer> views;  // one: of a camera that stands still
+    int warm = 0;                       // frames before the first that is timed, of the first view
+    Settings settings;                  // with all skips
+    double target = 0.0;                // of the time with all skips, as a part of that without; 0: none
+};
+
+// Median times of all passes of a frame, in milliseconds, interleaved so that the machine's drift falls on
+// all alike.
+struct SkipTimes {
+    double without = 0.0;     // every skip off
+    double with = 0.0;        // every skip on
+    double background = 0.0;  // only this one on
+    double open = 0.0;
+    double settled = 0.0;
+    double fresh = 0.0;  // every skip on, in the first frame of the same view
+    double copy = 0.0;   // a pass that reads one r32f texel and writes one
+    Work work;           // of the last frame, every skip on
+};
+
+// Every skip off.
+[[nodiscard]] Settings without_skips(Settings settings);
+
+// Times `rounds` runs of each. Throws std::invalid_argument for a case without views and for rounds below 1,
+// std::runtime_error for a device without timestamps, and like AmbientOcclusion.
+[[nodiscard]] SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes,
+                                   const SkipCase& skip_case, int rounds);
+
+}  // namespace gloam::effect

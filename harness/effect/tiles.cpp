@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/tiles.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "effect/internal/passes.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr std::size_t header_lists = 4;  // three, and the counts
+
+std::size_t tiles_of(gpu::Extent extent) {
+    const auto groups = groups_for(extent);
+    return std::size_t{groups[0]} * groups[1];
+}
+
+}  // namespace
+
+Tiles::Tiles(const gpu::Device& device, gpu::Extent extent)
+    : before_(device, tiles_of(extent) * sizeof(std::uint32_t)),
+      after_(device, tiles_of(extent) * sizeof(std::uint32_t)),
+      lists_(device, header_lists * sizeof(TileList) + 3 * tiles_of(extent) * sizeof(std::uint32_t)),
+      open_(device, tiles_of(extent) * sizeof(std::uint32_t)),
+      bounds_(device, tiles_of(extent) * 4 * sizeof(float)) {
+    forget();
+}
+
+void Tiles::forget() {
+    for (gpu::Buffer* buffer : {&before_, &after_, &open_})
+        std::ranges::fill(buffer->as<std::uint32_t>(), 0U);
+    clear_lists();
+}
+
+void Tiles::clear_lists() {
+    const auto lists = lists_.as<TileList>().first(header_lists);
+    std::ranges::fill(lists, TileList{.layers = 1});
+    lists.back() = {};
+}
+
+SelectedTiles Tiles::counts() const {
+    const auto lists = lists_.as<TileList>().first(header_lists);
+    return {.shaded = lists[0].tiles,
+            .filtered = lists[2].tiles,
+            .background = lists[3].columns,
+            .settled = lists[3].rows,
+            .open = lists[3].layers};
+}
+
+std::size_t offset_of(TileLists list) {
+    return static_cast<std::size_t>(list) * sizeof(TileList);
+}
+
+bool selects_tiles(const Settings& settings) {
+    return settings.skip_background || settings.skip_open || settings.skip_settled;
+}
+
+std::int32_t filter_reach(const Settings& settings) {
+    // SAO's taps lie two pixels apart.
+    return settings.filter == Filter::sao ? 2 * settings.filter_half_width : settings.filter_half_width;
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// What is left out changes nothing: the same images, to the bit, with each skip and without, over frames.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
+#include "effect/presets.hpp"
+#include "scene/guard_band.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr gpu::Extent odd{83, 45};
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+// A view, and how many frames of it are made.
+struct Stay {
+    scene::GBuffer view;
+    int frames = 1;
+};
+
+Settings without_skips(Settings settings) {
+    settings.skip_background = false;
+    settings.skip_open = false;
+    settings.skip_settled = false;
+    return settings;
+}
+
+std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
+    std::vector<std::uint32_t> bits;
+    for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
+    return bits;
+}
+
+class Skips : public testing::Test {
+  protected:
+    Skips()
+        : device_({.device = variable("GLOAM_TEST_DEVICE"),
+                   .validation = gpu::Validation::on,
+                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
+          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
+
+    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
+
+    [[nodiscard]] scene::GBuffer view(const std::string& name, int frame, gpu::Extent extent = odd,
+                                      double guard = 0.0) const {
+        return scene::rasterize(device_, passes_, scene::make_scene(name), extent,
+                                {.frame = frame, .motion = true, .guard = guard});
+    }
+
+    [[nodiscard]] Settings settings_for(const std::string& name) const {
+        return with_radius(preset_named("paper").settings,
+                           static_cast<float>(scene::make_scene(name).ao_radius));
+    }
+
+    // All frames of all stays. The images have held something else before.
+    [[nodiscard]] std::vector<Frame> run(const std::vector<Stay>& stays, const Settings& settings) const {
+        AmbientOcclusion effect(device_, passes_, stays.front().view.extent);
+        scene::GBuffer dirt = stays.front().view;
+        dirt.depth.assign(dirt.depth.size(), 2.0F);
+        effect.begin(dirt, settings);
+        (void)effect.next();
+        (void)effect.next();
+        std::vector<Frame> frames;
+        for (const Stay& stay : stays) {
+            frames.empty() ? effect.begin(stay.view, settings) : effect.advance(stay.view);
+            for (int i = 0; i < stay.frames; ++i) frames.push_back(effect.next(i % 2 + 1));
+        }
+        return frames;
+    }
+
+    // Returns the frames with the skips.
+    std::vector<Frame> expect_same(const std::vector<Stay>& stays, const Settings& settings) const {
+        std::vector<Frame> with = run(stays, settings);
+        const std::vector<Frame> without = run(stays, without_skips(settings));
+        EXPECT_EQ(with.size(), without.size());
+        for (std::size_t i = 0; i < with.size(); ++i) {
+            SCOPED_TRACE("frame " + std::to_string(i));
+            EXPECT_EQ(bits_of(with[i].occlusion), bits_of(without[i].occlusion));
+            EXPECT_EQ(bits_of(with[i].filtered), bits_of(without[i].filtered));
+            EXPECT_EQ(bits_of(with[i].convergence), bits_of(without[i].convergence));
+            EXPECT_EQ(bits_of(with[i].kept), bits_of(without[i].kept));
+            EXPECT_EQ(with[i].work.samples, without[i].work.samples);
+            EXPECT_EQ(with[i].work.background, without[i].work.background);
+            EXPECT_EQ(without[i].work.tiles_shaded, without[i].work.tiles);
+        }
+        return with;
+    }
+
+    gpu::Device device_;
+    scene::PassLibrary passes_;
+};
+
+// Converges in three frames.
+Settings quick(Settings settings) {
+    settings.weight_max = 64.0F;
+    settings.freeze = true;
+    return settings;
+}
+
+TEST_F(Skips, BackgroundOfAMovingCamera) {
+    std::vector<Stay> stays;
+    for (int i = 0; i < 8; ++i) stays.push_back({view("sky", 4 * i)});
+    const std::vector<Frame> frames = expect_same(stays, settings_for("sky"));
+    EXPECT_EQ(frames.front().work.tiles_blank, 0U) << "what the images hold is not known yet";
+    EXPECT_GT(frames.back().work.tiles_blank, frames.back().work.tiles / 3);
+    EXPECT_LT(frames.back().work.tiles_filtered, frames.back().work.tiles);
+}
+
+TEST_F(Skips, MovingObjects) {
+    std::vector<Stay> stays;
+    for (int i = 0; i < 6; ++i) stays.push_back({view("moving", 20 + i), 1 + i % 2});
+    (void)expect_same(stays, quick(settings_for("moving")));
+}
+
+TEST_F(Skips, SettledTilesOfAViewThatStandsStillAndMovesOn) {
+    const std::vector<Stay> stays{
+        {view("sky", 0), 7}, {view("sky", 6), 6}, {view("sky", 7), 1}, {view("sky", 8), 5}};
+    for (const bool freeze : {true, false}) {
+        Settings settings = quick(settings_for("sky"));
+        settings.freeze = freeze;
+        const std::vector<Frame> frames = expect_same(stays, settings);
+        const Work& settled = frames[6].work;
+        if (freeze) {
+            EXPECT_EQ(settled.tiles_shaded, 0U);
+            EXPECT_EQ(settled.tiles_filtered, 0U);
+            EXPECT_EQ(settled.tiles_settled + settled.tiles_blank, settled.tiles);
+            EXPECT_EQ(settled.samples, 0U);
+        }
+        EXPECT_GT(frames[7].work.tiles_shaded, 0U) << "the view has moved";
+    }
+}
+
+TEST_F(Skips, WhatHasConvergedIsFrozenUntilTheViewMoves) {
+    const std::vector<Stay> stays{{view("corner", 0), 6}, {view("corner", 1), 2}};
+    Settings settings = quick(settings_for("corner"));
+    const std::vector<Frame> frozen = run(stays, settings);
+    settings.freeze = false;
+    const std::vector<Frame> free = run(stays, settings);
+    EXPECT_EQ(frozen[2].occlusion, free[2].occlusion) << "nothing had converged before";
+    EXPECT_EQ(frozen[5].occlusion, frozen[3].occlusion);
+    EXPECT_NE(free[5].occlusion, free[3].occlusion);
+    EXPECT_EQ(frozen[5].work.samples, 0U);
+    EXPECT_GT(frozen[6].work.samples, 0U);
+}
+
+TEST_F(Skips, SomeTilesSettleBeforeTheirNeighbours) {
+    // What comes into view has no history, and the filter reads across the tiles' borders.
+    const std::vector<Stay> stays{{view("columns", 0), 4}, {view("columns", 9), 8}};
+    Settings settings = quick(settings_for("columns"));
+    settings.weight_max = 200.0F;
+    settings.c_adaptive = 0.9F;
+    settings.filter_half_width = 5;
+    bool partly = false;
+    for (const Frame& frame : expect_same(stays, settings))
+        partly |= frame.work.tiles_settled > 0 && frame.work.tiles_shaded > 0;
+    EXPECT_TRUE(partly);
+}
+
+TEST_F(Skips, EveryFilterAndTheMap) {
+    const std::vector<Stay> stays{{view("sky", 0), 5}, {view("sky", 5), 1}, {view("sky", 6), 5}};
+    for (const Filter filter : {Filter::none, Filter::geometry, Filter::bilateral, Filter::sao}) {
+        Settings settings = quick(settings_for("sky"));
+        settings.filter = filter;
+        settings.filter_half_width = 4;
+        settings.remap_c = 2.0F;
+        EXPECT_EQ(expect_same(stays, settings)[4].work.tiles_shaded, 0U);
+    }
+}
+
+TEST_F(Skips, AHistoryOfHalfPrecision) {
+    Settings settings = quick(settings_for("sky"));
+    settings.precision = HistoryPrecision::float16;
+    settings.table_size = 2048;
+    const std::vector<Stay> stays{{view("sky", 0), 6}, {view("sky", 5), 5}};
+    EXPECT_EQ(expect_same(stays, settings)[5].work.tiles_shaded, 0U);
+}
+
+TEST_F(Skips, GuardBands) {
+    for (const bool history : {true, false}) {
+        Settings settings = quick(settings_for("sky"));
+        settings.guard = 0.1F;
+        settings.guard_history = history;
+        const std::vector<Stay> stays{
+            {view("sky", 0, odd, 0.1), 5}, {view("sky", 5, odd, 0.1), 1}, {view("sky", 6, odd, 0.1), 5}};
+        EXPECT_EQ(expect_same(stays, settings)[4].work.tiles_shaded, 0U);
+    }
+}
+
+// A floor from the eye's height of two radii.
+scene::GBuffer floor_view(gpu::Extent extent, float bump) {
+    scene::GBuffer view{.extent = extent};
+    view.camera =
+        scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));
+    const glm::vec2 p = view.camera.p00_p11();
+    const glm::vec3 normal = glm::normalize(glm::vec3(0.0F, 1.0F, 0.7F));
+    for (std::uint32_t y = 0; y < extent.height; ++y) {
+        for (std::uint32_t x = 0; x < extent.width; ++x) {
+            const glm::vec3 ray{
+                ((2.0F * static_cast<float>(x) + 1.0F) / static_cast<float>(extent.width) - 1.0F) / p.x,
+                ((2.0F * static_cast<float>(y) + 1.0F) / static_cast<float>(extent.height) - 1.0F) / p.y,
+                -1.0F};
+            const bool raised = x > extent.width / 2 && x < extent.width / 2 + 9 && y > 20 && y < 30;
+            const float depth = (-2.0F + (raised ? bump : 0.0F)) / glm::dot(normal, ray);
+            view.depth.push_back(depth > 0.0F && depth < 50.0F ? depth
+                                                               : std::numeric_limits<float>::infinity());
+            view.normal.push_back(normal);
+        }
+    }
+    return view;
+}
+
+TEST_F(Skips, AnOpenFloorTakesNoTaps) {
+    for (const MethodInfo& method : methods()) {
+        if (!method.open_is_zero) continue;
+        SCOPED_TRACE(method.name);
+        const Settings settings = with_method(quick(Settings{}), method.name);
+        for (const float bump : {0.0F, 0.02F, 0.3F}) {
+            const std::vector<Frame> frames = expect_same({{floor_view({160, 90}, bump), 5}}, settings);
+            const Work& work = frames.front().work;
+            const std::uint64_t with_geometry = work.tiles - work.tiles_background;
+            EXPECT_GT(work.tiles_open, 0U);
+            // Far away the rounding of positions exceeds the bias.
+            if (bump == 0.0F) {
+                EXPECT_GT(work.tiles_open, with_geometry / 4);
+            } else {
+                EXPECT_LT(work.tiles_open, with_geometry);
+            }
+        }
+    }
+}
+
+TEST_F(Skips, OpenTilesOfScenes) {
+    std::uint64_t open = 0;
+    for (const std::string name : {"columns", "far", "moving"}) {
+        SCOPED_TRACE(name);
+        Settings settings = settings_for(name);
+        settings.samples = settings.samples_converged = 16;
+        settings.invalidation = Invalidation::none;
+        std::vector<Stay> stays;
+        for (int i = 0; i < 2; ++i) stays.push_back({view(name, 3 * i, {320, 180})});
+        for (const Frame& frame : expect_same(stays, settings)) open += frame.work.tiles_open;
+    }
+    EXPECT_GT(open, 30U);
+}
+
+TEST_F(Skips, EveryMethod) {
+    const gpu::Extent small{29, 19};
+    const std::vector<Stay> stays{{view("corner", 0, small), 5}};
+    for (const MethodInfo& method : methods()) {
+        SCOPED_TRACE(method.name);
+        Settings settings = with_method(quick(Settings{}), method.name);
+        EXPECT_EQ(expect_same(stays, settings)[4].work.tiles_shaded, 0U);
+    }
+}
+
+TEST_F(Skips, GeometryAppearsWhereAllWasBackground) {
+    const scene::GBuffer full = view("corner", 0);
+    scene::GBuffer empty = full;
+    empty.depth.assign(empty.depth.size(), std::numeric_limits<float>::infinity());
+    scene::GBuffer follows = full;
+    follows.camera.previous_from_current = glm::mat4(1.0F);
+    empty.camera.previous_from_current = glm::mat4(1.0F);
+    const std::vector<Frame> frames =
+        expect_same({{full, 3}, {empty, 4}, {follows, 1}, {empty, 1}, {follows, 2}}, quick(Settings{}));
+    EXPECT_EQ(frames[6].work.tiles_blank, frames[6].work.tiles);
+    EXPECT_EQ(frames[7].work.tiles_shaded, frames[7].work.tiles);
+}
+
+}  // namespace
+}  // namespace gloam::effect
