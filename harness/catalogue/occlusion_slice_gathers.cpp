@@ -104,7 +104,7 @@ void append_gather(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           gather_methods()}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 1.5e-4, .backward_ulp = 4},
+         .budget = {.absolute = 4e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Gather>(usual_gather),
          .scenarios = depth_scenarios(depth_prototype)}));

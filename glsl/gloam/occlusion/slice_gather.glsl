@@ -81,7 +81,7 @@ GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint
 // All samples of one pixel in one frame: as many slices of 2 steps taps as kernel.count allows, at least one.
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns (sum, kernel.count) for gloam_estimator_mean, the mean being that of the slices, weighted. (0, 0) where there is nothing to
-// gather: background, no normal, no radius. Error: that of the slices, 1.5e-4 where one nearly
+// gather: background, no normal, no radius. Error: that of the slices, 4e-5 where one nearly
 // lies in the tangent plane, but for taps within rounding of a pixel's border.
 vec2 gloam_slice_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     if (!gloam_can_gather(position, normal, kernel.radius)) return vec2(0.0);
