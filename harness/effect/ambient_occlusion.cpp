@@ -215,8 +215,8 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
 // Not where samples are probes as well, where they see further layers, and where some of them do not count.
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
     const bool probes = program().moving_objects && settings.invalidation != Invalidation::none;
-    return settings.skip_open && settings.layers == 1 && !settings.reject_taps && method_named(settings.method).open_is_zero &&
-           !view.camera.orthographic() && !probes;
+    return settings.skip_open && settings.layers == 1 && !settings.reject_taps &&
+           method_named(settings.method).open_is_zero && !view.camera.orthographic() && !probes;
 }
 
 void AmbientOcclusion::Impl::append_open(std::vector<Step>& passes) {
