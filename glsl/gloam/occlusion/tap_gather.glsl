@@ -43,6 +43,18 @@ float gloam_tap_at(vec3 position, vec3 normal, ivec2 at, GloamCamera camera, Glo
     return occlusion;
 }
 
+// Contribution of a tap: what the depth chain has at its place, read in the full image. A method that reads the chain in an image of its own
+// declares a function with these parameters and defines GLOAM_TAP as its name, before it includes this file.
+// position, normal: as above. aimed: where the tap lies. pixel: of the shaded point. Both inside the image.
+#ifndef GLOAM_TAP
+#define GLOAM_TAP gloam_full_image_tap
+float gloam_full_image_tap(vec3 position, vec3 normal, ivec2 aimed, ivec2 pixel, GloamCamera camera, GloamKernel kernel,
+                           GloamMethod method) {
+    ivec2 at = gloam_tap_pixel(aimed, pixel, camera.size, method.mip_distance);
+    return gloam_tap_at(position, normal, at, camera, kernel, method);
+}
+#endif
+
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns (sum, count) for gloam_estimator_mean; outside the image the nearest pixel counts. (0, 0) where there is nothing to
@@ -55,10 +67,12 @@ vec2 gloam_tap_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKerne
     ivec2 pixel = gloam_nearest_pixel(center, camera.size);
     vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
     for (uint i = 0u; i < kernel.count; ++i) {
-        ivec2 at = gloam_nearest_pixel(center + reach * gloam_method_tap(i, position, kernel), camera.size);
-        at = gloam_tap_pixel(at, pixel, camera.size, method.mip_distance);
-        if (GLOAM_REJECTS_TAPS && gloam_tap_rejected(-position.z, gloam_fetch_depth(at), method.range)) continue;
-        accumulated = gloam_estimator_add(accumulated, gloam_tap_at(position, n, at, camera, kernel, method));
+        ivec2 aimed = gloam_nearest_pixel(center + reach * gloam_method_tap(i, position, kernel), camera.size);
+        if (GLOAM_REJECTS_TAPS) {
+            ivec2 at = gloam_tap_pixel(aimed, pixel, camera.size, method.mip_distance);
+            if (gloam_tap_rejected(-position.z, gloam_fetch_depth(at), method.range)) continue;
+        }
+        accumulated = gloam_estimator_add(accumulated, GLOAM_TAP(position, n, aimed, pixel, camera, kernel, method));
     }
     return accumulated;
 }

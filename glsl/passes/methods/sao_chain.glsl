@@ -2,15 +2,18 @@
 #ifndef GLOAM_METHODS_SAO_CHAIN_GLSL
 #define GLOAM_METHODS_SAO_CHAIN_GLSL
 
+#include "gloam/geometry/camera.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/method_parameters.glsl"
 #include "passes/preparation/depth_chain.glsl"
 
 // SAO with its depth chain in an image (preparation/depth_chain.comp), as its authors have it: far taps read neighbouring texels of a small
 // image, not pixels that lie far apart. The result is that of sao.glsl to the bit; but where objects move, far taps are no probes of what
 // has moved. Reads what sao reads.
 
-#define gloam_method_gather gloam_full_image_gather
+float gloam_chain_tap(vec3 position, vec3 normal, ivec2 aimed, ivec2 pixel, GloamCamera camera, GloamKernel kernel, GloamMethod method);
+#define GLOAM_TAP gloam_chain_tap
 #include "passes/methods/sao.glsl"
-#undef gloam_method_gather
 
 // Defined by the user: what the preparation passes have written; here the chain's depths in x.
 vec4 gloam_fetch_prepared(ivec2 pixel);
@@ -28,23 +31,6 @@ float gloam_chain_tap(vec3 position, vec3 normal, ivec2 aimed, ivec2 pixel, Gloa
     if (gloam_is_background(depth)) return 0.0;
     vec3 offset = gloam_camera_position(source, depth, camera) - position;
     return gloam_method_tap_occlusion(offset, normal, -position.z, kernel, method);
-}
-
-// All samples of one pixel in one frame, as gloam_tap_gather has them.
-// position: of the surface, view space, world units. normal: view space, any length.
-// Returns (sum, count) for gloam_estimator_mean. (0, 0) where there is nothing to gather: background, no normal, no radius.
-vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
-    vec2 accumulated = vec2(0.0);
-    if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
-    vec2 center = gloam_camera_uv(position, camera);
-    ivec2 pixel = gloam_nearest_pixel(center, camera.size);
-    vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
-    for (uint i = 0u; i < kernel.count; ++i) {
-        ivec2 aimed = gloam_nearest_pixel(center + reach * gloam_method_tap(i, position, kernel), camera.size);
-        accumulated = gloam_estimator_add(accumulated, gloam_chain_tap(position, n, aimed, pixel, camera, kernel, method));
-    }
-    return accumulated;
 }
 
 #endif
