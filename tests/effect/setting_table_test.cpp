@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <string>
@@ -15,6 +14,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/presets.hpp"
+#include "on_device.hpp"
 #include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
 
@@ -174,11 +174,6 @@ const std::map<std::string, Case>& cases() {
     return all;
 }
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
 // A box that slides before a wall, under a camera that pans.
 scene::Scene sliding_box() {
     scene::Scene scene{.name = "test"};
@@ -199,16 +194,8 @@ scene::Scene sliding_box() {
     return scene;
 }
 
-class EverySetting : public testing::Test {
+class EverySetting : public OnDevice<testing::Test> {
   protected:
-    EverySetting()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     // What the last of a few frames shows.
     const std::vector<float>& shown(const Changes& changes) {
         Settings settings = with_radius(Settings{}, 0.5F);
@@ -239,8 +226,6 @@ class EverySetting : public testing::Test {
         return image;
     }
 
-    gpu::Device device_;
-    scene::PassLibrary passes_;
     scene::Scene scene_ = sliding_box();
     std::map<std::string, std::vector<float>> shown_;
 };
@@ -266,7 +251,8 @@ TEST_F(EverySetting, ChangesWhatIsShown) {
 TEST_F(EverySetting, SkipsChangeNothing) {
     for (const Setting& setting : setting_table()) {
         if (!setting.name.starts_with("skip_")) continue;
-        EXPECT_EQ(shown({{setting.name.c_str(), "off"}}), shown({})) << setting.name;
+        for (const char* value : {"off", "on"})
+            EXPECT_EQ(shown({{setting.name.c_str(), value}}), shown({})) << setting.name << ' ' << value;
     }
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cstdlib>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
+#include "on_device.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/rasterize.hpp"
 
@@ -20,16 +20,18 @@ namespace {
 
 constexpr gpu::Extent odd{83, 45};
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
 // A view, and how many frames of it are made.
 struct Stay {
     scene::GBuffer view;
     int frames = 1;
 };
+
+Settings with_skips(Settings settings) {
+    settings.skip_background = true;
+    settings.skip_open = true;
+    settings.skip_settled = true;
+    return settings;
+}
 
 Settings without_skips(Settings settings) {
     settings.skip_background = false;
@@ -44,16 +46,8 @@ std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
     return bits;
 }
 
-class Skips : public testing::Test {
+class Skips : public OnDevice<testing::Test> {
   protected:
-    Skips()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     [[nodiscard]] scene::GBuffer view(const std::string& name, int frame, gpu::Extent extent = odd,
                                       double guard = 0.0) const {
         return scene::rasterize(device_, passes_, scene::make_scene(name), extent,
@@ -61,8 +55,8 @@ class Skips : public testing::Test {
     }
 
     [[nodiscard]] Settings settings_for(const std::string& name) const {
-        return with_radius(preset_named("paper").settings,
-                           static_cast<float>(scene::make_scene(name).ao_radius));
+        return with_skips(with_radius(preset_named("paper").settings,
+                                      static_cast<float>(scene::make_scene(name).ao_radius)));
     }
 
     // All frames of all stays. The images have held something else before.
@@ -98,16 +92,13 @@ class Skips : public testing::Test {
         }
         return with;
     }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
 };
 
 // Converges in three frames.
 Settings quick(Settings settings) {
     settings.weight_max = 64.0F;
     settings.freeze = true;
-    return settings;
+    return with_skips(settings);
 }
 
 TEST_F(Skips, BackgroundOfAMovingCamera) {

@@ -30,7 +30,9 @@ scene::Scene floor_scene() {
 }
 
 Settings settings_for(const scene::Scene& scene) {
-    return with_radius(preset_named("paper").settings, static_cast<float>(scene.ao_radius));
+    Settings settings = with_radius(preset_named("paper").settings, static_cast<float>(scene.ao_radius));
+    settings.skip_background = settings.skip_open = settings.skip_settled = true;
+    return settings;
 }
 
 }  // namespace
