@@ -100,9 +100,8 @@ struct Settings {
     bool guard_history = true;    // the band is sampled as well: what moves in from it has a history
     bool freeze = false;          // what has converged takes no more samples while nothing moves
     bool skip_background = true;  // off: background goes the long way, to the same result
-    bool skip_open = false;       // on: tiles that nothing can block are not sampled, to the same result; the
-                             // proof may cost more than it saves (docs/skips.md)
-    bool skip_settled = true;  // off: tiles that would not change are shaded, to the same result
+    bool skip_open = false;       // on: tiles that nothing can block are not sampled, to the same result
+    bool skip_settled = true;     // off: tiles that would not change are shaded, to the same result
 };
 
 // Whether a filter follows the estimate.
