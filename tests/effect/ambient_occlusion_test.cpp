@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
+#include "on_device.hpp"
 #include "scene/corner.hpp"
 #include "scene/rasterize.hpp"
 
@@ -24,22 +24,9 @@ namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
 // Opens the device with validation, and fails on any message.
-class Effect : public testing::Test {
+class Effect : public OnDevice<testing::Test> {
   protected:
-    Effect()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1) const {
         AmbientOcclusion effect(device_, passes_, view.extent);
         effect.begin(view, settings);
@@ -51,9 +38,6 @@ class Effect : public testing::Test {
     [[nodiscard]] scene::GBuffer corner(gpu::Extent extent) const {
         return scene::rasterize(device_, passes_, scene::make_scene("corner"), extent);
     }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
 };
 
 Settings settings_for(float radius) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What every method makes of views in closed form, by the passes: it converges to the method's own value.
 #include "effect/study/closed_form_study.hpp"
+#include "on_device.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include <fmt/format.h>
@@ -16,24 +16,7 @@
 namespace gloam::effect {
 namespace {
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
-class ClosedForm : public testing::TestWithParam<std::string> {
-  protected:
-    ClosedForm()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
-};
+class ClosedForm : public OnDevice<testing::TestWithParam<std::string>> {};
 
 // Five standard errors of both numbers, each from the spread of its parts, and what single precision takes
 // from the sum of a thousand contributions. The own value is that on an image of so many pixels, so that no

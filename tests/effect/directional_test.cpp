@@ -13,6 +13,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "numeric/random.hpp"
+#include "on_device.hpp"
 #include "reference/geometry/camera.hpp"
 #include "reference/geometry/pixel_center.hpp"
 #include "reference/geometry/plane_depth.hpp"
@@ -28,25 +29,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
-class Directions : public testing::Test {
+class Directions : public OnDevice<testing::Test> {
   protected:
-    Directions()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")),
-          directional_(device_, passes_) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
-    Directional directional_;
+    Directional directional_{device_, passes_};
 };
 
 Settings many(float radius = 1.0F) {

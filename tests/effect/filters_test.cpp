@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "effect/setting_table.hpp"
 #include "gpu/commands.hpp"
 #include "numeric/random.hpp"
+#include "on_device.hpp"
 #include "reference/filter/bilateral.hpp"
 #include "reference/filter/geometry_blur.hpp"
 #include "scene/corner.hpp"
@@ -30,11 +30,6 @@ namespace gloam::effect {
 namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
 
 std::vector<std::string> names() {
     std::vector<std::string> all = setting_named("filter").choices;
@@ -80,16 +75,8 @@ Field random_field(glm::ivec2 size, float depth_range) {
     return field;
 }
 
-class Filters : public testing::TestWithParam<std::string> {
+class Filters : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
-    Filters()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     [[nodiscard]] Settings settings() const {
         Settings chosen;
         set(chosen, "filter", GetParam());
@@ -148,9 +135,6 @@ class Filters : public testing::TestWithParam<std::string> {
         }
         return values;
     }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
 };
 
 TEST_P(Filters, AConstantStaysWhatItIs) {

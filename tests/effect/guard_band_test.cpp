@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/presets.hpp"
+#include "on_device.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/pixel_positions.hpp"
 #include "scene/rasterize.hpp"
@@ -24,11 +24,6 @@ namespace gloam::effect {
 namespace {
 
 constexpr gpu::Extent extent{96, 54};
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
 
 Settings settings_for(const scene::Scene& scene, float guard) {
     Settings settings = with_radius(preset_named("paper").settings, static_cast<float>(scene.ao_radius));
@@ -55,16 +50,8 @@ double rmse_over(const std::vector<float>& image, const std::vector<float>& trut
     return std::sqrt(squares / static_cast<double>(count));
 }
 
-class Guard : public testing::Test {
+class Guard : public OnDevice<testing::Test> {
   protected:
-    Guard()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, float guard, int frame = 0) const {
         return scene::rasterize(device_, passes_, scene, extent,
                                 {.frame = frame, .motion = true, .guard = double{guard}});
@@ -91,9 +78,6 @@ class Guard : public testing::Test {
         }
         return frame;
     }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
 };
 
 TEST_F(Guard, WithoutABandNothingIsCroppedOrLeftOut) {

@@ -3,34 +3,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
+#include "on_device.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
 
 namespace gloam::effect {
 namespace {
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
-class Layers : public testing::Test {
+class Layers : public OnDevice<testing::Test> {
   protected:
-    Layers()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     [[nodiscard]] scene::GBuffer view_of(const char* name, gpu::Extent extent, int layers) const {
         return scene::rasterize(device_, passes_, scene::make_scene(name), extent, {.layers = layers});
     }
@@ -43,9 +30,6 @@ class Layers : public testing::Test {
         for (int i = 1; i < frames; ++i) frame = effect.next();
         return frame.occlusion;
     }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
 };
 
 Settings settings_for(const char* method, std::uint32_t layers, double radius) {

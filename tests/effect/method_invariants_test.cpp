@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -13,16 +12,12 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
+#include "on_device.hpp"
 #include "scene/analytic_scene.hpp"
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
 namespace {
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
 
 // The estimate itself.
 Settings plain(const std::string& method, float radius) {
@@ -32,19 +27,7 @@ Settings plain(const std::string& method, float radius) {
     return settings;
 }
 
-class Invariants : public testing::TestWithParam<std::string> {
-  protected:
-    Invariants()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
-};
+class Invariants : public OnDevice<testing::TestWithParam<std::string>> {};
 
 std::vector<float> shade(AmbientOcclusion& effect, const scene::GBuffer& view, const Settings& settings) {
     effect.begin(view, settings);

@@ -14,6 +14,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/presets.hpp"
+#include "on_device.hpp"
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
@@ -24,11 +25,6 @@ constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr int poisoned_frame = 3;
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
 // A block of pixels amid the view.
 bool in_block(std::size_t pixel) {
     const std::size_t x = pixel % extent.width;
@@ -38,19 +34,13 @@ bool in_block(std::size_t pixel) {
 
 using Change = std::function<void(scene::GBuffer&)>;
 
-class Poison : public testing::Test {
+class Poison : public OnDevice<testing::Test> {
   protected:
-    Poison()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {
+    Poison() {
         for (int i = 0; i < 8; ++i)
             views_.push_back(
                 scene::rasterize(device_, passes_, scene_, extent, {.frame = 20 + i, .motion = true}));
     }
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
 
     // All frames, one of them changed.
     [[nodiscard]] std::vector<Frame> run(const Change& change) const {
@@ -82,8 +72,6 @@ class Poison : public testing::Test {
         EXPECT_LT(difference / static_cast<double>(clean.back().occlusion.size()), 0.01) << what;
     }
 
-    gpu::Device device_;
-    scene::PassLibrary passes_;
     scene::Scene scene_ = scene::make_scene("moving");
     std::vector<scene::GBuffer> views_;
 };

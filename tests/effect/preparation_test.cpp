@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <set>
@@ -17,16 +16,12 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
+#include "on_device.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
 namespace {
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
 
 std::vector<std::string> prepared_methods() {
     std::vector<std::string> names;
@@ -77,16 +72,8 @@ scene::GBuffer groove(gpu::Extent extent) {
     return view;
 }
 
-class Prepared : public testing::TestWithParam<std::string> {
+class Prepared : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
-    Prepared()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1,
                             int repeat = 1) const {
         AmbientOcclusion effect(device_, passes_, view.extent);
@@ -99,9 +86,6 @@ class Prepared : public testing::TestWithParam<std::string> {
     [[nodiscard]] scene::GBuffer rasterized(const char* name, gpu::Extent extent, double guard = 0.0) const {
         return scene::rasterize(device_, passes_, scene::make_scene(name), extent, {.guard = guard});
     }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
 };
 
 // The frame after `frames` of them, by passes that are already there.
@@ -217,6 +201,13 @@ TEST_F(DepthChain, IsTheFullImageToTheBit) {
         const Frame full = run(view, settings, 3);
         settings.method = "sao_chain";
         EXPECT_EQ(run(view, settings, 3).occlusion, full.occlusion) << extent.width;
+        settings.reject_taps = true;
+        settings.range = 0.2F;
+        const Frame rejected = run(view, settings, 3);
+        settings.method = "sao";
+        EXPECT_EQ(rejected.occlusion, run(view, settings, 3).occlusion) << extent.width;
+        settings.method = "sao_chain";
+        settings.reject_taps = false;
         if (extent.height == 1) continue;  // nothing is occluded in it
         settings.mip_distance = 0.0F;
         EXPECT_NE(run(view, settings, 3).occlusion, full.occlusion) << extent.width;

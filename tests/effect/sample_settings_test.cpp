@@ -6,31 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
+#include "on_device.hpp"
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
 namespace {
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
-class SampleSettings : public testing::Test {
+class SampleSettings : public OnDevice<testing::Test> {
   protected:
-    SampleSettings()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     [[nodiscard]] Frame frame_of(const Settings& settings, int frames = 1) const {
         const scene::GBuffer view = scene::rasterize(device_, passes_, scene_, {96, 64});
         AmbientOcclusion effect(device_, passes_, view.extent);
@@ -48,8 +35,6 @@ class SampleSettings : public testing::Test {
         return settings;
     }
 
-    gpu::Device device_;
-    scene::PassLibrary passes_;
     scene::Scene scene_ = scene::make_scene("columns");
 };
 

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -12,31 +11,19 @@
 #include "effect/study/limit.hpp"
 #include "effect/study/motion_study.hpp"
 #include "effect/study/still_study.hpp"
+#include "on_device.hpp"
 #include "scene/truth.hpp"
 #include "support/devices.hpp"
 
 namespace gloam::effect {
 namespace {
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
 Settings settings_for(const char* preset, const scene::Scene& scene) {
     return with_radius(preset_named(preset).settings, static_cast<float>(scene.ao_radius));
 }
 
-class TemporalQuality : public testing::Test {
+class TemporalQuality : public OnDevice<testing::Test> {
   protected:
-    TemporalQuality()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     // Frames of the first view of a scene, against the limit.
     [[nodiscard]] std::vector<StillFrame> still(const scene::Scene& scene, gpu::Extent extent,
                                                 int frames) const {
@@ -46,9 +33,6 @@ class TemporalQuality : public testing::Test {
         return study_still(device_, passes_, view, settings,
                            {truth_from(view, limit.of(view, settings)), {}, {}}, frames);
     }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
 };
 
 TEST_F(TemporalQuality, AStillViewConvergesFasterThanMonteCarlo) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <numeric>
 #include <string>
@@ -14,6 +13,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/presets.hpp"
+#include "on_device.hpp"
 #include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
 
@@ -21,11 +21,6 @@ namespace gloam::effect {
 namespace {
 
 constexpr gpu::Extent extent{96, 64};
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
 
 // A floor before a wall. With `box`, a box that slides along the wall by `speed` world units a frame.
 scene::Scene floor_and_wall(bool box, double speed = 0.05) {
@@ -69,16 +64,8 @@ double largest_difference(const std::vector<float>& a, const std::vector<float>&
     return largest;
 }
 
-class Temporal : public testing::Test {
+class Temporal : public OnDevice<testing::Test> {
   protected:
-    Temporal()
-        : device_({.device = variable("GLOAM_TEST_DEVICE"),
-                   .validation = gpu::Validation::on,
-                   .cache_directory = variable("GLOAM_CACHE_DIR")}),
-          passes_(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")) {}
-
-    void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
-
     [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame, bool motion = true) const {
         return scene::rasterize(device_, passes_, scene, extent, {.frame = frame, .motion = motion});
     }
@@ -106,9 +93,6 @@ class Temporal : public testing::Test {
         effect.begin(view(scene, frame), many);
         return effect.next().occlusion;
     }
-
-    gpu::Device device_;
-    scene::PassLibrary passes_;
 };
 
 TEST_F(Temporal, ACameraThatStandsStillLosesAndBlursNothing) {
