@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench.hpp"
 
+#include "cli/bench/bar.hpp"
 #include "cli/bench/benchmark_command.hpp"
 #include "cli/bench/methods.hpp"
 #include "cli/bench/skips.hpp"
@@ -16,6 +17,7 @@ void add_bench(CLI::App& app, int& status) {
     add_bench_temporal(*group, status);
     add_bench_methods(*group, status);
     add_bench_skips(*group, status);
+    add_bench_bar(*group, status);
 }
 
 }  // namespace gloam::cli

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/bar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/bench/bar_report.hpp"
+#include "cli/bench/image_size.hpp"
+#include "cli/bench/page_blocks.hpp"
+#include "cli/drivers.hpp"
+#include "cli/environment.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_settings.hpp"
+#include "effect/presets.hpp"
+#include "effect/study/copy_clock.hpp"
+#include "report/output_file.hpp"
+
+namespace gloam::cli {
+namespace {
+
+constexpr int most_scored = 8;
+constexpr const char* block_name = "bar";
+
+std::vector<scene::Scene> scenes_asked(const std::vector<std::string>& names) {
+    std::vector<scene::Scene> scenes;
+    for (const std::string& name : names) {
+        scenes.push_back(scene::make_scene(name));
+        if (!scenes.back().camera_path)
+            throw std::invalid_argument(
+                fmt::format("--scene {}: its camera stands still, expected one that moves", name));
+    }
+    if (!names.empty()) return scenes;
+    for (const scene::SceneInfo& info : scene::built_in_scenes()) {
+        scene::Scene scene = scene::make_scene(info.name);
+        if (scene.camera_path) scenes.push_back(std::move(scene));
+    }
+    return scenes;
+}
+
+effect::BarSettings settings_of(const BenchBarOptions& options, double radius) {
+    const RenderOptions candidate{
+        .method = options.method, .preset = options.preset, .samples = options.samples, .set = options.set};
+    const auto single = [&](const std::string& preset) {
+        return with_radius(effect::preset_named(preset).settings, static_cast<float>(radius));
+    };
+    return {with_radius(settings_for(candidate, 1.0), static_cast<float>(radius)), single(options.exact),
+            single(options.fast)};
+}
+
+// The work of one call. What may be wrong with the options is found out before any of it.
+class BarBench {
+  public:
+    explicit BarBench(const BenchBarOptions& options)
+        : options_(options),
+          scenes_(scenes_asked(options.scenes)),
+          frames_({.extent = image_size(options.size),
+                   .frames = options.frames,
+                   .scored = std::min(most_scored, options.frames / 2),
+                   .rays = options.rays}),
+          old_page_(options.page.empty() ? "" : read_page(options.page)),
+          page_(options.page),
+          json_(options.json) {
+        (void)settings_of(options, 1.0);
+        if (!options.page.empty()) (void)with_blocks(old_page_, {{block_name, ""}});
+    }
+
+    int run() {
+        gpu::Device device({.device = options_.device,
+                            .validation = options_.validation ? gpu::Validation::on : gpu::Validation::off,
+                            .cache_directory = cache_directory()});
+        effect::require_timestamps(device.info());
+        const scene::PassLibrary passes(glsl_directory(), cache_directory());
+        BarReport report{.device = device.info(), .extent = frames_.extent};
+        for (const scene::Scene& scene : scenes_)
+            report.rows.push_back({scene.name, measured(device, passes, scene)});
+        const std::string text = to_text(report, options_);
+        fmt::print("{}", text);
+        json_.write(to_json(report, options_));
+        if (!options_.page.empty()) page_.write(with_blocks(old_page_, {{block_name, text}}));
+        const auto messages = device.take_validation_messages();
+        for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
+        const bool met = std::ranges::all_of(report.rows, &BarRow::met);
+        return messages.empty() && (met || !options_.fail_if_missed) ? 0 : 1;
+    }
+
+  private:
+    [[nodiscard]] effect::Bar measured(const gpu::Device& device, const scene::PassLibrary& passes,
+                                       const scene::Scene& scene) const {
+        const auto folder = cache_directory();
+        const scene::TruthCache cache(folder.empty() ? folder : folder / "truth");
+        effect::BenchmarkViews views(device, passes, scene, frames_, cache,
+                                     progress_bar(scene.name + ", truth"));
+        return effect::study_bar(device, passes, views, settings_of(options_, scene.ao_radius),
+                                 options_.rounds, progress_bar(scene.name));
+    }
+
+    const BenchBarOptions& options_;
+    std::vector<scene::Scene> scenes_;
+    effect::BenchmarkFrames frames_;
+    std::string old_page_;
+    report::OutputFile page_;
+    report::OutputFile json_;
+};
+
+void add_run_options(CLI::App& command, BenchBarOptions& options) {
+    command.add_option("--scene", options.scenes,
+                       "built-in scenes; without it all of those whose camera moves");
+    command.add_option("--preset", options.preset, "of the temporal run")->capture_default_str();
+    command.add_option("--method", options.method, "instead of the preset's");
+    command.add_option("--samples", options.samples, "instead of the preset's")
+        ->check(CLI::Range(std::uint32_t{1}, effect::most_samples));
+    command.add_option("--set", options.set, "NAME=VALUE: any setting of the run, lengths for a radius of 1")
+        ->allow_extra_args(false);
+    command.add_option("--error-of", options.exact, "preset of the single frame that bounds the error")
+        ->capture_default_str();
+    command.add_option("--time-of", options.fast, "preset of the single frame that bounds the time")
+        ->capture_default_str();
+}
+
+}  // namespace
+
+int run_bench_bar(const BenchBarOptions& options) {
+    return BarBench(options).run();
+}
+
+void add_bench_bar(CLI::App& bench, int& status) {
+    auto options = std::make_shared<BenchBarOptions>();
+    CLI::App* command = bench.add_subcommand(
+        "bar", "a temporal run against single frames: at most one's error, at no more than another's time");
+    add_run_options(*command, *options);
+    command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
+    command->add_option("--frames", options->frames, "of the run; half of them, at most 8, are scored")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str();
+    command->add_option("--rounds", options->rounds, "over the frames")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--rays", options->rays, "rays of the truth for each pixel")
+        ->check(CLI::Range(32, 65'536))
+        ->capture_default_str();
+    command->add_flag("--fail-if-missed", options->fail_if_missed, "status 1 where a scene misses the bar");
+    command->add_option("--device", options->device, "name or index of the device");
+    command->add_flag("--validation", options->validation,
+                      "Vulkan validation layers on; any message is an error");
+    command->add_option("--json", options->json, "write every number to this file");
+    command->add_option("--page", options->page, "page whose table is written anew (docs/temporal.md)");
+    add_driver_option(*command);
+    command->callback([options, &status] { status = run_bench_bar(*options); });
+}
+
+}  // namespace gloam::cli

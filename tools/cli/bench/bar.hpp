@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gloam::cli {
+
+// What `gloam bench bar` was asked.
+struct BenchBarOptions {
+    std::vector<std::string> scenes;  // empty: all built-in ones whose camera moves
+    std::string preset = "lean";      // of the temporal run
+    std::string method;               // empty: the preset's
+    std::optional<std::uint32_t> samples;
+    std::vector<std::string> set;           // NAME=VALUE
+    std::string exact = "gtao-quality";     // preset of the single frame that bounds the error
+    std::string fast = "gtao-performance";  // and of the one that bounds the time
+    std::string size = "192x108";
+    int frames = 16;  // half of them, at most 8, are scored
+    int rounds = 5;
+    int rays = 256;  // of the truth, for each pixel
+    bool fail_if_missed = false;
+    std::string device;
+    bool validation = false;
+    std::filesystem::path json;  // empty: not written
+    std::filesystem::path page;  // empty: none
+};
+
+// Holds a temporal run against single frames: at most the error of one, at no more than the time of another.
+// Prints what was found for each scene. Returns the exit status: 0; 1 when the validation layers had
+// something to say, or where a scene misses the bar and --fail-if-missed asks for it.
+[[nodiscard]] int run_bench_bar(const BenchBarOptions& options);
+
+// Adds the subcommand; `status` receives what it returns.
+void add_bench_bar(CLI::App& bench, int& status);
+
+}  // namespace gloam::cli
