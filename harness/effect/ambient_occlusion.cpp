@@ -77,6 +77,7 @@ struct AmbientOcclusion::Impl {
     SelectParameters select_constants{};
     SelectFilteredParameters select_filtered_constants{};
     BoundParameters bound_constants{};
+    std::array<MergeParameters, bound_levels - 1> merge_constants{};
     OpenParameters open_constants{};
 
     void allocate(gpu::Extent size);
@@ -212,11 +213,13 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     return passes;
 }
 
-// Not where samples are probes as well, where they see further layers, and where some of them do not count.
+// Not where samples are probes as well, where they see further layers, where some of them do not count, and
+// where what they read may lie beyond their reach.
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
     const bool probes = program().moving_objects && settings.invalidation != Invalidation::none;
     return settings.skip_open && settings.layers == 1 && !settings.reject_taps &&
-           method_named(settings.method).open_is_zero && !view.camera.orthographic() && !probes;
+           !(settings.mip_distance > 0.0F) && method_named(settings.method).open_is_zero &&
+           !view.camera.orthographic() && !probes;
 }
 
 void AmbientOcclusion::Impl::append_open(std::vector<Step>& passes) {
@@ -227,12 +230,26 @@ void AmbientOcclusion::Impl::append_open(std::vector<Step>& passes) {
                       .size = size_of(view.extent),
                       .radius = settings.radius,
                       .bias = settings.bias};
-    passes.push_back(
-        {"bound_tiles", &pipelines.bounding(), {images->depth, tiles.bounds()}, bytes_of(bound_constants)});
+    const auto over_blocks = [&](std::uint32_t level) { return groups_for(blocks_of(view.extent, level)); };
+    passes.push_back({"bound_tiles",
+                      &pipelines.bounding(),
+                      {images->depth, tiles.bounds()},
+                      bytes_of(bound_constants),
+                      over_blocks(0)});
+    for (std::uint32_t level = 1; level < bound_levels; ++level) {
+        MergeParameters& constants = merge_constants.at(level - 1);
+        constants = {.size = size_of(view.extent), .level = static_cast<std::int32_t>(level)};
+        passes.push_back({fmt::format("merge_bounds_{}", level),
+                          &pipelines.merging(),
+                          {tiles.bounds()},
+                          bytes_of(constants),
+                          over_blocks(level)});
+    }
     passes.push_back({"open_tiles",
                       &pipelines.opening(),
                       {images->depth, images->normal, tiles.bounds(), tiles.open()},
-                      bytes_of(open_constants)});
+                      bytes_of(open_constants),
+                      over_blocks(0)});
 }
 
 void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {

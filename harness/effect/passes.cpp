@@ -203,6 +203,12 @@ gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLib
              .push_constant_bytes = sizeof(BoundParameters)}};
 }
 
+gpu::ComputePipeline merge_bounds(const gpu::Device& device, const scene::PassLibrary& library) {
+    const shader::Spirv spirv = library.compile("tiles/merge_bounds.comp");
+    return {device,
+            {.spirv = spirv, .bindings = {storage_buffer}, .push_constant_bytes = sizeof(MergeParameters)}};
+}
+
 gpu::ComputePipeline open_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
     const shader::Spirv spirv = library.compile("tiles/open.comp");
     return {device,

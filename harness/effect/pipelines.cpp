@@ -44,6 +44,10 @@ const gpu::ComputePipeline& Pipelines::bounding() {
     return found_or_made(of_tiles_, std::string("bound"), [&] { return bound_tiles(*device_, library_); });
 }
 
+const gpu::ComputePipeline& Pipelines::merging() {
+    return found_or_made(of_tiles_, std::string("merge"), [&] { return merge_bounds(*device_, library_); });
+}
+
 const gpu::ComputePipeline& Pipelines::opening() {
     return found_or_made(of_tiles_, std::string("open"), [&] { return open_tiles(*device_, library_); });
 }

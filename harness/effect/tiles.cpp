@@ -16,14 +16,28 @@ std::size_t tiles_of(gpu::Extent extent) {
     return std::size_t{groups[0]} * groups[1];
 }
 
+std::size_t bounds_of(gpu::Extent extent) {
+    std::size_t sum = 0;
+    for (std::uint32_t level = 0; level < bound_levels; ++level) {
+        const gpu::Extent blocks = blocks_of(extent, level);
+        sum += std::size_t{blocks.width} * blocks.height;
+    }
+    return sum;
+}
+
 }  // namespace
+
+gpu::Extent blocks_of(gpu::Extent extent, std::uint32_t level) {
+    const std::uint32_t side = tile_side << (2 * level);
+    return {(extent.width + side - 1) / side, (extent.height + side - 1) / side};
+}
 
 Tiles::Tiles(const gpu::Device& device, gpu::Extent extent)
     : before_(device, tiles_of(extent) * sizeof(std::uint32_t)),
       after_(device, tiles_of(extent) * sizeof(std::uint32_t)),
       lists_(device, header_lists * sizeof(TileList) + 3 * tiles_of(extent) * sizeof(std::uint32_t)),
       open_(device, tiles_of(extent) * sizeof(std::uint32_t)),
-      bounds_(device, tiles_of(extent) * 4 * sizeof(float)) {
+      bounds_(device, bounds_of(extent) * 4 * sizeof(float)) {
     forget();
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// How near to the eye the surfaces of each tile come: an upper bound of the inverse depth, affine in the image, since that of a plane is. One group
-// of 8 x 8 invocations a tile. Perspective only.
+// How near to the eye the surfaces of each tile come: an upper bound of the inverse depth, affine in the image, since that of a plane is. One
+// invocation a tile. Perspective only.
 //
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
+// Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f    eye-linear depth, world units; background 0 or not finite
-//   1  buffer  written: for each tile (c, a, b, 1): at a pixel x, y from the tile's first pixel no surface of the tile has an inverse depth
-//              above c + a x + b y, in 1 / world units, rounding included; (0, 0, 0, 0) for a tile without geometry
+//   1  buffer  written: the tiles' bounds, from the start on (bounds.glsl)
 layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "gloam/geometry/background.glsl"
+#include "bounds.glsl"
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, std430) writeonly buffer Bounds { vec4 bounds[]; };
@@ -16,33 +18,37 @@ layout(push_constant) uniform Parameters {
     ivec2 size;  // of the image, pixels
 } parameters;
 
-#include "gloam/geometry/background.glsl"
+// Of the surface at a pixel; 0 for background.
+float inverse_at(ivec2 pixel) {
+    float depth = imageLoad(depth_image, pixel).x;
+    return gloam_is_background(depth) ? 0.0 : 1.0 / depth;
+}
 
-shared float inverse[64];  // 0 for background
-shared uint largest;       // bits of a positive float: ordered as the float is
-
-// Slope of the inverse depth along a row or a column amid the tile; any slope makes a bound, the right one a close bound.
-float slope(uint first, uint last) {
-    return inverse[first] > 0.0 && inverse[last] > 0.0 ? (inverse[last] - inverse[first]) / 7.0 : 0.0;
+// Mean slopes between the corners; any slopes make a bound, the right ones a close bound.
+vec2 slopes_of(Block block) {
+    float a = inverse_at(block.first);
+    float b = inverse_at(ivec2(block.last.x, block.first.y));
+    float c = inverse_at(ivec2(block.first.x, block.last.y));
+    float d = inverse_at(block.last);
+    if (!(min(min(a, b), min(c, d)) > 0.0)) return vec2(0.0);
+    return vec2(b + d - a - c, c + d - a - b) / (2.0 * vec2(max(block.last - block.first, ivec2(1))));
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    bool inside = pixel.x < parameters.size.x && pixel.y < parameters.size.y;
-    float depth = inside ? imageLoad(depth_image, pixel).x : 0.0;
-    uint own = gl_LocalInvocationIndex;
-    inverse[own] = gloam_is_background(depth) ? 0.0 : 1.0 / depth;
-    if (own == 0u) largest = 0u;
-    barrier();
-    vec2 slopes = vec2(slope(32u, 39u), slope(4u, 60u));
-    float level = inverse[own] - dot(slopes, vec2(gl_LocalInvocationID.xy));
-    // A bound below 0 may be raised to the least positive number: an inverse depth is positive.
-    if (inverse[own] > 0.0) atomicMax(largest, floatBitsToUint(max(level, 1.175494351e-38)));
-    barrier();
-    if (own > 0u) return;
-    float constant = uintBitsToFloat(largest);
-    // 2.5 ULP of the quotient, and of two products, two sums and a difference 0.5 ULP each, of numbers no larger than this.
-    constant += 1e-6 * (constant + 7.0 * (abs(slopes.x) + abs(slopes.y)));
-    uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    bounds[tile] = largest == 0u ? vec4(0.0) : vec4(constant, slopes, 1.0);
+    ivec2 tiles = blocks_of(parameters.size, 0);
+    ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
+    if (tile.x >= tiles.x || tile.y >= tiles.y) return;
+    Block block = block_at(tile, 0, parameters.size);
+    vec2 slopes = slopes_of(block);
+    float largest = -3.402823466e38;
+    for (int y = block.first.y; y <= block.last.y; ++y) {
+        for (int x = block.first.x; x <= block.last.x; ++x) {
+            float inverse = inverse_at(ivec2(x, y));
+            if (inverse > 0.0) largest = max(largest, inverse - dot(slopes, vec2(ivec2(x, y) - block.first)));
+        }
+    }
+    bool empty = largest == -3.402823466e38;
+    // 2.5 ULP of the quotient, and 1 ULP each of two products, a sum and a difference, of numbers no larger than this.
+    float rounded = 1e-6 * (abs(largest) + dot(abs(slopes), vec2(block.last - block.first)));
+    bounds[tile.y * tiles.x + tile.x] = empty ? vec4(0.0) : vec4(largest + rounded, slopes, 1.0);
 }

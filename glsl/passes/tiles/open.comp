@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Finds the tiles of which it is certain that no sample of any pixel is blocked: nothing in reach rises above the pixels' tangent planes by as
-// much as the bias. One group of 8 x 8 invocations a tile. Perspective only.
+// much as the bias. One invocation a tile. Perspective only.
 //
-// The inverse depth of a tangent plane is affine in the image: t(q) = n . ray(q) / n . p. So is the bound of each tile in reach (bound.comp), and
-// an affine function that is nowhere above another at the corners of a rectangle is nowhere above it inside. With T(q), the plane of one pixel
-// lowered by the most that any other of the tile lies below it within reach, every surface that satisfies
-//     bound(q) <= T(q) + beta T_min^2,   beta = bias / (2 r)
-// has a depth d >= 1 / (T + beta T^2) >= 1/T - beta: it is in front of no tangent plane by more than beta, and over none by more than beta r (r, the
-// longest ray to a point at depth 1). Half of the bias is left for the rounding of the samples themselves, with e = 2^-24:
-// - a point's depth comes from two dot products of three terms, exact to 6 e times the sum of their magnitudes, which exceeds the results by
-//   k1 = r / (T N) and k2 = (|p| + R) / (N - R), N the distance of the eye from the tangent plane: e (6 k1 + 6 k2 + 8) / T <= bias / 4;
-// - a tap's height comes from two positions, exact to 8 e of each: 8 e (2 r / T + |p|) <= bias / 4.
-// The planes here are those of the very normals and positions that the samples start from. Of t(q) the three terms, no larger than r / N together,
-// are exact to 12 e (a quotient, a product, sums, the normal's length), and N to 6 e |p|, that is t to 6 e |p| t / N; twice that for a plane and the
-// one that stands for all.
+// A sample of the ball of radius R around p is compared at the centre q of its pixel, where the plane parallel to the tangent plane through it has a
+// depth of at most 1 / t(q), t(q) = n . ray(q) / n . p being that of the tangent plane. So no sample is blocked where every surface has an inverse depth
+//     1/s <= t + m t^2,   since then s >= 1/t - m,   m = bias - what rounding adds to the sample's depth.
+// t and the bound of a block (bounds.glsl) are affine, t^2 is no less than T (2 t - T) with T the least t of the block, and what is affine is nowhere
+// above 0 in a rectangle if it is not so at its corners. All pixels of a tile share the plane of one, lowered by the most that another lies below
+// it within reach.
 //
-// Dispatch ceil(size / 8) groups. Descriptor set 0:
+// What rounding adds, with e = 2^-24, N = -n . p, S_p and S_r the sums of magnitudes of the products in n . p and n . ray: a sample's position and n . it
+// are exact to e (14 S_p + 64 R), which includes that the directions lie above the plane to 2e-6; n . ray is exact to 14 e S_r; the quotient and the difference to
+// 8 e. Together e ((14 S_p + 64 R) / N + 14 S_r / (N t) + 8) of the depth 1/t, while that is small.
+// A method that takes the height of surfaces above the plane, N (1 - t s), instead: <= bias where 1/s <= t + m t / N, and N t <= S_r; its rounding, 14 e
+// (S_p + S_r / t), is less than that above times max(1, S_r). Hence m = bias / max(1, S_r) - that above.
+//
+// Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal in xyz
-//   2  buffer   the tiles' bounds
+//   2  buffer   the pyramid of bounds (bounds.glsl)
 //   3  buffer   written: for each tile 1 where that is certain, else 0
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -31,148 +31,195 @@ layout(binding = 3, std430) writeonly buffer OpenTiles { uint open_tile[]; };
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;  // elements [0][0] and [1][1] of the projection, y down
     ivec2 size;    // of the images, pixels
-    float radius;  // of influence, world units
+    float radius;  // R, of influence, world units
     float bias;    // world units
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "list.glsl"
+#include "bounds.glsl"
+#include "tangent_plane.glsl"
 
-const float ROUNDING = 6e-8;      // 2^-24
-const int MOST_BLOCKS = 4096;     // tiles in reach of one; beyond them nothing is tried
-const uint NO_PIXEL = 0xFFFFu;
+const float NEARER = 1.02;  // the eye is further than this many radii from the points and from their planes
 
-// A tangent plane: its inverse depth at a place of the image is dot(slopes, ndc) + constant.
-struct TangentPlane {
-    vec2 slopes;
-    float constant;
+// What is known of a tile's pixels.
+struct Pixels {
+    TangentPlane plane;  // of one of them
+    float below;         // how far the planes of others lie below it within reach, 1 / world units
+    float height;        // least N
+    vec3 normal;         // largest magnitudes of n
+    vec3 position;       // and of p
 };
+Pixels pixels;
+Block reach;  // pixels that samples are compared at: both included
 
-shared uint failed;
-shared uint chosen;          // (distance from the tile's centre, invocation) of the pixel whose plane stands for all
-shared uint reach_x;         // pixels, bits of floats as the following
-shared uint reach_y;
-shared uint slack;           // 1 / world units
-shared uint farthest;        // |p|, world units
-shared uint nearest_plane;   // 1 / N
-shared TangentPlane plane_of_all;
-
-// Bits of a number from 0 on: ordered as the numbers are.
-uint bits_of(float value) {
-    return floatBitsToUint(max(value, 0.0));
+// Slope of the ray that touches the ball around a point, on the side of larger slopes. slope, depth: of the point, further away than the radius.
+float touching(float slope, float depth) {
+    float beyond = depth * depth * (1.0 + slope * slope) - parameters.radius * parameters.radius;
+    float aside = parameters.radius / sqrt(beyond);
+    return (slope + aside) / (1.0 - slope * aside);
 }
 
-float inverse_depth(TangentPlane plane, vec2 ndc) {
-    return dot(plane.slopes, ndc) + plane.constant;
+// Pixels at which the samples of a tile are compared; its surfaces are no nearer than `nearest`.
+Block reach_of(Block tile, float nearest) {
+    vec2 scale = abs(parameters.p00_p11);
+    vec2 least = gloam_ndc_from_pixel(tile.first, parameters.size) / scale;
+    vec2 most = gloam_ndc_from_pixel(tile.last, parameters.size) / scale;
+    vec2 first = -vec2(touching(-least.x, nearest), touching(-least.y, nearest));
+    vec2 last = vec2(touching(most.x, nearest), touching(most.y, nearest));
+    vec2 image = vec2(parameters.size);
+    // Two pixels for rounding; beyond the image samples are compared at its edge.
+    first = clamp((first * scale * 0.5 + 0.5) * image - 2.0, vec2(0.0), image - 1.0);
+    last = clamp((last * scale * 0.5 + 0.5) * image + 2.0, vec2(0.0), image - 1.0);
+    return Block(ivec2(first), ivec2(last));
 }
 
-// A corner of a rectangle of pixels, first and last included, in normalised device coordinates.
-vec2 corner_of(ivec4 pixels, int corner) {
-    ivec2 pixel = ivec2((corner & 1) == 0 ? pixels.x : pixels.z, (corner & 2) == 0 ? pixels.y : pixels.w);
-    return gloam_ndc_from_pixel(pixel, parameters.size);
+ivec2 corner_of(Block block, int i) {
+    return ivec2((i & 1) == 0 ? block.first.x : block.last.x, (i & 2) == 0 ? block.first.y : block.last.y);
 }
 
-// Half-axes, in pixels, of the rectangle around a pixel that holds all samples: a point of the ball is at most R nearer to the eye.
-vec2 reach_of(vec3 position) {
-    vec2 aside = 1.0 + abs(position.xy) / -position.z;
-    vec2 scale = 0.5 * abs(parameters.p00_p11) * vec2(parameters.size);
-    return scale * aside * (parameters.radius / (-position.z - parameters.radius)) + 2.0;
+// Largest error of a plane's inverse depth within reach.
+float error_within_reach(TangentPlane plane) {
+    float largest = 0.0;
+    for (int i = 0; i < 4; ++i) largest = max(largest, inverse_depth_error(plane, corner_of(reach, i)));
+    return largest;
 }
 
-// The pixels of a tile, clipped to the image: first and last, both included.
-ivec4 pixels_of(ivec2 first_tile, ivec2 last_tile) {
-    int side = int(TILE_SIDE);
-    return ivec4(first_tile * side, min(last_tile * side + side, parameters.size) - 1);
+// m, world units, where the planes' inverse depth is at least `lowest`; negative where nothing is certain.
+float margin(float lowest) {
+    float sums = dot(pixels.normal, vec3(1.0 / abs(parameters.p00_p11), 1.0));
+    float of_point = 14.0 * dot(pixels.normal, pixels.position) + 64.0 * parameters.radius;
+    float rounded = ROUNDING * ((of_point + 14.0 * sums / lowest) / pixels.height + 8.0);
+    return rounded <= 0.01 ? 0.999 * parameters.bias / max(1.0, sums) - 1.02 * rounded / lowest : -1.0;
 }
 
-bool rises(int block, ivec4 pixels) {
-    vec4 bound = bounds[block];
+// Whether a surface of the block may rise above the tile's planes within reach.
+bool rises(ivec2 at, int level) {
+    vec4 bound = bounds[bound_index(at, level, parameters.size)];
     if (bound.w == 0.0) return false;
-    float ray = length(vec3(1.0 / parameters.p00_p11, 1.0));
-    float beta = parameters.bias / (2.0 * ray);
-    float shortest = uintBitsToFloat(nearest_plane);
-    float allowed[4];
-    float lowest = 3.402823466e38;
-    for (int i = 0; i < 4; ++i) {
-        allowed[i] = inverse_depth(plane_of_all, corner_of(pixels, i)) - uintBitsToFloat(slack);
-        lowest = min(lowest, allowed[i]);
-    }
+    Block block = block_at(at, level, parameters.size);
+    Block seen = Block(max(block.first, reach.first), min(block.last, reach.last));
+    vec2 extent = vec2(seen.last - seen.first);
+    vec2 offset = vec2(seen.first - block.first);
+    vec2 slopes = pixels.plane.slopes;
+    float allowed = inverse_depth(pixels.plane, seen.first) - pixels.below;
+    vec2 falls = min(slopes * extent, vec2(0.0));
+    float lowest = allowed + falls.x + falls.y;
     if (!(lowest > 1e-18)) return true;
-    float aside = uintBitsToFloat(farthest);
-    float k1 = ray * shortest / lowest;
-    float k2 = (aside + parameters.radius) / (1.0 / shortest - parameters.radius);
-    bool exact = ROUNDING * (6.0 * k1 + 6.0 * k2 + 8.0) <= 0.25 * parameters.bias * lowest &&
-                 8.0 * ROUNDING * (2.0 * ray / lowest + aside) <= 0.25 * parameters.bias;
-    if (!exact) return true;
-    for (int i = 0; i < 4; ++i) {
-        vec2 from_first = vec2((i & 1) == 0 ? 0 : pixels.z - pixels.x, (i & 2) == 0 ? 0 : pixels.w - pixels.y);
-        vec2 sloped = bound.yz * from_first;
-        float nearest = bound.x + sloped.x + sloped.y;
-        // What these few operations round themselves, of numbers no larger than these.
-        float rounded = ROUNDING * (8.0 * (bound.x + abs(sloped.x) + abs(sloped.y)) +
-                                    shortest * (24.0 * ray + 12.0 * allowed[i] * aside));
-        if (!(nearest + rounded <= allowed[i] + beta * lowest * lowest)) return true;
+    float m = margin(lowest);
+    if (!(m >= 0.0)) return true;
+    // bound - t - m T (2 t - T) at the first corner, and its largest rise from there.
+    float above = bound.x + dot(bound.yz, offset) - allowed - m * lowest * (2.0 * allowed - lowest);
+    vec2 climbs = max((bound.yz - slopes * (1.0 + 2.0 * m * lowest)) * extent, vec2(0.0));
+    float rounded = 10.0 * ROUNDING * (abs(bound.x) + dot(abs(bound.yz), offset + extent));
+    return !(above + climbs.x + climbs.y + rounded <= 0.0);
+}
+
+// The blocks of a level that cover pixels.
+Block covering(Block covered, int level) {
+    return Block(covered.first / block_side(level), covered.last / block_side(level));
+}
+
+// The children of a block that are within reach.
+Block children_within_reach(ivec2 at, int level) {
+    Block within = covering(reach, level - 1);
+    ivec2 first = at * BLOCK_CHILDREN;
+    return Block(max(first, within.first), min(first + BLOCK_CHILDREN - 1, within.last));
+}
+
+bool tile_rises(ivec2 block) {
+    Block children = children_within_reach(block, 1);
+    for (int y = children.first.y; y <= children.last.y; ++y) {
+        for (int x = children.first.x; x <= children.last.x; ++x) {
+            if (rises(ivec2(x, y), 0)) return true;
+        }
     }
     return false;
 }
 
-void main() {
-    uint own = gl_LocalInvocationIndex;
-    if (own == 0u) {
-        failed = reach_x = reach_y = slack = farthest = nearest_plane = 0u;
-        chosen = NO_PIXEL;
-    }
-    barrier();
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    bool inside = pixel.x < parameters.size.x && pixel.y < parameters.size.y;
-    float depth = inside ? imageLoad(depth_image, pixel).x : 0.0;
-    bool surface = !gloam_is_background(depth);
-    TangentPlane plane = TangentPlane(vec2(0.0), 0.0);
-    if (surface) {
-        GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, false);
-        vec3 position = gloam_camera_position(pixel, depth, camera);
-        vec3 normal = gloam_safe_normalize(imageLoad(normal_image, pixel).xyz, vec3(0.0));
-        float height = -dot(normal, position);
-        bool able = gloam_can_gather(position, normal, parameters.radius) && height > 1.1 * parameters.radius &&
-                    depth > 1.1 * parameters.radius;
-        plane = TangentPlane(-normal.xy / parameters.p00_p11 / height, normal.z / height);
-        if (able) {
-            vec2 reach = reach_of(position);
-            uvec2 from_middle = uvec2(abs(ivec2(gl_LocalInvocationID.xy) - 4));
-            atomicMax(reach_x, bits_of(reach.x));
-            atomicMax(reach_y, bits_of(reach.y));
-            atomicMax(farthest, bits_of(length(position)));
-            atomicMax(nearest_plane, bits_of(1.0 / height));
-            atomicMin(chosen, (from_middle.x + from_middle.y) << 8u | own);
-        } else {
-            atomicOr(failed, 1u);
+bool small_block_rises(ivec2 block) {
+    Block children = children_within_reach(block, 2);
+    for (int y = children.first.y; y <= children.last.y; ++y) {
+        for (int x = children.first.x; x <= children.last.x; ++x) {
+            if (rises(ivec2(x, y), 1) && tile_rises(ivec2(x, y))) return true;
         }
     }
-    barrier();
-    if ((chosen & 0xFFu) == own && chosen != NO_PIXEL) plane_of_all = plane;
-    ivec2 tiles = ivec2(tiles_of(parameters.size));
-    vec2 reach = min(vec2(uintBitsToFloat(reach_x), uintBitsToFloat(reach_y)), vec2(parameters.size));
-    ivec2 around = ivec2(ceil(reach / float(TILE_SIDE)));
-    ivec2 first = max(ivec2(gl_WorkGroupID.xy) - around, ivec2(0));
-    ivec2 last = min(ivec2(gl_WorkGroupID.xy) + around, tiles - 1);
-    barrier();
-    ivec4 region = pixels_of(first, last);
-    for (int i = 0; i < 4 && surface; ++i) {
-        vec2 corner = corner_of(region, i);
-        atomicMax(slack, bits_of(inverse_depth(plane_of_all, corner) - inverse_depth(plane, corner)));
+    return false;
+}
+
+bool any_rises() {
+    Block blocks = covering(reach, BOUND_LEVELS - 1);
+    for (int y = blocks.first.y; y <= blocks.last.y; ++y) {
+        for (int x = blocks.first.x; x <= blocks.last.x; ++x) {
+            if (rises(ivec2(x, y), 2) && small_block_rises(ivec2(x, y))) return true;
+        }
     }
-    barrier();
-    ivec2 blocks = last - first + 1;
-    int count = blocks.x * blocks.y;
-    bool tried = failed == 0u && chosen != NO_PIXEL && count <= MOST_BLOCKS;
-    for (int i = int(own); i < count && tried; i += 64) {
-        ivec2 block = first + ivec2(i % blocks.x, i / blocks.x);
-        if (!rises(block.y * tiles.x + block.x, pixels_of(block, block))) continue;
-        atomicOr(failed, 1u);
-        break;
+    return false;
+}
+
+// The plane of a pixel with geometry; of height 0 where samples cannot be judged by it.
+TangentPlane plane_at(ivec2 pixel, float depth) {
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, false);
+    vec3 normal = imageLoad(normal_image, pixel).xyz;
+    TangentPlane plane = tangent_plane(pixel, depth, normal, camera);
+    bool able = gloam_can_gather(gloam_camera_position(pixel, depth, camera), normal, parameters.radius) &&
+                plane.height > NEARER * parameters.radius;
+    if (!able) plane.height = 0.0;
+    return plane;
+}
+
+// Takes another pixel's plane into what is known of all.
+void include(TangentPlane plane) {
+    float below = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = corner_of(reach, i);
+        below = max(below, inverse_depth(pixels.plane, corner) - inverse_depth(plane, corner));
     }
-    barrier();
-    if (own == 0u) open_tile[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = tried && failed == 0u ? 1u : 0u;
+    pixels.below = max(pixels.below, below + error_within_reach(plane));
+    pixels.height = min(pixels.height, plane.height);
+    pixels.normal = max(pixels.normal, plane.normal);
+    pixels.position = max(pixels.position, plane.position);
+}
+
+// Takes all pixels of the tile into account. Returns false where one cannot be judged.
+bool include_all(Block tile) {
+    for (int y = tile.first.y; y <= tile.last.y; ++y) {
+        for (int x = tile.first.x; x <= tile.last.x; ++x) {
+            float depth = imageLoad(depth_image, ivec2(x, y)).x;
+            if (gloam_is_background(depth)) continue;
+            TangentPlane plane = plane_at(ivec2(x, y), depth);
+            if (plane.height <= 0.0) return false;
+            include(plane);
+        }
+    }
+    return true;
+}
+
+// Refuses early: by the plane of one pixel, first against the tile itself, before all pixels are read.
+bool is_open(ivec2 at) {
+    Block tile = block_at(at, 0, parameters.size);
+    vec4 bound = bounds[bound_index(at, 0, parameters.size)];
+    vec2 climbs = max(bound.yz * vec2(tile.last - tile.first), vec2(0.0));
+    float nearest = 0.999 / (bound.x + climbs.x + climbs.y);
+    if (bound.w == 0.0 || !(nearest > NEARER * parameters.radius)) return false;
+    ivec2 middle = (tile.first + tile.last + 1) / 2;
+    float depth = imageLoad(depth_image, middle).x;
+    if (gloam_is_background(depth)) return false;
+    TangentPlane plane = plane_at(middle, depth);
+    if (plane.height <= 0.0) return false;
+    reach = reach_of(tile, nearest);
+    float rounded = error_within_reach(plane);
+    pixels = Pixels(plane, 3.0 * rounded, plane.height, plane.normal, plane.position);
+    if (rises(at, 0) || any_rises()) return false;
+    pixels.below = 0.0;
+    if (!include_all(tile)) return false;
+    pixels.below += 2.0 * rounded;
+    return !any_rises();
+}
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 tiles = blocks_of(parameters.size, 0);
+    if (at.x >= tiles.x || at.y >= tiles.y) return;
+    open_tile[at.y * tiles.x + at.x] = is_open(at) ? 1u : 0u;
 }

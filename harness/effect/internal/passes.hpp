@@ -150,6 +150,7 @@ struct Program {
 // Which tiles the others run on.
 [[nodiscard]] gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library);
 [[nodiscard]] gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLibrary& library);
+[[nodiscard]] gpu::ComputePipeline merge_bounds(const gpu::Device& device, const scene::PassLibrary& library);
 [[nodiscard]] gpu::ComputePipeline open_tiles(const gpu::Device& device, const scene::PassLibrary& library);
 [[nodiscard]] gpu::ComputePipeline select_filtered_tiles(const gpu::Device& device,
                                                          const scene::PassLibrary& library);

@@ -31,6 +31,7 @@ class Pipelines {
     [[nodiscard]] const gpu::ComputePipeline& selection();
     [[nodiscard]] const gpu::ComputePipeline& filtered_selection();
     [[nodiscard]] const gpu::ComputePipeline& bounding();
+    [[nodiscard]] const gpu::ComputePipeline& merging();
     [[nodiscard]] const gpu::ComputePipeline& opening();
 
   private:

@@ -46,6 +46,12 @@ struct BoundParameters {
     std::array<std::int32_t, 2> size;
 };
 
+// Of tiles/merge_bounds.comp.
+struct MergeParameters {
+    std::array<std::int32_t, 2> size;
+    std::int32_t level;
+};
+
 // Of tiles/open.comp.
 struct OpenParameters {
     std::array<float, 2> p00_p11;
@@ -98,6 +104,12 @@ class Tiles {
     gpu::Buffer open_;
     gpu::Buffer bounds_;
 };
+
+// Levels of the pyramid of bounds, as glsl/passes/tiles/bounds.glsl has it: of tiles, and twice of 4 x 4.
+constexpr std::uint32_t bound_levels = 3;
+
+// Blocks of a level that cover an image, along x and y.
+[[nodiscard]] gpu::Extent blocks_of(gpu::Extent extent, std::uint32_t level);
 
 // Where a list is in the buffer, bytes.
 [[nodiscard]] std::size_t offset_of(TileLists list);

@@ -24,6 +24,7 @@ struct Contestant {
     std::vector<double> times;
     std::vector<double> first_times;
     Work work;
+    std::vector<PassTime> passes;  // of the last frame
 };
 
 // The frames of a round: those of the views, or one after the warm ones of a view that stands still.
@@ -37,11 +38,13 @@ void run_round(AmbientOcclusion& effect, const SkipCase& skip_case, Contestant& 
         // What the images hold is known after a few frames.
         if (2 * i >= skip_case.views.size()) contestant.times.push_back(time_of(frame));
         contestant.work = frame.work;
+        contestant.passes = frame.times;
     }
     if (skip_case.views.size() > 1) return;
     const Frame frame = effect.next();
     contestant.times.push_back(time_of(frame));
     contestant.work = frame.work;
+    contestant.passes = frame.times;
 }
 
 Settings only(const Settings& settings, bool Settings::*skip) {
@@ -65,17 +68,17 @@ SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes
     if (skip_case.views.empty()) throw std::invalid_argument("a case of skips without a view");
     if (rounds < 1) throw std::invalid_argument(fmt::format("rounds {}: expected 1 or more", rounds));
     const Settings& all = skip_case.settings;
-    std::array contestants{Contestant{without_skips(all), {}, {}, {}}, Contestant{all, {}, {}, {}},
-                           Contestant{only(all, &Settings::skip_background), {}, {}, {}},
-                           Contestant{only(all, &Settings::skip_open), {}, {}, {}},
-                           Contestant{only(all, &Settings::skip_settled), {}, {}, {}}};
+    std::array contestants{Contestant{without_skips(all), {}, {}, {}, {}}, Contestant{all, {}, {}, {}, {}},
+                           Contestant{only(all, &Settings::skip_background), {}, {}, {}, {}},
+                           Contestant{only(all, &Settings::skip_open), {}, {}, {}, {}},
+                           Contestant{only(all, &Settings::skip_settled), {}, {}, {}, {}}};
     AmbientOcclusion effect(device, passes, skip_case.views.front().extent);
     CopyClock clock(device, passes, skip_case.views.front().extent);
     double copy = 0.0;
     for (int round = 0; round <= rounds; ++round) {
         for (Contestant& contestant : contestants) {
             run_round(effect, skip_case, contestant);
-            if (round == 0) contestant = {contestant.settings, {}, {}, {}};  // drivers compile
+            if (round == 0) contestant = {contestant.settings, {}, {}, {}, {}};  // drivers compile
         }
         copy = clock.measure();
     }
@@ -87,7 +90,8 @@ SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes
             .settled = of(4),
             .fresh = median(contestants[1].first_times),
             .copy = copy,
-            .work = contestants[1].work};
+            .work = contestants[1].work,
+            .passes = contestants[1].passes};
 }
 
 }  // namespace gloam::effect

@@ -27,9 +27,10 @@ struct SkipTimes {
     double background = 0.0;  // only this one on
     double open = 0.0;
     double settled = 0.0;
-    double fresh = 0.0;  // every skip on, in the first frame of the same view
-    double copy = 0.0;   // a pass that reads one r32f texel and writes one
-    Work work;           // of the last frame, every skip on
+    double fresh = 0.0;            // every skip on, in the first frame of the same view
+    double copy = 0.0;             // a pass that reads one r32f texel and writes one
+    Work work;                     // of the last frame, every skip on
+    std::vector<PassTime> passes;  // of that frame
 };
 
 // Every skip off.

@@ -56,6 +56,8 @@ std::string table_of(const std::vector<Row>& rows) {
 
 ordered_json json_of(const Row& row) {
     const SkipTimes& t = row.times;
+    ordered_json passes;
+    for (const effect::PassTime& pass : t.passes) passes[pass.pass] = pass.ms;
     return {{"scene", row.skip_case.name},
             {"what", row.skip_case.what},
             {"tiles", t.work.tiles},
@@ -72,6 +74,7 @@ ordered_json json_of(const Row& row) {
             {"first_frame_ms", t.fresh},
             {"ratio", t.with / t.without},
             {"copies", t.with / t.copy},
+            {"passes_ms", passes},
             {"target", row.skip_case.target}};
 }
 
