@@ -123,7 +123,7 @@ struct Neighborhood {
 };
 Neighborhood neighborhood;
 
-bool open_tile = false;  // nothing can block a sample of this tile (tiles/open.comp)
+const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
 
 GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
@@ -219,7 +219,7 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     count(ASKED, samples > 0u ? 1u : 0u);
     // Where nothing is blocked, each sample counts and adds nothing.
     vec2 fresh = vec2(0.0, float(samples));
-    if (samples > 0u && !open_tile) fresh = gather(pixel, depth, before, samples);
+    if (!open_tiles && samples > 0u) fresh = gather(pixel, depth, before, samples);
     count(TAKEN, uint(fresh.y));
     float mean = gloam_estimator_mean(fresh);
     float weight = weight_after_change(before.weight);
@@ -260,7 +260,6 @@ void report(uint tile) {
 
 void main() {
     uint entry = group_entry(parameters.size);
-    open_tile = listed && (entry & ENTRY_OPEN) != 0u;
     if (count_work || listed) {
         if (gl_LocalInvocationIndex < 5u) counted[gl_LocalInvocationIndex] = 0u;
         barrier();
@@ -272,6 +271,6 @@ void main() {
     if (count_work || listed) {
         barrier();
         uvec2 tiles = tiles_of(parameters.size);
-        if (gl_LocalInvocationIndex == 0u && (entry & ~ENTRY_OPEN) < tiles.x * tiles.y) report(entry & ~ENTRY_OPEN);
+        if (gl_LocalInvocationIndex == 0u && entry < tiles.x * tiles.y) report(entry);
     }
 }

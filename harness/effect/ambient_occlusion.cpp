@@ -202,12 +202,18 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     const gpu::Image& layers = images->layers ? *images->layers : nothing;
     prepared.append_steps({images->depth, images->normal, history(), method, layers}, passes);
     occlusion_constants.still = shown ? 1 : 0;
-    passes.push_back(over(TileLists::shaded,
-                          {"ambient_occlusion",
-                           &pipelines.occlusion(program()),
-                           {images->depth, images->normal, history(), images->after, images->tiles, positions,
-                            method, prepared.image_or(nothing), layers, tiles.lists(), tiles.after()},
-                           bytes_of(occlusion_constants)}));
+    const auto occlusion = [&](const char* name, TileLists list) {
+        Program of_list = program();
+        of_list.list = list;
+        passes.push_back(
+            over(list, {name,
+                        &pipelines.occlusion(of_list),
+                        {images->depth, images->normal, history(), images->after, images->tiles, positions,
+                         method, prepared.image_or(nothing), layers, tiles.lists(), tiles.after()},
+                        bytes_of(occlusion_constants)}));
+    };
+    occlusion("ambient_occlusion", finds_open_tiles() ? TileLists::sampled : TileLists::shaded);
+    if (finds_open_tiles()) occlusion("ambient_occlusion_open", TileLists::open);
     append_filter(passes);
     append_remap(passes);
     return passes;
@@ -218,7 +224,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
     const bool probes = program().moving_objects && settings.invalidation != Invalidation::none;
     return settings.skip_open && settings.layers == 1 && !settings.reject_taps &&
-           !(settings.mip_distance > 0.0F) && method_named(settings.method).open_is_zero &&
+           !(settings.mip_distance > 0.0F) && method_named(settings.method).open_proof != OpenProof::none &&
            !view.camera.orthographic() && !probes;
 }
 
@@ -229,7 +235,8 @@ void AmbientOcclusion::Impl::append_open(std::vector<Step>& passes) {
     open_constants = {.p00_p11 = {p.x, p.y},
                       .size = size_of(view.extent),
                       .radius = settings.radius,
-                      .bias = settings.bias};
+                      .bias = settings.bias,
+                      .points = method_named(settings.method).open_proof == OpenProof::points ? 1U : 0U};
     const auto over_blocks = [&](std::uint32_t level) { return groups_for(blocks_of(view.extent, level)); };
     passes.push_back({"bound_tiles",
                       &pipelines.bounding(),

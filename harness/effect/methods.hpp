@@ -17,6 +17,13 @@ enum class Measure {
     shape     // how concave the surface is
 };
 
+// Where a sample that meets nothing higher than the bias above the tangent plane counts and adds exactly 0.
+enum class OpenProof {
+    none,   // not so, or not known
+    taps,   // surfaces under the disc of the radius
+    points  // points of the half ball of the radius, each compared with the surface at its pixel
+};
+
 struct MethodInfo {
     std::string name;  // glsl/passes/methods/NAME.glsl
     std::string description;
@@ -24,9 +31,7 @@ struct MethodInfo {
     std::string falloff;  // with the distance of the blocker: "linear", "none", ...
     void (*adapt)(Settings&) =
         nullptr;  // what it needs beside a preset's settings; lengths for a radius of 1
-    // Samples a ball or disc of the radius, and each that meets nothing higher than the bias above the
-    // tangent plane counts and adds exactly 0.
-    bool open_is_zero = false;
+    OpenProof open_proof = OpenProof::none;
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
 };
 

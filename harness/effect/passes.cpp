@@ -149,7 +149,8 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
                            {.id = 1, .bits = flag(program.moving_objects)},
                            {.id = 2, .bits = program.layers},
                            {.id = 3, .bits = flag(program.reject_taps)},
-                           {.id = listed_constant, .bits = flag(program.listed)}}}};
+                           {.id = listed_constant, .bits = flag(program.listed)},
+                           {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)}}}};
 }
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,

@@ -9,7 +9,7 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::size_t header_lists = 4;  // three, and the counts
+constexpr std::size_t header_lists = tile_lists + 1;  // and the counts
 
 std::size_t tiles_of(gpu::Extent extent) {
     const auto groups = groups_for(extent);
@@ -35,7 +35,7 @@ gpu::Extent blocks_of(gpu::Extent extent, std::uint32_t level) {
 Tiles::Tiles(const gpu::Device& device, gpu::Extent extent)
     : before_(device, tiles_of(extent) * sizeof(std::uint32_t)),
       after_(device, tiles_of(extent) * sizeof(std::uint32_t)),
-      lists_(device, header_lists * sizeof(TileList) + 3 * tiles_of(extent) * sizeof(std::uint32_t)),
+      lists_(device, header_lists * sizeof(TileList) + tile_lists * tiles_of(extent) * sizeof(std::uint32_t)),
       open_(device, tiles_of(extent) * sizeof(std::uint32_t)),
       bounds_(device, bounds_of(extent) * 4 * sizeof(float)) {
     forget();
@@ -57,9 +57,9 @@ SelectedTiles Tiles::counts() const {
     const auto lists = lists_.as<TileList>().first(header_lists);
     return {.shaded = lists[0].tiles,
             .filtered = lists[2].tiles,
-            .background = lists[3].columns,
-            .settled = lists[3].rows,
-            .open = lists[3].layers};
+            .background = lists.back().columns,
+            .settled = lists.back().rows,
+            .open = lists[4].tiles};
 }
 
 std::size_t offset_of(TileLists list) {

@@ -15,19 +15,19 @@ const uint TILE_SIDE = 8u;
 const uint LIST_COLUMNS = 32768u;
 
 // Which list, and what is counted beside them.
-const uint SHADED_TILES = 0u;      // reprojection and samples
+const uint SHADED_TILES = 0u;      // reprojection, and samples where no tile is known to be open
 const uint FILTERED_X_TILES = 1u;  // the filter along x
 const uint FILTERED_Y_TILES = 2u;  // the filter along y, and the mapping
-const uint SKIPPED_TILES = 3u;     // (background, settled, open, 0): no list, but counts
+const uint SAMPLED_TILES = 3u;     // of the shaded tiles: those whose samples may be blocked
+const uint OPEN_TILES = 4u;        // of the shaded tiles: those where nothing can block any sample of any pixel
+const uint SKIPPED_TILES = 5u;     // (background, settled, 0, 0): no list, but counts
+const uint TILE_LISTS = 6u;
 
 // Of a tile's state, from frame to frame.
 const uint STATE_SETTLED = 1u;      // the view stood still in the last frame, and no pixel asked for a sample
 const uint STATE_SHADED = 2u;       // it is in the list of this frame
 const uint STATE_BACKGROUND = 4u;   // it is left out of all lists of this frame: no geometry, and the images show that already
 const uint STATE_BLANK_SHIFT = 8u;  // from this bit on: images that hold background all over the tile
-
-// Of a list's entry.
-const uint ENTRY_OPEN = 0x80000000u;  // nothing can block any tap of any pixel of the tile
 
 // Tiles that cover an image, along x and y.
 uvec2 tiles_of(ivec2 size) {

@@ -11,11 +11,11 @@ layout(constant_id = 10) const bool listed = false;  // run over the list `which
 layout(constant_id = 11) const uint which_list = 0u;
 
 layout(binding = GLOAM_LIST_BINDING, std430) readonly buffer TileLists {
-    TileList tile_lists[4];
+    TileList tile_lists[TILE_LISTS];
     uint listed_tiles[];  // one list after the other, each with room for all tiles
 };
 
-// The group's entry of the list: the number of its tile, counted by rows, and ENTRY_OPEN.
+// The group's entry of the list: the number of its tile, counted by rows.
 // size: of the image, pixels. Returns a number that is no tile of the image for a group beyond the end of the list.
 uint group_entry(ivec2 size) {
     if (!listed) return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
@@ -29,8 +29,7 @@ uint group_entry(ivec2 size) {
 // entry: of group_entry(). size: of the image, pixels.
 ivec2 pixel_of(uint entry, ivec2 size) {
     uint columns = tiles_of(size).x;
-    uint tile = entry & ~ENTRY_OPEN;
-    return ivec2(uvec2(tile % columns, tile / columns) * TILE_SIDE + gl_LocalInvocationID.xy);
+    return ivec2(uvec2(entry % columns, entry / columns) * TILE_SIDE + gl_LocalInvocationID.xy);
 }
 
 #endif

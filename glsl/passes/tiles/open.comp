@@ -16,6 +16,10 @@
 // A method that takes the height of surfaces above the plane, N (1 - t s), instead: <= bias where 1/s <= t + m t / N, and N t <= S_r; its rounding, 14 e
 // (S_p + S_r / t), is less than that above times max(1, S_r). Hence m = bias / max(1, S_r) - that above.
 //
+// A point is no further away than d + R besides, and at most half a pixel beside q, or beyond the edge of the image that q lies at: the plane through
+// it has at q at most (d + R) (1 + rise / t), rise being that of t from q to the point. What is further than that, and than its rounding, blocks nothing
+// either: near the eye, where a ball is seen before what is far behind it.
+//
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal in xyz
@@ -33,6 +37,7 @@ layout(push_constant) uniform Parameters {
     ivec2 size;    // of the images, pixels
     float radius;  // R, of influence, world units
     float bias;    // world units
+    uint points;   // 1: samples are points of the ball; 0: surfaces under the disc of the radius
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
@@ -49,9 +54,11 @@ struct Pixels {
     float height;        // least N
     vec3 normal;         // largest magnitudes of n
     vec3 position;       // and of p
+    vec4 steepest;       // largest slopes towards the left, the top, the right and the bottom, per pixel, at least 0
 };
 Pixels pixels;
-Block reach;  // pixels that samples are compared at: both included
+Block reach;     // pixels that samples are compared at: both included
+vec4 overshoot;  // how far the samples reach beyond the left, the top, the right and the bottom of the image, pixels
 
 // Slope of the ray that touches the ball around a point, on the side of larger slopes. slope, depth: of the point, further away than the radius.
 float touching(float slope, float depth) {
@@ -60,18 +67,27 @@ float touching(float slope, float depth) {
     return (slope + aside) / (1.0 - slope * aside);
 }
 
-// Pixels at which the samples of a tile are compared; its surfaces are no nearer than `nearest`.
-Block reach_of(Block tile, float nearest) {
+// The same for the disc.
+float beside(float slope, float depth) {
+    return slope + 1.00001 * parameters.radius / depth;
+}
+
+vec2 furthest(vec2 slopes, float depth) {
+    if (parameters.points == 0u) return vec2(beside(slopes.x, depth), beside(slopes.y, depth));
+    return vec2(touching(slopes.x, depth), touching(slopes.y, depth));
+}
+
+// Finds the pixels at which the samples of a tile are compared; its surfaces are no nearer than `nearest`.
+void find_reach(Block tile, float nearest) {
     vec2 scale = abs(parameters.p00_p11);
     vec2 least = gloam_ndc_from_pixel(tile.first, parameters.size) / scale;
     vec2 most = gloam_ndc_from_pixel(tile.last, parameters.size) / scale;
-    vec2 first = -vec2(touching(-least.x, nearest), touching(-least.y, nearest));
-    vec2 last = vec2(touching(most.x, nearest), touching(most.y, nearest));
     vec2 image = vec2(parameters.size);
     // Two pixels for rounding; beyond the image samples are compared at its edge.
-    first = clamp((first * scale * 0.5 + 0.5) * image - 2.0, vec2(0.0), image - 1.0);
-    last = clamp((last * scale * 0.5 + 0.5) * image + 2.0, vec2(0.0), image - 1.0);
-    return Block(ivec2(first), ivec2(last));
+    vec2 first = (-furthest(-least, nearest) * scale * 0.5 + 0.5) * image - 2.0;
+    vec2 last = (furthest(most, nearest) * scale * 0.5 + 0.5) * image + 2.0;
+    overshoot = max(vec4(-first, last - image), vec4(0.0));
+    reach = Block(ivec2(clamp(first, vec2(0.0), image - 1.0)), ivec2(clamp(last, vec2(0.0), image - 1.0)));
 }
 
 ivec2 corner_of(Block block, int i) {
@@ -85,12 +101,25 @@ float error_within_reach(TangentPlane plane) {
     return largest;
 }
 
-// m, world units, where the planes' inverse depth is at least `lowest`; negative where nothing is certain.
-float margin(float lowest) {
-    float sums = dot(pixels.normal, vec3(1.0 / abs(parameters.p00_p11), 1.0));
+// Sum of the magnitudes in n . ray.
+float sum_of_ray() {
+    return dot(pixels.normal, vec3(1.0 / abs(parameters.p00_p11), 1.0));
+}
+
+// What rounding adds to a sample's depth, relative to 1/t, where the planes' inverse depth is at least `lowest`.
+float rounded_depth(float lowest) {
     float of_point = 14.0 * dot(pixels.normal, pixels.position) + 64.0 * parameters.radius;
-    float rounded = ROUNDING * ((of_point + 14.0 * sums / lowest) / pixels.height + 8.0);
-    return rounded <= 0.01 ? 0.999 * parameters.bias / max(1.0, sums) - 1.02 * rounded / lowest : -1.0;
+    return 1.02 * ROUNDING * ((of_point + 14.0 * sum_of_ray() / lowest) / pixels.height + 8.0);
+}
+
+// An inverse depth up to which a surface is further away than any point compared within `seen`; 0: none is known.
+float beyond_points(Block seen, float lowest, float rounded) {
+    if (parameters.points == 0u) return 0.0;
+    vec4 steepest = pixels.steepest;
+    vec2 rise = 0.51 * max(steepest.xy, steepest.zw);
+    vec4 at_edge = vec4(equal(ivec4(seen.first, seen.last), ivec4(0, 0, parameters.size - 1)));
+    float risen = rise.x + rise.y + dot(at_edge * overshoot, steepest);
+    return 0.999999 / ((pixels.position.z + 1.001 * parameters.radius) * (1.0 + 1.001 * risen / lowest) + rounded / lowest);
 }
 
 // Whether a surface of the block may rise above the tile's planes within reach.
@@ -106,13 +135,17 @@ bool rises(ivec2 at, int level) {
     vec2 falls = min(slopes * extent, vec2(0.0));
     float lowest = allowed + falls.x + falls.y;
     if (!(lowest > 1e-18)) return true;
-    float m = margin(lowest);
-    if (!(m >= 0.0)) return true;
+    float rounded = rounded_depth(lowest);
+    if (!(rounded <= 0.01)) return true;
+    float bound_rounded = 10.0 * ROUNDING * (abs(bound.x) + dot(abs(bound.yz), offset + extent));
+    float first = bound.x + dot(bound.yz, offset) + bound_rounded;
+    vec2 rise = max(bound.yz * extent, vec2(0.0));
+    if (first + rise.x + rise.y <= beyond_points(seen, lowest, rounded)) return false;
+    float m = 0.999 * parameters.bias / max(1.0, sum_of_ray()) - rounded / lowest;
     // bound - t - m T (2 t - T) at the first corner, and its largest rise from there.
-    float above = bound.x + dot(bound.yz, offset) - allowed - m * lowest * (2.0 * allowed - lowest);
+    float above = first - allowed - m * lowest * (2.0 * allowed - lowest);
     vec2 climbs = max((bound.yz - slopes * (1.0 + 2.0 * m * lowest)) * extent, vec2(0.0));
-    float rounded = 10.0 * ROUNDING * (abs(bound.x) + dot(abs(bound.yz), offset + extent));
-    return !(above + climbs.x + climbs.y + rounded <= 0.0);
+    return !(m >= 0.0 && above + climbs.x + climbs.y <= 0.0);
 }
 
 // The blocks of a level that cover pixels.
@@ -179,6 +212,7 @@ void include(TangentPlane plane) {
     pixels.height = min(pixels.height, plane.height);
     pixels.normal = max(pixels.normal, plane.normal);
     pixels.position = max(pixels.position, plane.position);
+    pixels.steepest = max(pixels.steepest, vec4(-plane.slopes, plane.slopes));
 }
 
 // Takes all pixels of the tile into account. Returns false where one cannot be judged.
@@ -207,9 +241,9 @@ bool is_open(ivec2 at) {
     if (gloam_is_background(depth)) return false;
     TangentPlane plane = plane_at(middle, depth);
     if (plane.height <= 0.0) return false;
-    reach = reach_of(tile, nearest);
+    find_reach(tile, nearest);
     float rounded = error_within_reach(plane);
-    pixels = Pixels(plane, 3.0 * rounded, plane.height, plane.normal, plane.position);
+    pixels = Pixels(plane, 3.0 * rounded, plane.height, plane.normal, plane.position, max(vec4(-plane.slopes, plane.slopes), vec4(0.0)));
     if (rises(at, 0) || any_rises()) return false;
     pixels.below = 0.0;
     if (!include_all(tile)) return false;

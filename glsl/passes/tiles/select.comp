@@ -8,7 +8,7 @@
 //   0  r32f    eye-linear depth, world units; background 0 or not finite
 //   1  buffer  the tiles' states after the last frame
 //   2  buffer  written: after this one, but for STATE_SETTLED of the tiles that are shaded
-//   3  buffer  the lists, their counts 0 and their `layers` 1; the first and the counts are filled
+//   3  buffer  the lists, their counts 0 and their `layers` 1; all but those of filters are filled
 //   4  buffer  for each tile 1 where nothing can block any tap of its pixels, else 0; read when open_tiles is set
 //   5  buffer  what the tiles took in the last frame, as ambient_occlusion.comp writes it: the samples of settled tiles become 0
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -19,7 +19,7 @@ layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, std430) readonly buffer StatesBefore { uint states_before[]; };
 layout(binding = 2, std430) writeonly buffer StatesAfter { uint states_after[]; };
 layout(binding = 3, std430) buffer TileLists {
-    TileList tile_lists[4];
+    TileList tile_lists[TILE_LISTS];
     uint listed_tiles[];
 };
 layout(binding = 4, std430) readonly buffer OpenTiles { uint open_tile[]; };
@@ -30,7 +30,7 @@ layout(push_constant) uniform Parameters {
     uint written;      // images that this frame writes, a bit each from 0 on
     uint background;   // 1: leave out tiles without geometry
     uint settled;      // 1: leave out tiles that have settled: the view is that of the last frame
-    uint open_tiles;   // 1: mark tiles that nothing can block
+    uint open_tiles;   // 1: list tiles that nothing can block apart
 } parameters;
 
 #include "gloam/geometry/background.glsl"
@@ -46,13 +46,11 @@ bool without_geometry(uvec2 tile) {
     return true;
 }
 
-void append(uint tile, uint tiles) {
-    uint position = atomicAdd(tile_lists[SHADED_TILES].tiles, 1u);
-    atomicMax(tile_lists[SHADED_TILES].columns, min(position + 1u, LIST_COLUMNS));
-    atomicMax(tile_lists[SHADED_TILES].rows, position / LIST_COLUMNS + 1u);
-    bool open = parameters.open_tiles != 0u && open_tile[tile] != 0u;
-    if (open) atomicAdd(tile_lists[SKIPPED_TILES].layers, 1u);
-    listed_tiles[SHADED_TILES * tiles + position] = tile | (open ? ENTRY_OPEN : 0u);
+void append(uint list, uint tile, uint tiles) {
+    uint position = atomicAdd(tile_lists[list].tiles, 1u);
+    atomicMax(tile_lists[list].columns, min(position + 1u, LIST_COLUMNS));
+    atomicMax(tile_lists[list].rows, position / LIST_COLUMNS + 1u);
+    listed_tiles[list * tiles + position] = tile;
 }
 
 void main() {
@@ -74,7 +72,8 @@ void main() {
         states_after[tile] = kept | STATE_SETTLED;
         work[tile].x = 0u;
     } else {
-        append(tile, tiles.x * tiles.y);
+        append(SHADED_TILES, tile, tiles.x * tiles.y);
+        if (parameters.open_tiles != 0u) append(open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES, tile, tiles.x * tiles.y);
         states_after[tile] = STATE_SHADED | (blank ? kept | written : 0u);
     }
 }

@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0, std430) readonly buffer States { uint states[]; };
 layout(binding = 1, std430) buffer TileLists {
-    TileList tile_lists[4];
+    TileList tile_lists[TILE_LISTS];
     uint listed_tiles[];
 };
 

@@ -120,7 +120,8 @@ struct Program {
     bool moving_objects = false;
     std::uint32_t layers = 1;
     bool reject_taps = false;
-    bool listed = false;  // runs over the list of shaded tiles
+    bool listed = false;  // runs over a list of tiles
+    TileLists list = TileLists::shaded;
 
     friend auto operator<=>(const Program&, const Program&) = default;
 };

@@ -19,7 +19,9 @@ struct TileList {
     std::uint32_t tiles = 0;
 };
 
-enum class TileLists : std::uint8_t { shaded, filtered_x, filtered_y };
+enum class TileLists : std::uint8_t { shaded, filtered_x, filtered_y, sampled, open };
+
+constexpr std::size_t tile_lists = 5;
 
 // Images whose tiles may be known to hold nothing but background: bits of SelectParameters::written.
 enum TileImage : std::uint32_t {
@@ -58,6 +60,7 @@ struct OpenParameters {
     std::array<std::int32_t, 2> size;
     float radius;
     float bias;
+    std::uint32_t points;
 };
 
 // And of tiles/select_filtered.comp.
