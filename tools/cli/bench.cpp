@@ -4,6 +4,7 @@
 #include "cli/bench/bar.hpp"
 #include "cli/bench/benchmark_command.hpp"
 #include "cli/bench/methods.hpp"
+#include "cli/bench/passes.hpp"
 #include "cli/bench/skips.hpp"
 #include "cli/bench/temporal.hpp"
 
@@ -16,6 +17,7 @@ void add_bench(CLI::App& app, int& status) {
     add_benchmark(*group, status);
     add_bench_temporal(*group, status);
     add_bench_methods(*group, status);
+    add_bench_passes(*group, status);
     add_bench_skips(*group, status);
     add_bench_bar(*group, status);
 }

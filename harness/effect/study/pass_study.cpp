@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/pass_study.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "effect/internal/work.hpp"
+#include "effect/study/copy_clock.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr int wide = 8;  // taps on each side
+
+// One frame's samples are all that a mean holds.
+Settings at_once(Settings settings) {
+    settings.weight_max = static_cast<float>(settings.samples);
+    return settings;
+}
+
+Settings widened(Settings settings) {
+    settings.filter_half_width = wide;
+    return settings;
+}
+
+Settings base() {
+    Settings settings;
+    settings.skip_settled = false;
+    return settings;
+}
+
+Settings frozen() {
+    Settings settings = at_once(base());
+    settings.freeze = true;
+    return settings;
+}
+
+// Frames of one case; the last is timed.
+class Runner {
+  public:
+    Runner(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent)
+        : scene_(scene::make_scene("columns")), effect_(device, passes, extent) {
+        for (std::size_t i = 0; i < views_.size(); ++i)
+            views_.at(i) = scene::rasterize(device, passes, scene_, extent, {.frame = static_cast<int>(i)});
+    }
+
+    [[nodiscard]] Frame frame_of(const PassCase& what) {
+        effect_.begin(views_[0], with_radius(what.settings, static_cast<float>(scene_.ao_radius)));
+        for (int i = 0; i < what.warm; ++i) (void)effect_.next();
+        if (what.moves) effect_.advance(views_[1]);
+        return effect_.next();
+    }
+
+  private:
+    scene::Scene scene_;
+    std::array<scene::GBuffer, 2> views_;
+    AmbientOcclusion effect_;
+};
+
+// The times of a case's passes, a row for each round.
+using Rounds = std::vector<std::vector<PassTime>>;
+
+std::vector<PassTime> medians_of(const Rounds& rounds) {
+    std::vector<PassTime> medians = rounds.front();
+    for (std::size_t p = 0; p < medians.size(); ++p) {
+        std::vector<double> times;
+        for (const std::vector<PassTime>& round : rounds) times.push_back(round.at(p).ms);
+        medians[p].ms = median(times);
+    }
+    return medians;
+}
+
+}  // namespace
+
+std::vector<PassCase> pass_cases() {
+    const Settings plain = base();
+    const Settings converged = at_once(plain);
+    return {{"fresh", "nothing has converged: 5 x 5 taps", plain, 0, false},
+            {"fresh, wide", "the same, 17 x 17", widened(plain), 0, false},
+            {"converged", "nothing is filtered: 5 x 5", converged, 0, false},
+            {"converged, wide", "the same, 17 x 17", widened(converged), 0, false},
+            {"frozen", "all has converged and takes no samples", frozen(), 1, false},
+            {"moved", "the history follows the camera", plain, 1, true}};
+}
+
+PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
+                       int rounds) {
+    require_timestamps(device.info());
+    if (rounds < 1) throw std::invalid_argument(fmt::format("rounds {}: expected 1 or more", rounds));
+    Runner runner(device, passes, extent);
+    CopyClock clock(device, passes, extent);
+    PassStudy study;
+    for (const PassCase& what : pass_cases()) study.cases.push_back({what, {}, {}});
+    std::vector<Rounds> times(study.cases.size());
+    for (int round = 0; round <= rounds; ++round) {
+        for (std::size_t i = 0; i < study.cases.size(); ++i) {
+            Frame frame = runner.frame_of(study.cases[i].pass_case);
+            study.cases[i].work = frame.work;
+            if (round > 0) times[i].push_back(std::move(frame.times));  // drivers compile in the first
+        }
+        study.copy_ms = clock.measure();
+    }
+    for (std::size_t i = 0; i < times.size(); ++i) study.cases[i].times = medians_of(times[i]);
+    return study;
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::effect {
+
+// A state of the history and the settings that the passes of a frame are timed in.
+struct PassCase {
+    std::string name;
+    std::string what;    // in a few words
+    Settings settings;   // of a radius of 1
+    int warm = 0;        // frames of the first view before the one that is timed
+    bool moves = false;  // the one that is timed shows a second view
+};
+
+// Median time of each pass of the case's frame, in the order they run.
+struct PassTimes {
+    PassCase pass_case;
+    std::vector<PassTime> times;
+    Work work;
+};
+
+struct PassStudy {
+    double copy_ms = 0.0;  // a pass that reads one r32f texel and writes one
+    std::vector<PassTimes> cases;
+};
+
+// A filter of 5 x 5 and one of 17 x 17 where nothing has converged, and where all has; a frame of a history
+// that takes no samples, and one of a view that has moved. Nothing is skipped but background.
+[[nodiscard]] std::vector<PassCase> pass_cases();
+
+// Times `rounds` frames of each case in the scene `columns`, the cases in turns, so that the machine's drift
+// falls on all alike. Throws std::invalid_argument for rounds below 1, std::runtime_error for a device
+// without timestamps, and like AmbientOcclusion.
+[[nodiscard]] PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& passes,
+                                     gpu::Extent extent, int rounds);
+
+}  // namespace gloam::effect

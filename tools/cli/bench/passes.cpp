@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/passes.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/bench/image_size.hpp"
+#include "cli/drivers.hpp"
+#include "cli/environment.hpp"
+#include "effect/study/pass_study.hpp"
+#include "report/output_file.hpp"
+
+namespace gloam::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string pass_table(const effect::PassStudy& study) {
+    std::string text = "| state | | pass | copies |\n|---|---|---|--:|\n";
+    for (const effect::PassTimes& row : study.cases) {
+        for (const effect::PassTime& time : row.times)
+            text += fmt::format("| {} | {} | {} | {:.2f} |\n", row.pass_case.name, row.pass_case.what,
+                                time.pass, time.ms / study.copy_ms);
+    }
+    return text;
+}
+
+ordered_json pass_json(const effect::PassStudy& study) {
+    ordered_json cases = ordered_json::array();
+    for (const effect::PassTimes& row : study.cases) {
+        ordered_json passes = ordered_json::array();
+        for (const effect::PassTime& time : row.times)
+            passes.push_back({{"pass", time.pass}, {"ms", time.ms}, {"copies", time.ms / study.copy_ms}});
+        cases.push_back(
+            {{"state", row.pass_case.name}, {"what", row.pass_case.what}, {"passes", std::move(passes)}});
+    }
+    return cases;
+}
+
+}  // namespace
+
+int run_bench_passes(const BenchPassesOptions& options) {
+    const gpu::Extent extent = image_size(options.size);
+    const report::OutputFile json(options.json);
+    gpu::Device device({.device = options.device,
+                        .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                        .cache_directory = cache_directory()});
+    const scene::PassLibrary passes(glsl_directory(), cache_directory());
+    const effect::PassStudy study = effect::study_passes(device, passes, extent, options.rounds);
+    fmt::print("{}, {} x {} pixels, a copy takes {:.3f} ms\n\n{}", device.info().name, extent.width,
+               extent.height, study.copy_ms, pass_table(study));
+    const ordered_json document{{"device", device.info().name},
+                                {"width", extent.width},
+                                {"height", extent.height},
+                                {"copy_ms", study.copy_ms},
+                                {"cases", pass_json(study)}};
+    json.write(document.dump(2) + "\n");
+    const auto messages = device.take_validation_messages();
+    for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
+    return messages.empty() ? 0 : 1;
+}
+
+void add_bench_passes(CLI::App& bench, int& status) {
+    auto options = std::make_shared<BenchPassesOptions>();
+    CLI::App* command = bench.add_subcommand("passes", "what each pass of a frame costs, in copies");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
+    command->add_option("--rounds", options->rounds, "over all states of the history")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--device", options->device, "name or index of the device");
+    command->add_flag("--validation", options->validation,
+                      "Vulkan validation layers on; any message is an error");
+    command->add_option("--json", options->json, "write every number to this file");
+    add_driver_option(*command);
+    command->callback([options, &status] { status = run_bench_passes(*options); });
+}
+
+}  // namespace gloam::cli

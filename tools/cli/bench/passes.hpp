@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+namespace gloam::cli {
+
+// What `gloam bench passes` was asked.
+struct BenchPassesOptions {
+    std::string size = "1280x720";
+    int rounds = 5;  // over all cases
+    std::string device;
+    bool validation = false;
+    std::filesystem::path json;  // empty: not written
+};
+
+// Times every pass of a frame, in copies, and prints the table. Returns the exit status: 0, or 1 when the
+// validation layers had something to say.
+[[nodiscard]] int run_bench_passes(const BenchPassesOptions& options);
+
+// Adds the subcommand; `status` receives what it returns.
+void add_bench_passes(CLI::App& bench, int& status);
+
+}  // namespace gloam::cli
