@@ -19,8 +19,12 @@
 //   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not finite where there is
 //               none; read when layers is more than 1
 //   9  buffer   lists of tiles; read when listed is set
-//  10  buffer   the tiles' states of this frame; STATE_SETTLED is added when listed is set
-#ifndef GLOAM_HISTORY
+//  10  buffer   the tiles' states of this frame; STATE_SETTLED and STATE_UNFILTERED are added when listed is set
+//  11  r32f     written when shows is set: occlusion, as the filter leaves it where all has converged
+#ifdef GLOAM_HISTORY
+#define HISTORY_ROUNDS true
+#else
+#define HISTORY_ROUNDS false
 #define GLOAM_HISTORY rgba32f
 #endif
 #ifndef GLOAM_PREPARED
@@ -32,11 +36,12 @@ layout(constant_id = 0) const bool count_work = false;      // fill binding 4
 layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
 layout(constant_id = 3) const bool reject_taps = false;     // leave out taps further in front than GloamMethod::range (CS-REJ)
+layout(constant_id = 4) const bool shows = false;           // a filter follows, over lists of tiles: see binding 11
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
 layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D history_before;
-layout(binding = 3, GLOAM_HISTORY) uniform writeonly image2D history_after;
+layout(binding = 3, GLOAM_HISTORY) uniform image2D history_after;
 layout(binding = 4, std430) writeonly buffer Work { uvec4 work[]; };
 layout(binding = 5, rgba32f) uniform readonly image2D previous_position_image;
 
@@ -67,8 +72,10 @@ layout(push_constant) uniform Parameters {
     uint samples_least;    // of those, at least
     float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
     float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
+    float c_filter;        // convergence from which the filter leaves a pixel as it is; infinite: it leaves none
 } parameters;
 
+#include "gloam/filter/shrink.glsl"
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/radius_cap.glsl"
@@ -99,17 +106,19 @@ float gloam_fetch_layer(ivec2 pixel, int layer) {
 #define GLOAM_LIST_BINDING 9
 #include "tiles/listed.glsl"
 layout(binding = 10, std430) buffer TileStates { uint tile_states[]; };
+layout(binding = 11, r32f) uniform writeonly image2D shown_image;
 
 // The method: any file of this folder.
 #include "methods/hemisphere.glsl"
 
-shared uint counted[5];
+shared uint counted[6];
 
 const uint TAKEN = 0u;
 const uint BACKGROUND = 1u;
 const uint BELOW_LIMIT = 2u;
 const uint PIXELS = 3u;
 const uint ASKED = 4u;  // pixels that may change in the next frame as well
+const uint FILTERED = 5u;  // that the filter may change
 
 const uint CLAMP = 1u;
 const uint CONFIDENCE = 2u;
@@ -252,25 +261,45 @@ GloamHistory shade(ivec2 pixel) {
     return sampled(pixel, depth);
 }
 
+// What the filter shows of the pixel, should it leave the tile alone.
+// history: as the history's image holds it.
+void show(ivec2 pixel, vec4 history) {
+    imageStore(shown_image, pixel, vec4(history.x));
+    float convergence = gloam_convergence(history.y, parameters.weight_max);
+    count(FILTERED, !gloam_is_background(history.w) && gloam_shrink(convergence, parameters.c_filter) > 0.0 ? 1u : 0u);
+}
+
+void store(ivec2 pixel, GloamHistory after) {
+    vec4 texel = gloam_history_pack(after);
+    imageStore(history_after, pixel, texel);
+    if (!shows) return;
+    if (HISTORY_ROUNDS) texel.xy = imageLoad(history_after, pixel).xy;
+    show(pixel, texel);
+}
+
 // What the tile took, and whether it has settled.
 void report(uint tile) {
     if (count_work) work[tile] = uvec4(counted[TAKEN], counted[BACKGROUND], counted[BELOW_LIMIT], counted[PIXELS]);
-    if (listed && parameters.still != 0u && counted[ASKED] == 0u) tile_states[tile] |= STATE_SETTLED;
+    if (!listed) return;
+    uint settled = parameters.still != 0u && counted[ASKED] == 0u ? STATE_SETTLED : 0u;
+    uint unfiltered = counted[FILTERED] == 0u ? STATE_UNFILTERED : 0u;
+    tile_states[tile] |= settled | unfiltered;
 }
 
 void main() {
     uint entry = group_entry(parameters.size);
     if (count_work || listed) {
-        if (gl_LocalInvocationIndex < 5u) counted[gl_LocalInvocationIndex] = 0u;
+        if (gl_LocalInvocationIndex < 6u) counted[gl_LocalInvocationIndex] = 0u;
         barrier();
     }
-    ivec2 pixel = pixel_of(entry, parameters.size);
+    ivec2 pixel = pixel_of(entry);
     if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) {
-        imageStore(history_after, pixel, gloam_history_pack(shade(pixel)));
+        store(pixel, shade(pixel));
     }
     if (count_work || listed) {
         barrier();
+        uvec2 tile = tile_of(entry);
         uvec2 tiles = tiles_of(parameters.size);
-        if (gl_LocalInvocationIndex == 0u && entry < tiles.x * tiles.y) report(entry);
+        if (gl_LocalInvocationIndex == 0u && tile.x < tiles.x && tile.y < tiles.y) report(tile.y * tiles.x + tile.x);
     }
 }

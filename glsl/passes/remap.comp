@@ -3,20 +3,20 @@
 // Maps the occlusion to what is shown (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel. Only for display: the
 // history must not see the result.
 //
-// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
+// Define GLOAM_SOURCE as the format of binding 1, else it is rgba32f.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  history  occlusion in x: the history, or the filter's result
-//   2  rgba32f  written: mapped occlusion in x, in [0, 1], yzw of binding 1; background as it is
+//   1  source   occlusion in x: the history, or the filter's result
+//   2  r32f     written: mapped occlusion, in [0, 1]; background as it is
 //   3  buffer   lists of tiles; read when listed is set
-#ifndef GLOAM_HISTORY
-#define GLOAM_HISTORY rgba32f
+#ifndef GLOAM_SOURCE
+#define GLOAM_SOURCE rgba32f
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D source_image;
-layout(binding = 2, rgba32f) uniform writeonly image2D mapped_image;
+layout(binding = 1, GLOAM_SOURCE) uniform readonly image2D source_image;
+layout(binding = 2, r32f) uniform writeonly image2D mapped_image;
 
 #define GLOAM_LIST_BINDING 3
 #include "tiles/listed.glsl"
@@ -32,11 +32,11 @@ layout(push_constant) uniform Parameters {
 #include "gloam/shading/remap.glsl"
 
 void main() {
-    ivec2 pixel = pixel_of(group_entry(parameters.size), parameters.size);
+    ivec2 pixel = pixel_of(group_entry(parameters.size));
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    vec4 texel = imageLoad(source_image, pixel);
+    float occlusion = imageLoad(source_image, pixel).x;
     if (!gloam_is_background(imageLoad(depth_image, pixel).x)) {
-        texel.x = 1.0 - gloam_remap(1.0 - texel.x, parameters.a, parameters.b, parameters.c);
+        occlusion = 1.0 - gloam_remap(1.0 - occlusion, parameters.a, parameters.b, parameters.c);
     }
-    imageStore(mapped_image, pixel, texel);
+    imageStore(mapped_image, pixel, vec4(occlusion));
 }

@@ -87,7 +87,7 @@ GloamHistory reprojected(ivec2 pixel) {
 }
 
 void main() {
-    ivec2 pixel = pixel_of(group_entry(parameters.size), parameters.size);
+    ivec2 pixel = pixel_of(group_entry(parameters.size));
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     imageStore(history, pixel, gloam_history_pack(reprojected(pixel)));
 }

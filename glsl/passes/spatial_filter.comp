@@ -4,21 +4,24 @@
 // see the result. How neighbours count is said by a file of the folder filters: by convergence (TSSAO-10), by normal and depth (CS-BLUR), by
 // distance and depth (ISSAO-7), or as SAO has it.
 //
-// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
-// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
+// Define GLOAM_SOURCE as the format of binding 1, else it is rgba32f, and GLOAM_TARGET as that of binding 2, else it is r32f.
+// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select_filtered.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  history  occlusion in x, accumulated samples in y, anything in zw: the history, or this pass's result along x
-//   2  rgba32f  written: filtered occlusion in x, yzw of binding 1
+//   1  source   occlusion in x, accumulated samples in y: the history (rgba32f or rgba16f), or this pass's result along x
+//   2  target   written: filtered occlusion in x, y of binding 1 where the format has one
 //   3  rgba32f  view-space normal in xyz; read by the filter geometry alone
 //   4  buffer   lists of tiles; read when listed is set
-#ifndef GLOAM_HISTORY
-#define GLOAM_HISTORY rgba32f
+#ifndef GLOAM_SOURCE
+#define GLOAM_SOURCE rgba32f
+#endif
+#ifndef GLOAM_TARGET
+#define GLOAM_TARGET r32f
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D source_image;
-layout(binding = 2, rgba32f) uniform writeonly image2D filtered_image;
+layout(binding = 1, GLOAM_SOURCE) uniform readonly image2D source_image;
+layout(binding = 2, GLOAM_TARGET) uniform writeonly image2D filtered_image;
 layout(binding = 3, rgba32f) uniform readonly image2D normal_image;
 
 #define GLOAM_LIST_BINDING 4
@@ -42,9 +45,8 @@ layout(push_constant) uniform Parameters {
 #include "filters/convergence.glsl"
 
 void main() {
-    ivec2 pixel = pixel_of(group_entry(parameters.size), parameters.size);
+    ivec2 pixel = pixel_of(group_entry(parameters.size));
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    vec4 texel = imageLoad(source_image, pixel);
-    texel.x = filtered_occlusion(pixel);
-    imageStore(filtered_image, pixel, texel);
+    float samples = imageLoad(source_image, pixel).y;
+    imageStore(filtered_image, pixel, vec4(filtered_occlusion(pixel), samples, 0.0, 0.0));
 }

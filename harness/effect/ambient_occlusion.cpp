@@ -88,6 +88,7 @@ struct AmbientOcclusion::Impl {
     [[nodiscard]] Step over(TileLists list, Step pass) const;
     [[nodiscard]] std::vector<Step> steps();
     [[nodiscard]] SelectParameters select_parameters() const;
+    [[nodiscard]] std::array<std::uint32_t, 3> tile_groups() const;
     void append_selection(std::vector<Step>& passes);
     [[nodiscard]] bool finds_open_tiles() const;
     void append_open(std::vector<Step>& passes);
@@ -132,7 +133,8 @@ Program AmbientOcclusion::Impl::program() const {
             .moving_objects = moved && images->previous_position.has_value(),
             .layers = settings.layers,
             .reject_taps = settings.reject_taps,
-            .listed = selects_tiles(settings)};
+            .listed = selects_tiles(settings),
+            .shows = selects_tiles(settings) && filters(settings)};
 }
 
 // The list of tiles that a pass runs on; none: all of them.
@@ -153,26 +155,24 @@ void AmbientOcclusion::Impl::append_selection(std::vector<Step>& passes) {
     const Tiles& tiles = images->tile_selection;
     if (finds_open_tiles() && !open_known) append_open(passes);
     select_constants = select_parameters();
-    const std::array<std::uint32_t, 3> tile_groups =
-        groups_for({groups_for(view.extent)[0], groups_for(view.extent)[1]});
     passes.push_back(
         {"select_tiles",
          &pipelines.selection(),
          {images->depth, tiles.before(), tiles.after(), tiles.lists(), tiles.open(), images->tiles},
          bytes_of(select_constants),
-         tile_groups});
-    if (!filters(settings)) return;
-    passes.push_back({"select_filtered_tiles",
-                      &pipelines.filtered_selection(),
-                      {tiles.after(), tiles.lists()},
-                      bytes_of(select_filtered_constants),
-                      tile_groups});
+         tile_groups()});
+}
+
+// Of passes of one invocation a tile.
+std::array<std::uint32_t, 3> AmbientOcclusion::Impl::tile_groups() const {
+    const auto tiles = groups_for(view.extent);
+    return groups_for({tiles[0], tiles[1]});
 }
 
 SelectParameters AmbientOcclusion::Impl::select_parameters() const {
     std::uint32_t written = second_is_after ? image_second_history : image_first_history;
     if (moved) written |= image_reprojected;
-    if (filters(settings)) written |= image_half_filtered | image_filtered;
+    if (filters(settings)) written |= image_filtered;
     if (remaps(settings)) written |= image_mapped | (filters(settings) ? image_filtered_mapped : 0U);
     return {.size = size_of(view.extent),
             .written = written,
@@ -205,12 +205,12 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     const auto occlusion = [&](const char* name, TileLists list) {
         Program of_list = program();
         of_list.list = list;
-        passes.push_back(
-            over(list, {name,
-                        &pipelines.occlusion(of_list),
-                        {images->depth, images->normal, history(), images->after, images->tiles, positions,
-                         method, prepared.image_or(nothing), layers, tiles.lists(), tiles.after()},
-                        bytes_of(occlusion_constants)}));
+        passes.push_back(over(
+            list, {name,
+                   &pipelines.occlusion(of_list),
+                   {images->depth, images->normal, history(), images->after, images->tiles, positions, method,
+                    prepared.image_or(nothing), layers, tiles.lists(), tiles.after(), images->filtered},
+                   bytes_of(occlusion_constants)}));
     };
     occlusion("ambient_occlusion", finds_open_tiles() ? TileLists::sampled : TileLists::shaded);
     if (finds_open_tiles()) occlusion("ambient_occlusion_open", TileLists::open);
@@ -262,44 +262,51 @@ void AmbientOcclusion::Impl::append_open(std::vector<Step>& passes) {
 void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
     if (!filters(settings)) return;
     const gpu::Buffer& lists = images->tile_selection.lists();
-    const auto along = [&](const char* name, HistoryPrecision precision, TileLists list,
-                           const gpu::Image& from, const gpu::Image& to, const FilterParameters& constants) {
-        passes.push_back(over(list, {name,
-                                     &pipelines.filter(settings.filter, precision, listed(list)),
-                                     {images->depth, from, to, images->normal, lists},
-                                     bytes_of(constants)}));
+    if (selects_tiles(settings)) {
+        passes.push_back({"select_filtered_tiles",
+                          &pipelines.filtered_selection(),
+                          {images->tile_selection.after(), lists},
+                          bytes_of(select_filtered_constants),
+                          tile_groups()});
+    }
+    const auto along = [&](const char* name, TileLists list, const gpu::Image& from, const gpu::Image& to,
+                           const FilterParameters& constants) {
+        passes.push_back(
+            over(list, {name,
+                        &pipelines.filter(settings.filter, from.format(), to.format(), listed(list)),
+                        {images->depth, from, to, images->normal, lists},
+                        bytes_of(constants)}));
     };
-    along("filter_x", settings.precision, TileLists::filtered_x, images->after, images->half_filtered,
-          filter_x_constants);
-    along("filter_y", HistoryPrecision::float32, TileLists::filtered_y, images->half_filtered,
-          images->filtered, filter_y_constants);
+    along("filter_x", TileLists::filtered_x, images->after, images->half_filtered, filter_x_constants);
+    along("filter_y", TileLists::filtered_y, images->half_filtered, images->filtered, filter_y_constants);
 }
 
 // What is shown, of the history and of the filter's result.
 void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     if (!remaps(settings)) return;
     const gpu::Buffer& lists = images->tile_selection.lists();
-    passes.push_back(
-        over(TileLists::shaded, {"remap",
-                                 &pipelines.remapping(settings.precision, listed(TileLists::shaded)),
-                                 {images->depth, images->after, *images->mapped, lists},
-                                 bytes_of(remap_constants)}));
+    const auto map = [&](const char* name, TileLists list, const gpu::Image& from, const gpu::Image& to) {
+        passes.push_back(over(list, {name,
+                                     &pipelines.remapping(from.format(), listed(list)),
+                                     {images->depth, from, to, lists},
+                                     bytes_of(remap_constants)}));
+    };
+    map("remap", TileLists::shaded, images->after, *images->mapped);
     if (!filters(settings)) return;
-    passes.push_back(over(TileLists::filtered_y,
-                          {"remap_filtered",
-                           &pipelines.remapping(HistoryPrecision::float32, listed(TileLists::filtered_y)),
-                           {images->depth, images->filtered, *images->filtered_mapped, lists},
-                           bytes_of(remap_constants)}));
+    map("remap_filtered", TileLists::shaded, images->filtered, *images->filtered_mapped);
+    // What the filter changes besides.
+    if (selects_tiles(settings))
+        map("remap_filtered_tiles", TileLists::filtered_y, images->filtered, *images->filtered_mapped);
 }
 
 Frame AmbientOcclusion::Impl::collect() const {
     const std::vector<float> result = images->after.download();
     const bool mapped = remaps(settings);
-    Frame frame{.occlusion = channel(mapped ? images->mapped->download() : result, 0),
+    Frame frame{.occlusion = mapped ? images->mapped->download() : channel(result, 0),
                 .convergence = channel(result, 1),
                 .kept = channel(history().download(), 1)};
     const gpu::Image& filtered = mapped ? *images->filtered_mapped : images->filtered;
-    frame.filtered = filters(settings) ? channel(filtered.download(), 0) : frame.occlusion;
+    frame.filtered = filters(settings) ? filtered.download() : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
     frame.work = work(frame.convergence);
 
@@ -321,6 +328,7 @@ Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
     total.tiles_blank = tiles.background;
     total.tiles_open = tiles.open;
     total.tiles_settled = tiles.settled;
+    total.tiles_unfiltered = tiles.filtered_enough;
     if (settings.filter == Filter::convergence) {
         for (const float value : convergence) total.converged += value >= settings.c_adaptive ? 1 : 0;
     }

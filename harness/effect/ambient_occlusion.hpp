@@ -37,6 +37,7 @@ struct Work {
     std::uint64_t tiles_blank = 0;       // left out: background, as all images show already
     std::uint64_t tiles_open = 0;        // shaded without a tap: nothing can block any
     std::uint64_t tiles_settled = 0;     // left out: nothing moves, and no pixel asks for a sample
+    std::uint64_t tiles_unfiltered = 0;  // left out by the filter: it leaves every pixel as it is
 };
 
 // One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the

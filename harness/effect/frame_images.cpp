@@ -69,7 +69,7 @@ FrameImages::FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPre
       reprojected(device, size, format_of(precision)),
       after(device, size, format_of(precision)),
       half_filtered(device, size, rgba32f),
-      filtered(device, size, rgba32f),
+      filtered(device, size, r32f),
       tiles(device, tiles_of(size) * sizeof(TileWork)),
       tile_selection(device, size) {}
 
@@ -95,8 +95,8 @@ void FrameImages::take(const gpu::Device& device, const scene::GBuffer& view) {
 
 void FrameImages::map(const gpu::Device& device) {
     if (mapped) return;
-    mapped.emplace(device, depth.extent(), rgba32f);
-    filtered_mapped.emplace(device, depth.extent(), rgba32f);
+    mapped.emplace(device, depth.extent(), r32f);
+    filtered_mapped.emplace(device, depth.extent(), r32f);
 }
 
 }  // namespace gloam::effect

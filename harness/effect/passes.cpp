@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/passes.hpp"
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <stdexcept>
 
 #include "effect/preparation.hpp"
@@ -13,6 +16,17 @@ using enum gpu::BindingKind;
 
 glm::ivec2 size_of(gpu::Extent extent) {
     return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
+}
+
+const char* name_of(gpu::Format format) {
+    switch (format) {
+        case gpu::Format::r32f:
+            return "r32f";
+        case gpu::Format::rgba16f:
+            return "rgba16f";
+        default:
+            return "rgba32f";
+    }
 }
 
 std::uint32_t flag(bool value) {
@@ -37,6 +51,12 @@ constexpr std::uint32_t list_constant = 11;
 std::vector<gpu::SpecializationConstant> constants_of(std::optional<TileLists> list) {
     return {{.id = listed_constant, .bits = flag(list.has_value())},
             {.id = list_constant, .bits = static_cast<std::uint32_t>(list.value_or(TileLists::shaded))}};
+}
+
+// Convergence from which the filter leaves a pixel as it is; infinite where it leaves none so.
+float c_filter(const Settings& settings) {
+    const bool leaves = settings.skip_filtered && settings.filter == Filter::convergence;
+    return leaves ? settings.c_adaptive : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace
@@ -82,7 +102,8 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .samples_radius = settings.samples_radius,
             .samples_least = settings.samples_least,
             .radius_cap = settings.radius_cap,
-            .smoothing = settings.smoothing};
+            .smoothing = settings.smoothing,
+            .c_filter = c_filter(settings)};
 }
 
 MethodParameters method_parameters(const Settings& settings) {
@@ -143,12 +164,13 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
                           storage_image, storage_buffer, storage_image, storage_image, storage_buffer,
-                          storage_buffer},
+                          storage_buffer, storage_image},
              .push_constant_bytes = sizeof(OcclusionParameters),
              .constants = {{.id = 0, .bits = 1},
                            {.id = 1, .bits = flag(program.moving_objects)},
                            {.id = 2, .bits = program.layers},
                            {.id = 3, .bits = flag(program.reject_taps)},
+                           {.id = 4, .bits = flag(program.shows)},
                            {.id = listed_constant, .bits = flag(program.listed)},
                            {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)}}}};
 }
@@ -165,11 +187,12 @@ gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibra
 }
 
 gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::PassLibrary& library,
-                                    Filter filter, HistoryPrecision precision,
+                                    Filter filter, gpu::Format source, gpu::Format target,
                                     std::optional<TileLists> list) {
-    const shader::Spirv spirv =
-        library.compile("spatial_filter.comp", defines_for(precision),
-                        {{filter_include(Filter::convergence), filter_include(filter)}});
+    const shader::Spirv spirv = library.compile(
+        "spatial_filter.comp",
+        {fmt::format("GLOAM_SOURCE {}", name_of(source)), fmt::format("GLOAM_TARGET {}", name_of(target))},
+        {{filter_include(Filter::convergence), filter_include(filter)}});
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
@@ -177,9 +200,10 @@ gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::Pass
              .constants = constants_of(list)}};
 }
 
-gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
-                           HistoryPrecision precision, std::optional<TileLists> list) {
-    const shader::Spirv spirv = library.compile("remap.comp", defines_for(precision));
+gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library, gpu::Format source,
+                           std::optional<TileLists> list) {
+    const shader::Spirv spirv =
+        library.compile("remap.comp", {fmt::format("GLOAM_SOURCE {}", name_of(source))});
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_buffer},

@@ -25,15 +25,14 @@ const gpu::ComputePipeline& Pipelines::reprojection(const Program& program) {
     return found_or_made(reprojection_, program, [&] { return reproject(*device_, library_, program); });
 }
 
-const gpu::ComputePipeline& Pipelines::filter(Filter filter, HistoryPrecision precision,
+const gpu::ComputePipeline& Pipelines::filter(Filter filter, gpu::Format source, gpu::Format target,
                                               std::optional<TileLists> list) {
-    return found_or_made(filter_, {filter, precision, list},
-                         [&] { return spatial_filter(*device_, library_, filter, precision, list); });
+    return found_or_made(filter_, {filter, source, target, list},
+                         [&] { return spatial_filter(*device_, library_, filter, source, target, list); });
 }
 
-const gpu::ComputePipeline& Pipelines::remapping(HistoryPrecision precision, std::optional<TileLists> list) {
-    return found_or_made(remapping_, {precision, list},
-                         [&] { return remap(*device_, library_, precision, list); });
+const gpu::ComputePipeline& Pipelines::remapping(gpu::Format source, std::optional<TileLists> list) {
+    return found_or_made(remapping_, {source, list}, [&] { return remap(*device_, library_, source, list); });
 }
 
 const gpu::ComputePipeline& Pipelines::selection() {

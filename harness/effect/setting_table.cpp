@@ -194,6 +194,9 @@ void add_output(std::vector<Setting>& table) {
                          &S::skip_open));
     table.push_back(flag("skip_settled", "off: tiles that would not change are shaded, to the same result",
                          &S::skip_settled));
+    table.push_back(flag("skip_filtered",
+                         "off: tiles that the filter leaves as they are pass it, to the same result",
+                         &S::skip_filtered));
 }
 
 SettingValue value_of(const Setting& setting, std::string_view text) {

@@ -102,6 +102,7 @@ struct Settings {
     bool skip_background = true;  // off: background goes the long way, to the same result
     bool skip_open = false;       // on: tiles that nothing can block are not sampled, to the same result
     bool skip_settled = true;     // off: tiles that would not change are shaded, to the same result
+    bool skip_filtered = true;    // off: tiles that the filter leaves as they are pass it, to the same result
 };
 
 // Whether a filter follows the estimate.

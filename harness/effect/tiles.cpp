@@ -59,7 +59,8 @@ SelectedTiles Tiles::counts() const {
             .filtered = lists[2].tiles,
             .background = lists.back().columns,
             .settled = lists.back().rows,
-            .open = lists[4].tiles};
+            .open = lists[4].tiles,
+            .filtered_enough = lists.back().tiles};
 }
 
 std::size_t offset_of(TileLists list) {
@@ -67,7 +68,7 @@ std::size_t offset_of(TileLists list) {
 }
 
 bool selects_tiles(const Settings& settings) {
-    return settings.skip_background || settings.skip_open || settings.skip_settled;
+    return settings.skip_background || settings.skip_open || settings.skip_settled || settings.skip_filtered;
 }
 
 std::int32_t filter_reach(const Settings& settings) {

@@ -30,6 +30,7 @@ Settings with_skips(Settings settings) {
     settings.skip_background = true;
     settings.skip_open = true;
     settings.skip_settled = true;
+    settings.skip_filtered = true;
     return settings;
 }
 
@@ -37,6 +38,7 @@ Settings without_skips(Settings settings) {
     settings.skip_background = false;
     settings.skip_open = false;
     settings.skip_settled = false;
+    settings.skip_filtered = false;
     return settings;
 }
 
@@ -158,6 +160,26 @@ TEST_F(Skips, SomeTilesSettleBeforeTheirNeighbours) {
     for (const Frame& frame : expect_same(stays, settings))
         partly |= frame.work.tiles_settled > 0 && frame.work.tiles_shaded > 0;
     EXPECT_TRUE(partly);
+}
+
+// With a history of half precision what the filter sees is not what the samples gave.
+TEST_F(Skips, TilesThatTheFilterLeavesAsTheyAre) {
+    const std::vector<Stay> stays{{view("columns", 0), 3}, {view("columns", 9), 4}};
+    for (const HistoryPrecision precision : {HistoryPrecision::float32, HistoryPrecision::float16}) {
+        Settings settings = without_skips(settings_for("columns"));
+        settings.skip_filtered = true;
+        settings.precision = precision;
+        settings.table_size = 2048;
+        settings.filter_half_width = 3;
+        const std::vector<Frame> frames = expect_same(stays, settings);
+        EXPECT_EQ(frames.front().work.tiles_unfiltered, 0U) << "nothing has converged";
+        const Work& after_a_move = frames[3].work;
+        EXPECT_GT(after_a_move.tiles_unfiltered, after_a_move.tiles / 4);
+        EXPECT_GT(after_a_move.tiles_filtered, 0U) << "what came into view";
+        EXPECT_EQ(after_a_move.tiles_filtered + after_a_move.tiles_unfiltered, after_a_move.tiles);
+        settings.remap_c = 2.0F;
+        (void)expect_same(stays, settings);
+    }
 }
 
 TEST_F(Skips, EveryFilterAndTheMap) {

@@ -20,14 +20,29 @@ const uint FILTERED_X_TILES = 1u;  // the filter along x
 const uint FILTERED_Y_TILES = 2u;  // the filter along y, and the mapping
 const uint SAMPLED_TILES = 3u;     // of the shaded tiles: those whose samples may be blocked
 const uint OPEN_TILES = 4u;        // of the shaded tiles: those where nothing can block any sample of any pixel
-const uint SKIPPED_TILES = 5u;     // (background, settled, 0, 0): no list, but counts
+const uint SKIPPED_TILES = 5u;     // (background, settled, 0, filtered enough): no list, but counts
 const uint TILE_LISTS = 6u;
 
 // Of a tile's state, from frame to frame.
 const uint STATE_SETTLED = 1u;      // the view stood still in the last frame, and no pixel asked for a sample
 const uint STATE_SHADED = 2u;       // it is in the list of this frame
 const uint STATE_BACKGROUND = 4u;   // it is left out of all lists of this frame: no geometry, and the images show that already
+const uint STATE_UNFILTERED = 8u;   // the filter leaves every pixel of it as it is
 const uint STATE_BLANK_SHIFT = 8u;  // from this bit on: images that hold background all over the tile
+
+// Of a list's entry: the tile's column, and its row from this bit on. A division by the columns would cost each invocation more than
+// the entry.
+const uint ENTRY_ROW_SHIFT = 15u;
+const uint ENTRY_COLUMN = 0x7FFFu;
+const uint ENTRY_NONE = 0xFFFFFFFFu;  // no tile: outside every image
+
+uint entry_of(uvec2 tile) {
+    return tile.x | tile.y << ENTRY_ROW_SHIFT;
+}
+
+uvec2 tile_of(uint entry) {
+    return uvec2(entry & ENTRY_COLUMN, entry >> ENTRY_ROW_SHIFT);
+}
 
 // Tiles that cover an image, along x and y.
 uvec2 tiles_of(ivec2 size) {

@@ -15,21 +15,20 @@ layout(binding = GLOAM_LIST_BINDING, std430) readonly buffer TileLists {
     uint listed_tiles[];  // one list after the other, each with room for all tiles
 };
 
-// The group's entry of the list: the number of its tile, counted by rows.
-// size: of the image, pixels. Returns a number that is no tile of the image for a group beyond the end of the list.
+// The group's entry of the list (ENTRY_*); ENTRY_NONE for a group beyond the end of the list.
+// size: of the image, pixels.
 uint group_entry(ivec2 size) {
-    if (!listed) return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    if (!listed) return entry_of(gl_WorkGroupID.xy);
     uvec2 tiles = tiles_of(size);
     uint position = gl_WorkGroupID.y * LIST_COLUMNS + gl_WorkGroupID.x;
-    if (position >= tile_lists[which_list].tiles) return tiles.x * tiles.y;
+    if (position >= tile_lists[which_list].tiles) return ENTRY_NONE;
     return listed_tiles[which_list * tiles.x * tiles.y + position];
 }
 
 // The invocation's pixel; outside the image for one beyond its edge, and beyond the end of the list.
-// entry: of group_entry(). size: of the image, pixels.
-ivec2 pixel_of(uint entry, ivec2 size) {
-    uint columns = tiles_of(size).x;
-    return ivec2(uvec2(entry % columns, entry / columns) * TILE_SIDE + gl_LocalInvocationID.xy);
+// entry: of group_entry().
+ivec2 pixel_of(uint entry) {
+    return ivec2(tile_of(entry) * TILE_SIDE + gl_LocalInvocationID.xy);
 }
 
 #endif

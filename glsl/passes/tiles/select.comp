@@ -7,7 +7,7 @@
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f    eye-linear depth, world units; background 0 or not finite
 //   1  buffer  the tiles' states after the last frame
-//   2  buffer  written: after this one, but for STATE_SETTLED of the tiles that are shaded
+//   2  buffer  written: after this one, but for STATE_SETTLED and STATE_UNFILTERED of the tiles that are shaded
 //   3  buffer  the lists, their counts 0 and their `layers` 1; all but those of filters are filled
 //   4  buffer  for each tile 1 where nothing can block any tap of its pixels, else 0; read when open_tiles is set
 //   5  buffer  what the tiles took in the last frame, as ambient_occlusion.comp writes it: the samples of settled tiles become 0
@@ -46,11 +46,11 @@ bool without_geometry(uvec2 tile) {
     return true;
 }
 
-void append(uint list, uint tile, uint tiles) {
+void append(uint list, uvec2 tile, uint tiles) {
     uint position = atomicAdd(tile_lists[list].tiles, 1u);
     atomicMax(tile_lists[list].columns, min(position + 1u, LIST_COLUMNS));
     atomicMax(tile_lists[list].rows, position / LIST_COLUMNS + 1u);
-    listed_tiles[list * tiles + position] = tile;
+    listed_tiles[list * tiles + position] = entry_of(tile);
 }
 
 void main() {
@@ -69,11 +69,11 @@ void main() {
         states_after[tile] = kept | STATE_BACKGROUND | (settled ? STATE_SETTLED : 0u);
     } else if (settled) {
         atomicAdd(tile_lists[SKIPPED_TILES].rows, 1u);
-        states_after[tile] = kept | STATE_SETTLED;
+        states_after[tile] = kept | STATE_SETTLED | (before & STATE_UNFILTERED);
         work[tile].x = 0u;
     } else {
-        append(SHADED_TILES, tile, tiles.x * tiles.y);
-        if (parameters.open_tiles != 0u) append(open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES, tile, tiles.x * tiles.y);
+        append(SHADED_TILES, at, tiles.x * tiles.y);
+        if (parameters.open_tiles != 0u) append(open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES, at, tiles.x * tiles.y);
         states_after[tile] = STATE_SHADED | (blank ? kept | written : 0u);
     }
 }

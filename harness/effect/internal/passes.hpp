@@ -51,6 +51,7 @@ struct OcclusionParameters {
     std::uint32_t samples_least;
     float radius_cap;
     float smoothing;
+    float c_filter;
 };
 
 // GloamMethod, as the pass's buffer holds it.
@@ -122,6 +123,7 @@ struct Program {
     bool reject_taps = false;
     bool listed = false;  // runs over a list of tiles
     TileLists list = TileLists::shaded;
+    bool shows = false;  // a filter follows, over lists of tiles
 
     friend auto operator<=>(const Program&, const Program&) = default;
 };
@@ -139,14 +141,15 @@ struct Program {
                                                      const Program& program);  // counts its work
 [[nodiscard]] gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
                                              const Program& program);
-// `precision`: of the image that the pass reads. `list`: of the tiles that it runs on; none: the whole image.
-// Throws std::invalid_argument for Filter::none.
+// `source` and `target`: formats of the images that the pass reads and writes. `list`: of the tiles that it
+// runs on; none: the whole image. Throws std::invalid_argument for Filter::none.
 [[nodiscard]] gpu::ComputePipeline spatial_filter(const gpu::Device& device,
                                                   const scene::PassLibrary& library, Filter filter,
-                                                  HistoryPrecision precision, std::optional<TileLists> list);
+                                                  gpu::Format source, gpu::Format target,
+                                                  std::optional<TileLists> list);
 
 [[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
-                                         HistoryPrecision precision, std::optional<TileLists> list);
+                                         gpu::Format source, std::optional<TileLists> list);
 
 // Which tiles the others run on.
 [[nodiscard]] gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library);

@@ -22,12 +22,11 @@ class Pipelines {
     [[nodiscard]] const gpu::ComputePipeline& normals() const { return normals_; }
     [[nodiscard]] const gpu::ComputePipeline& occlusion(const Program& program);
     [[nodiscard]] const gpu::ComputePipeline& reprojection(const Program& program);
-    // `precision`: of the image that the pass reads.
+    // `source`, `target`: formats of the images that the pass reads and writes.
     // `list`: of the tiles that it runs on; none: the whole image.
-    [[nodiscard]] const gpu::ComputePipeline& filter(Filter filter, HistoryPrecision precision,
+    [[nodiscard]] const gpu::ComputePipeline& filter(Filter filter, gpu::Format source, gpu::Format target,
                                                      std::optional<TileLists> list);
-    [[nodiscard]] const gpu::ComputePipeline& remapping(HistoryPrecision precision,
-                                                        std::optional<TileLists> list);
+    [[nodiscard]] const gpu::ComputePipeline& remapping(gpu::Format source, std::optional<TileLists> list);
     [[nodiscard]] const gpu::ComputePipeline& selection();
     [[nodiscard]] const gpu::ComputePipeline& filtered_selection();
     [[nodiscard]] const gpu::ComputePipeline& bounding();
@@ -40,8 +39,9 @@ class Pipelines {
     gpu::ComputePipeline normals_;
     std::map<Program, gpu::ComputePipeline> occlusion_;
     std::map<Program, gpu::ComputePipeline> reprojection_;
-    std::map<std::tuple<Filter, HistoryPrecision, std::optional<TileLists>>, gpu::ComputePipeline> filter_;
-    std::map<std::pair<HistoryPrecision, std::optional<TileLists>>, gpu::ComputePipeline> remapping_;
+    std::map<std::tuple<Filter, gpu::Format, gpu::Format, std::optional<TileLists>>, gpu::ComputePipeline>
+        filter_;
+    std::map<std::pair<gpu::Format, std::optional<TileLists>>, gpu::ComputePipeline> remapping_;
     std::map<std::string, gpu::ComputePipeline> of_tiles_;
 };
 

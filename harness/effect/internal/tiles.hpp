@@ -28,10 +28,9 @@ enum TileImage : std::uint32_t {
     image_first_history = 1,
     image_second_history = 2,
     image_reprojected = 4,
-    image_half_filtered = 8,
-    image_filtered = 16,
-    image_mapped = 32,
-    image_filtered_mapped = 64
+    image_filtered = 8,
+    image_mapped = 16,
+    image_filtered_mapped = 32
 };
 
 // Push constants of tiles/select.comp.
@@ -76,6 +75,7 @@ struct SelectedTiles {
     std::uint32_t background = 0;
     std::uint32_t settled = 0;
     std::uint32_t open = 0;  // of those shaded: without a tap
+    std::uint32_t filtered_enough = 0;
 };
 
 // What is known of the tiles of an image from frame to frame, and the lists of those that passes run on.

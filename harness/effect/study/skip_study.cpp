@@ -59,6 +59,7 @@ Settings without_skips(Settings settings) {
     settings.skip_background = false;
     settings.skip_open = false;
     settings.skip_settled = false;
+    settings.skip_filtered = false;
     return settings;
 }
 
