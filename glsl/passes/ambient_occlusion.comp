@@ -5,6 +5,7 @@
 // whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
 //
 // Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
+// Define GLOAM_SAMPLE_TABLE as 12 for a table of what the samples share; else it is computed for each of them.
 // Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is rgba32f.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
@@ -21,6 +22,7 @@
 //   9  buffer   lists of tiles; read when listed is set
 //  10  buffer   the tiles' states of this frame; STATE_SETTLED and STATE_UNFILTERED are added when listed is set
 //  11  r32f     written when shows is set: occlusion, as the filter leaves it where all has converged
+//  12  rgba32f  what the samples share (samples/table.glsl); read when GLOAM_SAMPLE_TABLE is defined
 #ifdef GLOAM_HISTORY
 #define HISTORY_ROUNDS true
 #else
@@ -37,6 +39,11 @@ layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbo
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
 layout(constant_id = 3) const bool reject_taps = false;     // leave out taps further in front than GloamMethod::range (CS-REJ)
 layout(constant_id = 4) const bool shows = false;           // a filter follows, over lists of tiles: see binding 11
+layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
+layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least
+layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
+layout(constant_id = 8) const bool smooths = true;          // read smoothing
+layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -54,11 +61,9 @@ layout(push_constant) uniform Parameters {
     uint samples;          // k_1, for each pixel that has not converged
     uint samples_converged;  // k_2, for each pixel that has
     float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
-    uint table_size;       // samples after which the sequence starts over
     float weight_max;      // w_max: samples in the mean, at most
     float c_rot;           // kernels are rotated below this convergence; 0 never
     float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
-    uint orthographic;     // 1, or 0 for perspective
     uint shade_border;     // 1: the band has occlusion as well, a history for what moves in; 0: it is left out
     uint skip_background;  // 1: background returns at once; 0: it goes the long way, with the same result
     uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by confidence
@@ -108,17 +113,21 @@ float gloam_fetch_layer(ivec2 pixel, int layer) {
 layout(binding = 10, std430) buffer TileStates { uint tile_states[]; };
 layout(binding = 11, r32f) uniform writeonly image2D shown_image;
 
+#include "samples/table.glsl"
+
 // The method: any file of this folder.
 #include "methods/hemisphere.glsl"
 
-shared uint counted[6];
+// What the tile took, in one word, since an atomic operation costs as much as a sample: samples in 18 bits (64 x 2048 at most), pixels of
+// background in 7, and in 7 those whose radius is below the limit.
+shared uint counted;
+shared uint counted_pixels;  // of a surface that take nothing, in 16 bits, and those that the filter may change
 
-const uint TAKEN = 0u;
-const uint BACKGROUND = 1u;
-const uint BELOW_LIMIT = 2u;
-const uint PIXELS = 3u;
-const uint ASKED = 4u;  // pixels that may change in the next frame as well
-const uint FILTERED = 5u;  // that the filter may change
+const uint ONE_SAMPLE = 1u;
+const uint ONE_BACKGROUND = 1u << 18u;
+const uint ONE_BELOW_LIMIT = 1u << 25u;
+const uint ONE_FROZEN = 1u;
+const uint ONE_FILTERED = 1u << 16u;
 
 const uint CLAMP = 1u;
 const uint CONFIDENCE = 2u;
@@ -132,10 +141,13 @@ struct Neighborhood {
 };
 Neighborhood neighborhood;
 
+// The invocation's part of what is counted.
+uint tally = 0u;
+uint pixel_tally = 0u;
 const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
 
 GloamCamera this_camera() {
-    return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
+    return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
 }
 
 // Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells nothing.
@@ -179,10 +191,6 @@ float weight_after_change(float weight) {
     return gloam_invalidate_confidence(weight, gloam_confidence(change / parameters.radius, parameters.confidence_factor));
 }
 
-void count(uint what, uint amount) {
-    if ((count_work || listed) && amount > 0u) atomicAdd(counted[what], amount);
-}
-
 // Half-axes of the projected radius, pixels.
 vec2 reach_at(float depth) {
     return gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
@@ -190,6 +198,7 @@ vec2 reach_at(float depth) {
 
 // Radius of influence, world units: smaller where its projection would exceed the cap.
 float radius_at(float depth) {
+    if (!caps_radius) return parameters.radius;
     vec2 reach = reach_at(depth);
     float larger = max(reach.x, reach.y);
     if (!(larger > parameters.radius_cap)) return parameters.radius;
@@ -213,6 +222,7 @@ uint samples_for(GloamHistory before, float depth) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     if (parameters.freeze != 0u && parameters.still != 0u && convergence >= 1.0) return 0u;
     int samples = gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples), int(parameters.samples_converged));
+    if (!fewer_samples) return uint(samples);
     int least = min(int(parameters.samples_least), samples);
     if (parameters.samples_distance > 0.0) samples = gloam_count_by_distance(depth, parameters.samples_distance, samples, least);
     if (parameters.samples_radius > 0.0) {
@@ -225,18 +235,18 @@ uint samples_for(GloamHistory before, float depth) {
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
     uint samples = samples_for(before, depth);
-    count(ASKED, samples > 0u ? 1u : 0u);
+    pixel_tally += samples == 0u && !gloam_is_background(depth) ? ONE_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
     vec2 fresh = vec2(0.0, float(samples));
     if (!open_tiles && samples > 0u) fresh = gather(pixel, depth, before, samples);
-    count(TAKEN, uint(fresh.y));
+    tally += uint(fresh.y) * ONE_SAMPLE;
     float mean = gloam_estimator_mean(fresh);
     float weight = weight_after_change(before.weight);
     vec2 blended = gloam_blend(before.occlusion, weight, mean, fresh.y, parameters.weight_max);
-    if (parameters.smoothing > 0.0 && fresh.y > 0.0) {
+    if (smooths && parameters.smoothing > 0.0 && fresh.y > 0.0) {
         blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, mean, parameters.smoothing);
     }
-    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples, parameters.table_size), depth);
+    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples, table_size), depth);
 }
 
 bool left_out(ivec2 pixel) {
@@ -249,13 +259,12 @@ GloamHistory shade(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
     if (left_out(pixel)) return gloam_history_empty(depth);
     bool background = gloam_is_background(depth);
-    count(PIXELS, 1u);
-    count(BACKGROUND, background ? 1u : 0u);
+    tally += background ? ONE_BACKGROUND : 0u;
     if (background && parameters.skip_background != 0u) return gloam_history_empty(depth);
 
     vec2 reach = reach_at(depth);
     if (!background && max(reach.x, reach.y) < parameters.least_radius) {
-        count(BELOW_LIMIT, 1u);
+        tally += ONE_BELOW_LIMIT;
         return GloamHistory(0.0, parameters.weight_max, 0u, depth);  // known for certain: converged
     }
     return sampled(pixel, depth);
@@ -266,7 +275,8 @@ GloamHistory shade(ivec2 pixel) {
 void show(ivec2 pixel, vec4 history) {
     imageStore(shown_image, pixel, vec4(history.x));
     float convergence = gloam_convergence(history.y, parameters.weight_max);
-    count(FILTERED, !gloam_is_background(history.w) && gloam_shrink(convergence, parameters.c_filter) > 0.0 ? 1u : 0u);
+    bool filtered = !gloam_is_background(history.w) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
+    pixel_tally += filtered ? ONE_FILTERED : 0u;
 }
 
 void store(ivec2 pixel, GloamHistory after) {
@@ -277,19 +287,33 @@ void store(ivec2 pixel, GloamHistory after) {
     show(pixel, texel);
 }
 
+// Pixels of a tile that are shaded: inside the image, and inside the guard band unless that is shaded as well.
+uint pixels_of_tile(uvec2 tile) {
+    ivec2 band = parameters.shade_border != 0u ? ivec2(0) : parameters.border;
+    ivec2 first = ivec2(tile * TILE_SIDE);
+    ivec2 sides = min(first + int(TILE_SIDE), parameters.size - band) - max(first, band);
+    return uint(max(sides.x, 0) * max(sides.y, 0));
+}
+
 // What the tile took, and whether it has settled.
-void report(uint tile) {
-    if (count_work) work[tile] = uvec4(counted[TAKEN], counted[BACKGROUND], counted[BELOW_LIMIT], counted[PIXELS]);
+void report(uvec2 tile) {
+    uint number = tile.y * tiles_of(parameters.size).x + tile.x;
+    uint samples = counted % ONE_BACKGROUND;
+    uint background = counted / ONE_BACKGROUND % (ONE_BELOW_LIMIT / ONE_BACKGROUND);
+    uint below_limit = counted / ONE_BELOW_LIMIT;
+    uint pixels = pixels_of_tile(tile);
+    if (count_work) work[number] = uvec4(samples, background, below_limit, pixels);
     if (!listed) return;
-    uint settled = parameters.still != 0u && counted[ASKED] == 0u ? STATE_SETTLED : 0u;
-    uint unfiltered = counted[FILTERED] == 0u ? STATE_UNFILTERED : 0u;
-    tile_states[tile] |= settled | unfiltered;
+    uint frozen = counted_pixels % ONE_FILTERED;
+    bool settled = parameters.still != 0u && background + below_limit + frozen == pixels;
+    bool unfiltered = counted_pixels < ONE_FILTERED;
+    tile_states[number] |= (settled ? STATE_SETTLED : 0u) | (unfiltered ? STATE_UNFILTERED : 0u);
 }
 
 void main() {
     uint entry = group_entry(parameters.size);
     if (count_work || listed) {
-        if (gl_LocalInvocationIndex < 6u) counted[gl_LocalInvocationIndex] = 0u;
+        if (gl_LocalInvocationIndex == 0u) counted = counted_pixels = 0u;
         barrier();
     }
     ivec2 pixel = pixel_of(entry);
@@ -297,9 +321,11 @@ void main() {
         store(pixel, shade(pixel));
     }
     if (count_work || listed) {
+        if (tally > 0u) atomicAdd(counted, tally);
+        if (pixel_tally > 0u) atomicAdd(counted_pixels, pixel_tally);
         barrier();
         uvec2 tile = tile_of(entry);
         uvec2 tiles = tiles_of(parameters.size);
-        if (gl_LocalInvocationIndex == 0u && tile.x < tiles.x && tile.y < tiles.y) report(tile.y * tiles.x + tile.x);
+        if (gl_LocalInvocationIndex == 0u && tile.x < tiles.x && tile.y < tiles.y) report(tile);
     }
 }

@@ -17,6 +17,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
+layout(constant_id = 1) const uint taps = 2u;  // 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
+layout(constant_id = 2) const bool nearest_index = true;  // the index of one texel; else interpolated (for comparison: no sequence is)
+layout(constant_id = 3) const bool orthographic = false;           // this frame's camera; else perspective
+layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D previous_position_image;
@@ -32,10 +36,6 @@ layout(push_constant) uniform Parameters {
     vec2 previous_p00_p11;       // of the previous frame's
     ivec2 size;                  // of all images, pixels
     float tolerance;             // of the depth test, relative; infinity: no test
-    uint taps;                   // 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
-    uint nearest_index;          // 1: the index of one texel; 0: interpolated (for comparison: a sequence must not be)
-    uint orthographic;           // this frame's camera: 1, or 0 for perspective
-    uint previous_orthographic;  // the previous frame's
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
@@ -50,7 +50,7 @@ vec4 gloam_fetch_history(ivec2 pixel) {
 
 vec3 previous_position(ivec2 pixel, float depth) {
     if (moving_objects) return imageLoad(previous_position_image, pixel).xyz;
-    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
     return (parameters.previous_from_current * vec4(gloam_camera_position(pixel, depth, camera), 1.0)).xyz;
 }
 
@@ -67,12 +67,14 @@ uint interpolated_index(vec2 uv) {
 }
 
 GloamHistory history_at(vec2 uv, float expected_depth) {
-    GloamHistory nearest = gloam_reprojected_history(gloam_pixel_center(uv, parameters.size), parameters.size, expected_depth,
-                                                     parameters.tolerance);
-    if (parameters.taps == NEAREST || (parameters.taps == BILINEAR && !(nearest.weight > 0.0))) return nearest;
-    float tolerance = parameters.taps == BILINEAR ? gloam_background_depth() : parameters.tolerance;
+    if (taps == NEAREST || taps == BILINEAR) {
+        vec2 center = gloam_pixel_center(uv, parameters.size);
+        GloamHistory nearest = gloam_reprojected_history(center, parameters.size, expected_depth, parameters.tolerance);
+        if (taps == NEAREST || !(nearest.weight > 0.0)) return nearest;
+    }
+    float tolerance = taps == BILINEAR ? gloam_background_depth() : parameters.tolerance;
     GloamHistory bilinear = gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
-    if (parameters.nearest_index == 0u && bilinear.weight > 0.0) bilinear.index = interpolated_index(uv);
+    if (!nearest_index && bilinear.weight > 0.0) bilinear.index = interpolated_index(uv);
     return bilinear;
 }
 
@@ -80,7 +82,7 @@ GloamHistory reprojected(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
     if (gloam_is_background(depth)) return gloam_history_empty(depth);
     vec3 previous = previous_position(pixel, depth);
-    GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, parameters.previous_orthographic != 0u);
+    GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
     vec2 uv = gloam_camera_uv(previous, camera);
     bool seen = !gloam_is_background(-previous.z) && gloam_inside_unit(uv);
     return seen ? history_at(uv, -previous.z) : gloam_history_empty(depth);

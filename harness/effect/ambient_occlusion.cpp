@@ -13,6 +13,7 @@
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/pipelines.hpp"
 #include "effect/internal/prepared_image.hpp"
+#include "effect/internal/sample_table.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/internal/work.hpp"
@@ -49,7 +50,8 @@ struct AmbientOcclusion::Impl {
           pipelines(the_device, passes),
           nothing(the_device, {1, 1}, gpu::Format::rgba32f),
           method(the_device, sizeof(MethodParameters)),
-          prepared(the_device, passes) {
+          prepared(the_device, passes),
+          samples(the_device, passes) {
         allocate(size);
     }
 
@@ -67,6 +69,7 @@ struct AmbientOcclusion::Impl {
     gpu::Image nothing;            // for bindings that are not read
     gpu::Buffer method;            // MethodParameters
     PreparedImage prepared;
+    SampleTable samples;
     std::optional<FrameImages> images;
     NormalParameters normal_constants{};
     ReprojectionParameters reprojection_constants{};
@@ -118,6 +121,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     occlusion_constants = occlusion_parameters(view, settings);
     method.as<MethodParameters>()[0] = method_parameters(settings);
     prepared.take(view, settings);
+    samples.take(settings);
     filter_x_constants = filter_parameters(view, settings, {1, 0});
     filter_y_constants = filter_parameters(view, settings, {0, 1});
     remap_constants = remap_parameters(view, settings);
@@ -134,7 +138,15 @@ Program AmbientOcclusion::Impl::program() const {
             .layers = settings.layers,
             .reject_taps = settings.reject_taps,
             .listed = selects_tiles(settings),
-            .shows = selects_tiles(settings) && filters(settings)};
+            .shows = selects_tiles(settings) && filters(settings),
+            .sample_table = tabulates_samples(settings),
+            .taps = settings.taps,
+            .nearest_index = settings.nearest_index,
+            .table_size = settings.table_size,
+            .fewer_samples = settings.samples_distance > 0.0F || settings.samples_radius > 0.0F,
+            .caps_radius = settings.radius_cap<no_radius_cap, .smooths = settings.smoothing> 0.0F,
+            .orthographic = view.camera.orthographic(),
+            .previous_orthographic = previous_view.camera.orthographic()};
 }
 
 // The list of tiles that a pass runs on; none: all of them.
@@ -201,16 +213,17 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     }
     const gpu::Image& layers = images->layers ? *images->layers : nothing;
     prepared.append_steps({images->depth, images->normal, history(), method, layers}, passes);
+    samples.append_step(passes);
     occlusion_constants.still = shown ? 1 : 0;
     const auto occlusion = [&](const char* name, TileLists list) {
         Program of_list = program();
         of_list.list = list;
-        passes.push_back(over(
-            list, {name,
-                   &pipelines.occlusion(of_list),
-                   {images->depth, images->normal, history(), images->after, images->tiles, positions, method,
-                    prepared.image_or(nothing), layers, tiles.lists(), tiles.after(), images->filtered},
-                   bytes_of(occlusion_constants)}));
+        passes.push_back(over(list, {name,
+                                     &pipelines.occlusion(of_list),
+                                     {images->depth, images->normal, history(), images->after, images->tiles,
+                                      positions, method, prepared.image_or(nothing), layers, tiles.lists(),
+                                      tiles.after(), images->filtered, samples.image_or(nothing)},
+                                     bytes_of(occlusion_constants)}));
     };
     occlusion("ambient_occlusion", finds_open_tiles() ? TileLists::sampled : TileLists::shaded);
     if (finds_open_tiles()) occlusion("ambient_occlusion_open", TileLists::open);
@@ -350,6 +363,7 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
     if (reformat) impl.allocate(impl.view.extent);
     impl.take(view);
     impl.moved = false;
+    impl.samples.restart();
     impl.images->tile_selection.forget();
     impl.images->before.upload(std::vector<float>(4 * pixels_of(impl.view.extent), 0.0F));
     impl.begun = true;
@@ -382,6 +396,7 @@ Frame AmbientOcclusion::next(int repeat) {
     impl.open_known = impl.open_known || impl.finds_open_tiles();
     impl.moved = false;
     impl.shown = true;
+    impl.samples.advance();
     std::swap(impl.images->before, impl.images->after);
     impl.second_is_after = !impl.second_is_after;
     impl.images->tile_selection.advance();

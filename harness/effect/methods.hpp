@@ -33,6 +33,7 @@ struct MethodInfo {
         nullptr;  // what it needs beside a preset's settings; lengths for a radius of 1
     OpenProof open_proof = OpenProof::none;
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
+    std::string samples = {};    // what its samples share: glsl/passes/samples/NAME.glsl; none: nothing
 };
 
 // All methods; the first is the default.

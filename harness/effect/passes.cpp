@@ -85,11 +85,9 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .samples = settings.samples,
             .samples_converged = settings.samples_converged,
             .c_spatial = settings.c_spatial,
-            .table_size = settings.table_size,
             .weight_max = settings.weight_max,
             .c_rot = settings.c_rot,
             .least_radius = settings.least_radius,
-            .orthographic = flag(view.camera.orthographic()),
             .shade_border = flag(settings.guard_history),
             .skip_background = flag(settings.skip_background),
             .invalidation = static_cast<std::uint32_t>(settings.invalidation),
@@ -123,11 +121,7 @@ ReprojectionParameters reprojection_parameters(const View& view, const View& pre
             .p00_p11 = view.camera.p00_p11(),
             .previous_p00_p11 = previous.camera.p00_p11(),
             .size = size_of(view.extent),
-            .tolerance = settings.depth_tolerance,
-            .taps = static_cast<std::uint32_t>(settings.taps),
-            .nearest_index = flag(settings.nearest_index),
-            .orthographic = flag(view.camera.orthographic()),
-            .previous_orthographic = flag(previous.camera.orthographic())};
+            .tolerance = settings.depth_tolerance};
 }
 
 FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis) {
@@ -157,20 +151,26 @@ gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::
 
 gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::PassLibrary& library,
                                        const Program& program) {
+    std::vector<std::string> defines = defines_for(program.precision, prepared_format(program.method));
+    if (program.sample_table) defines.emplace_back("GLOAM_SAMPLE_TABLE 12");
     const shader::Spirv spirv = library.compile(
-        "ambient_occlusion.comp", defines_for(program.precision, prepared_format(program.method)),
-        {{method_include("hemisphere"), method_include(program.method)}});
+        "ambient_occlusion.comp", defines, {{method_include("hemisphere"), method_include(program.method)}});
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
                           storage_image, storage_buffer, storage_image, storage_image, storage_buffer,
-                          storage_buffer, storage_image},
+                          storage_buffer, storage_image, storage_image},
              .push_constant_bytes = sizeof(OcclusionParameters),
              .constants = {{.id = 0, .bits = 1},
                            {.id = 1, .bits = flag(program.moving_objects)},
                            {.id = 2, .bits = program.layers},
                            {.id = 3, .bits = flag(program.reject_taps)},
                            {.id = 4, .bits = flag(program.shows)},
+                           {.id = 5, .bits = program.table_size},
+                           {.id = 6, .bits = flag(program.fewer_samples)},
+                           {.id = 7, .bits = flag(program.caps_radius)},
+                           {.id = 8, .bits = flag(program.smooths)},
+                           {.id = 9, .bits = flag(program.orthographic)},
                            {.id = listed_constant, .bits = flag(program.listed)},
                            {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)}}}};
 }
@@ -183,6 +183,10 @@ gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibra
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
              .push_constant_bytes = sizeof(ReprojectionParameters),
              .constants = {{.id = 0, .bits = flag(program.moving_objects)},
+                           {.id = 1, .bits = static_cast<std::uint32_t>(program.taps)},
+                           {.id = 2, .bits = flag(program.nearest_index)},
+                           {.id = 3, .bits = flag(program.orthographic)},
+                           {.id = 4, .bits = flag(program.previous_orthographic)},
                            {.id = listed_constant, .bits = flag(program.listed)}}}};
 }
 

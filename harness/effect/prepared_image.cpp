@@ -17,7 +17,7 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
             .weight_max = all.weight_max,
             .c_rot = all.c_rot,
             .least_radius = all.least_radius,
-            .orthographic = all.orthographic,
+            .orthographic = view.camera.orthographic() ? 1U : 0U,
             .shade_border = all.shade_border,
             .level = level};
 }

@@ -188,6 +188,9 @@ void add_output(std::vector<Setting>& table) {
                          &S::guard_history));
     table.push_back(
         flag("freeze", "what has converged takes no more samples while nothing moves", &S::freeze));
+    table.push_back(flag("sample_table",
+                         "off: what samples share is computed for each anew, to the same result",
+                         &S::sample_table));
     table.push_back(flag("skip_background", "off: background goes the long way, to the same result",
                          &S::skip_background));
     table.push_back(flag("skip_open", "on: tiles that nothing can block are not sampled, to the same result",

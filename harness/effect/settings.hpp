@@ -40,6 +40,9 @@ constexpr float one_pixel = 1.0F;
 // More samples are a matter of more frames.
 constexpr std::uint32_t most_samples = 2'048;
 
+// No projected radius is as large, in pixels.
+constexpr float no_radius_cap = 1e18F;
+
 // Everything that decides what a frame looks like. Unless something else is said, a setting is that of the
 // preset `paper`, for a radius of 1. Each has a line in setting_table(), with its range.
 struct Settings {
@@ -65,7 +68,8 @@ struct Settings {
     float samples_radius =
         0.0F;  // ISSAO-LOD, pixels: fewer than k where the projected radius is smaller; 0: k everywhere
     std::uint32_t samples_least = 4;  // of those two, where k is not less, 0 to most_samples
-    float radius_cap = 1e18F;  // pixels: the radius shrinks where its projection would be larger (CS-G), > 0
+    float radius_cap =
+        no_radius_cap;  // pixels: the radius shrinks where its projection would be larger (CS-G), > 0
     bool reject_taps =
         false;  // points, taps, slices: what is further in front than `range` is left out (CS-REJ)
     float smoothing =
@@ -99,6 +103,7 @@ struct Settings {
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
     bool guard_history = true;    // the band is sampled as well: what moves in from it has a history
     bool freeze = false;          // what has converged takes no more samples while nothing moves
+    bool sample_table = true;     // off: what samples share is computed for each anew, to the same result
     bool skip_background = true;  // off: background goes the long way, to the same result
     bool skip_open = false;       // on: tiles that nothing can block are not sampled, to the same result
     bool skip_settled = true;     // off: tiles that would not change are shaded, to the same result

@@ -4,15 +4,14 @@
 
 #include "gloam/occlusion/crytek.glsl"
 #include "gloam/occlusion/point_gather.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
+#include "passes/samples/hemisphere_uniform.glsl"
 
 // Crytek's method (Mittring 2007; CS-3.1): points of a whole ball, without falloff. On a plane half of the ball lies in the ground: points
 // come in opposite pairs, so a bare plane reads exactly 1/2 for an even number of them. The remap's a = 0.5 undoes it.
 
 vec3 gloam_method_point(uint index, float angle) {
-    vec3 point = gloam_rotate_hemisphere(gloam_hemisphere_uniform(gloam_halton_3d((index + 1u) / 2u)), angle);
+    vec3 point = gloam_rotate_hemisphere(GLOAM_SHARED_SAMPLE((index + 1u) / 2u), angle);
     return (index & 1u) == 1u ? point : -point;
 }
 

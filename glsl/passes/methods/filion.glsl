@@ -4,16 +4,15 @@
 
 #include "gloam/occlusion/filion.glsl"
 #include "gloam/occlusion/point_gather.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
+#include "passes/samples/hemisphere_uniform.glsl"
 
 // StarCraft II's method (Filion and McNaughton 2008): points of the half ball, uniform in direction and radius; what lies further in front
 // of a point than the radius opens again as radius / distance. Uniform directions: a wall reads 1/2, as with cosine weights, a
 // bowl more.
 
 vec3 gloam_method_point(uint index, float angle) {
-    return gloam_rotate_hemisphere(gloam_hemisphere_uniform(gloam_halton_3d(index)), angle);
+    return gloam_rotate_hemisphere(GLOAM_SHARED_SAMPLE(index), angle);
 }
 
 float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method) {

@@ -5,9 +5,8 @@
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/point_gather.glsl"
 #include "gloam/occlusion/ritschel.glsl"
-#include "gloam/sampling/halton.glsl"
-#include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
+#include "passes/samples/hemisphere_cosine.glsl"
 
 // Ambient occlusion by points in the half ball above the surface (TSSAO-2, -3 and -4 with the kernel of TSSAO-14; Ritschel et
 // al. 2009). Cosine-weighted directions of uniform radius need neither cosine nor falloff: the mean of the plain blocked
@@ -15,7 +14,7 @@
 // Reads range, about the radius, or infinity.
 
 vec3 gloam_method_point(uint index, float angle) {
-    return gloam_rotate_hemisphere(gloam_hemisphere_cosine(gloam_halton_3d(index)), angle);
+    return gloam_rotate_hemisphere(GLOAM_SHARED_SAMPLE(index), angle);
 }
 
 float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method) {

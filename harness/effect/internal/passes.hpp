@@ -33,11 +33,9 @@ struct OcclusionParameters {
     std::uint32_t samples;
     std::uint32_t samples_converged;
     float c_spatial;
-    std::uint32_t table_size;
     float weight_max;
     float c_rot;
     float least_radius;
-    std::uint32_t orthographic;
     std::uint32_t shade_border;
     std::uint32_t skip_background;
     std::uint32_t invalidation;
@@ -72,10 +70,6 @@ struct ReprojectionParameters {
     glm::vec2 previous_p00_p11;
     glm::ivec2 size;
     float tolerance;
-    std::uint32_t taps;
-    std::uint32_t nearest_index;
-    std::uint32_t orthographic;
-    std::uint32_t previous_orthographic;
 };
 
 struct FilterParameters {
@@ -124,6 +118,15 @@ struct Program {
     bool listed = false;  // runs over a list of tiles
     TileLists list = TileLists::shaded;
     bool shows = false;  // a filter follows, over lists of tiles
+    bool sample_table = false;
+    HistoryTaps taps = HistoryTaps::validated;
+    bool nearest_index = true;
+    std::uint32_t table_size = 0;
+    bool fewer_samples = false;  // with distance or projected radius
+    bool caps_radius = false;
+    bool smooths = false;
+    bool orthographic = false;
+    bool previous_orthographic = false;
 
     friend auto operator<=>(const Program&, const Program&) = default;
 };

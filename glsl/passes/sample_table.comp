@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Computes once for each sample what all pixels share of it: its point of the Halton sequence and where that is mapped to. One invocation a sample.
+//
+// Dispatch ceil((last - first + 1) / 64) groups. Descriptor set 0:
+//   0  rgba32f  written: the samples first to last (samples/table.glsl), 0 in w
+layout(local_size_x = 64) in;
+
+layout(binding = 0, rgba32f) uniform writeonly image2D table_image;
+
+layout(push_constant) uniform Parameters {
+    uint first;  // number of a sample, 1 for the first
+    uint last;
+} parameters;
+
+#include "samples/table.glsl"
+
+// What the samples of a method share: any file of the folder but the table's.
+#include "samples/hemisphere_cosine.glsl"
+
+void main() {
+    uint index = parameters.first + gl_GlobalInvocationID.x;
+    if (index > parameters.last) return;
+    imageStore(table_image, sample_table_texel(index), vec4(gloam_shared_sample(index), 0.0));
+}
