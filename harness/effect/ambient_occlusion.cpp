@@ -132,21 +132,11 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
 }
 
 Program AmbientOcclusion::Impl::program() const {
-    return {.method = settings.method,
-            .precision = settings.precision,
-            .moving_objects = moved && images->previous_position.has_value(),
-            .layers = settings.layers,
-            .reject_taps = settings.reject_taps,
-            .listed = selects_tiles(settings),
-            .shows = selects_tiles(settings) && filters(settings),
-            .sample_table = tabulates_samples(settings),
-            .taps = settings.taps,
-            .nearest_index = settings.nearest_index,
-            .table_size = settings.table_size,
-            .fewer_samples = settings.samples_distance > 0.0F || settings.samples_radius > 0.0F,
-            .caps_radius = settings.radius_cap<no_radius_cap, .smooths = settings.smoothing> 0.0F,
-            .orthographic = view.camera.orthographic(),
-            .previous_orthographic = previous_view.camera.orthographic()};
+    Program program = program_for(settings);
+    program.moving_objects = moved && images->previous_position.has_value();
+    program.orthographic = view.camera.orthographic();
+    program.previous_orthographic = previous_view.camera.orthographic();
+    return program;
 }
 
 // The list of tiles that a pass runs on; none: all of them.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "effect/internal/sample_table.hpp"
 #include "effect/preparation.hpp"
 #include "effect/setting_table.hpp"
 
@@ -60,6 +61,22 @@ float c_filter(const Settings& settings) {
 }
 
 }  // namespace
+
+Program program_for(const Settings& settings) {
+    return {.method = settings.method,
+            .precision = settings.precision,
+            .layers = settings.layers,
+            .reject_taps = settings.reject_taps,
+            .listed = selects_tiles(settings),
+            .shows = selects_tiles(settings) && filters(settings),
+            .sample_table = tabulates_samples(settings),
+            .taps = settings.taps,
+            .nearest_index = settings.nearest_index,
+            .table_size = settings.table_size,
+            .fewer_samples = settings.samples_distance > 0.0F || settings.samples_radius > 0.0F,
+            .caps_radius = no_radius_cap > settings.radius_cap,
+            .smooths = settings.smoothing > 0.0F};
+}
 
 std::vector<std::string> defines_for(HistoryPrecision precision) {
     if (precision == HistoryPrecision::float32) return {};

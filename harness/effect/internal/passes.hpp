@@ -131,6 +131,9 @@ struct Program {
     friend auto operator<=>(const Program&, const Program&) = default;
 };
 
+// What the settings decide of it.
+[[nodiscard]] Program program_for(const Settings& settings);
+
 // What a pass that reads or writes a history is compiled with.
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
 // And one that reads or writes a prepared image of that format.
