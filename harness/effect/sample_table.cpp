@@ -32,18 +32,15 @@ SampleTable::SampleTable(const gpu::Device& device, const scene::PassLibrary& li
     : device_(&device), library_(library) {}
 
 void SampleTable::take(const Settings& settings) {
-    const std::string samples =
-        tabulates_samples(settings) ? method_named(settings.method).samples : std::string();
     most_ = most_of_frame(settings);
     table_size_ = settings.table_size;
-    if (samples.empty()) {
-        image_.reset();
-    } else {
-        const gpu::Extent extent{columns, last_of(settings) / columns + 1};
-        const bool fits = image_ && image_->extent().height >= extent.height;
-        if (!fits) image_.emplace(*device_, extent, gpu::Format::rgba32f);
-        if (!fits || samples != samples_) filled_ = 0;
-    }
+    used_ = tabulates_samples(settings);
+    if (!used_) return;
+    const std::string& samples = method_named(settings.method).samples;
+    const gpu::Extent extent{columns, last_of(settings) / columns + 1};
+    const bool fits = image_ && image_->extent().height >= extent.height;
+    if (!fits) image_.emplace(*device_, extent, gpu::Format::rgba32f);
+    if (!fits || samples != samples_) filled_ = 0;
     samples_ = samples;
 }
 
@@ -52,7 +49,7 @@ std::uint32_t SampleTable::last_needed() const {
 }
 
 void SampleTable::advance() {
-    if (image_) filled_ = std::max(filled_, last_needed());
+    if (used_) filled_ = std::max(filled_, last_needed());
     taken_ = std::min(taken_ + most_, table_size_);
 }
 
@@ -70,7 +67,7 @@ const gpu::ComputePipeline& SampleTable::pipeline() {
 }
 
 void SampleTable::append_step(std::vector<Step>& steps) {
-    if (!image_ || last_needed() <= filled_) return;
+    if (!used_ || last_needed() <= filled_) return;
     range_ = {.first = filled_ + 1, .last = last_needed()};
     const std::uint32_t count = range_.last - range_.first + 1;
     steps.push_back({.name = "sample_table",

@@ -21,7 +21,7 @@ struct SampleTableParameters {
 };
 
 // What all pixels share of their samples, computed once each, on the device, as far as the frames get.
-// Nothing is allocated or compiled for a method that shares nothing.
+// Nothing is allocated or compiled before a method shares something.
 class SampleTable {
   public:
     SampleTable(const gpu::Device& device, const scene::PassLibrary& library);
@@ -37,7 +37,7 @@ class SampleTable {
 
     // The other one where there is no table.
     [[nodiscard]] const gpu::Image& image_or(const gpu::Image& other) const {
-        return image_ ? *image_ : other;
+        return used_ ? *image_ : other;
     }
 
     // The pass that adds what the next frame may read and the table does not hold yet, if anything. The step
@@ -50,7 +50,8 @@ class SampleTable {
 
     const gpu::Device* device_;
     scene::PassLibrary library_;
-    std::string samples_;  // a file of glsl/passes/samples; none: no table
+    bool used_ = false;
+    std::string samples_;  // what the table holds: a file of glsl/passes/samples
     std::optional<gpu::Image> image_;
     std::uint32_t most_ = 0;        // samples of a frame
     std::uint32_t table_size_ = 0;  // samples after which the sequence starts over

@@ -31,6 +31,11 @@ Settings unskipped(Settings settings) {
     return settings;
 }
 
+Settings computed_anew(Settings settings) {
+    settings.sample_table = false;
+    return settings;
+}
+
 Settings base() {
     Settings settings;
     settings.skip_settled = false;
@@ -85,6 +90,7 @@ std::vector<PassCase> pass_cases() {
     const Settings converged = at_once(plain);
     return {
         {"fresh", "nothing has converged: 5 x 5 taps", plain, 0, false},
+        {"fresh, no table", "the same, each sample computes its own point", computed_anew(plain), 0, false},
         {"fresh, wide", "the same, 17 x 17", widened(plain), 0, false},
         {"converged", "nothing is filtered: 5 x 5", converged, 0, false},
         {"converged, not skipped", "the same, the filter runs on all tiles", unskipped(converged), 0, false},
