@@ -57,7 +57,7 @@ TEST(SettingTable, DefaultsAreThePaperPreset) {
 }
 
 TEST(SettingTable, TextReadsBack) {
-    Settings changed = with_radius(preset_named("quality").settings, 0.3F);
+    Settings changed = with_radius(preset_named("reference").settings, 0.3F);
     changed.filter = Filter::geometry;
     changed.taps = HistoryTaps::bilinear;
     changed.invalidation = Invalidation::clamp;

@@ -52,7 +52,7 @@ TEST(BenchBar, SaysWhatIsMissed) {
     const Arguments nothing{"--scene", "moving", "--set", "intensity=0"};
     const CommandResult told = run_command(tiny(nothing));
     expect_success(told);
-    EXPECT_THAT(told.out, HasSubstr("`lean, intensity=0`"));
+    EXPECT_THAT(told.out, HasSubstr("`fast, intensity=0`"));
     EXPECT_THAT(told.out, HasSubstr("**not met**"));
     Arguments strict = nothing;
     strict.emplace_back("--fail-if-missed");

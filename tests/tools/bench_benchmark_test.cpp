@@ -84,7 +84,8 @@ TEST(Bench, ComparesWithWhatGotWorse) {
     expect_success(run_command({"bench", "--scene", "corner", "--preset", "fast", "--size", "32x18",
                                 "--frames", "2", "--rays", "32", "--repeat", "1", "--single", "--json",
                                 file.string(), "--report", page.string()}));
-    EXPECT_THAT(read_file(page), HasSubstr("fast/8/single"));
+    EXPECT_THAT(read_file(page), HasSubstr("| fast/3/single |"));
+    EXPECT_THAT(read_file(folder.path() / "images" / "benchmark" / "corner.png"), HasSubstr("PNG"));
     EXPECT_THAT(read_file(folder.path() / "images" / "benchmark" / "corner.svg"), HasSubstr("<svg"));
     json document = json::parse(read_file(file));
     document["device"] = "another";
@@ -94,7 +95,7 @@ TEST(Bench, ComparesWithWhatGotWorse) {
     const CommandResult told = run_command({"bench", "--compare", file.string(), worse.string()});
     expect_success(told);
     EXPECT_THAT(told.out, HasSubstr("warning: other devices"));
-    EXPECT_THAT(told.out, HasSubstr("larger error: 1\n  corner/fast/8/single"));
+    EXPECT_THAT(told.out, HasSubstr("larger error: 1\n  corner/fast/3/single"));
     const CommandResult failed =
         run_command({"bench", "--compare", file.string(), worse.string(), "--fail-if-worse"});
     EXPECT_EQ(failed.status, 1);

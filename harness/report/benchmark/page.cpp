@@ -15,10 +15,17 @@ namespace {
 constexpr const char* introduction = R"(# Time against error
 
 Which method, with how many samples, takes how long and comes how near to the truth. `gloam bench` measures it on any device and
-writes this page; other devices rank methods otherwise, so measure on yours:
+writes this page; other devices rank methods otherwise, so measure on yours. The repository's is made by
 
-    tools/run bench --out FOLDER --report FOLDER/benchmark.md
-    tools/run bench --from FOLDER/results.json --budget 40copies --error 0.05
+    tools/run bench --method all --preset fast balanced reference paper moving gtao-performance gtao-quality \
+      --scene columns moving room grass --size 192x108 --samples 4 16 64 --repeat 4 --out results
+    tools/run bench --scaling --method hemisphere alchemy gtao sao --repeat 2 --json scaling.json
+    tools/run bench --framework --json framework.json
+    tools/run bench --from results/results.json scaling.json framework.json --report docs/benchmark.md
+
+which takes 20 minutes on two cores; `--resume` goes on where the first was interrupted. Results can be asked and compared:
+
+    tools/run bench --from results/results.json --budget 40copies --error 0.05
     tools/run bench --compare OLD.json NEW.json
 
 )";
@@ -36,6 +43,15 @@ constexpr const char* explanation = R"(
 - **Memory** is of all images and buffers that the passes are given, G-buffer included.
 - **The front** (Pareto): nothing else is both as fast and as near to the truth. *Over all scenes* times are geometric means, and errors
   geometric means of the ratio to the least that any configuration has in the scene.
+)";
+
+constexpr const char* presets_introduction = R"(
+## The presets
+
+Measured as they are, `fast`, `balanced` and `reference` chosen from what lay on the front of temporal runs: for a time, a middle and an
+error. As single frames, without the history that they count on, they lie behind it. `fast` is held against single frames in
+[temporal.md](temporal.md).
+
 )";
 
 std::string circumstances(const Benchmark& benchmark) {
@@ -86,6 +102,8 @@ std::string to_benchmark_page(const Benchmark& benchmark, const std::string& ima
     if (!overall_of(benchmark).empty()) {
         text += "\n## Over all scenes\n\n" + picture(images, "overall") + overall_table(benchmark);
     }
+    const std::string presets = presets_table(benchmark);
+    if (!presets.empty()) text += presets_introduction + presets;
     for (const std::string& scene : scenes) {
         text += fmt::format("\n## `{}`\n\n{}The front:\n\n{}\nEach method at its most exact:\n\n{}", scene,
                             picture(images, scene), scene_front_table(benchmark, scene),

@@ -23,12 +23,25 @@ std::string family_of(const Configuration& choice) {
                        choice.temporal ? ", temporal" : "");
 }
 
+// Presets that are not on the front, by name.
+Curve presets_of(const std::vector<Entry>& entries, const std::vector<std::size_t>& front) {
+    Curve curve{.name = "presets behind it", .style = CurveStyle::points};
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const Entry& entry = entries[i];
+        if (entry.choice.preset.empty() || std::ranges::find(front, i) != front.end()) continue;
+        curve.points.emplace_back(entry.copies, entry.error);
+        curve.labels.push_back(choice_of(entry.choice));
+    }
+    return curve;
+}
+
 std::vector<Curve> curves_of(const std::vector<Entry>& entries) {
     std::vector<std::pair<double, double>> points;
     for (const Entry& entry : entries) points.emplace_back(entry.copies, entry.error);
     Curve front{.name = "Pareto front", .style = CurveStyle::steps};
     std::vector<std::string> families;
-    for (const std::size_t i : pareto_front(points)) {
+    const std::vector<std::size_t> on_front = pareto_front(points);
+    for (const std::size_t i : on_front) {
         front.points.push_back(points[i]);
         front.labels.push_back(choice_of(entries[i].choice));
         const std::string family = family_of(entries[i].choice);
@@ -42,6 +55,8 @@ std::vector<Curve> curves_of(const std::vector<Entry>& entries) {
         curves[static_cast<std::size_t>(at)].points.push_back(points[i]);
     }
     if (curves.front().points.empty()) curves.erase(curves.begin());
+    curves.push_back(presets_of(entries, on_front));
+    if (curves.back().points.empty()) curves.pop_back();
     curves.push_back(std::move(front));
     return curves;
 }

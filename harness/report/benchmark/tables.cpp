@@ -53,6 +53,22 @@ std::vector<const Row*> best_of(const Benchmark& benchmark, const std::string& s
     return best;
 }
 
+std::string overall_cells(const Overall& choice) {
+    return fmt::format("{} | {} | {} | {} | {} | {} |", choice_of(choice.choice), number(choice.copies, 1),
+                       number(choice.ms, 3), number(choice.error_ratio, 2), number(choice.mean_error, 4),
+                       number(choice.worst_error, 4));
+}
+
+// Where a choice lies: on the front, or behind the most exact point of it that is no slower.
+std::string place_of(const Overall& choice, const std::vector<Overall>& front) {
+    const Overall* ahead = nullptr;
+    for (const Overall& point : front) {
+        if (point.choice == choice.choice) return "on the front";
+        if (point.copies <= choice.copies) ahead = &point;
+    }
+    return ahead == nullptr ? "" : "behind " + choice_of(ahead->choice);
+}
+
 }  // namespace
 
 std::string scene_front_table(const Benchmark& benchmark, const std::string& scene) {
@@ -73,12 +89,22 @@ std::string overall_table(const Benchmark& benchmark) {
     std::string text =
         "| configuration | copies | ms | error over the scene's best | mean RMSE (G) | largest |\n"
         "| --- | --- | --- | --- | --- | --- |\n";
-    for (const Overall& choice : front_of(overall_of(benchmark))) {
-        text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", choice_of(choice.choice),
-                            number(choice.copies, 1), number(choice.ms, 3), number(choice.error_ratio, 2),
-                            number(choice.mean_error, 4), number(choice.worst_error, 4));
-    }
+    for (const Overall& choice : front_of(overall_of(benchmark))) text += "| " + overall_cells(choice) + "\n";
     return text;
+}
+
+std::string presets_table(const Benchmark& benchmark) {
+    const std::vector<Overall> all = overall_of(benchmark);
+    const std::vector<Overall> front = front_of(all);
+    std::string text;
+    for (const Overall& choice : all) {
+        if (choice.choice.preset.empty()) continue;
+        text += fmt::format("| {} {} |\n", overall_cells(choice), place_of(choice, front));
+    }
+    if (text.empty()) return {};
+    return "| preset | copies | ms | error over the scene's best | mean RMSE (G) | largest | |\n"
+           "| --- | --- | --- | --- | --- | --- | --- |\n" +
+           text;
 }
 
 std::string scaling_table(const Benchmark& benchmark) {

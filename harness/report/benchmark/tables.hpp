@@ -21,6 +21,10 @@ namespace gloam::report {
 // The front over all scenes: choice, copies, milliseconds, error relative to each scene's best, mean error.
 [[nodiscard]] std::string overall_table(const Benchmark& benchmark);
 
+// The presets over all scenes, and for each the point of the front that it lies behind: as fast and as near
+// to the truth, and better in one of the two. Empty without any.
+[[nodiscard]] std::string presets_table(const Benchmark& benchmark);
+
 // Exponents and times of the scaling runs; empty without any.
 [[nodiscard]] std::string scaling_table(const Benchmark& benchmark);
 

@@ -97,6 +97,33 @@ TEST(BenchmarkPage, HoldsFrontsScalingAndFramework) {
         EXPECT_THAT(page, HasSubstr(text));
 }
 
+// A preset on the front, one behind it, and the points between which they lie.
+Benchmark with_presets() {
+    Benchmark benchmark = make_benchmark({make_row("a", "m", 4, 10, 0.05), make_row("a", "n", 8, 20, 0.03),
+                                          make_row("a", "n", 16, 30, 0.02), make_row("a", "m", 8, 25, 0.04)});
+    benchmark.rows[2].configuration.preset = "good";
+    benchmark.rows[3].configuration.preset = "behind";
+    return benchmark;
+}
+
+TEST(BenchmarkPage, SaysOfEachPresetWhetherItLiesOnTheFront) {
+    const std::string page = to_benchmark_page(with_presets(), "images");
+    EXPECT_THAT(page, HasSubstr("## The presets"));
+    EXPECT_THAT(page, HasSubstr("| good/16/single | 30.0 | 3.000 | 1.00 | 0.0200 | 0.0200 | on the front |"));
+    EXPECT_THAT(page,
+                HasSubstr("| behind/8/single | 25.0 | 2.500 | 2.00 | 0.0400 | 0.0400 | behind n/8/single |"));
+    const std::string without =
+        to_benchmark_page(make_benchmark({make_row("a", "m", 4, 10, 0.05)}), "images");
+    EXPECT_THAT(without, testing::Not(HasSubstr("## The presets")));
+}
+
+TEST(BenchmarkPlots, NamePresetsThatLieBehindTheFront) {
+    const Plot plot = error_against_time(with_presets(), "a");
+    const Curve& behind = plot.curves[plot.curves.size() - 2];
+    EXPECT_THAT(behind.labels, testing::ElementsAre("behind/8/single"));
+    EXPECT_THAT(behind.points, testing::ElementsAre(testing::Pair(25.0, 0.04)));
+}
+
 class BenchmarkJournal : public testing::Test {
   protected:
     [[nodiscard]] Journal open(bool resume) const { return {file_, setup_, resume}; }

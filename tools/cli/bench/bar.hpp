@@ -13,7 +13,7 @@ namespace gloam::cli {
 // What `gloam bench bar` was asked.
 struct BenchBarOptions {
     std::vector<std::string> scenes;  // empty: all built-in ones whose camera moves
-    std::string preset = "lean";      // of the temporal run
+    std::string preset = "fast";      // of the temporal run
     std::string method;               // empty: the preset's
     std::optional<std::uint32_t> samples;
     std::vector<std::string> set;           // NAME=VALUE

@@ -12,7 +12,8 @@ namespace {
 
 void add_what(CLI::App& bench, BenchmarkOptions& options) {
     bench.add_option("--scene", options.scenes, "built-in scenes")->capture_default_str();
-    bench.add_option("--method", options.methods, "methods; all unless presets are named");
+    bench.add_option("--method", options.methods,
+                     "methods; `all` for all, which is what is measured unless presets are named");
     bench.add_option("--preset", options.presets, "presets, measured as they are; `all` for all");
     bench.add_option("--samples", options.samples, "samples for each pixel in each frame, of the methods")
         ->check(CLI::Range(std::uint32_t{1}, effect::most_samples))

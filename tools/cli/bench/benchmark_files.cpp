@@ -43,10 +43,12 @@ void BenchmarkFiles::write(const report::Benchmark& benchmark) {
     if (!out_ && !images_) return;
     for (const auto& [name, plot] : report::plots_of(benchmark)) {
         const std::string svg = report::to_svg(plot);
-        if (images_) images_->write(name + ".svg", svg);
-        if (!out_) continue;
-        out_->write(name + ".svg", svg);
-        out_->write(name + ".png", report::to_png(plot));
+        const std::string png = report::to_png(plot);
+        for (auto* folder : {&images_, &out_}) {
+            if (!*folder) continue;
+            (*folder)->write(name + ".svg", svg);
+            (*folder)->write(name + ".png", png);
+        }
     }
     if (images_) images_->keep();
     page_.write(report::to_benchmark_page(benchmark, images_of_page));

@@ -14,7 +14,8 @@ namespace {
 
 // A method without a count, or a preset: what is measured in each scene and mode.
 std::vector<std::string> methods_asked(const BenchmarkOptions& options) {
-    if (!options.methods.empty()) {
+    const bool all = std::ranges::find(options.methods, "all") != options.methods.end();
+    if (!options.methods.empty() && !all) {
         for (const std::string& name : options.methods) (void)effect::method_named(name);
         return options.methods;
     }

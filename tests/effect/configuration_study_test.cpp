@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/configuration_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include "effect/presets.hpp"
+#include "on_device.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr BenchmarkFrames frames{.extent = {64, 36}, .frames = 4, .scored = 2, .rays = 32};
+
+// What a configuration is judged to be, without the times.
+void expect_same(const FrameQuality& one, const FrameQuality& other) {
+    EXPECT_EQ(one.raw_geometry, other.raw_geometry);
+    EXPECT_EQ(one.geometry, other.geometry);
+    EXPECT_EQ(one.depth, other.depth);
+    EXPECT_EQ(one.similarity, other.similarity);
+    EXPECT_EQ(one.flicker, other.flicker);
+    EXPECT_EQ(one.samples, other.samples);
+    EXPECT_EQ(one.memory_bytes, other.memory_bytes);
+}
+
+class ConfigurationStudyTest : public OnDevice<testing::Test> {
+  protected:
+    [[nodiscard]] BenchmarkViews views_of(const char* scene) const {
+        return {device_, passes_, scene::make_scene(scene), frames, scene::TruthCache("")};
+    }
+};
+
+Settings all_skips(Settings settings) {
+    settings.skip_open = true;
+    settings.freeze = true;
+    return settings;
+}
+
+// All configurations of a size share one effect: each must find it as if it were new.
+TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
+    BenchmarkViews views = views_of("sky");
+    const auto radius = static_cast<float>(views.scene().ao_radius);
+    const Settings plain = with_radius(measured_settings("hemisphere", 4, true), radius);
+    Settings half = all_skips(plain);
+    half.precision = HistoryPrecision::float16;
+    half.table_size = 2'048;
+    half.remap_c = 2.0F;
+    const Settings others[] = {all_skips(plain), half,
+                               with_radius(preset_named("volumetric-performance").settings, radius)};
+    ConfigurationStudy fresh(device_, passes_, frames.extent);
+    const FrameQuality expected = *fresh.visit(views, plain, true, 0).quality;
+    ConfigurationStudy shared(device_, passes_, frames.extent);
+    for (const Settings& other : others) {
+        (void)shared.visit(views, other, true, 0);
+        expect_same(*shared.visit(views, plain, true, 0).quality, expected);
+        (void)shared.visit(views, other, false, 0);
+        expect_same(*shared.visit(views, plain, true, 0).quality, expected);
+    }
+}
+
+// A tile that is left out is counted as what it is: the sky has no pixels to share samples among.
+TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
+    BenchmarkViews views = views_of("sky");
+    Settings settings =
+        with_radius(measured_settings("hemisphere", 4, true), static_cast<float>(views.scene().ao_radius));
+    settings.least_radius = 0.0F;
+    ConfigurationStudy study(device_, passes_, frames.extent);
+    for (const bool temporal : {false, true}) {
+        const FrameQuality with_skips = *study.visit(views, settings, temporal, 0).quality;
+        EXPECT_DOUBLE_EQ(with_skips.samples, 4.0) << temporal;
+        Settings without = settings;
+        without.skip_background = false;
+        without.skip_settled = false;
+        EXPECT_DOUBLE_EQ(study.visit(views, without, temporal, 0).quality->samples, 4.0) << temporal;
+    }
+}
+
+}  // namespace
+}  // namespace gloam::effect
