@@ -11,6 +11,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "report/internal/plot_layout.hpp"
+
 namespace gloam::report {
 namespace {
 
@@ -67,16 +69,51 @@ const char* style_of(CurveStyle style) {
         case CurveStyle::line:
             break;
     }
-    return "with linespoints pointsize 0.4";
+    return "with linespoints pointtype 7 pointsize 0.5";
 }
 
-// What is drawn of a curve: itself, and its labels.
-std::string drawn_of(std::size_t number, const Curve& curve) {
+// What is drawn of a curve: itself, and its labels, where they have not been placed.
+std::string drawn_of(std::size_t number, const Curve& curve, bool placed) {
     std::string text =
         fmt::format("$curve{} using 1:2 {} title {}", number, style_of(curve.style), quoted(curve.name));
-    if (!curve.labels.empty())
+    if (!curve.labels.empty() && !placed)
         text +=
             fmt::format(", $curve{} using 1:2:3 with labels left offset 0.5,0.5 font ',9' notitle", number);
+    return text;
+}
+
+std::string axis(char name, const internal::LogRange& range) {
+    std::string tics;
+    for (const double tic : internal::tics_of(range))
+        tics += fmt::format("{}{:g}", tics.empty() ? "" : ", ", tic);
+    return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\nset {0}tics ({3})\n", name, range.low,
+                       range.high, tics);
+}
+
+// Axes as long as what is shown, and its labels apart from each other, with lines to their points.
+std::string logarithmic(const Plot& plot) {
+    std::vector<double> xs;
+    std::vector<double> ys;
+    for (const Curve& curve : plot.curves) {
+        for (const auto& [x, y] : curve.points) {
+            xs.push_back(x);
+            ys.push_back(y);
+        }
+    }
+    const internal::LogRange x = internal::range_around(xs);
+    const internal::LogRange y = internal::range_around(ys);
+    std::string text = axis('x', x) + axis('y', y);
+    for (const internal::PlacedLabel& label : internal::placed_labels(plot, x, y)) {
+        const auto& [px, py] = label.point;
+        const auto& [lx, ly] = label.at;
+        text += fmt::format("set label {} at graph {:.4f}, graph {:.4f} left font ',9' front\n",
+                            quoted(label.text), lx, ly);
+        if (lx > px && std::abs(ly - py) > 0.02)
+            text += fmt::format(
+                "set arrow from graph {:.4f}, graph {:.4f} to graph {:.4f}, graph {:.4f} nohead linecolor "
+                "rgb '#a0a0a0' linewidth 0.5\n",
+                px, py, lx, ly);
+    }
     return text;
 }
 
@@ -85,20 +122,20 @@ struct Terminal {
     const char* settings;
 };
 
-constexpr Terminal svg_terminal{"svg", "size 720,400 noenhanced font 'sans-serif,12' background 'white'"};
-constexpr Terminal png_terminal{"pngcairo",
-                                "size 1080,600 noenhanced font 'sans-serif,12' background 'white'"};
+constexpr Terminal svg_terminal{"svg", "size 960,540 noenhanced font 'sans-serif,12' background 'white'"};
+constexpr Terminal png_terminal{
+    "pngcairo", "size 1440,810 noenhanced fontscale 1.5 font 'sans-serif,12' background 'white'"};
 
 std::string script_of(const Plot& plot, const fs::path& output, const Terminal& terminal) {
     std::string script = fmt::format("set terminal {} {}\n", terminal.name, terminal.settings);
     script += fmt::format("set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n",
                           quoted(output.string()), quoted(plot.title), quoted(plot.x), quoted(plot.y));
-    script += "set grid\nset key outside right\n";
-    script += plot.logarithmic ? "set logscale xy\n" : "set yrange [0:*]\n";
+    script += "set grid\nset key outside right samplen 2\n";
+    script += plot.logarithmic ? logarithmic(plot) : "set yrange [0:*]\n";
     std::string drawn;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         script += block(i, plot.curves[i]);
-        drawn += (i == 0 ? "" : ", ") + drawn_of(i, plot.curves[i]);
+        drawn += (i == 0 ? "" : ", ") + drawn_of(i, plot.curves[i], plot.logarithmic);
     }
     return script + "plot " + drawn + "\n";
 }

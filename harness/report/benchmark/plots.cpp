@@ -23,6 +23,11 @@ std::string family_of(const Configuration& choice) {
                        choice.temporal ? ", temporal" : "");
 }
 
+std::string time_axis(const Benchmark& benchmark, const char* more) {
+    return fmt::format("time of all passes, in copies of an image ({:.3g} ms each){}",
+                       benchmark.copy_ms.median, more);
+}
+
 // Presets that are not on the front, by name.
 Curve presets_of(const std::vector<Entry>& entries, const std::vector<std::size_t>& front) {
     Curve curve{.name = "presets behind it", .style = CurveStyle::points};
@@ -30,7 +35,7 @@ Curve presets_of(const std::vector<Entry>& entries, const std::vector<std::size_
         const Entry& entry = entries[i];
         if (entry.choice.preset.empty() || std::ranges::find(front, i) != front.end()) continue;
         curve.points.emplace_back(entry.copies, entry.error);
-        curve.labels.push_back(choice_of(entry.choice));
+        curve.labels.push_back(entry.choice.preset + (entry.choice.temporal ? "" : ", single"));
     }
     return curve;
 }
@@ -71,8 +76,8 @@ Plot error_against_time(const Benchmark& benchmark, const std::string& scene) {
     }
     return {
         .title = fmt::format("{}, {} x {}, {}", scene, benchmark.width, benchmark.height, benchmark.device),
-        .x = "time, copies",
-        .y = "RMSE against (G)",
+        .x = time_axis(benchmark, ""),
+        .y = "RMSE of the occlusion, against (G)",
         .logarithmic = true,
         .curves = curves_of(entries)};
 }
@@ -83,7 +88,7 @@ Plot error_against_time(const Benchmark& benchmark) {
         entries.push_back({choice.choice, choice.copies, choice.error_ratio});
     return {
         .title = fmt::format("all scenes, {} x {}, {}", benchmark.width, benchmark.height, benchmark.device),
-        .x = "time, copies, geometric mean",
+        .x = time_axis(benchmark, ", geometric mean"),
         .y = "RMSE over the scene's best, geometric mean",
         .logarithmic = true,
         .curves = curves_of(entries)};
