@@ -52,8 +52,11 @@ Settings balanced() {
     return unfiltered(settings, 8);
 }
 
+// A mean no longer than a frame: at so many samples lag is more error than noise.
 Settings reference() {
-    return unfiltered(balanced(), 64);
+    Settings settings = unfiltered(balanced(), 64);
+    settings.weight_max = 64.0F;
+    return settings;
 }
 
 }  // namespace
@@ -64,7 +67,7 @@ std::vector<Preset> presets() {
         {"moving", "32 samples a frame, 128 in the mean: for cameras and objects that move", moving()},
         {"fast", "Alchemy's taps, 3 a frame, 128 in the mean, no filter: for the least time", fast()},
         {"balanced", "8 samples a frame, 128 in the mean, no filter", balanced()},
-        {"reference", "64 samples a frame, 128 in the mean, no filter: for the least error", reference()}};
+        {"reference", "64 samples a frame, 64 in the mean, no filter: for the least error", reference()}};
     const std::vector<Preset> of_methods = method_presets();
     all.insert(all.end(), of_methods.begin(), of_methods.end());
     return all;

@@ -61,7 +61,7 @@ std::string block(std::size_t number, const Curve& curve) {
 const char* style_of(CurveStyle style) {
     switch (style) {
         case CurveStyle::points:
-            return "with points pointtype 7 pointsize 0.7";
+            return "with points pointtype 6 pointsize 0.8 linecolor rgb '#404040'";
         case CurveStyle::background:
             return "with points pointtype 7 pointsize 0.3 linecolor rgb '#b0b0b0'";
         case CurveStyle::steps:
@@ -69,7 +69,7 @@ const char* style_of(CurveStyle style) {
         case CurveStyle::line:
             break;
     }
-    return "with linespoints pointtype 7 pointsize 0.5";
+    return "with linespoints pointtype 7 pointsize 0.8";
 }
 
 // What is drawn of a curve: itself, and its labels, where they have not been placed.
@@ -108,7 +108,7 @@ std::string logarithmic(const Plot& plot) {
         const auto& [lx, ly] = label.at;
         text += fmt::format("set label {} at graph {:.4f}, graph {:.4f} left font ',9' front\n",
                             quoted(label.text), lx, ly);
-        if (lx > px && std::abs(ly - py) > 0.02)
+        if (lx > px && std::abs(ly - py) > 0.03)
             text += fmt::format(
                 "set arrow from graph {:.4f}, graph {:.4f} to graph {:.4f}, graph {:.4f} nohead linecolor "
                 "rgb '#a0a0a0' linewidth 0.5\n",
@@ -130,6 +130,7 @@ std::string script_of(const Plot& plot, const fs::path& output, const Terminal& 
     std::string script = fmt::format("set terminal {} {}\n", terminal.name, terminal.settings);
     script += fmt::format("set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n",
                           quoted(output.string()), quoted(plot.title), quoted(plot.x), quoted(plot.y));
+    script += "set linetype 4 linecolor rgb '#8c564b'\n";  // for a yellow that cannot be read
     script += "set grid\nset key outside right samplen 2\n";
     script += plot.logarithmic ? logarithmic(plot) : "set yrange [0:*]\n";
     std::string drawn;

@@ -33,15 +33,17 @@ bool inside(const Box& box) {
     return box.left >= 0.0 && box.right <= 1.0 && box.bottom >= 0.0 && box.top <= 1.0;
 }
 
-// Where a label may stand: right of the point, and above or below it, further and further away; then left.
+// Where a label may stand: right of the point or left of it, a little above or below, clear of a line that
+// passes through it, then further and further away.
 std::vector<std::pair<double, double>> places_for(const std::pair<double, double>& point,
                                                   const std::string& text) {
     const double width = character * static_cast<double>(text.size());
     std::vector<std::pair<double, double>> places;
-    for (int away = 0; away < 24; ++away) {
-        const double up = 0.5 * line * ((away + 1) / 2) * (away % 2 == 0 ? -1.0 : 1.0);
-        for (const double x : {point.first + gap, point.first - gap - width})
-            places.emplace_back(x, point.second + up);
+    for (int lines = 1; lines <= 12; ++lines) {
+        for (const double side : {1.0, -1.0}) {
+            const double y = point.second + side * 0.6 * line * lines;
+            for (const double x : {point.first + gap, point.first - gap - width}) places.emplace_back(x, y);
+        }
     }
     return places;
 }
