@@ -130,7 +130,7 @@ std::string script_of(const Plot& plot, const fs::path& output, const Terminal& 
     std::string script = fmt::format("set terminal {} {}\n", terminal.name, terminal.settings);
     script += fmt::format("set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n",
                           quoted(output.string()), quoted(plot.title), quoted(plot.x), quoted(plot.y));
-    script += "set linetype 4 linecolor rgb '#8c564b'\n";  // for a yellow that cannot be read
+    script += "set linetype 5 linecolor rgb '#8c564b'\n";  // for a yellow that cannot be read
     script += "set grid\nset key outside right samplen 2\n";
     script += plot.logarithmic ? logarithmic(plot) : "set yrange [0:*]\n";
     std::string drawn;

@@ -9,7 +9,7 @@ namespace gloam::report::internal {
 namespace {
 
 // Of a label, in parts of the plot, generously.
-constexpr double character = 0.0095;
+constexpr double character = 0.0105;
 constexpr double line = 0.036;
 constexpr double gap = 0.008;  // between a point and its label
 

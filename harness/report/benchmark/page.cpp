@@ -81,7 +81,8 @@ std::string scaling_section(const Benchmark& benchmark, const std::string& image
         std::ranges::replace(name, ' ', '-');
         text += picture(images, name);
     }
-    return text + scaling_table(benchmark);
+    const std::string criteria = scaling_criteria_table(benchmark);
+    return text + criteria + (criteria.empty() ? "" : "\n") + scaling_table(benchmark);
 }
 
 std::string framework_section(const Benchmark& benchmark) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "report/benchmark/pareto.hpp"
 
@@ -69,6 +71,35 @@ std::string place_of(const Overall& choice, const std::vector<Overall>& front) {
     return ahead == nullptr ? "" : "behind " + choice_of(ahead->choice);
 }
 
+// How many times as long it takes for `to` as for `from`; nothing where one was not measured.
+std::optional<double> growth_between(const Growth& growth, double from, double to) {
+    const auto time_at = [&](double value) {
+        const auto found = std::ranges::find_if(
+            growth.points, [&](const auto& point) { return std::abs(point.first - value) <= 1e-6 * value; });
+        return found == growth.points.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+    };
+    const double ratio = time_at(to) / time_at(from);
+    return std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
+}
+
+std::string criterion(const std::string& what, double measured, double allowed) {
+    return fmt::format("| {} | {:.3f} | {:.2f} | {} |\n", what, measured, allowed,
+                       measured <= allowed ? "met" : "**not met**");
+}
+
+std::string criterion_of(const Growth& growth) {
+    constexpr double hd = 1280.0 * 720.0;
+    constexpr double uhd = 3840.0 * 2160.0;
+    if (const auto ratio = growth_between(growth, hd, uhd); ratio && growth.of == "pixels")
+        return criterion(growth.method + ": time per pixel, 3840 x 2160 over 1280 x 720", *ratio * hd / uhd,
+                         1.15);
+    if (growth.of != "radius in pixels" || growth.points.empty()) return {};
+    const double widest = growth.points.back().first;
+    if (const auto ratio = growth_between(growth, 0.1 * widest, widest))
+        return criterion(growth.method + ": time, ten times the radius", *ratio, 1.5);
+    return {};
+}
+
 }  // namespace
 
 std::string scene_front_table(const Benchmark& benchmark, const std::string& scene) {
@@ -118,6 +149,12 @@ std::string scaling_table(const Benchmark& benchmark) {
                             points);
     }
     return text;
+}
+
+std::string scaling_criteria_table(const Benchmark& benchmark) {
+    std::string text;
+    for (const Growth& growth : benchmark.scaling) text += criterion_of(growth);
+    return text.empty() ? text : "| criterion | measured | allowed | |\n| --- | --- | --- | --- |\n" + text;
 }
 
 std::string framework_table(const Benchmark& benchmark) {

@@ -28,6 +28,10 @@ namespace gloam::report {
 // Exponents and times of the scaling runs; empty without any.
 [[nodiscard]] std::string scaling_table(const Benchmark& benchmark);
 
+// What the scaling runs are to meet: per pixel 3840 x 2160 takes at most 1.15 times as long as 1280 x 720,
+// and ten times the radius at most 1.5 times as long. Empty where no run has both values.
+[[nodiscard]] std::string scaling_criteria_table(const Benchmark& benchmark);
+
 // Figures of the framework; empty without any.
 [[nodiscard]] std::string framework_table(const Benchmark& benchmark);
 

@@ -117,6 +117,21 @@ TEST(BenchmarkPage, SaysOfEachPresetWhetherItLiesOnTheFront) {
     EXPECT_THAT(without, testing::Not(HasSubstr("## The presets")));
 }
 
+TEST(BenchmarkPage, SaysWhetherTimeGrowsAsItShould) {
+    Benchmark benchmark = everything();
+    benchmark.scaling = {
+        {.of = "pixels", .method = "m", .points = {{57'600, 1}, {921'600, 10}, {8'294'400, 108}}},
+        {.of = "pixels", .method = "n", .points = {{57'600, 1}, {8'294'400, 108}}},
+        {.of = "radius in pixels", .method = "m", .points = {{5, 9}, {10.4, 10}, {52, 12}, {104, 16}}}};
+    const std::string page = to_benchmark_page(benchmark, "images");
+    EXPECT_THAT(page,
+                HasSubstr("| m: time per pixel, 3840 x 2160 over 1280 x 720 | 1.200 | 1.15 | **not met** |"));
+    EXPECT_THAT(page, HasSubstr("| m: time, ten times the radius | 1.600 | 1.50 | **not met** |"));
+    EXPECT_THAT(page, testing::Not(HasSubstr("| n: time")));
+    benchmark.scaling[2].points.back().second = 15;
+    EXPECT_THAT(to_benchmark_page(benchmark, "images"), HasSubstr("radius | 1.500 | 1.50 | met |"));
+}
+
 TEST(BenchmarkPlots, NamePresetsThatLieBehindTheFront) {
     const Plot plot = error_against_time(with_presets(), "a");
     const Curve& behind = plot.curves[plot.curves.size() - 2];

@@ -57,7 +57,9 @@ void print_tables(const report::Benchmark& benchmark) {
             fmt::print("\n{}\n\n{}", scene, report::scene_front_table(benchmark, scene));
         fmt::print("\nall scenes\n\n{}", report::overall_table(benchmark));
     }
-    if (!benchmark.scaling.empty()) fmt::print("\nscaling\n\n{}", report::scaling_table(benchmark));
+    if (!benchmark.scaling.empty())
+        fmt::print("\nscaling\n\n{}{}", report::scaling_table(benchmark),
+                   report::scaling_criteria_table(benchmark));
     if (!benchmark.framework.empty()) fmt::print("\nframework\n\n{}", report::framework_table(benchmark));
 }
 
