@@ -83,7 +83,7 @@ TEST(Pack, APresetBringsItsSettings) {
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr("gloam_gtao_add"));
     EXPECT_THAT(result.out, HasSubstr("//   steps = 3\n"));
-    EXPECT_THAT(run_command({"pack", "--method", "disc", "--preset", "fast"}).out,
+    EXPECT_THAT(run_command({"pack", "--method", "disc", "--preset", "balanced"}).out,
                 HasSubstr("//   samples = 8\n"));
 }
 
