@@ -4,25 +4,27 @@
 // see the result. How neighbours count is said by a file of the folder filters: by convergence (TSSAO-10), by normal and depth (CS-BLUR), by
 // distance and depth (ISSAO-7), or as SAO has it.
 //
-// Define GLOAM_SOURCE as the format of binding 1, else it is rgba32f, and GLOAM_TARGET as that of binding 2, else it is r32f.
+// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select_filtered.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  source   occlusion in x, accumulated samples in y: the history (rgba32f or rgba16f), or this pass's result along x
-//   2  target   written: filtered occlusion in x, y of binding 1 where the format has one
+//   1  history  occlusion in x, accumulated samples in y, anything in zw
+//   2  r32f     written: filtered occlusion
 //   3  rgba32f  view-space normal in xyz; read by the filter geometry alone
 //   4  buffer   lists of tiles; read when listed is set
-#ifndef GLOAM_SOURCE
-#define GLOAM_SOURCE rgba32f
-#endif
-#ifndef GLOAM_TARGET
-#define GLOAM_TARGET r32f
+//   5  r32f     what this pass has written along x; read when along_y is set
+#ifndef GLOAM_HISTORY
+#define GLOAM_HISTORY rgba32f
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
+layout(constant_id = 0) const bool along_y = false;       // the second of the two passes
+layout(constant_id = 1) const bool orthographic = false;  // else perspective
+
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, GLOAM_SOURCE) uniform readonly image2D source_image;
-layout(binding = 2, GLOAM_TARGET) uniform writeonly image2D filtered_image;
+layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D history_image;
+layout(binding = 2, r32f) uniform writeonly image2D filtered_image;
 layout(binding = 3, rgba32f) uniform readonly image2D normal_image;
+layout(binding = 5, r32f) uniform readonly image2D along_x_image;
 
 #define GLOAM_LIST_BINDING 4
 #include "tiles/listed.glsl"
@@ -30,8 +32,6 @@ layout(binding = 3, rgba32f) uniform readonly image2D normal_image;
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;        // elements [0][0] and [1][1] of the projection, y down
     ivec2 size;          // of the images, pixels
-    ivec2 axis;          // (1, 0) or (0, 1)
-    uint orthographic;   // 1, or 0 for perspective
     int half_width;      // taps on each side: 2 for 5 x 5
     float sigma_pixels;  // convergence, bilateral: width of the Gaussian in the image, pixels: about a quarter of the window
     float depth_scale;   // geometry, bilateral, sao: difference of depth that sets a neighbour apart, world units, > 0
@@ -41,12 +41,28 @@ layout(push_constant) uniform Parameters {
                          // that has just appeared is not overruled by the old ones that happen to be on one side of it
 } parameters;
 
+// Of the image, (1, 0) or (0, 1).
+ivec2 filter_axis() {
+    // By components: Mesa 22.3 folds a choice between constant vectors wrongly.
+    return ivec2(along_y ? 0 : 1, along_y ? 1 : 0);
+}
+
+// What is filtered, in [0, 1].
+float source_occlusion(ivec2 pixel) {
+    return along_y ? imageLoad(along_x_image, pixel).x : imageLoad(history_image, pixel).x;
+}
+
+// The same, and the samples accumulated.
+vec2 source_occlusion_samples(ivec2 pixel) {
+    vec2 texel = imageLoad(history_image, pixel).xy;
+    return along_y ? vec2(imageLoad(along_x_image, pixel).x, texel.y) : texel;
+}
+
 // The filter: any file of this folder.
 #include "filters/convergence.glsl"
 
 void main() {
     ivec2 pixel = pixel_of(group_entry(parameters.size));
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    float samples = imageLoad(source_image, pixel).y;
-    imageStore(filtered_image, pixel, vec4(filtered_occlusion(pixel), samples, 0.0, 0.0));
+    imageStore(filtered_image, pixel, vec4(filtered_occlusion(pixel)));
 }

@@ -74,8 +74,7 @@ struct AmbientOcclusion::Impl {
     NormalParameters normal_constants{};
     ReprojectionParameters reprojection_constants{};
     OcclusionParameters occlusion_constants{};
-    FilterParameters filter_x_constants{};
-    FilterParameters filter_y_constants{};
+    FilterParameters filter_constants{};
     RemapParameters remap_constants{};
     SelectParameters select_constants{};
     SelectFilteredParameters select_filtered_constants{};
@@ -122,8 +121,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     method.as<MethodParameters>()[0] = method_parameters(settings);
     prepared.take(view, settings);
     samples.take(settings);
-    filter_x_constants = filter_parameters(view, settings, {1, 0});
-    filter_y_constants = filter_parameters(view, settings, {0, 1});
+    filter_constants = filter_parameters(view, settings);
     remap_constants = remap_parameters(view, settings);
     const std::int32_t reach = filter_reach(settings);
     select_filtered_constants = {.size = size_of(view.extent), .reach = {reach, reach}};
@@ -272,16 +270,19 @@ void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
                           bytes_of(select_filtered_constants),
                           tile_groups()});
     }
-    const auto along = [&](const char* name, TileLists list, const gpu::Image& from, const gpu::Image& to,
-                           const FilterParameters& constants) {
-        passes.push_back(
-            over(list, {name,
-                        &pipelines.filter(settings.filter, from.format(), to.format(), listed(list)),
-                        {images->depth, from, to, images->normal, lists},
-                        bytes_of(constants)}));
+    const auto along = [&](const char* name, TileLists list, const gpu::Image& from, const gpu::Image& to) {
+        const FilterProgram compiled{.filter = settings.filter,
+                                     .precision = settings.precision,
+                                     .along_y = list == TileLists::filtered_y,
+                                     .orthographic = view.camera.orthographic(),
+                                     .list = listed(list)};
+        passes.push_back(over(list, {name,
+                                     &pipelines.filter(compiled),
+                                     {images->depth, images->after, to, images->normal, lists, from},
+                                     bytes_of(filter_constants)}));
     };
-    along("filter_x", TileLists::filtered_x, images->after, images->half_filtered, filter_x_constants);
-    along("filter_y", TileLists::filtered_y, images->half_filtered, images->filtered, filter_y_constants);
+    along("filter_x", TileLists::filtered_x, images->filtered, images->half_filtered);
+    along("filter_y", TileLists::filtered_y, images->half_filtered, images->filtered);
 }
 
 // What is shown, of the history and of the filter's result.

@@ -68,7 +68,7 @@ FrameImages::FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPre
       before(device, size, format_of(precision)),
       reprojected(device, size, format_of(precision)),
       after(device, size, format_of(precision)),
-      half_filtered(device, size, rgba32f),
+      half_filtered(device, size, r32f),
       filtered(device, size, r32f),
       tiles(device, tiles_of(size) * sizeof(TileWork)),
       tile_selection(device, size) {}

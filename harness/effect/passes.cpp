@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "effect/internal/sample_table.hpp"
 #include "effect/preparation.hpp"
@@ -141,11 +142,9 @@ ReprojectionParameters reprojection_parameters(const View& view, const View& pre
             .tolerance = settings.depth_tolerance};
 }
 
-FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis) {
+FilterParameters filter_parameters(const View& view, const Settings& settings) {
     return {.p00_p11 = view.camera.p00_p11(),
             .size = size_of(view.extent),
-            .axis = axis,
-            .orthographic = flag(view.camera.orthographic()),
             .half_width = settings.filter_half_width,
             .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1),
             .depth_scale = settings.filter_depth,
@@ -208,17 +207,19 @@ gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibra
 }
 
 gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::PassLibrary& library,
-                                    Filter filter, gpu::Format source, gpu::Format target,
-                                    std::optional<TileLists> list) {
-    const shader::Spirv spirv = library.compile(
-        "spatial_filter.comp",
-        {fmt::format("GLOAM_SOURCE {}", name_of(source)), fmt::format("GLOAM_TARGET {}", name_of(target))},
-        {{filter_include(Filter::convergence), filter_include(filter)}});
+                                    const FilterProgram& program) {
+    const shader::Spirv spirv =
+        library.compile("spatial_filter.comp", defines_for(program.precision),
+                        {{filter_include(Filter::convergence), filter_include(program.filter)}});
+    std::vector<gpu::SpecializationConstant> constants = constants_of(program.list);
+    constants.push_back({.id = 0, .bits = flag(program.along_y)});
+    constants.push_back({.id = 1, .bits = flag(program.orthographic)});
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
+             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
+                          storage_image},
              .push_constant_bytes = sizeof(FilterParameters),
-             .constants = constants_of(list)}};
+             .constants = std::move(constants)}};
 }
 
 gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library, gpu::Format source,

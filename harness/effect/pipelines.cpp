@@ -25,10 +25,8 @@ const gpu::ComputePipeline& Pipelines::reprojection(const Program& program) {
     return found_or_made(reprojection_, program, [&] { return reproject(*device_, library_, program); });
 }
 
-const gpu::ComputePipeline& Pipelines::filter(Filter filter, gpu::Format source, gpu::Format target,
-                                              std::optional<TileLists> list) {
-    return found_or_made(filter_, {filter, source, target, list},
-                         [&] { return spatial_filter(*device_, library_, filter, source, target, list); });
+const gpu::ComputePipeline& Pipelines::filter(const FilterProgram& program) {
+    return found_or_made(filter_, program, [&] { return spatial_filter(*device_, library_, program); });
 }
 
 const gpu::ComputePipeline& Pipelines::remapping(gpu::Format source, std::optional<TileLists> list) {

@@ -41,8 +41,6 @@ std::vector<std::string> names() {
 struct Parameters {
     glm::vec2 p00_p11{1.0F, -1.0F};
     glm::ivec2 size{0};
-    glm::ivec2 axis{1, 0};
-    std::uint32_t orthographic = 0;
     std::int32_t half_width = 3;
     float sigma_pixels = 1.5F;
     float depth_scale = 0.1F;
@@ -90,7 +88,7 @@ class Filters : public OnDevice<testing::TestWithParam<std::string>> {
         using enum gpu::Format;
         gpu::Image depth(device_, extent, r32f);
         gpu::Image source(device_, extent, rgba32f);
-        gpu::Image half(device_, extent, rgba32f);
+        gpu::Image half(device_, extent, r32f);
         gpu::Image normal(device_, extent, rgba32f);
         gpu::Image result(device_, extent, r32f);
         depth.upload(field.depth);
@@ -102,40 +100,32 @@ class Filters : public OnDevice<testing::TestWithParam<std::string>> {
         }
         source.upload(texels);
         normal.upload(normals);
-        const gpu::ComputePipeline along_x = pipeline("rgba32f");
-        const gpu::ComputePipeline along_y = pipeline("r32f");
+        const gpu::ComputePipeline along_x = pipeline(false);
+        const gpu::ComputePipeline along_y = pipeline(true);
         parameters.size = field.size;
         const std::array<std::uint32_t, 3> groups{(extent.width + 7) / 8, (extent.height + 7) / 8, 1};
         const gpu::Buffer no_list(device_, 64);
         gpu::Commands commands(device_);
-        for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
-            parameters.axis = axis;
-            const bool first = axis.x == 1;
-            const std::vector<gpu::Resource> resources{depth, first ? source : half, first ? half : result,
-                                                       normal, no_list};
-            commands.dispatch(first ? along_x : along_y, resources, groups,
-                              std::as_bytes(std::span(&parameters, 1)));
-        }
+        const auto run = [&](const gpu::ComputePipeline& pass, const gpu::Image& from, const gpu::Image& to) {
+            const std::vector<gpu::Resource> resources{depth, source, to, normal, no_list, from};
+            commands.dispatch(pass, resources, groups, std::as_bytes(std::span(&parameters, 1)));
+        };
+        run(along_x, result, half);
+        run(along_y, half, result);
         commands.submit();
-        expect_samples_kept(half.download());
         return result.download();
     }
 
-    // The pass to an image of that format.
-    [[nodiscard]] gpu::ComputePipeline pipeline(const std::string& target) const {
-        const shader::Spirv spirv =
-            passes_.compile("spatial_filter.comp", {"GLOAM_TARGET " + target},
-                            {{"filters/convergence.glsl", "filters/" + GetParam() + ".glsl"}});
+    [[nodiscard]] gpu::ComputePipeline pipeline(bool along_y) const {
+        const shader::Spirv spirv = passes_.compile(
+            "spatial_filter.comp", {}, {{"filters/convergence.glsl", "filters/" + GetParam() + ".glsl"}});
         using enum gpu::BindingKind;
         return {device_,
                 {.spirv = spirv,
-                 .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
-                 .push_constant_bytes = sizeof(Parameters)}};
-    }
-
-    // The pass along y reads them.
-    static void expect_samples_kept(const std::vector<float>& texels) {
-        for (std::size_t i = 0; i < texels.size(); i += 4) EXPECT_EQ(texels[i + 1], 50.0F);
+                 .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
+                              storage_image},
+                 .push_constant_bytes = sizeof(Parameters),
+                 .constants = {{.id = 0, .bits = along_y ? 1U : 0U}}}};
     }
 };
 

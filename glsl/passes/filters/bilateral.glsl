@@ -8,16 +8,16 @@
 // Reads sigma_pixels (sigma_d) and depth_scale (sigma_r).
 
 float gloam_fetch_occlusion(ivec2 pixel) {
-    return imageLoad(source_image, pixel).x;
+    return source_occlusion(pixel);
 }
 
 float gloam_fetch_depth(ivec2 pixel) {
     return imageLoad(depth_image, pixel).x;
 }
 
-// Occlusion of a pixel of the image, filtered along parameters.axis: in [0, 1].
+// Occlusion of a pixel of the image, filtered along the axis: in [0, 1].
 float filtered_occlusion(ivec2 pixel) {
-    return gloam_bilateral_filter(pixel, parameters.half_width * parameters.axis, parameters.size, parameters.sigma_pixels,
+    return gloam_bilateral_filter(pixel, parameters.half_width * filter_axis(), parameters.size, parameters.sigma_pixels,
                                   parameters.depth_scale);
 }
 

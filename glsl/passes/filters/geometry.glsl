@@ -11,7 +11,7 @@
 const vec2 STUDY_POWERS = vec2(10.0, 0.5);
 
 float gloam_fetch_occlusion(ivec2 pixel) {
-    return imageLoad(source_image, pixel).x;
+    return source_occlusion(pixel);
 }
 
 float gloam_fetch_depth(ivec2 pixel) {
@@ -22,9 +22,9 @@ vec3 gloam_fetch_normal(ivec2 pixel) {
     return imageLoad(normal_image, pixel).xyz;
 }
 
-// Occlusion of a pixel of the image, filtered along parameters.axis: in [0, 1].
+// Occlusion of a pixel of the image, filtered along the axis: in [0, 1].
 float filtered_occlusion(ivec2 pixel) {
-    return gloam_geometry_blur(pixel, parameters.axis, parameters.size, parameters.half_width, STUDY_POWERS);
+    return gloam_geometry_blur(pixel, filter_axis(), parameters.size, parameters.half_width, STUDY_POWERS);
 }
 
 #endif

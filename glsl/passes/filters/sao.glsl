@@ -16,17 +16,17 @@ const int SAO_MOST_TAPS = 4;
 // mean: what was added so far. tap: its number, from the centre. center: depth of the filtered pixel, world units.
 // Returns the mean with the tap; unchanged outside the image and for background.
 GloamWeightedMean add_tap(GloamWeightedMean mean, ivec2 pixel, int tap, float center) {
-    ivec2 at = pixel + SAO_STRIDE * tap * parameters.axis;
+    ivec2 at = pixel + SAO_STRIDE * tap * filter_axis();
     if (at.x < 0 || at.y < 0 || at.x >= parameters.size.x || at.y >= parameters.size.y) return mean;
     float depth = imageLoad(depth_image, at).x;
     if (gloam_is_background(depth)) return mean;
     float weight = gloam_sao_blur_weight(tap, (depth - center) / parameters.depth_scale, 1.0);
-    return gloam_weighted_mean_add(mean, imageLoad(source_image, at).x, weight);
+    return gloam_weighted_mean_add(mean, source_occlusion(at), weight);
 }
 
-// Occlusion of a pixel of the image, filtered along parameters.axis: in [0, 1].
+// Occlusion of a pixel of the image, filtered along the axis: in [0, 1].
 float filtered_occlusion(ivec2 pixel) {
-    float own = imageLoad(source_image, pixel).x;
+    float own = source_occlusion(pixel);
     float center = imageLoad(depth_image, pixel).x;
     GloamWeightedMean mean = gloam_weighted_mean_empty();
     if (gloam_is_background(center)) return gloam_weighted_mean_value(mean, own);

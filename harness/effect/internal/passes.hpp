@@ -75,8 +75,6 @@ struct ReprojectionParameters {
 struct FilterParameters {
     glm::vec2 p00_p11;
     glm::ivec2 size;
-    glm::ivec2 axis;
-    std::uint32_t orthographic;
     std::int32_t half_width;
     float sigma_pixels;
     float depth_scale;
@@ -104,7 +102,7 @@ struct View {
 [[nodiscard]] MethodParameters method_parameters(const Settings& settings);
 [[nodiscard]] ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
                                                              const Settings& settings);
-[[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings, glm::ivec2 axis);
+[[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings);
 
 [[nodiscard]] RemapParameters remap_parameters(const View& view, const Settings& settings);
 
@@ -134,6 +132,17 @@ struct Program {
 // What the settings decide of it.
 [[nodiscard]] Program program_for(const Settings& settings);
 
+// What a filter's pass along one axis is compiled for.
+struct FilterProgram {
+    Filter filter = Filter::convergence;
+    HistoryPrecision precision = HistoryPrecision::float32;
+    bool along_y = false;
+    bool orthographic = false;
+    std::optional<TileLists> list;  // of the tiles that it runs on; none: the whole image
+
+    friend auto operator<=>(const FilterProgram&, const FilterProgram&) = default;
+};
+
 // What a pass that reads or writes a history is compiled with.
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
 // And one that reads or writes a prepared image of that format.
@@ -147,13 +156,13 @@ struct Program {
                                                      const Program& program);  // counts its work
 [[nodiscard]] gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
                                              const Program& program);
-// `source` and `target`: formats of the images that the pass reads and writes. `list`: of the tiles that it
-// runs on; none: the whole image. Throws std::invalid_argument for Filter::none.
+// Throws std::invalid_argument for Filter::none.
 [[nodiscard]] gpu::ComputePipeline spatial_filter(const gpu::Device& device,
-                                                  const scene::PassLibrary& library, Filter filter,
-                                                  gpu::Format source, gpu::Format target,
-                                                  std::optional<TileLists> list);
+                                                  const scene::PassLibrary& library,
+                                                  const FilterProgram& program);
 
+// `source`: format of the image that the pass reads. `list`: of the tiles that it runs on; none: the whole
+// image.
 [[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
                                          gpu::Format source, std::optional<TileLists> list);
 

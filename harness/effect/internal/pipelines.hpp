@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "effect/internal/passes.hpp"
@@ -22,10 +21,9 @@ class Pipelines {
     [[nodiscard]] const gpu::ComputePipeline& normals() const { return normals_; }
     [[nodiscard]] const gpu::ComputePipeline& occlusion(const Program& program);
     [[nodiscard]] const gpu::ComputePipeline& reprojection(const Program& program);
-    // `source`, `target`: formats of the images that the pass reads and writes.
+    [[nodiscard]] const gpu::ComputePipeline& filter(const FilterProgram& program);
+    // `source`: format of the image that the pass reads.
     // `list`: of the tiles that it runs on; none: the whole image.
-    [[nodiscard]] const gpu::ComputePipeline& filter(Filter filter, gpu::Format source, gpu::Format target,
-                                                     std::optional<TileLists> list);
     [[nodiscard]] const gpu::ComputePipeline& remapping(gpu::Format source, std::optional<TileLists> list);
     [[nodiscard]] const gpu::ComputePipeline& selection();
     [[nodiscard]] const gpu::ComputePipeline& filtered_selection();
@@ -39,8 +37,7 @@ class Pipelines {
     gpu::ComputePipeline normals_;
     std::map<Program, gpu::ComputePipeline> occlusion_;
     std::map<Program, gpu::ComputePipeline> reprojection_;
-    std::map<std::tuple<Filter, gpu::Format, gpu::Format, std::optional<TileLists>>, gpu::ComputePipeline>
-        filter_;
+    std::map<FilterProgram, gpu::ComputePipeline> filter_;
     std::map<std::pair<gpu::Format, std::optional<TileLists>>, gpu::ComputePipeline> remapping_;
     std::map<std::string, gpu::ComputePipeline> of_tiles_;
 };
