@@ -8,12 +8,14 @@
 //     1/s <= t + m t^2,   since then s >= 1/t - m,   m = bias - what rounding adds to the sample's depth.
 // t and the bound of a block (bounds.glsl) are affine, t^2 is no less than T (2 t - T) with T the least t of the block, and what is affine is nowhere
 // above 0 in a rectangle if it is not so at its corners. All pixels of a tile share the plane of one, lowered by the most that another lies below
-// it within reach.
+// it at that pixel, and by how much their slopes differ for each pixel from there.
 //
-// What rounding adds, with e = 2^-24, N = -n . p, S_p and S_r the sums of magnitudes of the products in n . p and n . ray: a sample's position and n . it
-// are exact to e (14 S_p + 64 R), which includes that the directions lie above the plane to 2e-6; n . ray is exact to 14 e S_r; the quotient and the difference to
-// 8 e. Together e ((14 S_p + 64 R) / N + 14 S_r / (N t) + 8) of the depth 1/t, while that is small.
-// A method that takes the height of surfaces above the plane, N (1 - t s), instead: <= bias where 1/s <= t + m t / N, and N t <= S_r; its rounding, 14 e
+// What rounding adds, with e = 2^-24 and each operation exact to 2 e, whichever way it rounds. N = -n . p; S_p and S_r are the sums of magnitudes of
+// the products in n . p and n . ray. A dot product of three whose result is N and whose magnitudes add up to S is exact to 3 e (S + N), since no partial sum
+// exceeds (S + N) / 2; positions are exact to 6 e along x and y, as documented. So n . sample is exact to e (11 S_p + 3 N + 64 R), which includes
+// that the directions lie above the plane to 2e-6, n . ray to e (9 S_r + 3 N t), the quotient and the difference to 7 e: together no more than
+// e ((11 S_p + 64 R) / N + 11 S_r / (N t) + 14) of the depth 1/t, while that is small.
+// A method that takes the height of surfaces above the plane, N (1 - t s), instead: <= bias where 1/s <= t + m t / N, and N t <= S_r; its rounding, 11 e
 // (S_p + S_r / t), is less than that above times max(1, S_r). Hence m = bias / max(1, S_r) - that above.
 //
 // A point is no further away than d + R besides, and at most half a pixel beside q, or beyond the edge of the image that q lies at: the plane through
@@ -50,7 +52,8 @@ const float NEARER = 1.02;  // the eye is further than this many radii from the 
 // What is known of a tile's pixels.
 struct Pixels {
     TangentPlane plane;  // of one of them
-    float below;         // how far the planes of others lie below it within reach, 1 / world units
+    float below;         // how far the planes of others lie below it at that pixel, 1 / world units, rounding included
+    vec2 diverging;      // how far their slopes differ from its own, per pixel, likewise
     float height;        // least N
     vec3 normal;         // largest magnitudes of n
     vec3 position;       // and of p
@@ -90,15 +93,10 @@ void find_reach(Block tile, float nearest) {
     reach = Block(ivec2(clamp(first, vec2(0.0), image - 1.0)), ivec2(clamp(last, vec2(0.0), image - 1.0)));
 }
 
-ivec2 corner_of(Block block, int i) {
-    return ivec2((i & 1) == 0 ? block.first.x : block.last.x, (i & 2) == 0 ? block.first.y : block.last.y);
-}
-
-// Largest error of a plane's inverse depth within reach.
-float error_within_reach(TangentPlane plane) {
-    float largest = 0.0;
-    for (int i = 0; i < 4; ++i) largest = max(largest, inverse_depth_error(plane, corner_of(reach, i)));
-    return largest;
+// How far the planes of the tile may lie below that of its pixel anywhere in a block.
+float lowered(Block block) {
+    ivec2 pixel = pixels.plane.pixel;
+    return pixels.below + dot(pixels.diverging, vec2(max(abs(block.first - pixel), abs(block.last - pixel))));
 }
 
 // Sum of the magnitudes in n . ray.
@@ -108,8 +106,8 @@ float sum_of_ray() {
 
 // What rounding adds to a sample's depth, relative to 1/t, where the planes' inverse depth is at least `lowest`.
 float rounded_depth(float lowest) {
-    float of_point = 14.0 * dot(pixels.normal, pixels.position) + 64.0 * parameters.radius;
-    return 1.02 * ROUNDING * ((of_point + 14.0 * sum_of_ray() / lowest) / pixels.height + 8.0);
+    float of_point = 11.0 * dot(pixels.normal, pixels.position) + 64.0 * parameters.radius;
+    return 1.02 * ROUNDING * ((of_point + 11.0 * sum_of_ray() / lowest) / pixels.height + 14.0);
 }
 
 // An inverse depth up to which a surface is further away than any point compared within `seen`; 0: none is known.
@@ -131,7 +129,7 @@ bool rises(ivec2 at, int level) {
     vec2 extent = vec2(seen.last - seen.first);
     vec2 offset = vec2(seen.first - block.first);
     vec2 slopes = pixels.plane.slopes;
-    float allowed = inverse_depth(pixels.plane, seen.first) - pixels.below;
+    float allowed = inverse_depth(pixels.plane, seen.first) - lowered(seen);
     vec2 falls = min(slopes * extent, vec2(0.0));
     float lowest = allowed + falls.x + falls.y;
     if (!(lowest > 1e-18)) return true;
@@ -203,12 +201,9 @@ TangentPlane plane_at(ivec2 pixel, float depth) {
 
 // Takes another pixel's plane into what is known of all.
 void include(TangentPlane plane) {
-    float below = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 corner = corner_of(reach, i);
-        below = max(below, inverse_depth(pixels.plane, corner) - inverse_depth(plane, corner));
-    }
-    pixels.below = max(pixels.below, below + error_within_reach(plane));
+    ivec2 pixel = pixels.plane.pixel;
+    pixels.below = max(pixels.below, pixels.plane.inverse - inverse_depth(plane, pixel) + inverse_depth_error(plane, pixel));
+    pixels.diverging = max(pixels.diverging, abs(pixels.plane.slopes - plane.slopes) + plane.rounded * abs(plane.slopes));
     pixels.height = min(pixels.height, plane.height);
     pixels.normal = max(pixels.normal, plane.normal);
     pixels.position = max(pixels.position, plane.position);
@@ -242,12 +237,11 @@ bool is_open(ivec2 at) {
     TangentPlane plane = plane_at(middle, depth);
     if (plane.height <= 0.0) return false;
     find_reach(tile, nearest);
-    float rounded = error_within_reach(plane);
-    pixels = Pixels(plane, 3.0 * rounded, plane.height, plane.normal, plane.position, max(vec4(-plane.slopes, plane.slopes), vec4(0.0)));
-    if (rises(at, 0) || any_rises()) return false;
-    pixels.below = 0.0;
-    if (!include_all(tile)) return false;
-    pixels.below += 2.0 * rounded;
+    pixels = Pixels(plane, 0.0, vec2(0.0), plane.height, plane.normal, plane.position, max(vec4(-plane.slopes, plane.slopes), vec4(0.0)));
+    if (rises(at, 0) || any_rises() || !include_all(tile)) return false;
+    // The shared plane's own rounding, where it is compared with the others' and where it is with blocks.
+    pixels.below += 2.0 * inverse_depth_error(plane, middle);
+    pixels.diverging += (plane.rounded + 20.0 * ROUNDING) * abs(plane.slopes);
     return !any_rises();
 }
 

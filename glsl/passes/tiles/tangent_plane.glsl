@@ -25,9 +25,9 @@ TangentPlane tangent_plane(ivec2 pixel, float depth, vec3 normal, GloamCamera ca
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     float height = -dot(n, position);
     vec2 slopes = n.xy * (-2.0 / (camera.p00_p11 * vec2(camera.size))) / height;
-    // The normal's components are exact to 8 e, the rest of the quotient to 14 e; n . p to 6 e of what the magnitudes add up to, a position to
-    // 6 e, and here the normal's error counts again.
-    float rounded = ROUNDING * (32.0 + 24.0 * (dot(abs(n), abs(position)) / height));
+    // The normal's components differ from those of the samples' by 4 e, but for a common factor, the rest of the quotient is exact to 14 e;
+    // n . p is to 3 e (S + N), with S the sum of magnitudes, and a position to 6 e; here the normal counts again: e (21 + 13 S / N).
+    float rounded = ROUNDING * (24.0 + 14.0 * (dot(abs(n), abs(position)) / height));
     return TangentPlane(pixel, 1.0 / depth, slopes, rounded, height, abs(n), abs(position));
 }
 
