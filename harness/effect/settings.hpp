@@ -105,7 +105,7 @@ struct Settings {
     bool freeze = false;          // what has converged takes no more samples while nothing moves
     bool sample_table = true;     // off: what samples share is computed for each anew, to the same result
     bool skip_background = true;  // off: background goes the long way, to the same result
-    bool skip_open = false;       // on: tiles that nothing can block are not sampled, to the same result
+    bool skip_open = true;        // off: tiles that nothing can block are sampled, to the same result
     bool skip_settled = true;     // off: tiles that would not change are shaded, to the same result
     bool skip_filtered = true;    // off: tiles that the filter leaves as they are pass it, to the same result
 };

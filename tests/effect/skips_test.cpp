@@ -256,6 +256,34 @@ TEST_F(Skips, AnOpenFloorTakesNoTaps) {
     }
 }
 
+TEST_F(Skips, OfAFloorFewTilesCannotBeProvenOpen) {
+    const Work work = run({{floor_view({160, 90}, 0.0F), 1}}, quick(Settings{})).front().work;
+    EXPECT_GT(work.tiles_open, (work.tiles - work.tiles_background) / 2);
+}
+
+TEST_F(Skips, APixelThatRisesByMoreThanTheBiasIsSeen) {
+    const scene::GBuffer flat = floor_view({160, 90}, 0.0F);
+    const Settings settings = quick(Settings{});
+    const std::uint64_t open = run({{flat, 1}}, settings).front().work.tiles_open;
+    const auto with_spike = [&](float biases) {
+        scene::GBuffer view = flat;
+        view.depth[60 * 160 + 83] -= biases * settings.bias;
+        return expect_same({{view, 3}}, settings).front().work.tiles_open;
+    };
+    EXPECT_EQ(with_spike(0.1F), open) << "no sample is compared so closely";
+    const std::uint64_t with_higher = with_spike(1.05F);
+    EXPECT_LT(with_higher, open);
+    EXPECT_LE(with_spike(20.0F), with_higher);
+}
+
+TEST_F(Skips, SurfacesReadFromTheDepthChainMayLieBeyondTheRadius) {
+    Settings settings = with_method(quick(Settings{}), "alchemy");
+    const std::vector<Stay> stays{{floor_view({160, 90}, 0.0F), 2}};
+    EXPECT_GT(expect_same(stays, settings).front().work.tiles_open, 0U);
+    settings.mip_distance = 4.0F;
+    EXPECT_EQ(expect_same(stays, settings).front().work.tiles_open, 0U);
+}
+
 TEST_F(Skips, OpenTilesOfScenes) {
     std::uint64_t open = 0;
     for (const std::string name : {"columns", "far", "moving"}) {

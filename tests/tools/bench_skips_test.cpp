@@ -26,6 +26,16 @@ TEST(BenchSkips, PrintsATableAndWritesEveryNumber) {
     }
     EXPECT_GT(document.at("cases").at(0).at("tiles_blank"), 0);
     EXPECT_GT(document.at("cases").at(1).at("tiles_open"), 0);
+    ASSERT_EQ(document.at("shares").size(), 13U);
+    for (const json& row : document.at("shares")) {
+        const double tiles = row.at("tiles");
+        const char* counter = row.at("part") == "open"      ? "tiles_open"
+                              : row.at("part") == "settled" ? "tiles_settled"
+                                                            : "tiles_blank";
+        EXPECT_LE(row.at(counter).get<double>() / tiles, row.at("share").get<double>() + 0.02) << row;
+        if (row.at("share") >= 0.75) EXPECT_GT(row.at(counter), 0) << row;
+        EXPECT_GT(row.at("with_ms"), 0.0);
+    }
     const json& settled = document.at("cases").at(4);
     EXPECT_EQ(settled.at("tiles_settled").get<int>() + settled.at("tiles_blank").get<int>(),
               settled.at("tiles"));

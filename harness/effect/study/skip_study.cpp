@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <stdexcept>
+#include <vector>
 
 #include "effect/internal/work.hpp"
 #include "effect/study/copy_clock.hpp"
@@ -27,24 +27,25 @@ struct Contestant {
     std::vector<PassTime> passes;  // of the last frame
 };
 
-// The frames of a round: those of the views, or one after the warm ones of a view that stands still.
+// The frames of a round: those of the views, or one after the others of a view that stands still.
 void run_round(AmbientOcclusion& effect, const SkipCase& skip_case, Contestant& contestant) {
+    const auto show = [&](bool timed) {
+        const Frame frame = effect.next();
+        if (timed) contestant.times.push_back(time_of(frame));
+        contestant.work = frame.work;
+        contestant.passes = frame.times;
+    };
     effect.begin(skip_case.views.front(), contestant.settings);
     contestant.first_times.push_back(time_of(effect.next()));
     for (int i = 0; i < skip_case.warm; ++i) (void)effect.next();
+    const bool still = skip_case.views.size() == 1 || skip_case.after > 0;
     for (std::size_t i = 1; i < skip_case.views.size(); ++i) {
         effect.advance(skip_case.views[i]);
-        const Frame frame = effect.next();
         // What the images hold is known after a few frames.
-        if (2 * i >= skip_case.views.size()) contestant.times.push_back(time_of(frame));
-        contestant.work = frame.work;
-        contestant.passes = frame.times;
+        show(!still && 2 * i >= skip_case.views.size());
     }
-    if (skip_case.views.size() > 1) return;
-    const Frame frame = effect.next();
-    contestant.times.push_back(time_of(frame));
-    contestant.work = frame.work;
-    contestant.passes = frame.times;
+    for (int i = 1; i < skip_case.after; ++i) (void)effect.next();
+    if (still) show(true);
 }
 
 Settings only(const Settings& settings, bool Settings::*skip) {
@@ -63,26 +64,40 @@ Settings without_skips(Settings settings) {
     return settings;
 }
 
-SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes, const SkipCase& skip_case,
-                     int rounds) {
+namespace {
+
+Contestant fresh(const Settings& settings) {
+    return {settings, {}, {}, {}, {}};
+}
+
+// Runs them in turns, so that the machine's drift falls on all alike. Returns the time of a copy.
+double compete(const gpu::Device& device, const scene::PassLibrary& passes, const SkipCase& skip_case,
+               std::vector<Contestant>& contestants, int rounds) {
     require_timestamps(device.info());
     if (skip_case.views.empty()) throw std::invalid_argument("a case of skips without a view");
     if (rounds < 1) throw std::invalid_argument(fmt::format("rounds {}: expected 1 or more", rounds));
-    const Settings& all = skip_case.settings;
-    std::array contestants{Contestant{without_skips(all), {}, {}, {}, {}}, Contestant{all, {}, {}, {}, {}},
-                           Contestant{only(all, &Settings::skip_background), {}, {}, {}, {}},
-                           Contestant{only(all, &Settings::skip_open), {}, {}, {}, {}},
-                           Contestant{only(all, &Settings::skip_settled), {}, {}, {}, {}}};
     AmbientOcclusion effect(device, passes, skip_case.views.front().extent);
     CopyClock clock(device, passes, skip_case.views.front().extent);
     double copy = 0.0;
     for (int round = 0; round <= rounds; ++round) {
         for (Contestant& contestant : contestants) {
             run_round(effect, skip_case, contestant);
-            if (round == 0) contestant = {contestant.settings, {}, {}, {}, {}};  // drivers compile
+            if (round == 0) contestant = fresh(contestant.settings);  // drivers compile
         }
         copy = clock.measure();
     }
+    return copy;
+}
+
+}  // namespace
+
+SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes, const SkipCase& skip_case,
+                     int rounds) {
+    const Settings& all = skip_case.settings;
+    std::vector<Contestant> contestants{
+        fresh(without_skips(all)), fresh(all), fresh(only(all, &Settings::skip_background)),
+        fresh(only(all, &Settings::skip_open)), fresh(only(all, &Settings::skip_settled))};
+    const double copy = compete(device, passes, skip_case, contestants, rounds);
     const auto of = [&](std::size_t i) { return median(contestants.at(i).times); };
     return {.without = of(0),
             .with = of(1),
@@ -93,6 +108,17 @@ SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes
             .copy = copy,
             .work = contestants[1].work,
             .passes = contestants[1].passes};
+}
+
+SkipPair skip_pair(const gpu::Device& device, const scene::PassLibrary& passes, const SkipCase& skip_case,
+                   int rounds) {
+    const Settings& all = skip_case.settings;
+    std::vector<Contestant> contestants{fresh(without_skips(all)), fresh(all)};
+    const double copy = compete(device, passes, skip_case, contestants, rounds);
+    return {.without = median(contestants[0].times),
+            .with = median(contestants[1].times),
+            .copy = copy,
+            .work = contestants[1].work};
 }
 
 }  // namespace gloam::effect

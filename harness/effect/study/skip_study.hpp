@@ -15,8 +15,10 @@ struct SkipCase {
     std::string what;                   // in a few words
     std::vector<scene::GBuffer> views;  // one: of a camera that stands still
     int warm = 0;                       // frames before the first that is timed, of the first view
-    Settings settings;                  // with all skips
-    double target = 0.0;                // of the time with all skips, as a part of that without; 0: none
+    int after = 0;        // frames of the last view before the one that is timed; 0: of two or more views the
+                          // second half is
+    Settings settings;    // with all skips
+    double target = 0.0;  // of the time with all skips, as a part of that without; 0: none
 };
 
 // Median times of all passes of a frame, in milliseconds, interleaved so that the machine's drift falls on
@@ -33,6 +35,14 @@ struct SkipTimes {
     std::vector<PassTime> passes;  // of that frame
 };
 
+// Median times as above, of all skips and of none.
+struct SkipPair {
+    double without = 0.0;
+    double with = 0.0;
+    double copy = 0.0;
+    Work work;  // of the last frame, every skip on
+};
+
 // Every skip off.
 [[nodiscard]] Settings without_skips(Settings settings);
 
@@ -40,5 +50,9 @@ struct SkipTimes {
 // std::runtime_error for a device without timestamps, and like AmbientOcclusion.
 [[nodiscard]] SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes,
                                    const SkipCase& skip_case, int rounds);
+
+// The same of two ways alone.
+[[nodiscard]] SkipPair skip_pair(const gpu::Device& device, const scene::PassLibrary& passes,
+                                 const SkipCase& skip_case, int rounds);
 
 }  // namespace gloam::effect

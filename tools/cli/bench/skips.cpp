@@ -13,6 +13,7 @@
 #include "cli/progress.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "effect/study/skip_cases.hpp"
+#include "effect/study/skip_shares.hpp"
 #include "report/output_file.hpp"
 
 namespace gloam::cli {
@@ -21,6 +22,11 @@ namespace {
 using effect::SkipCase;
 using effect::SkipTimes;
 using nlohmann::ordered_json;
+
+struct ShareRow {
+    effect::SkipShare made;
+    effect::SkipPair times;
+};
 
 struct Row {
     SkipCase skip_case;
@@ -32,16 +38,22 @@ double percent(std::uint64_t tiles, const effect::Work& work) {
     return 100.0 * static_cast<double>(tiles) / static_cast<double>(work.tiles);
 }
 
+// A target of the time without, and whether it is met; nothing for none.
+std::string verdict(double ratio, double target) {
+    return target > 0.0 ? fmt::format("{:.2f}, {}", target, ratio <= target ? "met" : "missed")
+                        : std::string();
+}
+
 std::string table_row(const Row& row) {
     const SkipTimes& t = row.times;
     const auto part = [&](double time) { return time / t.without; };
     return fmt::format(
         "| {} | {} | {:.0f} % | {:.0f} % | {:.0f} % | {:.1f} | {:.1f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | "
-        "{:.2f} | {:.2f} |\n",
+        "{:.2f} | {} |\n",
         row.skip_case.name, row.skip_case.what, percent(t.work.tiles_blank, t.work),
         percent(t.work.tiles_open, t.work), percent(t.work.tiles_settled, t.work), t.without / t.copy,
         t.with / t.copy, part(t.background), part(t.open), part(t.settled), part(t.with), t.with / t.fresh,
-        row.skip_case.target);
+        verdict(part(t.with), row.skip_case.target));
 }
 
 std::string table_of(const std::vector<Row>& rows) {
@@ -52,6 +64,37 @@ std::string table_of(const std::vector<Row>& rows) {
         "|\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     for (const Row& row : rows) text += table_row(row);
     return text;
+}
+
+std::string table_of(const std::vector<ShareRow>& rows) {
+    std::string text =
+        "| part of the image | | tiles of background | open | settled | filtered enough | copies without | "
+        "copies | of the time "
+        "without | target |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+    for (const auto& [made, t] : rows) {
+        text += fmt::format(
+            "| {} | {:.0f} % | {:.0f} % | {:.0f} % | {:.0f} % | {:.0f} % | {:.1f} | {:.1f} | {:.2f} | {} |\n",
+            made.skip_case.name, 100.0 * made.share, percent(t.work.tiles_blank, t.work),
+            percent(t.work.tiles_open, t.work), percent(t.work.tiles_settled, t.work),
+            percent(t.work.tiles_unfiltered, t.work), t.without / t.copy, t.with / t.copy,
+            t.with / t.without, verdict(t.with / t.without, made.skip_case.target));
+    }
+    return text;
+}
+
+ordered_json json_of(const ShareRow& row) {
+    const effect::SkipPair& t = row.times;
+    return {{"part", row.made.skip_case.name},
+            {"share", row.made.share},
+            {"tiles", t.work.tiles},
+            {"tiles_blank", t.work.tiles_blank},
+            {"tiles_open", t.work.tiles_open},
+            {"tiles_settled", t.work.tiles_settled},
+            {"copy_ms", t.copy},
+            {"without_ms", t.without},
+            {"with_ms", t.with},
+            {"ratio", t.with / t.without},
+            {"target", row.made.skip_case.target}};
 }
 
 ordered_json json_of(const Row& row) {
@@ -90,15 +133,25 @@ int run_bench_skips(const BenchSkipsOptions& options) {
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
     const auto progress = progress_bar("skips");
     const std::vector<SkipCase> cases = effect::skip_cases(device, passes, extent);
+    const std::vector<effect::SkipShare> shares = effect::skip_shares(device, passes, extent);
+    const auto total = static_cast<double>(cases.size() + shares.size());
     std::vector<Row> rows;
     for (const SkipCase& skip_case : cases) {
         rows.push_back({skip_case, effect::skip_times(device, passes, skip_case, options.rounds)});
-        progress(static_cast<double>(rows.size()) / static_cast<double>(cases.size()));
+        progress(static_cast<double>(rows.size()) / total);
     }
-    fmt::print("{}, {} x {} pixels\n\n{}", device.info().name, extent.width, extent.height, table_of(rows));
+    std::vector<ShareRow> share_rows;
+    for (const effect::SkipShare& share : shares) {
+        share_rows.push_back({share, effect::skip_pair(device, passes, share.skip_case, options.rounds)});
+        progress(static_cast<double>(rows.size() + share_rows.size()) / total);
+    }
+    fmt::print("{}, {} x {} pixels\n\n{}\n{}", device.info().name, extent.width, extent.height,
+               table_of(rows), table_of(share_rows));
     ordered_json document{{"device", device.info().name}, {"width", extent.width}, {"height", extent.height}};
     document["cases"] = ordered_json::array();
     for (const Row& row : rows) document["cases"].push_back(json_of(row));
+    document["shares"] = ordered_json::array();
+    for (const ShareRow& row : share_rows) document["shares"].push_back(json_of(row));
     json.write(document.dump(2) + "\n");
     const auto messages = device.take_validation_messages();
     for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace gloam::effect {
+
+// A bare floor that fills the view of a camera that walks over it.
+[[nodiscard]] scene::Scene skip_floor();
+
+}  // namespace gloam::effect

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/skip_shares.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "effect/presets.hpp"
+#include "effect/study/skip_floor.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr int frames = 8;
+constexpr double roughness = 0.01;  // of the depth
+
+// Targets.
+constexpr double nothing_to_skip = 1.03;
+constexpr double mostly_sky = 0.25;
+constexpr double open_floor = 0.35;
+constexpr double all_settled = 0.1;
+
+// A number of [-1, 1) that looks random.
+double noise(std::uint32_t x, std::uint32_t y) {
+    std::uint32_t bits = x * 0x9E3779B1U ^ y * 0x85EBCA77U;
+    bits = (bits ^ bits >> 15U) * 0x2C1B3C6DU;
+    bits = (bits ^ bits >> 12U) * 0x297A2D39U;
+    return static_cast<double>(bits >> 8U) / 8388608.0 - 1.0;
+}
+
+// Roughens the columns from that part of the width on.
+void roughen(scene::GBuffer& view, double from) {
+    const auto first = static_cast<std::uint32_t>(std::lround(from * view.extent.width));
+    for (std::uint32_t y = 0; y < view.extent.height; ++y) {
+        for (std::uint32_t x = first; x < view.extent.width; ++x)
+            view.depth[std::size_t{y} * view.extent.width + x] *=
+                static_cast<float>(1.0 + roughness * noise(x, y));
+    }
+}
+
+// Leaves nothing in the columns up to that part of the width.
+void clear(scene::GBuffer& view, double until) {
+    const auto end = static_cast<std::uint32_t>(std::lround(until * view.extent.width));
+    for (std::uint32_t y = 0; y < view.extent.height; ++y) {
+        for (std::uint32_t x = 0; x < end; ++x) {
+            const std::size_t pixel = std::size_t{y} * view.extent.width + x;
+            view.depth[pixel] = std::numeric_limits<float>::infinity();
+            view.normal[pixel] = {};
+        }
+    }
+}
+
+class Shares {
+  public:
+    Shares(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent) {
+        const scene::Scene floor = skip_floor();
+        settings_ = with_radius(preset_named("paper").settings, static_cast<float>(floor.ao_radius));
+        settings_.skip_background = settings_.skip_open = settings_.skip_settled = settings_.skip_filtered =
+            true;
+        for (int i = 0; i < frames; ++i)
+            floor_.push_back(scene::rasterize(device, passes, floor, extent, {.frame = i}));
+    }
+
+    [[nodiscard]] SkipShare background(double share) const {
+        SkipShare made{.share = share,
+                       .skip_case = {.name = "background", .views = floor_, .settings = settings_}};
+        for (scene::GBuffer& view : made.skip_case.views) {
+            roughen(view, 0.0);
+            clear(view, share);
+        }
+        return made;
+    }
+
+    [[nodiscard]] SkipShare open(double share) const {
+        SkipShare made{.share = share, .skip_case = {.name = "open", .views = floor_, .settings = settings_}};
+        for (scene::GBuffer& view : made.skip_case.views) roughen(view, share);
+        return made;
+    }
+
+    // The rest comes into view where there was nothing, when what is there has settled.
+    [[nodiscard]] SkipShare settled(double share) const {
+        scene::GBuffer whole = floor_.front();
+        roughen(whole, 0.0);
+        whole.camera.previous_from_current = glm::mat4(1.0F);
+        scene::GBuffer part = whole;
+        clear(part, 1.0 - share);
+        SkipShare made{
+            .share = share,
+            .skip_case = {
+                .name = "settled", .views = {part, whole}, .warm = 36, .after = 3, .settings = settings_}};
+        made.skip_case.settings.freeze = true;
+        return made;
+    }
+
+  private:
+    std::vector<scene::GBuffer> floor_;
+    Settings settings_;
+};
+
+}  // namespace
+
+std::vector<SkipShare> skip_shares(const gpu::Device& device, const scene::PassLibrary& passes,
+                                   gpu::Extent extent) {
+    const Shares shares(device, passes, extent);
+    std::vector<SkipShare> made;
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 0.9}) made.push_back(shares.background(share));
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) made.push_back(shares.open(share));
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) made.push_back(shares.settled(share));
+    made[0].skip_case.target = nothing_to_skip;
+    made[3].skip_case.target = made[4].skip_case.target = mostly_sky;
+    made[8].skip_case.target = open_floor;
+    made[12].skip_case.target = all_settled;
+    return made;
+}
+
+}  // namespace gloam::effect

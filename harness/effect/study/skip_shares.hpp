@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "effect/study/skip_study.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::effect {
+
+// Views of which a part can be left out for one reason: of a rough floor, where nothing else can, that part
+// of the image is background, smooth, or has settled.
+struct SkipShare {
+    double share = 0.0;  // of the image, 0 to 1
+    SkipCase skip_case;
+};
+
+// For each reason shares up to 0.9 or 1. Throws like scene::rasterize().
+[[nodiscard]] std::vector<SkipShare> skip_shares(const gpu::Device& device, const scene::PassLibrary& passes,
+                                                 gpu::Extent extent);
+
+}  // namespace gloam::effect
