@@ -83,8 +83,9 @@ TEST(Pack, APresetBringsItsSettings) {
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr("gloam_gtao_add"));
     EXPECT_THAT(result.out, HasSubstr("//   steps = 3\n"));
-    EXPECT_THAT(run_command({"pack", "--method", "disc", "--preset", "balanced"}).out,
-                HasSubstr("//   samples = 8\n"));
+    const CommandResult other = run_command({"pack", "--method", "disc", "--preset", "balanced"});
+    EXPECT_THAT(other.out, HasSubstr("//   samples = 8\n"));
+    EXPECT_THAT(other.out, HasSubstr("//   method = disc\n"));
 }
 
 TEST(Pack, BadInputIsNamed) {

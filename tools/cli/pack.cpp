@@ -48,8 +48,9 @@ void put_packed(const report::OutputFile& out, const PackOptions& options, const
 }
 
 // The settings that the pass is given, by the names that `gloam list settings` explains.
-std::string settings_comment(const std::string& preset) {
-    const effect::Settings settings = effect::preset_named(preset).settings;
+std::string settings_comment(const std::string& preset, const std::string& method) {
+    effect::Settings settings = effect::preset_named(preset).settings;
+    if (method != settings.method) settings = with_method(settings, method);
     std::string text = fmt::format("// The preset {}, lengths for a radius of 1:\n", preset);
     for (const effect::Setting& setting : effect::setting_table())
         text += fmt::format("//   {} = {}\n", setting.name, effect::text_of(setting.get(settings)));
@@ -71,7 +72,7 @@ void pack_pass(const PackOptions& options) {
     const scene::PassLibrary passes(glsl_directory());
     std::string text =
         passes.text("ambient_occlusion.comp", {}, {{"methods/hemisphere.glsl", "methods/" + name + ".glsl"}});
-    if (!options.preset.empty()) text += "\n" + settings_comment(options.preset);
+    if (!options.preset.empty()) text += "\n" + settings_comment(options.preset, name);
     (void)shader::compile({.name = "packed text", .text = text}, {.stage = shader::Stage::compute});
     put_packed(out, options, text);
 }

@@ -48,9 +48,9 @@ constexpr const char* explanation = R"(
 constexpr const char* presets_introduction = R"(
 ## The presets
 
-Measured as they are, `fast`, `balanced` and `reference` chosen from what lay on the front of temporal runs: for a time, a middle and an
-error. As single frames, without the history that they count on, they lie behind it. `fast` is held against single frames in
-[temporal.md](temporal.md).
+Measured as they are. `fast`, `balanced` and `reference` are points of the front of temporal runs: for a time, a middle and an error. `paper`
+and `moving` are the TSSAO paper's settings, and those with a shorter memory ([temporal.md](temporal.md), which holds `fast` against single
+frames as well).
 
 )";
 
