@@ -76,8 +76,8 @@ std::string table_of(const std::vector<ShareRow>& rows) {
             "| {} | {:.0f} % | {:.0f} % | {:.0f} % | {:.0f} % | {:.0f} % | {:.1f} | {:.1f} | {:.2f} | {} |\n",
             made.skip_case.name, 100.0 * made.share, percent(t.work.tiles_blank, t.work),
             percent(t.work.tiles_open, t.work), percent(t.work.tiles_settled, t.work),
-            percent(t.work.tiles_unfiltered, t.work), t.without / t.copy, t.with / t.copy,
-            t.with / t.without, verdict(t.with / t.without, made.skip_case.target));
+            percent(t.work.tiles_unfiltered, t.work), t.without / t.copy, t.with / t.copy, t.with / t.without,
+            verdict(t.with / t.without, made.skip_case.target));
     }
     return text;
 }
