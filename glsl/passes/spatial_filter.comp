@@ -43,7 +43,7 @@ layout(push_constant) uniform Parameters {
 
 // Of the image, (1, 0) or (0, 1).
 ivec2 filter_axis() {
-    // By components: Mesa 22.3 folds a choice between constant vectors wrongly.
+    // By components: of whole vectors (OpSpecConstantOp Select with one condition) the choice came out wrong on lavapipe, Mesa 22.3.
     return ivec2(along_y ? 0 : 1, along_y ? 1 : 0);
 }
 

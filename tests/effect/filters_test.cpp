@@ -22,7 +22,11 @@
 #include "numeric/random.hpp"
 #include "on_device.hpp"
 #include "reference/filter/bilateral.hpp"
+#include "reference/filter/convergence_filter.hpp"
+#include "reference/filter/gaussian.hpp"
 #include "reference/filter/geometry_blur.hpp"
+#include "reference/geometry/camera.hpp"
+#include "reference/temporal/convergence.hpp"
 #include "scene/corner.hpp"
 #include "scene/rasterize.hpp"
 
@@ -229,6 +233,30 @@ TEST_P(BilateralFilter, IsItsReference) {
 }
 
 INSTANTIATE_TEST_SUITE_P(The, BilateralFilter, testing::Values("bilateral"));
+
+class ConvergenceFilter : public Filters {};
+
+TEST_P(ConvergenceFilter, IsItsReference) {
+    const Field field = random_field({21, 13}, 0.3F);
+    const Parameters parameters;
+    const double converged = reference::gloam_convergence(50.0, double{parameters.weight_max});
+    const reference::GloamCamera<double> camera{{1.0, -1.0}, field.size, false};
+    const std::vector<float> expected =
+        by_reference(field, [&](const Field& f, glm::ivec2 pixel, glm::ivec2 axis) {
+            const double sigma =
+                reference::gloam_filter_sigma(double{f.depth[f.at(pixel)]}, 1.0,
+                                              static_cast<double>(f.size.y), double{parameters.sigma_pixels});
+            return reference::gloam_convergence_filter<double>(
+                pixel, axis, f.size, parameters.half_width, double{parameters.c_adaptive}, sigma,
+                [&](glm::ivec2 p) { return glm::dvec2(double{f.occlusion[f.at(p)]}, converged); },
+                [&](glm::ivec2 p) {
+                    return reference::gloam_camera_position(p, double{f.depth[f.at(p)]}, camera);
+                });
+        });
+    EXPECT_THAT(filtered(field, parameters), testing::Pointwise(testing::FloatNear(1e-5F), expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(The, ConvergenceFilter, testing::Values("convergence"));
 
 class SaoFilter : public Filters {};
 
