@@ -62,9 +62,10 @@ struct AmbientOcclusion::Impl {
     Settings settings;
     bool begun = false;
     bool reconstruct_normals = false;
-    bool moved = false;            // the history has not followed the last view yet
-    bool shown = false;            // the last view has had a frame
-    bool open_known = false;       // which tiles of the last view are open
+    bool moved = false;       // the history has not followed the last view yet
+    bool shown = false;       // the last view has had a frame
+    bool open_known = false;  // which tiles of the last view are open
+    OpenSearch open_search;
     bool second_is_after = false;  // of the two images of the history, which are swapped
     gpu::Image nothing;            // for bindings that are not read
     gpu::Buffer method;            // MethodParameters
@@ -224,7 +225,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
 // where what they read may lie beyond their reach.
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
     const bool probes = program().moving_objects && settings.invalidation != Invalidation::none;
-    return settings.skip_open && settings.layers == 1 && !settings.reject_taps &&
+    return settings.skip_open && open_search.due() && settings.layers == 1 && !settings.reject_taps &&
            !(settings.mip_distance > 0.0F) && method_named(settings.method).open_proof != OpenProof::none &&
            !view.camera.orthographic() && !probes;
 }
@@ -258,6 +259,7 @@ void AmbientOcclusion::Impl::append_open(std::vector<Step>& passes) {
                       {images->depth, images->normal, tiles.bounds(), tiles.open()},
                       bytes_of(open_constants),
                       over_blocks(0)});
+    open_known = true;
 }
 
 void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
@@ -355,6 +357,7 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
     impl.take(view);
     impl.moved = false;
     impl.samples.restart();
+    impl.open_search.restart();
     impl.images->tile_selection.forget();
     impl.images->before.upload(std::vector<float>(4 * pixels_of(impl.view.extent), 0.0F));
     impl.begun = true;
@@ -384,7 +387,7 @@ Frame AmbientOcclusion::next(int repeat) {
     frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);
     impl.reconstruct_normals = false;
-    impl.open_known = impl.open_known || impl.finds_open_tiles();
+    impl.open_search.advance(impl.finds_open_tiles(), impl.images->tile_selection.counts());
     impl.moved = false;
     impl.shown = true;
     impl.samples.advance();

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <string>
@@ -282,6 +283,26 @@ TEST_F(Skips, SurfacesReadFromTheDepthChainMayLieBeyondTheRadius) {
     EXPECT_GT(expect_same(stays, settings).front().work.tiles_open, 0U);
     settings.mip_distance = 4.0F;
     EXPECT_EQ(expect_same(stays, settings).front().work.tiles_open, 0U);
+}
+
+bool searched(const Frame& frame) {
+    return std::ranges::any_of(frame.times, [](const PassTime& time) { return time.pass == "open_tiles"; });
+}
+
+TEST_F(Skips, FewOpenTilesAreNotSoughtInEveryFrame) {
+    Settings settings = settings_for("grass");
+    settings.samples = settings.samples_converged = 8;
+    settings.invalidation = Invalidation::none;
+    std::vector<Stay> grass;
+    std::vector<Stay> floor;
+    for (int i = 0; i < 10; ++i) {
+        grass.push_back({view("grass", i)});
+        floor.push_back({floor_view(odd, 0.0F)});
+        floor.back().view.camera.previous_from_current = glm::mat4(1.0F);
+    }
+    const std::vector<Frame> without = run(grass, settings);
+    for (std::size_t i = 0; i < without.size(); ++i) EXPECT_EQ(searched(without[i]), i % 8 == 0) << i;
+    EXPECT_TRUE(std::ranges::all_of(run(floor, quick(Settings{})), searched));
 }
 
 TEST_F(Skips, OpenTilesOfScenes) {
