@@ -21,7 +21,7 @@
 //               none; read when layers is more than 1
 //   9  buffer   lists of tiles; read when listed is set
 //  10  buffer   the tiles' states of this frame; STATE_SETTLED and STATE_UNFILTERED are added when listed is set
-//  11  r32f     written when shows is set: occlusion, as the filter leaves it where all has converged
+//  11  r32f     written when shows is set, in tiles that the filter leaves as they are: occlusion
 //  12  rgba32f  what the samples share (samples/table.glsl); read when GLOAM_SAMPLE_TABLE is defined
 #ifdef GLOAM_HISTORY
 #define HISTORY_ROUNDS true
@@ -270,21 +270,16 @@ GloamHistory shade(ivec2 pixel) {
     return sampled(pixel, depth);
 }
 
-// What the filter shows of the pixel, should it leave the tile alone.
-// history: as the history's image holds it.
-void show(ivec2 pixel, vec4 history) {
-    imageStore(shown_image, pixel, vec4(history.x));
-    float convergence = gloam_convergence(history.y, parameters.weight_max);
-    bool filtered = !gloam_is_background(history.w) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
-    pixel_tally += filtered ? ONE_FILTERED : 0u;
-}
-
-void store(ivec2 pixel, GloamHistory after) {
+// Stores the pixel's history. Returns what the filter shows of it, should it leave the tile alone.
+float store(ivec2 pixel, GloamHistory after) {
     vec4 texel = gloam_history_pack(after);
     imageStore(history_after, pixel, texel);
-    if (!shows) return;
+    if (!shows) return 0.0;
     if (HISTORY_ROUNDS) texel.xy = imageLoad(history_after, pixel).xy;
-    show(pixel, texel);
+    float convergence = gloam_convergence(texel.y, parameters.weight_max);
+    bool filtered = !gloam_is_background(texel.w) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
+    pixel_tally += filtered ? ONE_FILTERED : 0u;
+    return texel.x;
 }
 
 // Pixels of a tile that are shaded: inside the image, and inside the guard band unless that is shaded as well.
@@ -317,13 +312,14 @@ void main() {
         barrier();
     }
     ivec2 pixel = pixel_of(entry);
-    if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) {
-        store(pixel, shade(pixel));
-    }
+    bool inside = pixel.x < parameters.size.x && pixel.y < parameters.size.y;
+    float shown = inside ? store(pixel, shade(pixel)) : 0.0;
     if (count_work || listed) {
         if (tally > 0u) atomicAdd(counted, tally);
         if (pixel_tally > 0u) atomicAdd(counted_pixels, pixel_tally);
         barrier();
+        // The filter writes all pixels of the other tiles.
+        if (shows && inside && counted_pixels < ONE_FILTERED) imageStore(shown_image, pixel, vec4(shown));
         uvec2 tile = tile_of(entry);
         uvec2 tiles = tiles_of(parameters.size);
         if (gl_LocalInvocationIndex == 0u && tile.x < tiles.x && tile.y < tiles.y) report(tile);
