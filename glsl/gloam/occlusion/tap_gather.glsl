@@ -43,16 +43,11 @@ float gloam_tap_at(vec3 position, vec3 normal, ivec2 at, GloamCamera camera, Glo
     return occlusion;
 }
 
-#ifndef GLOAM_TAP
-#define GLOAM_TAP gloam_full_image_tap
 // Contribution of a tap: what the depth chain has at its place, read in the full image. A method that reads the chain in an image of its own
 // declares a function with these parameters and defines GLOAM_TAP as its name, before it includes this file.
-// position, normal: as above. aimed: where the tap lies. pixel: of the shaded point. Both inside the image.
-float gloam_full_image_tap(vec3 position, vec3 normal, ivec2 aimed, ivec2 pixel, GloamCamera camera, GloamKernel kernel,
-                           GloamMethod method) {
-    ivec2 at = gloam_tap_pixel(aimed, pixel, camera.size, method.mip_distance);
-    return gloam_tap_at(position, normal, at, camera, kernel, method);
-}
+// p, n: position and normal, as above. aimed: where the tap lies. pixel: of the shaded point, both inside the image. k, m: kernel and method.
+#ifndef GLOAM_TAP
+#define GLOAM_TAP(p, n, aimed, pixel, camera, k, m) gloam_tap_at(p, n, gloam_tap_pixel(aimed, pixel, camera.size, m.mip_distance), camera, k, m)
 #endif
 
 // All samples of one pixel in one frame.
