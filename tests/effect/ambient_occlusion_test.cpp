@@ -28,7 +28,7 @@ constexpr float inf = std::numeric_limits<float>::infinity();
 class Effect : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1) const {
-        AmbientOcclusion effect(device_, passes_, view.extent);
+        AmbientOcclusion& effect = effect_for(view.extent);
         effect.begin(view, settings);
         Frame frame = effect.next();
         for (int i = 1; i < frames; ++i) frame = effect.next();

@@ -24,7 +24,7 @@ class Layers : public OnDevice<testing::Test> {
 
     [[nodiscard]] std::vector<float> occlusion(const scene::GBuffer& view, const Settings& settings,
                                                int frames = 2) const {
-        AmbientOcclusion effect(device_, passes_, view.extent);
+        AmbientOcclusion& effect = effect_for(view.extent);
         effect.begin(view, settings);
         Frame frame = effect.next();
         for (int i = 1; i < frames; ++i) frame = effect.next();

@@ -4,9 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <string>
+#include <utility>
 
+#include "effect/ambient_occlusion.hpp"
 #include "gpu/device.hpp"
 #include "scene/pass_library.hpp"
 
@@ -29,6 +33,16 @@ class OnDevice : public Base {
                          .validation = gpu::Validation::on,
                          .cache_directory = variable("GLOAM_CACHE_DIR")}};
     scene::PassLibrary passes_{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};
+
+    // One for each size, so that pipelines are compiled once; begin() leaves no trace of what it held before
+    // (configuration_study_test.cpp).
+    [[nodiscard]] AmbientOcclusion& effect_for(gpu::Extent extent) const {
+        return effects_.try_emplace(std::pair(extent.width, extent.height), device_, passes_, extent)
+            .first->second;
+    }
+
+  private:
+    mutable std::map<std::pair<std::uint32_t, std::uint32_t>, AmbientOcclusion> effects_;
 };
 
 }  // namespace gloam::effect

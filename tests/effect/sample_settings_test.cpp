@@ -20,7 +20,7 @@ class SampleSettings : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] Frame frame_of(const Settings& settings, int frames = 1) const {
         const scene::GBuffer view = scene::rasterize(device_, passes_, scene_, {96, 64});
-        AmbientOcclusion effect(device_, passes_, view.extent);
+        AmbientOcclusion& effect = effect_for(view.extent);
         effect.begin(view, settings);
         Frame frame = effect.next();
         for (int i = 1; i < frames; ++i) frame = effect.next();

@@ -211,7 +211,6 @@ class EverySetting : public OnDevice<testing::Test> {
 
   private:
     [[nodiscard]] std::vector<float> render(const Settings& settings) const {
-        std::optional<AmbientOcclusion> effect;
         std::vector<float> image;
         for (int i = 0; i < 5; ++i) {
             const scene::GBuffer view = scene::rasterize(device_, passes_, scene_, {72, 48},
@@ -219,9 +218,9 @@ class EverySetting : public OnDevice<testing::Test> {
                                                           .motion = true,
                                                           .layers = static_cast<int>(settings.layers),
                                                           .guard = double{settings.guard}});
-            if (i == 0) effect.emplace(device_, passes_, view.extent);
-            i == 0 ? effect->begin(view, settings) : effect->advance(view);
-            image = effect->next().filtered;
+            AmbientOcclusion& effect = effect_for(view.extent);
+            i == 0 ? effect.begin(view, settings) : effect.advance(view);
+            image = effect.next().filtered;
         }
         return image;
     }

@@ -64,7 +64,7 @@ class Skips : public OnDevice<testing::Test> {
 
     // All frames of all stays. The images have held something else before.
     [[nodiscard]] std::vector<Frame> run(const std::vector<Stay>& stays, const Settings& settings) const {
-        AmbientOcclusion effect(device_, passes_, stays.front().view.extent);
+        AmbientOcclusion& effect = effect_for(stays.front().view.extent);
         scene::GBuffer dirt = stays.front().view;
         dirt.depth.assign(dirt.depth.size(), 2.0F);
         effect.begin(dirt, settings);
