@@ -116,9 +116,9 @@ void append_refusals(const Context& context, Rows& rows) {
 }
 
 // Radii at the ends of what is accepted: nothing is promised of the occlusion but its range.
-void append_radii(const Context& context, Rows& rows) {
+void append_radii(effect::AmbientOcclusion& effect, Rows& rows) {
     constexpr Size size{17, 13};
-    effect::AmbientOcclusion effect(context.lab.device(), context.passes, size);
+    effect.advance(plane(size));
     for (const float r : {2e-18F, 1e-6F, 3.0F, 1e6F, 1e18F}) {
         std::size_t wrong = 0;
         for (const effect::MethodInfo& method : effect::methods()) {
@@ -134,9 +134,9 @@ void append_radii(const Context& context, Rows& rows) {
 }
 
 // A plane loses no sample: each of them must be counted.
-void append_counts(const Context& context, Rows& rows) {
+void append_counts(effect::AmbientOcclusion& effect, Rows& rows) {
     constexpr Size size{3, 1};
-    effect::AmbientOcclusion effect(context.lab.device(), context.passes, size);
+    effect.advance(plane(size));
     for (const std::uint32_t samples : {1U, 2U, 31U, 33U, 1024U, effect::most_samples}) {
         double missing = 0.0;
         for (const effect::MethodInfo& method : effect::methods()) {
@@ -171,12 +171,18 @@ void append_highest_points(const Context& context, Rows& rows) {
         rows.push_back(highest_points(Gather(context.lab, gather_file(method), gather_function), method));
 }
 
-}  // namespace
+// Its pipelines are compiled once for all sizes: advance() takes views of another size.
+effect::AmbientOcclusion begun(const Context& context) {
+    constexpr Size size{1, 1};
+    effect::AmbientOcclusion effect(context.lab.device(), context.passes, size);
+    effect.begin(plane(size), settings_for(effect::methods().front()));
+    return effect;
+}
 
-Row one_size(const Context& context, Size size) {
+Row row_of(const Context& context, effect::AmbientOcclusion& effect, Size size) {
     context.progress(fmt::format("{}: {} x {}", name, size.width, size.height));
     const bool once = context.extent == Extent::brief && pixels_of(size) > 1000;
-    effect::AmbientOcclusion effect(context.lab.device(), context.passes, size);
+    effect.advance(plane(size));
     std::size_t wrong = 0;
     for (const effect::MethodInfo& method : effect::methods()) {
         for (const bool normals : {true, false}) {
@@ -193,12 +199,20 @@ Row one_size(const Context& context, Size size) {
             static_cast<double>(wrong), 0.0};
 }
 
+}  // namespace
+
+Row one_size(const Context& context, Size size) {
+    effect::AmbientOcclusion effect = begun(context);
+    return row_of(context, effect, size);
+}
+
 Rows shapes(const Context& context) {
     Rows rows;
-    for (const Size size : sizes(context)) rows.push_back(one_size(context, size));
+    effect::AmbientOcclusion effect = begun(context);
+    for (const Size size : sizes(context)) rows.push_back(row_of(context, effect, size));
     append_refusals(context, rows);
-    append_radii(context, rows);
-    append_counts(context, rows);
+    append_radii(effect, rows);
+    append_counts(effect, rows);
     append_highest_points(context, rows);
     return rows;
 }

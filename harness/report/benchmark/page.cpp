@@ -23,7 +23,7 @@ writes this page; other devices rank methods otherwise, so measure on yours. The
     tools/run bench --framework --json framework.json
     tools/run bench --from results/results.json scaling.json framework.json --report docs/benchmark.md
 
-which takes 20 minutes on two cores; `--resume` goes on where the first was interrupted. Results can be asked and compared:
+which takes ten minutes on two cores; `--resume` goes on where the first was interrupted. Results can be asked and compared:
 
     tools/run bench --from results/results.json --budget 40copies --error 0.05
     tools/run bench --compare OLD.json NEW.json
