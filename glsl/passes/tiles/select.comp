@@ -13,15 +13,12 @@
 //   5  buffer  what the tiles took in the last frame, as ambient_occlusion.comp writes it: the samples of settled tiles become 0
 layout(local_size_x = 8, local_size_y = 8) in;
 
-#include "list.glsl"
+#define GLOAM_LIST_BINDING 3
+#include "append.glsl"
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, std430) readonly buffer StatesBefore { uint states_before[]; };
 layout(binding = 2, std430) writeonly buffer StatesAfter { uint states_after[]; };
-layout(binding = 3, std430) buffer TileLists {
-    TileList tile_lists[TILE_LISTS];
-    uint listed_tiles[];
-};
 layout(binding = 4, std430) readonly buffer OpenTiles { uint open_tile[]; };
 layout(binding = 5, std430) buffer Work { uvec4 work[]; };
 
@@ -46,13 +43,6 @@ bool without_geometry(uvec2 tile) {
     return true;
 }
 
-void append(uint list, uvec2 tile, uint tiles) {
-    uint position = atomicAdd(tile_lists[list].tiles, 1u);
-    atomicMax(tile_lists[list].columns, min(position + 1u, LIST_COLUMNS));
-    atomicMax(tile_lists[list].rows, position / LIST_COLUMNS + 1u);
-    listed_tiles[list * tiles + position] = entry_of(tile);
-}
-
 void main() {
     uvec2 tiles = tiles_of(parameters.size);
     uvec2 at = gl_GlobalInvocationID.xy;
@@ -72,8 +62,8 @@ void main() {
         states_after[tile] = kept | STATE_SETTLED | (before & STATE_UNFILTERED);
         work[tile].x = 0u;
     } else {
-        append(SHADED_TILES, at, tiles.x * tiles.y);
-        if (parameters.open_tiles != 0u) append(open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES, at, tiles.x * tiles.y);
+        append(SHADED_TILES, at, tiles);
+        if (parameters.open_tiles != 0u) append(open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES, at, tiles);
         states_after[tile] = STATE_SHADED | (blank ? kept | written : 0u);
     }
 }

@@ -9,13 +9,10 @@
 //   1  buffer  the lists: the second and the third are filled
 layout(local_size_x = 8, local_size_y = 8) in;
 
-#include "list.glsl"
+#define GLOAM_LIST_BINDING 1
+#include "append.glsl"
 
 layout(binding = 0, std430) readonly buffer States { uint states[]; };
-layout(binding = 1, std430) buffer TileLists {
-    TileList tile_lists[TILE_LISTS];
-    uint listed_tiles[];
-};
 
 layout(push_constant) uniform Parameters {
     ivec2 size;   // of the images, pixels
@@ -34,13 +31,6 @@ bool any_around(ivec2 at, ivec2 around, uint mask, uint bits, ivec2 tiles) {
     return false;
 }
 
-void append(uint list, ivec2 at, ivec2 tiles) {
-    uint position = atomicAdd(tile_lists[list].tiles, 1u);
-    atomicMax(tile_lists[list].columns, min(position + 1u, LIST_COLUMNS));
-    atomicMax(tile_lists[list].rows, position / LIST_COLUMNS + 1u);
-    listed_tiles[list * uint(tiles.x * tiles.y) + position] = entry_of(uvec2(at));
-}
-
 void main() {
     ivec2 tiles = ivec2(tiles_of(parameters.size));
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
@@ -53,11 +43,11 @@ void main() {
     // Along x wherever it may be read: what is there was formed in a frame whose list was another.
     if (any_around(at, ivec2(0, around.y), filtered, 0u, tiles) &&
         any_around(at, ivec2(around.x, 2 * around.y), STATE_SHADED, STATE_SHADED, tiles)) {
-        append(FILTERED_X_TILES, at, tiles);
+        append(FILTERED_X_TILES, uvec2(at), uvec2(tiles));
     }
     if (!any_around(at, around, STATE_SHADED, STATE_SHADED, tiles)) return;
     if ((state & STATE_UNFILTERED) == 0u) {
-        append(FILTERED_Y_TILES, at, tiles);
+        append(FILTERED_Y_TILES, uvec2(at), uvec2(tiles));
     } else {
         atomicAdd(tile_lists[SKIPPED_TILES].tiles, 1u);
     }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_PASSES_TILES_APPEND_GLSL
+#define GLOAM_PASSES_TILES_APPEND_GLSL
+
+#include "list.glsl"
+
+// Lets a pass of one invocation a tile fill lists of tiles. Define GLOAM_LIST_BINDING as the binding of the lists, their counts 0 and
+// their `layers` 1 before the first pass that fills them.
+
+layout(binding = GLOAM_LIST_BINDING, std430) buffer TileLists {
+    TileList tile_lists[TILE_LISTS];
+    uint listed_tiles[];  // one list after the other, each with room for all tiles
+};
+
+// Puts a tile behind the others of a list.
+// tiles: of the image, along x and y.
+void append(uint list, uvec2 tile, uvec2 tiles) {
+    uint position = atomicAdd(tile_lists[list].tiles, 1u);
+    atomicMax(tile_lists[list].columns, min(position + 1u, LIST_COLUMNS));
+    atomicMax(tile_lists[list].rows, position / LIST_COLUMNS + 1u);
+    listed_tiles[list * tiles.x * tiles.y + position] = entry_of(tile);
+}
+
+#endif
