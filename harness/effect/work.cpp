@@ -21,6 +21,12 @@ Work summed(std::span<const TileWork> tiles) {
     return work;
 }
 
+double total_ms(const Frame& frame) {
+    double sum = 0.0;
+    for (const PassTime& time : frame.times) sum += time.ms;
+    return sum;
+}
+
 double median(std::span<const double> values) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
     std::vector<double> sorted(values.begin(), values.end());

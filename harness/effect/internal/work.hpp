@@ -19,6 +19,9 @@ struct TileWork {
 // Sums of all tiles; Work::converged stays 0.
 [[nodiscard]] Work summed(std::span<const TileWork> tiles);
 
+// Of all passes. NaN where the device has no clock.
+[[nodiscard]] double total_ms(const Frame& frame);
+
 // The median; the mean of the middle two of an even number. NaN for none.
 [[nodiscard]] double median(std::span<const double> values);
 

@@ -8,14 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "effect/internal/work.hpp"
+
 namespace gloam::effect {
 namespace {
-
-double total_of(const Frame& frame) {
-    double sum = 0.0;
-    for (const PassTime& time : frame.times) sum += time.ms;
-    return sum;
-}
 
 double gather_of(const Frame& frame) {
     double sum = 0.0;
@@ -84,10 +80,10 @@ class Bars {
         frames[2] = single(fast_, settings_.fast, number);
         if (!run_first) frames[0] = advanced(number);
         sum_.readings.push_back(
-            {total_of(frames[0]), gather_of(frames[0]), total_of(frames[2]), gather_of(frames[2])});
+            {total_ms(frames[0]), gather_of(frames[0]), total_ms(frames[2]), gather_of(frames[2])});
         if (!judged) return;
         frames[1] = single(exact_, settings_.exact, number);
-        sum_.exact_ms.push_back(total_of(frames[1]));
+        sum_.exact_ms.push_back(total_ms(frames[1]));
         judge(number, frames, before);
     }
 

@@ -13,12 +13,6 @@ constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, Pix
                                                             PixelClass::young, PixelClass::disoccluded,
                                                             PixelClass::near_moving};
 
-double total_ms(const Frame& frame) {
-    double sum = 0.0;
-    for (const PassTime& time : frame.times) sum += time.ms;
-    return sum;
-}
-
 // One variant on its way through the sequence.
 class Runner {
   public:

@@ -166,9 +166,7 @@ class Timer {
             effect_->advance(*views.second);
             frame = effect_->next();
         }
-        double sum = 0.0;
-        for (const PassTime& time : frame.times) sum += time.ms;
-        return sum;
+        return total_ms(frame);
     }
 
     const gpu::Device* device_;

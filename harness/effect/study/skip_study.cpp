@@ -12,12 +12,6 @@
 namespace gloam::effect {
 namespace {
 
-double time_of(const Frame& frame) {
-    double sum = 0.0;
-    for (const PassTime& time : frame.times) sum += time.ms;
-    return sum;
-}
-
 // One way to run a case, and how long its frames took.
 struct Contestant {
     Settings settings;
@@ -31,12 +25,12 @@ struct Contestant {
 void run_round(AmbientOcclusion& effect, const SkipCase& skip_case, Contestant& contestant) {
     const auto show = [&](bool timed) {
         const Frame frame = effect.next();
-        if (timed) contestant.times.push_back(time_of(frame));
+        if (timed) contestant.times.push_back(total_ms(frame));
         contestant.work = frame.work;
         contestant.passes = frame.times;
     };
     effect.begin(skip_case.views.front(), contestant.settings);
-    contestant.first_times.push_back(time_of(effect.next()));
+    contestant.first_times.push_back(total_ms(effect.next()));
     for (int i = 0; i < skip_case.warm; ++i) (void)effect.next();
     const bool still = skip_case.views.size() == 1 || skip_case.after > 0;
     for (std::size_t i = 1; i < skip_case.views.size(); ++i) {
