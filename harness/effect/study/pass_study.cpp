@@ -105,12 +105,11 @@ PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& pass
     Runner runner(device, passes, extent);
     CopyClock clock(device, passes, extent);
     PassStudy study;
-    for (const PassCase& what : pass_cases()) study.cases.push_back({what, {}, {}});
+    for (const PassCase& what : pass_cases()) study.cases.push_back({what, {}});
     std::vector<Rounds> times(study.cases.size());
     for (int round = 0; round <= rounds; ++round) {
         for (std::size_t i = 0; i < study.cases.size(); ++i) {
             Frame frame = runner.frame_of(study.cases[i].pass_case);
-            study.cases[i].work = frame.work;
             if (round > 0) times[i].push_back(std::move(frame.times));  // drivers compile in the first
         }
         study.copy_ms = clock.measure();

@@ -22,7 +22,6 @@ struct PassCase {
 struct PassTimes {
     PassCase pass_case;
     std::vector<PassTime> times;
-    Work work;
 };
 
 struct PassStudy {
@@ -31,7 +30,8 @@ struct PassStudy {
 };
 
 // A filter of 5 x 5 and one of 17 x 17 where nothing has converged, and where all has; a frame of a history
-// that takes no samples, and one of a view that has moved. Nothing is skipped but background.
+// that takes no samples, and one of a view that has moved. Settled tiles are not left out: what their passes
+// cost is what is timed.
 [[nodiscard]] std::vector<PassCase> pass_cases();
 
 // Times `rounds` frames of each case in the scene `columns`, the cases in turns, so that the machine's drift
