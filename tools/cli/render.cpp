@@ -12,6 +12,7 @@
 
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_directions.hpp"
 #include "cli/render_files.hpp"
@@ -68,9 +69,7 @@ class Renderer {
           input_(open_input(options)),
           truth_(options, input_),
           out_(checked_out(options)),
-          device_({.device = options.device,
-                   .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                   .cache_directory = cache_directory()}),
+          device_(open_device(options.device, options.validation)),
           passes_(glsl_directory(), cache_directory()),
           progress_(progress_bar(input_.name + ": frames")) {
         if (options.light) environment_ = environment_named(*options.light);
@@ -88,9 +87,7 @@ class Renderer {
         if (gbuffer_out_) gbuffer_out_->keep();
         out_.keep();
         fmt::print("{}pictures: {}\n", to_text(report_), (out_.path() / "*_ao.png").string());
-        const auto messages = device_.take_validation_messages();
-        for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
-        return messages.empty() ? 0 : 1;
+        return validation_status(device_);
     }
 
   private:

@@ -12,6 +12,7 @@
 #include "cli/bench/page_blocks.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_settings.hpp"
 #include "effect/presets.hpp"
@@ -68,9 +69,7 @@ class BarBench {
     }
 
     int run() {
-        gpu::Device device({.device = options_.device,
-                            .validation = options_.validation ? gpu::Validation::on : gpu::Validation::off,
-                            .cache_directory = cache_directory()});
+        gpu::Device device = open_device(options_.device, options_.validation);
         effect::require_timestamps(device.info());
         const scene::PassLibrary passes(glsl_directory(), cache_directory());
         BarReport report{.device = device.info(), .extent = frames_.extent};
@@ -80,10 +79,9 @@ class BarBench {
         fmt::print("{}", text);
         json_.write(to_json(report, options_));
         if (!options_.page.empty()) page_.write(with_blocks(old_page_, {{block_name, text}}));
-        const auto messages = device.take_validation_messages();
-        for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
+        const int messages = validation_status(device);
         const bool met = std::ranges::all_of(report.rows, &BarRow::met);
-        return messages.empty() && (met || !options_.fail_if_missed) ? 0 : 1;
+        return met || !options_.fail_if_missed ? messages : 1;
     }
 
   private:

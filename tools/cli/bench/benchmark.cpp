@@ -13,6 +13,7 @@
 #include "cli/bench/measure.hpp"
 #include "cli/bench/scaling.hpp"
 #include "cli/environment.hpp"
+#include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "report/benchmark/budget.hpp"
@@ -91,16 +92,13 @@ int run_benchmark(const BenchmarkOptions& options) {
         BenchmarkFiles files(options);
         return report_on(benchmark, options, files);
     }
-    gpu::Device device({.device = options.device,
-                        .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                        .cache_directory = cache_directory()});
+    gpu::Device device = open_device(options.device, options.validation);
     effect::require_timestamps(device.info());
     BenchmarkFiles files(options);
     files.keep_folder();
     const int status = report_on(measured(options, device), options, files);
-    const auto messages = device.take_validation_messages();
-    for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
-    return messages.empty() ? status : 1;
+    const int messages = validation_status(device);
+    return messages == 0 ? status : messages;
 }
 
 }  // namespace gloam::cli

@@ -12,6 +12,7 @@
 #include "cli/bench/methods_report.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "report/image.hpp"
 #include "report/output_file.hpp"
@@ -48,9 +49,7 @@ class MethodsBench {
           old_page_(options.page.empty() ? "" : read_page(options.page)),
           page_(options.page),
           json_(options.json),
-          device_({.device = options.device,
-                   .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                   .cache_directory = cache_directory()}),
+          device_(open_device(options.device, options.validation)),
           passes_(glsl_directory(), cache_directory()),
           cache_(cache_directory().empty() ? cache_directory() : cache_directory() / "truth") {
         if (!options.page.empty()) (void)with_blocks(old_page_, to_blocks(empty_report()));
@@ -68,9 +67,7 @@ class MethodsBench {
         if (out_) out_->keep();
         json_.write(to_json(report));
         if (!options_.page.empty()) page_.write(with_blocks(old_page_, blocks));
-        const auto messages = device_.take_validation_messages();
-        for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
-        return messages.empty() ? 0 : 1;
+        return validation_status(device_);
     }
 
   private:

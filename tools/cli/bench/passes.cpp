@@ -10,6 +10,7 @@
 #include "cli/bench/image_size.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/open_device.hpp"
 #include "effect/study/pass_study.hpp"
 #include "report/output_file.hpp"
 
@@ -45,9 +46,7 @@ ordered_json pass_json(const effect::PassStudy& study) {
 int run_bench_passes(const BenchPassesOptions& options) {
     const gpu::Extent extent = image_size(options.size);
     const report::OutputFile json(options.json);
-    gpu::Device device({.device = options.device,
-                        .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                        .cache_directory = cache_directory()});
+    gpu::Device device = open_device(options.device, options.validation);
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
     const effect::PassStudy study = effect::study_passes(device, passes, extent, options.rounds);
     fmt::print("{}, {} x {} pixels, a copy takes {:.3f} ms\n\n{}", device.info().name, extent.width,
@@ -58,9 +57,7 @@ int run_bench_passes(const BenchPassesOptions& options) {
                                 {"copy_ms", study.copy_ms},
                                 {"cases", pass_json(study)}};
     json.write(document.dump(2) + "\n");
-    const auto messages = device.take_validation_messages();
-    for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
-    return messages.empty() ? 0 : 1;
+    return validation_status(device);
 }
 
 void add_bench_passes(CLI::App& bench, int& status) {

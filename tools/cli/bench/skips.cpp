@@ -10,6 +10,7 @@
 #include "cli/bench/image_size.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "effect/study/skip_cases.hpp"
@@ -126,9 +127,7 @@ ordered_json json_of(const Row& row) {
 int run_bench_skips(const BenchSkipsOptions& options) {
     const gpu::Extent extent = image_size(options.size);
     const report::OutputFile json(options.json);
-    gpu::Device device({.device = options.device,
-                        .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                        .cache_directory = cache_directory()});
+    gpu::Device device = open_device(options.device, options.validation);
     effect::require_timestamps(device.info());
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
     const auto progress = progress_bar("skips");
@@ -153,9 +152,7 @@ int run_bench_skips(const BenchSkipsOptions& options) {
     document["shares"] = ordered_json::array();
     for (const ShareRow& row : share_rows) document["shares"].push_back(json_of(row));
     json.write(document.dump(2) + "\n");
-    const auto messages = device.take_validation_messages();
-    for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
-    return messages.empty() ? 0 : 1;
+    return validation_status(device);
 }
 
 void add_bench_skips(CLI::App& bench, int& status) {

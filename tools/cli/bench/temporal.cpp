@@ -11,6 +11,7 @@
 #include "cli/bench/temporal_report.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "effect/presets.hpp"
 #include "effect/study/limit.hpp"
@@ -42,9 +43,7 @@ class TemporalBench {
           scenes_(scenes_named(options.scenes)),
           preset_(preset_named(options.preset).settings),
           json_(options.json),
-          device_({.device = options.device,
-                   .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                   .cache_directory = cache_directory()}),
+          device_(open_device(options.device, options.validation)),
           passes_(glsl_directory(), cache_directory()),
           cache_(cache_directory().empty() ? cache_directory() : cache_directory() / "truth"),
           limit_(device_, passes_, extent_) {
@@ -64,9 +63,7 @@ class TemporalBench {
         }
         if (out_) out_->keep();
         json_.write(to_json(reports));
-        const auto messages = device_.take_validation_messages();
-        for (const std::string& message : messages) fmt::print(stderr, "gloam: {}\n", message);
-        return messages.empty() ? 0 : 1;
+        return validation_status(device_);
     }
 
   private:
