@@ -11,31 +11,36 @@ using namespace check;
 
 constexpr double above_pi = 3.1415928;
 
-void append_sincos(Entries& entries) {
-    constexpr const char* file = "gloam/numeric/sincos.glsl";
-    const Codomain codomain{-1.000001, 1.000001};
-    entries.push_back(equation<glm::vec2(float)>(
-        {.id = "SINCOS-octant",
-         .function = "gloam_sincos_octant",
-         .file = file,
-         .title = "cosine and sine of an eighth of a turn",
-         .formula = "(cos a, sin a)",
-         .source = "minimax polynomials"},
-        GLOAM_REFERENCE(gloam_sincos_octant),
-        {.domain = {uniform(-0.7853982, 0.7853982)}, .budget = {.absolute = 1e-7}, .codomain = codomain}));
+constexpr const char* sincos_file = "gloam/numeric/sincos.glsl";
+constexpr Codomain sincos_codomain{-1.000001, 1.000001};
+
+void append_sincos_parts(Entries& entries) {
+    entries.push_back(equation<glm::vec2(float)>({.id = "SINCOS-octant",
+                                                  .function = "gloam_sincos_octant",
+                                                  .file = sincos_file,
+                                                  .title = "cosine and sine of an eighth of a turn",
+                                                  .formula = "(cos a, sin a)",
+                                                  .source = "minimax polynomials"},
+                                                 GLOAM_REFERENCE(gloam_sincos_octant),
+                                                 {.domain = {uniform(-0.7853982, 0.7853982)},
+                                                  .budget = {.absolute = 1e-7},
+                                                  .codomain = sincos_codomain}));
     entries.push_back(equation<glm::vec2(glm::vec2, int)>(
         {.id = "QUARTER-TURN",
          .function = "gloam_quarter_turn",
-         .file = file,
+         .file = sincos_file,
          .title = "vector turned by quarters of a turn",
          .formula = "(x, y), (-y, x), (-x, -y), (y, -x)",
          .source = "definition"},
         GLOAM_REFERENCE(gloam_quarter_turn),
         {.domain = {vector(2, uniform(-1, 1)), integers(-9, 9).and_near_integers({2147483647})}}));
+}
+
+void append_sincos(Entries& entries) {
     entries.push_back(equation<glm::vec2(float)>(
         {.id = "SINCOS-turns",
          .function = "gloam_sincos_turns",
-         .file = file,
+         .file = sincos_file,
          .title = "cosine and sine of an angle in turns",
          .formula = "(cos 2 pi t, sin 2 pi t)",
          .source = "minimax polynomials after an exact reduction"},
@@ -44,11 +49,11 @@ void append_sincos(Entries& entries) {
                         .and_near({0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0, -0.125, -0.25, -1.0})
                         .and_special()},
          .budget = {.absolute = 2e-7},
-         .codomain = codomain}));
+         .codomain = sincos_codomain}));
     entries.push_back(
         equation<glm::vec2(float)>({.id = "SINCOS",
                                     .function = "gloam_sincos",
-                                    .file = file,
+                                    .file = sincos_file,
                                     .title = "cosine and sine of an angle in radians",
                                     .formula = "(cos a, sin a)",
                                     .source = "Cody and Waite 1980; minimax polynomials"},
@@ -58,7 +63,7 @@ void append_sincos(Entries& entries) {
                                                               6.28318531, 65536.0, -65536.0})
                                                    .and_special()},
                                     .budget = {.absolute = 2e-7},
-                                    .codomain = codomain}));
+                                    .codomain = sincos_codomain}));
 }
 
 void append_square_root(Entries& entries) {
@@ -157,6 +162,7 @@ void append_arc_tangents(Entries& entries) {
 }  // namespace
 
 void append_numeric(Entries& entries) {
+    append_sincos_parts(entries);
     append_sincos(entries);
     append_square_root(entries);
     append_arc_sines(entries);

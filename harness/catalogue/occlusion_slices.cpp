@@ -65,8 +65,9 @@ bool lies_in_slice(glm::dvec3 offset, const Slice& slice) {
     return x * x + y * y > 0.1;
 }
 
-void append_slices(Entries& entries) {
-    constexpr const char* file = "gloam/geometry/slice.glsl";
+constexpr const char* slice_file = "gloam/geometry/slice.glsl";
+
+void append_slice(Entries& entries) {
     using Make = Slice(glm::vec2, glm::vec3, glm::vec3);
     const Values view =
         made_by<glm::vec3>([](numeric::Random& random) {
@@ -77,7 +78,7 @@ void append_slices(Entries& entries) {
     entries.push_back(equation<Make>(
         {.id = "GTAO-slice",
          .function = "gloam_slice",
-         .file = file,
+         .file = slice_file,
          .title = "slice through the eye, and the normal in it",
          .formula = "t = d - (d . v) v, normalised; n = atan((N . t) / (N . v)), weight |(N . t, N . v)|",
          .source = gtao_source},
@@ -91,10 +92,13 @@ void append_slices(Entries& entries) {
              const double y = glm::dot(n, v);
              return glm::dot(across, across) > 0.1 && x * x + y * y > 0.1 && moderate(1e-9, 2, v, n);
          })}));
+}
+
+void append_slice_parts(Entries& entries) {
     entries.push_back(equation<float(Slice)>(
         {.id = "GTAO-slice-whole",
          .function = "gloam_slice_whole",
-         .file = file,
+         .file = slice_file,
          .title = "amount of an empty half plane",
          .formula = "cos n + n sin n",
          .source = gtao_source},
@@ -103,7 +107,7 @@ void append_slices(Entries& entries) {
     using Direction = glm::vec2(glm::vec3, Slice);
     entries.push_back(equation<Direction>({.id = "GTAO-slice-direction",
                                            .function = "gloam_slice_direction",
-                                           .file = file,
+                                           .file = slice_file,
                                            .title = "direction of a sample in a slice",
                                            .formula = "(v . view, v . t), normalised",
                                            .source = gtao_source},
@@ -179,6 +183,9 @@ void append_gtao_arcs(Entries& entries) {
                        .promised = make_predicate<Arc>([](double, const glm::dvec2& h, const glm::dvec2& n) {
                            return glm::dot(h, h) < 1.001 && glm::dot(n, n) < 1.001;
                        })}));
+}
+
+void append_gtao_sides(Entries& entries) {
     using Pair = float(float, float);
     entries.push_back(
         equation<Pair>({.id = "GTAO-arc-uniform",
@@ -342,9 +349,11 @@ void append_bitmask_back(Entries& entries) {
 }  // namespace
 
 void append_slice_methods(Entries& entries) {
-    append_slices(entries);
+    append_slice(entries);
+    append_slice_parts(entries);
     append_gtao_horizons(entries);
     append_gtao_arcs(entries);
+    append_gtao_sides(entries);
     append_gtao_sums(entries);
     append_bitmask_back(entries);
     append_fractions(entries);

@@ -21,6 +21,38 @@ Arguments tiny(const Arguments& more) {
     return arguments;
 }
 
+// A measured configuration, as --json has it.
+void expect_plausible(const json& row) {
+    EXPECT_GT(double{row.at("total_copies").at("median")}, 0.0);
+    EXPECT_GE(double{row.at("total_ms").at("median")}, double{row.at("gather_ms").at("median")});
+    EXPECT_GT(double{row.at("quality").at("rmse_geometry")}, 0.0);
+    EXPECT_LT(double{row.at("quality").at("rmse_geometry")}, 0.3);
+    const double taken = row.at("quality").at("samples_taken");
+    EXPECT_GT(taken, 0.0);
+    EXPECT_LE(taken, double{row.at("samples")} + 1e-9);  // fewer where nothing can block
+    EXPECT_GT(std::uint64_t{row.at("quality").at("memory_bytes")}, 64U * 36U * 4U * 10U);
+    EXPECT_EQ(std::size_t{row.at("readings")}, row.at("temporal") ? 2U : 1U);
+    EXPECT_EQ(row.at("quality").at("flicker").is_number(), bool{row.at("temporal")});
+}
+
+void expect_compared(const std::filesystem::path& file, const std::filesystem::path& second) {
+    const CommandResult comparison = run_command({"bench", "--compare", file.string(), second.string()});
+    expect_success(comparison);
+    EXPECT_THAT(comparison.out, HasSubstr("8 configurations in both"));
+    EXPECT_THAT(comparison.out, HasSubstr("error 1.000"));
+}
+
+void expect_answered(const std::filesystem::path& file) {
+    const CommandResult answered =
+        run_command({"bench", "--from", file.string(), "--budget", "1000000copies", "--error", "0.3"});
+    expect_success(answered);
+    EXPECT_THAT(answered.out, HasSubstr("within 1000000copies: "));
+    EXPECT_THAT(answered.out, HasSubstr("RMSE at most 0.3: "));
+    const CommandResult none = run_command({"bench", "--from", file.string(), "--error", "0.000001"});
+    EXPECT_EQ(none.status, 1);
+    EXPECT_THAT(none.out, HasSubstr("no configuration"));
+}
+
 TEST(Bench, MeasuresResumesAnswersAndCompares) {
     const TemporaryDirectory folder;
     const auto out = folder.path() / "out";
@@ -33,16 +65,7 @@ TEST(Bench, MeasuresResumesAnswersAndCompares) {
     ASSERT_EQ(results.size(), 8U);
     for (const json& row : results) {
         SCOPED_TRACE(row.dump());
-        EXPECT_GT(double{row.at("total_copies").at("median")}, 0.0);
-        EXPECT_GE(double{row.at("total_ms").at("median")}, double{row.at("gather_ms").at("median")});
-        EXPECT_GT(double{row.at("quality").at("rmse_geometry")}, 0.0);
-        EXPECT_LT(double{row.at("quality").at("rmse_geometry")}, 0.3);
-        const double taken = row.at("quality").at("samples_taken");
-        EXPECT_GT(taken, 0.0);
-        EXPECT_LE(taken, double{row.at("samples")} + 1e-9);  // fewer where nothing can block
-        EXPECT_GT(std::uint64_t{row.at("quality").at("memory_bytes")}, 64U * 36U * 4U * 10U);
-        EXPECT_EQ(std::size_t{row.at("readings")}, row.at("temporal") ? 2U : 1U);
-        EXPECT_EQ(row.at("quality").at("flicker").is_number(), bool{row.at("temporal")});
+        expect_plausible(row);
     }
     EXPECT_EQ(read_file(out / "results.json"), read_file(file));
     EXPECT_THAT(read_file(out / "moving.svg"), HasSubstr("<svg"));
@@ -60,19 +83,8 @@ TEST(Bench, MeasuresResumesAnswersAndCompares) {
     for (std::size_t i = 0; i < results.size(); ++i)
         EXPECT_EQ(again[i].at("quality"), results[i].at("quality"));  // the same to the bit
 
-    const CommandResult comparison = run_command({"bench", "--compare", file.string(), second.string()});
-    expect_success(comparison);
-    EXPECT_THAT(comparison.out, HasSubstr("8 configurations in both"));
-    EXPECT_THAT(comparison.out, HasSubstr("error 1.000"));
-
-    const CommandResult answered =
-        run_command({"bench", "--from", file.string(), "--budget", "1000000copies", "--error", "0.3"});
-    expect_success(answered);
-    EXPECT_THAT(answered.out, HasSubstr("within 1000000copies: "));
-    EXPECT_THAT(answered.out, HasSubstr("RMSE at most 0.3: "));
-    const CommandResult none = run_command({"bench", "--from", file.string(), "--error", "0.000001"});
-    EXPECT_EQ(none.status, 1);
-    EXPECT_THAT(none.out, HasSubstr("no configuration"));
+    expect_compared(file, second);
+    expect_answered(file);
 }
 
 // A result file changed by hand: errors that rise are found, and another device is no obstacle.
