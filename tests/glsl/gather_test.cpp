@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gathers.hpp"
 #include "support/lab.hpp"
 
 namespace gloam {
@@ -12,37 +13,15 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// As in gloam/geometry/camera.glsl and gloam/occlusion/gather_kernel.glsl.
-struct Camera {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    bool orthographic;
-};
-struct Samples {
-    float radius;
-    float bias;
-    float angle;
-    unsigned first;
-    unsigned count;
-};
-
-struct Method {
-    float range = 0.0F;
-    float epsilon = 0.0F;
-    float intensity = 1.0F;
-    float thickness = 1.0F;
-    float angle_bias = 0.0F;
-    float mip_distance = 0.0F;
-    unsigned steps = 1;
-    float disagreement = 0.05F;
-};
+using test::Camera;
+using test::Gather;
+using test::Method;
+using test::Samples;
 
 // Of a method that reads one length.
 Method of_length(float length) {
     return {.range = length, .epsilon = length};
 }
-
-using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Samples, Method);
 
 check::ImageSet depth_image(glm::ivec2 size, const std::function<float(glm::ivec2)>& depth) {
     return {{"gloam_fetch_depth", check::make_image<float>(size, depth)}};
