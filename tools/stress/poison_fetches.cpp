@@ -182,7 +182,7 @@ Rows poisoned_fetches(const Context& context) {
     const check::Lab& lab = context.lab;
     context.progress(fmt::format("{}: fetches", poison_name));
     Rows rows;
-    for (const effect::MethodInfo& method : effect::methods())
+    for (const effect::MethodInfo& method : methods_of(context))
         append_rows("method " + method.name, gathers(lab, method), rows);
     append_rows("gloam_normal_from_depth", normals(lab), rows);
     append_rows("gloam_convergence_filter", filters(lab), rows);

@@ -46,14 +46,15 @@ void put(scene::GBuffer& view, Target target, std::size_t pixel, float value) {
     }
 }
 
-// The passes on one device.
+// The passes on one device. What all methods share is compiled once.
 class Passes {
   public:
-    Passes(const gpu::Device& device, const scene::PassLibrary& library, const effect::MethodInfo& method)
-        : effect_(device, library, extent),
-          settings_(with_radius(with_method(effect::preset_named("paper").settings, method.name), radius)),
-          reads_normals_(method.reads_normals) {
+    Passes(const gpu::Device& device, const scene::PassLibrary& library) : effect_(device, library, extent) {}
+
+    void choose(const effect::MethodInfo& method) {
+        settings_ = with_radius(with_method(effect::preset_named("paper").settings, method.name), radius);
         settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
+        reads_normals_ = method.reads_normals;
     }
 
     // The second frame, whose history is that of the first.
@@ -79,7 +80,7 @@ class Passes {
   private:
     effect::AmbientOcclusion effect_;
     effect::Settings settings_;
-    bool reads_normals_;
+    bool reads_normals_ = false;
 };
 
 // What one place suffered, over all bad values.
@@ -106,12 +107,14 @@ std::size_t count_beyond(const Mask& mask, const Mask& allowed) {
 
 class Experiment {
   public:
-    Experiment(const Context& context, const gpu::Device& fragile, const effect::MethodInfo& method)
+    Experiment(const Context& context, const gpu::Device& fragile)
         : full_(context.extent == Extent::full),
-          robust_(context.lab.device(), context.passes, method),
-          fragile_(fragile, context.passes, method) {}
+          robust_(context.lab.device(), context.passes),
+          fragile_(fragile, context.passes) {}
 
-    [[nodiscard]] Damage run(const Place& place) {
+    [[nodiscard]] Damage run(const effect::MethodInfo& method, const Place& place) {
+        robust_.choose(method);
+        fragile_.choose(method);
         scene::GBuffer view = steps(extent);
         if (place.target == Target::depth_alone) view.normal.clear();
         const effect::Frame clean = robust_.run(view);
@@ -191,12 +194,12 @@ Rows poisoned_passes(const Context& context) {
                          .cache_directory = options.cache_directory,
                          .robust_buffer_access = false});
     Rows rows;
-    for (const effect::MethodInfo& method : effect::methods()) {
-        Experiment experiment(context, fragile, method);
+    Experiment experiment(context, fragile);
+    for (const effect::MethodInfo& method : methods_of(context)) {
         for (const Place& place : places(context.extent)) {
             const std::string varied = fmt::format("{}: {}", method.name, place.text);
             context.progress(fmt::format("{}: {}", poison_name, varied));
-            append_rows(varied, experiment.run(place), rows);
+            append_rows(varied, experiment.run(method, place), rows);
         }
     }
     require_silent(fragile);

@@ -11,6 +11,13 @@
 
 namespace gloam::stress {
 
+std::vector<effect::MethodInfo> methods_of(const Context& context) {
+    if (context.methods.empty()) return effect::methods();
+    std::vector<effect::MethodInfo> methods;
+    for (const std::string& name : context.methods) methods.push_back(effect::method_named(name));
+    return methods;
+}
+
 std::vector<Run> all_runs() {
     return {{"worst-inputs", "the input of each equation with the largest error, searched for", worst_inputs},
             {"long-run", "the history over very many frames, in float32 and float16", long_run},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "check/lab.hpp"
+#include "effect/methods.hpp"
 #include "scene/pass_library.hpp"
 #include "stress/row.hpp"
 
@@ -24,8 +25,12 @@ struct Context {
     std::uint64_t frames = 1'000'000;  // of the long runs
     std::vector<std::string>
         equations;  // whose worst inputs are searched: IDs or functions, shell globs; none: all
+    std::vector<std::string> methods;  // whose passes and gathers are tried; none: all
     std::function<void(const std::string&)> progress = [](const std::string&) {};  // told what is done now
 };
+
+// Those that the context names. Throws like effect::method_named().
+[[nodiscard]] std::vector<effect::MethodInfo> methods_of(const Context& context);
 
 // One way to stress the library. `go` throws what the gpu, check and effect rooms throw.
 struct Run {

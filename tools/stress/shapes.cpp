@@ -116,12 +116,12 @@ void append_refusals(const Context& context, Rows& rows) {
 }
 
 // Radii at the ends of what is accepted: nothing is promised of the occlusion but its range.
-void append_radii(effect::AmbientOcclusion& effect, Rows& rows) {
+void append_radii(const Context& context, effect::AmbientOcclusion& effect, Rows& rows) {
     constexpr Size size{17, 13};
     effect.advance(plane(size));
     for (const float r : {2e-18F, 1e-6F, 3.0F, 1e6F, 1e18F}) {
         std::size_t wrong = 0;
-        for (const effect::MethodInfo& method : effect::methods()) {
+        for (const effect::MethodInfo& method : methods_of(context)) {
             effect::Settings settings = settings_for(method);
             settings.radius = r;
             effect.begin(steps(size), settings);
@@ -134,12 +134,12 @@ void append_radii(effect::AmbientOcclusion& effect, Rows& rows) {
 }
 
 // A plane loses no sample: each of them must be counted.
-void append_counts(effect::AmbientOcclusion& effect, Rows& rows) {
+void append_counts(const Context& context, effect::AmbientOcclusion& effect, Rows& rows) {
     constexpr Size size{3, 1};
     effect.advance(plane(size));
     for (const std::uint32_t samples : {1U, 2U, 31U, 33U, 1024U, effect::most_samples}) {
         double missing = 0.0;
-        for (const effect::MethodInfo& method : effect::methods()) {
+        for (const effect::MethodInfo& method : methods_of(context)) {
             effect::Settings settings = settings_for(method);
             settings.samples = samples;
             settings.weight_max = 8'388'608.0F;
@@ -167,7 +167,7 @@ Row highest_points(const Gather& gather, const effect::MethodInfo& method) {
 }
 
 void append_highest_points(const Context& context, Rows& rows) {
-    for (const effect::MethodInfo& method : effect::methods())
+    for (const effect::MethodInfo& method : methods_of(context))
         rows.push_back(highest_points(Gather(context.lab, gather_file(method), gather_function), method));
 }
 
@@ -175,7 +175,7 @@ void append_highest_points(const Context& context, Rows& rows) {
 effect::AmbientOcclusion begun(const Context& context) {
     constexpr Size size{1, 1};
     effect::AmbientOcclusion effect(context.lab.device(), context.passes, size);
-    effect.begin(plane(size), settings_for(effect::methods().front()));
+    effect.begin(plane(size), settings_for(methods_of(context).front()));
     return effect;
 }
 
@@ -184,7 +184,7 @@ Row row_of(const Context& context, effect::AmbientOcclusion& effect, Size size) 
     const bool once = context.extent == Extent::brief && pixels_of(size) > 1000;
     effect.advance(plane(size));
     std::size_t wrong = 0;
-    for (const effect::MethodInfo& method : effect::methods()) {
+    for (const effect::MethodInfo& method : methods_of(context)) {
         for (const bool normals : {true, false}) {
             scene::GBuffer flat = plane(size);
             scene::GBuffer stepped = steps(size);
@@ -211,8 +211,8 @@ Rows shapes(const Context& context) {
     effect::AmbientOcclusion effect = begun(context);
     for (const Size size : sizes(context)) rows.push_back(row_of(context, effect, size));
     append_refusals(context, rows);
-    append_radii(effect, rows);
-    append_counts(effect, rows);
+    append_radii(context, effect, rows);
+    append_counts(context, effect, rows);
     append_highest_points(context, rows);
     return rows;
 }

@@ -10,7 +10,8 @@ namespace gloam::stress {
 // to the most: what cannot be is refused, the rest is counted to the last sample.
 [[nodiscard]] Rows shapes(const Context& context);
 
-// The row of one image size: pixels that are not as they must be, with each method, with normals and without.
+// The row of one image size: pixels that are not as they must be, with each of the context's
+// methods, with normals and without.
 // A size at the device's limit is tried less often in a brief run.
 [[nodiscard]] Row one_size(const Context& context, gpu::Extent size);
 

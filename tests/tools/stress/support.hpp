@@ -24,6 +24,13 @@ class Bench {
         return {.lab = lab_, .passes = passes_, .extent = Extent::brief, .seed = 1, .frames = frames};
     }
 
+    // With one method only: enough where what is broken is none of a method's own.
+    [[nodiscard]] Context context_of(const std::string& method) const {
+        Context one = context();
+        one.methods = {method};
+        return one;
+    }
+
     [[nodiscard]] const check::Lab& lab() const { return lab_; }
 
   private:
