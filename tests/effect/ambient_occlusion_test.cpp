@@ -61,12 +61,12 @@ TEST_F(Effect, AnOpenPlaneIsOpen) {
         SCOPED_TRACE(method.name);
         const Settings settings = with_method(settings_for(1.0F), method.name);
         for (const bool normals : {true, false}) {
-            scene::GBuffer view = wall({64, 48}, 3.0F);
+            scene::GBuffer view = wall({63, 47}, 3.0F);
             if (!normals) view.normal.clear();
             const Frame frame = run(view, settings, 3);
             EXPECT_THAT(frame.occlusion, testing::Each(0.0F));
             EXPECT_THAT(frame.filtered, testing::Each(0.0F));
-            EXPECT_EQ(frame.work.samples, 64U * 48U * 32U);
+            EXPECT_EQ(frame.work.samples, 63U * 47U * 32U);
         }
     }
 }
@@ -184,7 +184,7 @@ TEST_F(Effect, TheMostSamplesAreAllTaken) {
         Settings settings = with_method(settings_for(1.0F), method.name);
         settings.samples = most_samples;
         settings.least_radius = 0.0F;  // in so small an image no radius is a pixel
-        EXPECT_EQ(run(wall({9, 1}, 3.0F), settings).work.samples, 9U * most_samples);
+        EXPECT_EQ(run(wall({9, 3}, 3.0F), settings).work.samples, 9U * 3U * most_samples);
     }
 }
 

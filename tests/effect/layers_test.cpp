@@ -40,7 +40,7 @@ Settings settings_for(const char* method, std::uint32_t layers, double radius) {
 
 // Each can only miss what the others show: the same surface again shows nothing.
 TEST_F(Layers, TheSameAgainChangesNothing) {
-    scene::GBuffer view = view_of("moving", {64, 40}, 1);
+    scene::GBuffer view = view_of("moving", {63, 41}, 1);
     const double radius = scene::make_scene("moving").ao_radius;
     for (const MethodInfo& method : methods()) {
         view.layers.clear();
@@ -55,7 +55,7 @@ TEST_F(Layers, TheSameAgainChangesNothing) {
 
 // Behind a bare plane seen at a tilt another plane: nothing of it rises above the first.
 TEST_F(Layers, WhatLiesBehindAPlaneLeavesItOpen) {
-    scene::GBuffer view = view_of("corner", {64, 40}, 1);
+    scene::GBuffer view = view_of("corner", {63, 41}, 1);
     view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     view.depth.assign(view.depth.size(), 2.0F);
     view.layers = {std::vector<float>(view.depth.size(), 2.4F), std::vector<float>(view.depth.size(), 2.8F)};

@@ -24,6 +24,8 @@ inline std::string variable(const char* name) {
 
 // A test of passes on the device that tests run on, under validation: any message fails it.
 // Base: testing::Test, or testing::TestWithParam of something.
+// lavapipe compiles a pass anew for images whose width or height is a power of two: tests of all methods take
+// other sizes where they may choose, so that what one of them has compiled serves the others.
 template <class Base>
 class OnDevice : public Base {
   protected:
