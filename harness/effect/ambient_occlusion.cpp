@@ -11,13 +11,13 @@
 #include <utility>
 
 #include "effect/internal/frame_images.hpp"
+#include "effect/internal/open_search.hpp"
 #include "effect/internal/pipelines.hpp"
 #include "effect/internal/prepared_image.hpp"
 #include "effect/internal/sample_table.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/internal/work.hpp"
-#include "effect/methods.hpp"
 #include "scene/guard_band.hpp"
 
 namespace gloam::effect {
@@ -62,9 +62,8 @@ struct AmbientOcclusion::Impl {
     Settings settings;
     bool begun = false;
     bool reconstruct_normals = false;
-    bool moved = false;       // the history has not followed the last view yet
-    bool shown = false;       // the last view has had a frame
-    bool open_known = false;  // which tiles of the last view are open
+    bool moved = false;  // the history has not followed the last view yet
+    bool shown = false;  // the last view has had a frame
     OpenSearch open_search;
     bool second_is_after = false;  // of the two images of the history, which are swapped
     gpu::Image nothing;            // for bindings that are not read
@@ -79,13 +78,12 @@ struct AmbientOcclusion::Impl {
     RemapParameters remap_constants{};
     SelectParameters select_constants{};
     SelectFilteredParameters select_filtered_constants{};
-    BoundParameters bound_constants{};
-    std::array<MergeParameters, bound_levels - 1> merge_constants{};
-    OpenParameters open_constants{};
 
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
+    [[nodiscard]] bool watches_objects() const;
     [[nodiscard]] Program program() const;
+    [[nodiscard]] ReprojectionProgram reprojection_program() const;
     [[nodiscard]] const gpu::Image& history() const { return moved ? images->reprojected : images->before; }
     [[nodiscard]] std::optional<TileLists> listed(TileLists list) const;
     [[nodiscard]] Step over(TileLists list, Step pass) const;
@@ -94,7 +92,6 @@ struct AmbientOcclusion::Impl {
     [[nodiscard]] std::array<std::uint32_t, 3> tile_groups() const;
     void append_selection(std::vector<Step>& passes);
     [[nodiscard]] bool finds_open_tiles() const;
-    void append_open(std::vector<Step>& passes);
     void append_filter(std::vector<Step>& passes);
     void append_remap(std::vector<Step>& passes);
     [[nodiscard]] Frame collect() const;
@@ -126,16 +123,30 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     remap_constants = remap_parameters(view, settings);
     const std::int32_t reach = filter_reach(settings);
     select_filtered_constants = {.size = size_of(view.extent), .reach = {reach, reach}};
+    open_search.take(view, settings);
     shown = false;
-    open_known = false;
+}
+
+// Whether the view says where its points were in the one before.
+bool AmbientOcclusion::Impl::watches_objects() const {
+    return moved && images->previous_position.has_value();
 }
 
 Program AmbientOcclusion::Impl::program() const {
     Program program = program_for(settings);
-    program.moving_objects = moved && images->previous_position.has_value();
+    program.moving_objects = watches_objects();
     program.orthographic = view.camera.orthographic();
-    program.previous_orthographic = previous_view.camera.orthographic();
     return program;
+}
+
+ReprojectionProgram AmbientOcclusion::Impl::reprojection_program() const {
+    return {.precision = settings.precision,
+            .moving_objects = watches_objects(),
+            .listed = selects_tiles(settings),
+            .taps = settings.taps,
+            .nearest_index = settings.nearest_index,
+            .orthographic = view.camera.orthographic(),
+            .previous_orthographic = previous_view.camera.orthographic()};
 }
 
 // The list of tiles that a pass runs on; none: all of them.
@@ -154,7 +165,7 @@ Step AmbientOcclusion::Impl::over(TileLists list, Step pass) const {
 void AmbientOcclusion::Impl::append_selection(std::vector<Step>& passes) {
     if (!selects_tiles(settings)) return;
     const Tiles& tiles = images->tile_selection;
-    if (finds_open_tiles() && !open_known) append_open(passes);
+    if (finds_open_tiles()) open_search.append_steps(pipelines, tiles, images->depth, images->normal, passes);
     select_constants = select_parameters();
     passes.push_back(
         {"select_tiles",
@@ -196,7 +207,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     if (moved) {
         passes.push_back(over(TileLists::shaded,
                               {"reproject",
-                               &pipelines.reprojection(program()),
+                               &pipelines.reprojection(reprojection_program()),
                                {images->depth, positions, images->before, images->reprojected, tiles.lists()},
                                bytes_of(reprojection_constants)}));
     }
@@ -221,45 +232,8 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     return passes;
 }
 
-// Not where samples are probes as well, where they see further layers, where some of them do not count, and
-// where what they read may lie beyond their reach.
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
-    const bool probes = program().moving_objects && settings.invalidation != Invalidation::none;
-    return settings.skip_open && open_search.due() && settings.layers == 1 && !settings.reject_taps &&
-           !(settings.mip_distance > 0.0F) && method_named(settings.method).open_proof != OpenProof::none &&
-           !view.camera.orthographic() && !probes;
-}
-
-void AmbientOcclusion::Impl::append_open(std::vector<Step>& passes) {
-    const Tiles& tiles = images->tile_selection;
-    const glm::vec2 p = view.camera.p00_p11();
-    bound_constants = {.size = size_of(view.extent)};
-    open_constants = {.p00_p11 = {p.x, p.y},
-                      .size = size_of(view.extent),
-                      .radius = settings.radius,
-                      .bias = settings.bias,
-                      .points = method_named(settings.method).open_proof == OpenProof::points ? 1U : 0U};
-    const auto over_blocks = [&](std::uint32_t level) { return groups_for(blocks_of(view.extent, level)); };
-    passes.push_back({"bound_tiles",
-                      &pipelines.bounding(),
-                      {images->depth, tiles.bounds()},
-                      bytes_of(bound_constants),
-                      over_blocks(0)});
-    for (std::uint32_t level = 1; level < bound_levels; ++level) {
-        MergeParameters& constants = merge_constants.at(level - 1);
-        constants = {.size = size_of(view.extent), .level = static_cast<std::int32_t>(level)};
-        passes.push_back({fmt::format("merge_bounds_{}", level),
-                          &pipelines.merging(),
-                          {tiles.bounds()},
-                          bytes_of(constants),
-                          over_blocks(level)});
-    }
-    passes.push_back({"open_tiles",
-                      &pipelines.opening(),
-                      {images->depth, images->normal, tiles.bounds(), tiles.open()},
-                      bytes_of(open_constants),
-                      over_blocks(0)});
-    open_known = true;
+    return open_search.searches(watches_objects() && settings.invalidation != Invalidation::none);
 }
 
 void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {

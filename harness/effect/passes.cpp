@@ -71,8 +71,6 @@ Program program_for(const Settings& settings) {
             .listed = selects_tiles(settings),
             .shows = selects_tiles(settings) && filters(settings),
             .sample_table = tabulates_samples(settings),
-            .taps = settings.taps,
-            .nearest_index = settings.nearest_index,
             .table_size = settings.table_size,
             .fewer_samples = settings.samples_distance > 0.0F || settings.samples_radius > 0.0F,
             .caps_radius = no_radius_cap > settings.radius_cap,
@@ -192,7 +190,7 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
 }
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
-                               const Program& program) {
+                               const ReprojectionProgram& program) {
     const shader::Spirv spirv = library.compile("reproject.comp", defines_for(program.precision));
     return {device,
             {.spirv = spirv,

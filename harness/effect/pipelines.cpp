@@ -21,7 +21,7 @@ const gpu::ComputePipeline& Pipelines::occlusion(const Program& program) {
     return found_or_made(occlusion_, program, [&] { return ambient_occlusion(*device_, library_, program); });
 }
 
-const gpu::ComputePipeline& Pipelines::reprojection(const Program& program) {
+const gpu::ComputePipeline& Pipelines::reprojection(const ReprojectionProgram& program) {
     return found_or_made(reprojection_, program, [&] { return reproject(*device_, library_, program); });
 }
 

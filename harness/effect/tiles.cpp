@@ -63,16 +63,6 @@ SelectedTiles Tiles::counts() const {
             .filtered_enough = lists.back().tiles};
 }
 
-void OpenSearch::advance(bool searched, const SelectedTiles& found) {
-    if (!searched) {
-        rest_ -= rest_ > 0 ? 1 : 0;
-        return;
-    }
-    constexpr std::uint32_t worth_it = 8;  // the search takes about an eighth of what all samples take
-    constexpr std::uint32_t frames_without = 7;
-    rest_ = worth_it * found.open < found.shaded ? frames_without : 0;
-}
-
 std::size_t offset_of(TileLists list) {
     return static_cast<std::size_t>(list) * sizeof(TileList);
 }

@@ -117,20 +117,30 @@ struct Program {
     TileLists list = TileLists::shaded;
     bool shows = false;  // a filter follows, over lists of tiles
     bool sample_table = false;
-    HistoryTaps taps = HistoryTaps::validated;
-    bool nearest_index = true;
     std::uint32_t table_size = 0;
     bool fewer_samples = false;  // with distance or projected radius
     bool caps_radius = false;
     bool smooths = false;
     bool orthographic = false;
-    bool previous_orthographic = false;
 
     friend auto operator<=>(const Program&, const Program&) = default;
 };
 
 // What the settings decide of it.
 [[nodiscard]] Program program_for(const Settings& settings);
+
+// What the pass that moves the history is compiled for.
+struct ReprojectionProgram {
+    HistoryPrecision precision = HistoryPrecision::float32;
+    bool moving_objects = false;
+    bool listed = false;  // runs over the shaded tiles
+    HistoryTaps taps = HistoryTaps::validated;
+    bool nearest_index = true;
+    bool orthographic = false;
+    bool previous_orthographic = false;
+
+    friend auto operator<=>(const ReprojectionProgram&, const ReprojectionProgram&) = default;
+};
 
 // What a filter's pass along one axis is compiled for.
 struct FilterProgram {
@@ -155,7 +165,7 @@ struct FilterProgram {
                                                      const scene::PassLibrary& library,
                                                      const Program& program);  // counts its work
 [[nodiscard]] gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
-                                             const Program& program);
+                                             const ReprojectionProgram& program);
 // Throws std::invalid_argument for Filter::none.
 [[nodiscard]] gpu::ComputePipeline spatial_filter(const gpu::Device& device,
                                                   const scene::PassLibrary& library,

@@ -20,7 +20,7 @@ class Pipelines {
     // Each throws std::runtime_error where its shader does not compile.
     [[nodiscard]] const gpu::ComputePipeline& normals() const { return normals_; }
     [[nodiscard]] const gpu::ComputePipeline& occlusion(const Program& program);
-    [[nodiscard]] const gpu::ComputePipeline& reprojection(const Program& program);
+    [[nodiscard]] const gpu::ComputePipeline& reprojection(const ReprojectionProgram& program);
     [[nodiscard]] const gpu::ComputePipeline& filter(const FilterProgram& program);
     // `source`: format of the image that the pass reads.
     // `list`: of the tiles that it runs on; none: the whole image.
@@ -36,7 +36,7 @@ class Pipelines {
     scene::PassLibrary library_;
     gpu::ComputePipeline normals_;
     std::map<Program, gpu::ComputePipeline> occlusion_;
-    std::map<Program, gpu::ComputePipeline> reprojection_;
+    std::map<ReprojectionProgram, gpu::ComputePipeline> reprojection_;
     std::map<FilterProgram, gpu::ComputePipeline> filter_;
     std::map<std::pair<gpu::Format, std::optional<TileLists>>, gpu::ComputePipeline> remapping_;
     std::map<std::string, gpu::ComputePipeline> of_tiles_;

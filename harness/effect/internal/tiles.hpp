@@ -78,21 +78,6 @@ struct SelectedTiles {
     std::uint32_t filtered_enough = 0;
 };
 
-// When a frame looks for open tiles. A search that finds few of them costs more than it saves: the next
-// frames go without, to the same result.
-class OpenSearch {
-  public:
-    [[nodiscard]] bool due() const { return rest_ == 0; }
-
-    void restart() { rest_ = 0; }
-
-    // After a frame, which has searched or not.
-    void advance(bool searched, const SelectedTiles& found);
-
-  private:
-    std::uint32_t rest_ = 0;  // frames until the next
-};
-
 // What is known of the tiles of an image from frame to frame, and the lists of those that passes run on.
 class Tiles {
   public:
