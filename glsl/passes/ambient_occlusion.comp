@@ -5,24 +5,22 @@
 // whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
 //
 // Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
-// Define GLOAM_SAMPLE_TABLE as 12 for a table of what the samples share; else it is computed for each of them.
+// Define GLOAM_SAMPLE_TABLE as 11 for a table of what the samples share; else it is computed for each of them.
 // Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is rgba32f.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none
 //   3  history  written: after, likewise; background (0, 0, 0, infinity)
-//   4  buffer   written when count_work is set: for each group (samples taken, pixels of background, pixels whose radius is below
-//               the limit, pixels of the group); else never touched
+//   4  buffer   the tiles' states (tiles/state.glsl): what each took is added when counts is set, else it is never touched
 //   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
 //   6  buffer   a GloamMethod
 //   7  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have some
 //   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not finite where there is
 //               none; read when layers is more than 1
 //   9  buffer   lists of tiles; read when listed is set
-//  10  buffer   the tiles' states of this frame; STATE_SETTLED and STATE_UNFILTERED are added when listed is set
-//  11  r32f     written when shows is set, in tiles that the filter leaves as they are: occlusion
-//  12  rgba32f  what the samples share (samples/table.glsl); read when GLOAM_SAMPLE_TABLE is defined
+//  10  r32f     written when shows is set, where the filter leaves pixels as they are: occlusion
+//  11  rgba32f  what the samples share (samples/table.glsl); read when GLOAM_SAMPLE_TABLE is defined
 #ifdef GLOAM_HISTORY
 #define HISTORY_ROUNDS true
 #else
@@ -34,11 +32,10 @@
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 0) const bool count_work = false;      // fill binding 4
 layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
 layout(constant_id = 3) const bool reject_taps = false;     // leave out taps further in front than GloamMethod::range (CS-REJ)
-layout(constant_id = 4) const bool shows = false;           // a filter follows, over lists of tiles: see binding 11
+layout(constant_id = 4) const bool shows = false;           // a filter follows, over lists of tiles: see binding 10
 layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
 layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least
 layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
@@ -49,7 +46,6 @@ layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
 layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D history_before;
 layout(binding = 3, GLOAM_HISTORY) uniform image2D history_after;
-layout(binding = 4, std430) writeonly buffer Work { uvec4 work[]; };
 layout(binding = 5, rgba32f) uniform readonly image2D previous_position_image;
 
 layout(push_constant) uniform Parameters {
@@ -110,24 +106,14 @@ float gloam_fetch_layer(ivec2 pixel, int layer) {
 
 #define GLOAM_LIST_BINDING 9
 #include "tiles/listed.glsl"
-layout(binding = 10, std430) buffer TileStates { uint tile_states[]; };
-layout(binding = 11, r32f) uniform writeonly image2D shown_image;
+#define GLOAM_STATE_BINDING 4
+#include "tiles/tally.glsl"
+layout(binding = 10, r32f) uniform writeonly image2D shown_image;
 
 #include "samples/table.glsl"
 
 // The method: any file of this folder.
 #include "methods/hemisphere.glsl"
-
-// What the tile took, in one word, since an atomic operation costs as much as a sample: samples in 18 bits (64 x 2048 at most), pixels of
-// background in 7, and in 7 those whose radius is below the limit.
-shared uint counted;
-shared uint counted_pixels;  // of a surface that take nothing, in 16 bits, and those that the filter may change
-
-const uint ONE_SAMPLE = 1u;
-const uint ONE_BACKGROUND = 1u << 18u;
-const uint ONE_BELOW_LIMIT = 1u << 25u;
-const uint ONE_FROZEN = 1u;
-const uint ONE_FILTERED = 1u << 16u;
 
 const uint CLAMP = 1u;
 const uint CONFIDENCE = 2u;
@@ -142,8 +128,8 @@ struct Neighborhood {
 Neighborhood neighborhood;
 
 // The invocation's part of what is counted.
-uint tally = 0u;
-uint pixel_tally = 0u;
+uint samples_taken = 0u;
+uint pixel_kind = 0u;  // COUNT_*
 const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
 
 GloamCamera this_camera() {
@@ -235,11 +221,11 @@ uint samples_for(GloamHistory before, float depth) {
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
     uint samples = samples_for(before, depth);
-    pixel_tally += samples == 0u && !gloam_is_background(depth) ? ONE_FROZEN : 0u;
+    pixel_kind += samples == 0u && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
     vec2 fresh = vec2(0.0, float(samples));
     if (!open_tiles && samples > 0u) fresh = gather(pixel, depth, before, samples);
-    tally += uint(fresh.y) * ONE_SAMPLE;
+    samples_taken = uint(fresh.y);
     float mean = gloam_estimator_mean(fresh);
     float weight = weight_after_change(before.weight);
     vec2 blended = gloam_blend(before.occlusion, weight, mean, fresh.y, parameters.weight_max);
@@ -259,69 +245,32 @@ GloamHistory shade(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
     if (left_out(pixel)) return gloam_history_empty(depth);
     bool background = gloam_is_background(depth);
-    tally += background ? ONE_BACKGROUND : 0u;
+    pixel_kind += background ? COUNT_BACKGROUND : 0u;
     if (background && parameters.skip_background != 0u) return gloam_history_empty(depth);
 
     vec2 reach = reach_at(depth);
     if (!background && max(reach.x, reach.y) < parameters.least_radius) {
-        tally += ONE_BELOW_LIMIT;
+        pixel_kind += COUNT_BELOW_LIMIT;
         return GloamHistory(0.0, parameters.weight_max, 0u, depth);  // known for certain: converged
     }
     return sampled(pixel, depth);
 }
 
-// Stores the pixel's history. Returns what the filter shows of it, should it leave the tile alone.
-float store(ivec2 pixel, GloamHistory after) {
+// Stores the pixel's history, and what is shown of it where the filter leaves it as it is: the filter runs on the tiles of all others.
+void store(ivec2 pixel, GloamHistory after) {
     vec4 texel = gloam_history_pack(after);
     imageStore(history_after, pixel, texel);
-    if (!shows) return 0.0;
+    if (!shows) return;
     if (HISTORY_ROUNDS) texel.xy = imageLoad(history_after, pixel).xy;
     float convergence = gloam_convergence(texel.y, parameters.weight_max);
     bool filtered = !gloam_is_background(texel.w) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
-    pixel_tally += filtered ? ONE_FILTERED : 0u;
-    return texel.x;
-}
-
-// Pixels of a tile that are shaded: inside the image, and inside the guard band unless that is shaded as well.
-uint pixels_of_tile(uvec2 tile) {
-    ivec2 band = parameters.shade_border != 0u ? ivec2(0) : parameters.border;
-    ivec2 first = ivec2(tile * TILE_SIDE);
-    ivec2 sides = min(first + int(TILE_SIDE), parameters.size - band) - max(first, band);
-    return uint(max(sides.x, 0) * max(sides.y, 0));
-}
-
-// What the tile took, and whether it has settled.
-void report(uvec2 tile) {
-    uint number = tile.y * tiles_of(parameters.size).x + tile.x;
-    uint samples = counted % ONE_BACKGROUND;
-    uint background = counted / ONE_BACKGROUND % (ONE_BELOW_LIMIT / ONE_BACKGROUND);
-    uint below_limit = counted / ONE_BELOW_LIMIT;
-    uint pixels = pixels_of_tile(tile);
-    if (count_work) work[number] = uvec4(samples, background, below_limit, pixels);
-    if (!listed) return;
-    uint frozen = counted_pixels % ONE_FILTERED;
-    bool settled = parameters.still != 0u && background + below_limit + frozen == pixels;
-    bool unfiltered = counted_pixels < ONE_FILTERED;
-    tile_states[number] |= (settled ? STATE_SETTLED : 0u) | (unfiltered ? STATE_UNFILTERED : 0u);
+    pixel_kind += filtered ? COUNT_FILTERED : 0u;
+    if (!filtered) imageStore(shown_image, pixel, vec4(texel.x));
 }
 
 void main() {
     uint entry = group_entry(parameters.size);
-    if (count_work || listed) {
-        if (gl_LocalInvocationIndex == 0u) counted = counted_pixels = 0u;
-        barrier();
-    }
     ivec2 pixel = pixel_of(entry);
-    bool inside = pixel.x < parameters.size.x && pixel.y < parameters.size.y;
-    float shown = inside ? store(pixel, shade(pixel)) : 0.0;
-    if (count_work || listed) {
-        if (tally > 0u) atomicAdd(counted, tally);
-        if (pixel_tally > 0u) atomicAdd(counted_pixels, pixel_tally);
-        barrier();
-        // The filter writes all pixels of the other tiles.
-        if (shows && inside && counted_pixels < ONE_FILTERED) imageStore(shown_image, pixel, vec4(shown));
-        uvec2 tile = tile_of(entry);
-        uvec2 tiles = tiles_of(parameters.size);
-        if (gl_LocalInvocationIndex == 0u && tile.x < tiles.x && tile.y < tiles.y) report(tile);
-    }
+    if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) store(pixel, shade(pixel));
+    count_tile(entry, tiles_of(parameters.size), samples_taken, pixel_kind);
 }

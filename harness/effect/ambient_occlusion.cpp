@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -64,6 +63,8 @@ struct AmbientOcclusion::Impl {
     bool reconstruct_normals = false;
     bool moved = false;  // the history has not followed the last view yet
     bool shown = false;  // the last view has had a frame
+    bool still = false;  // and more than one
+    Listing listing;
     OpenSearch open_search;
     bool second_is_after = false;  // of the two images of the history, which are swapped
     gpu::Image nothing;            // for bindings that are not read
@@ -82,12 +83,14 @@ struct AmbientOcclusion::Impl {
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
     [[nodiscard]] bool watches_objects() const;
+    [[nodiscard]] bool lists_tiles() const { return selects_tiles(settings) && listing.due(moved); }
     [[nodiscard]] Program program() const;
     [[nodiscard]] ReprojectionProgram reprojection_program() const;
     [[nodiscard]] const gpu::Image& history() const { return moved ? images->reprojected : images->before; }
     [[nodiscard]] std::optional<TileLists> listed(TileLists list) const;
     [[nodiscard]] Step over(TileLists list, Step pass) const;
     [[nodiscard]] std::vector<Step> steps();
+    [[nodiscard]] gpu::Extent unshaded_band() const;
     [[nodiscard]] SelectParameters select_parameters() const;
     [[nodiscard]] std::array<std::uint32_t, 3> tile_groups() const;
     void append_selection(std::vector<Step>& passes);
@@ -124,7 +127,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     const std::int32_t reach = filter_reach(settings);
     select_filtered_constants = {.size = size_of(view.extent), .reach = {reach, reach}};
     open_search.take(view, settings);
-    shown = false;
+    shown = still = false;
 }
 
 // Whether the view says where its points were in the one before.
@@ -135,6 +138,8 @@ bool AmbientOcclusion::Impl::watches_objects() const {
 Program AmbientOcclusion::Impl::program() const {
     Program program = program_for(settings);
     program.moving_objects = watches_objects();
+    program.listed = lists_tiles();
+    program.shows = lists_tiles() && filters(settings);
     program.orthographic = view.camera.orthographic();
     return program;
 }
@@ -142,7 +147,7 @@ Program AmbientOcclusion::Impl::program() const {
 ReprojectionProgram AmbientOcclusion::Impl::reprojection_program() const {
     return {.precision = settings.precision,
             .moving_objects = watches_objects(),
-            .listed = selects_tiles(settings),
+            .listed = lists_tiles(),
             .taps = settings.taps,
             .nearest_index = settings.nearest_index,
             .orthographic = view.camera.orthographic(),
@@ -151,28 +156,27 @@ ReprojectionProgram AmbientOcclusion::Impl::reprojection_program() const {
 
 // The list of tiles that a pass runs on; none: all of them.
 std::optional<TileLists> AmbientOcclusion::Impl::listed(TileLists list) const {
-    return selects_tiles(settings) ? std::optional(list) : std::nullopt;
+    return lists_tiles() ? std::optional(list) : std::nullopt;
 }
 
 // A pass over the list, or over the whole image.
 Step AmbientOcclusion::Impl::over(TileLists list, Step pass) const {
     if (!listed(list)) return pass;
-    pass.indirect = &images->tile_selection.lists();
+    pass.indirect = &images->tiles.lists();
     pass.offset = offset_of(list);
     return pass;
 }
 
 void AmbientOcclusion::Impl::append_selection(std::vector<Step>& passes) {
-    if (!selects_tiles(settings)) return;
-    const Tiles& tiles = images->tile_selection;
+    if (!lists_tiles()) return;
+    const Tiles& tiles = images->tiles;
     if (finds_open_tiles()) open_search.append_steps(pipelines, tiles, images->depth, images->normal, passes);
     select_constants = select_parameters();
-    passes.push_back(
-        {"select_tiles",
-         &pipelines.selection(),
-         {images->depth, tiles.before(), tiles.after(), tiles.lists(), tiles.open(), images->tiles},
-         bytes_of(select_constants),
-         tile_groups()});
+    passes.push_back({"select_tiles",
+                      &pipelines.selection(),
+                      {images->depth, tiles.before(), tiles.after(), tiles.lists(), tiles.open()},
+                      bytes_of(select_constants),
+                      tile_groups()});
 }
 
 // Of passes of one invocation a tile.
@@ -181,21 +185,27 @@ std::array<std::uint32_t, 3> AmbientOcclusion::Impl::tile_groups() const {
     return groups_for({tiles[0], tiles[1]});
 }
 
+// On each side of the view.
+gpu::Extent AmbientOcclusion::Impl::unshaded_band() const {
+    return settings.guard_history ? gpu::Extent{} : view.border;
+}
+
 SelectParameters AmbientOcclusion::Impl::select_parameters() const {
     std::uint32_t written = second_is_after ? image_second_history : image_first_history;
     if (moved) written |= image_reprojected;
     if (filters(settings)) written |= image_filtered;
     if (remaps(settings)) written |= image_mapped | (filters(settings) ? image_filtered_mapped : 0U);
     return {.size = size_of(view.extent),
+            .band = size_of(unshaded_band()),
             .written = written,
             .background = settings.skip_background ? 1U : 0U,
-            .settled = settings.skip_settled && shown ? 1U : 0U,
+            .settled = settings.skip_settled && still ? 1U : 0U,
             .open = finds_open_tiles() ? 1U : 0U};
 }
 
 std::vector<Step> AmbientOcclusion::Impl::steps() {
     const gpu::Image& positions = images->previous_position ? *images->previous_position : nothing;
-    const Tiles& tiles = images->tile_selection;
+    const Tiles& tiles = images->tiles;
     std::vector<Step> passes;
     if (reconstruct_normals) {
         passes.push_back({"normals_from_depth",
@@ -220,9 +230,9 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
         of_list.list = list;
         passes.push_back(over(list, {name,
                                      &pipelines.occlusion(of_list),
-                                     {images->depth, images->normal, history(), images->after, images->tiles,
+                                     {images->depth, images->normal, history(), images->after, tiles.after(),
                                       positions, method, prepared.image_or(nothing), layers, tiles.lists(),
-                                      tiles.after(), images->filtered, samples.image_or(nothing)},
+                                      images->filtered, samples.image_or(nothing)},
                                      bytes_of(occlusion_constants)}));
     };
     occlusion("ambient_occlusion", finds_open_tiles() ? TileLists::sampled : TileLists::shaded);
@@ -233,16 +243,17 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
 }
 
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
-    return open_search.searches(watches_objects() && settings.invalidation != Invalidation::none);
+    return lists_tiles() &&
+           open_search.searches(watches_objects() && settings.invalidation != Invalidation::none);
 }
 
 void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
     if (!filters(settings)) return;
-    const gpu::Buffer& lists = images->tile_selection.lists();
-    if (selects_tiles(settings)) {
+    const gpu::Buffer& lists = images->tiles.lists();
+    if (lists_tiles()) {
         passes.push_back({"select_filtered_tiles",
                           &pipelines.filtered_selection(),
-                          {images->tile_selection.after(), lists},
+                          {images->tiles.after(), lists},
                           bytes_of(select_filtered_constants),
                           tile_groups()});
     }
@@ -264,7 +275,7 @@ void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
 // What is shown, of the history and of the filter's result.
 void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     if (!remaps(settings)) return;
-    const gpu::Buffer& lists = images->tile_selection.lists();
+    const gpu::Buffer& lists = images->tiles.lists();
     const auto map = [&](const char* name, TileLists list, const gpu::Image& from, const gpu::Image& to) {
         passes.push_back(over(list, {name,
                                      &pipelines.remapping(from.format(), listed(list)),
@@ -275,7 +286,7 @@ void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     if (!filters(settings)) return;
     map("remap_filtered", TileLists::shaded, images->filtered, *images->filtered_mapped);
     // What the filter changes besides.
-    if (selects_tiles(settings))
+    if (lists_tiles())
         map("remap_filtered_tiles", TileLists::filtered_y, images->filtered, *images->filtered_mapped);
 }
 
@@ -298,11 +309,9 @@ Frame AmbientOcclusion::Impl::collect() const {
 }
 
 Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
-    std::vector<TileWork> counts(images->tiles.size() / sizeof(TileWork));
-    std::memcpy(counts.data(), images->tiles.bytes().data(), images->tiles.size());
-    Work total = summed(counts);
-    const bool selected = selects_tiles(settings);
-    const SelectedTiles tiles = images->tile_selection.counts();
+    Work total = summed(images->tiles.after().as<const TileState>(), view.extent, unshaded_band());
+    const bool selected = lists_tiles();
+    const SelectedTiles tiles = images->tiles.counts();
     total.tiles_shaded = selected ? tiles.shaded : total.tiles;
     if (filters(settings)) total.tiles_filtered = selected ? tiles.filtered : total.tiles;
     total.tiles_blank = tiles.background;
@@ -331,8 +340,9 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
     impl.take(view);
     impl.moved = false;
     impl.samples.restart();
+    impl.listing.restart();
     impl.open_search.restart();
-    impl.images->tile_selection.forget();
+    impl.images->tiles.forget();
     impl.images->before.upload(std::vector<float>(4 * pixels_of(impl.view.extent), 0.0F));
     impl.begun = true;
 }
@@ -355,19 +365,22 @@ Frame AmbientOcclusion::next(int repeat) {
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
     // Each run reads the same history and writes the same images, so running again changes nothing.
     const std::vector<Step> steps = impl.steps();
-    std::vector<PassTime> times = run(*impl.device, steps, groups_for(impl.view.extent), repeat,
-                                      [&] { impl.images->tile_selection.clear_lists(); });
+    std::vector<PassTime> times =
+        run(*impl.device, steps, groups_for(impl.view.extent), repeat, [&] { impl.images->tiles.clear(); });
     Frame frame = impl.collect();
     frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);
     impl.reconstruct_normals = false;
-    impl.open_search.advance(impl.finds_open_tiles(), impl.images->tile_selection.counts());
+    const SelectedTiles found = impl.images->tiles.counts();
+    impl.open_search.advance(impl.finds_open_tiles(), found);
+    impl.listing.advance(impl.lists_tiles(), found, frame.work.tiles);
     impl.moved = false;
+    impl.still = impl.shown;
     impl.shown = true;
     impl.samples.advance();
     std::swap(impl.images->before, impl.images->after);
     impl.second_is_after = !impl.second_is_after;
-    impl.images->tile_selection.advance();
+    impl.images->tiles.advance();
     return frame;
 }
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "effect/internal/passes.hpp"
-#include "effect/internal/work.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -15,11 +14,6 @@ using enum gpu::Format;
 
 gpu::Format format_of(HistoryPrecision precision) {
     return precision == HistoryPrecision::float16 ? rgba16f : rgba32f;
-}
-
-std::size_t tiles_of(gpu::Extent extent) {
-    const auto groups = groups_for(extent);
-    return std::size_t{groups[0]} * groups[1];
 }
 
 void require_size(const char* what, std::size_t found, gpu::Extent extent) {
@@ -70,8 +64,7 @@ FrameImages::FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPre
       after(device, size, format_of(precision)),
       half_filtered(device, size, r32f),
       filtered(device, size, r32f),
-      tiles(device, tiles_of(size) * sizeof(TileWork)),
-      tile_selection(device, size) {}
+      tiles(device, size) {}
 
 void FrameImages::take(const gpu::Device& device, const scene::GBuffer& view) {
     const gpu::Extent extent = depth.extent();

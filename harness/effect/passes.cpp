@@ -55,6 +55,13 @@ std::vector<gpu::SpecializationConstant> constants_of(std::optional<TileLists> l
             {.id = list_constant, .bits = static_cast<std::uint32_t>(list.value_or(TileLists::shaded))}};
 }
 
+// How ambient_occlusion.comp counts: the buffers of counts are memory of the CPU.
+std::uint32_t counting_on(const gpu::Device& device) {
+    constexpr std::uint32_t count_each = 1;
+    constexpr std::uint32_t count_group = 2;
+    return device.info().type == "cpu" ? count_each : count_group;
+}
+
 // Convergence from which the filter leaves a pixel as it is; infinite where it leaves none so.
 float c_filter(const Settings& settings) {
     const bool leaves = settings.skip_filtered && settings.filter == Filter::convergence;
@@ -68,8 +75,6 @@ Program program_for(const Settings& settings) {
             .precision = settings.precision,
             .layers = settings.layers,
             .reject_taps = settings.reject_taps,
-            .listed = selects_tiles(settings),
-            .shows = selects_tiles(settings) && filters(settings),
             .sample_table = tabulates_samples(settings),
             .table_size = settings.table_size,
             .fewer_samples = settings.samples_distance > 0.0F || settings.samples_radius > 0.0F,
@@ -166,16 +171,16 @@ gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::
 gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::PassLibrary& library,
                                        const Program& program) {
     std::vector<std::string> defines = defines_for(program.precision, prepared_format(program.method));
-    if (program.sample_table) defines.emplace_back("GLOAM_SAMPLE_TABLE 12");
+    if (program.sample_table) defines.emplace_back("GLOAM_SAMPLE_TABLE 11");
     const shader::Spirv spirv = library.compile(
         "ambient_occlusion.comp", defines, {{method_include("hemisphere"), method_include(program.method)}});
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
                           storage_image, storage_buffer, storage_image, storage_image, storage_buffer,
-                          storage_buffer, storage_image, storage_image},
+                          storage_image, storage_image},
              .push_constant_bytes = sizeof(OcclusionParameters),
-             .constants = {{.id = 0, .bits = 1},
+             .constants = {{.id = 0, .bits = counting_on(device)},
                            {.id = 1, .bits = flag(program.moving_objects)},
                            {.id = 2, .bits = program.layers},
                            {.id = 3, .bits = flag(program.reject_taps)},
@@ -235,8 +240,7 @@ gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLi
     const shader::Spirv spirv = library.compile("tiles/select.comp");
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer,
-                          storage_buffer},
+             .bindings = {storage_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer},
              .push_constant_bytes = sizeof(SelectParameters)}};
 }
 

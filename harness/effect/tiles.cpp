@@ -33,8 +33,8 @@ gpu::Extent blocks_of(gpu::Extent extent, std::uint32_t level) {
 }
 
 Tiles::Tiles(const gpu::Device& device, gpu::Extent extent)
-    : before_(device, tiles_of(extent) * sizeof(std::uint32_t)),
-      after_(device, tiles_of(extent) * sizeof(std::uint32_t)),
+    : before_(device, tiles_of(extent) * sizeof(TileState)),
+      after_(device, tiles_of(extent) * sizeof(TileState)),
       lists_(device, header_lists * sizeof(TileList) + tile_lists * tiles_of(extent) * sizeof(std::uint32_t)),
       open_(device, tiles_of(extent) * sizeof(std::uint32_t)),
       bounds_(device, bounds_of(extent) * 4 * sizeof(float)) {
@@ -42,12 +42,13 @@ Tiles::Tiles(const gpu::Device& device, gpu::Extent extent)
 }
 
 void Tiles::forget() {
-    for (gpu::Buffer* buffer : {&before_, &after_, &open_})
-        std::ranges::fill(buffer->as<std::uint32_t>(), 0U);
-    clear_lists();
+    std::ranges::fill(before_.as<TileState>(), TileState{});
+    std::ranges::fill(open_.as<std::uint32_t>(), 0U);
+    clear();
 }
 
-void Tiles::clear_lists() {
+void Tiles::clear() {
+    std::ranges::fill(after_.as<TileState>(), TileState{});
     const auto lists = lists_.as<TileList>().first(header_lists);
     std::ranges::fill(lists, TileList{.layers = 1});
     lists.back() = {};
@@ -61,6 +62,22 @@ SelectedTiles Tiles::counts() const {
             .settled = lists.back().rows,
             .open = lists[4].tiles,
             .filtered_enough = lists.back().tiles};
+}
+
+void Listing::advance(bool listed, const SelectedTiles& found, std::size_t tiles) {
+    if (!listed) {
+        rest_ -= rest_ > 0 ? 1 : 0;
+        return;
+    }
+    constexpr std::size_t worth_it = 16;  // lists take about a sixteenth of a frame
+    constexpr std::uint32_t patience = 4;  // what the images hold is known after three
+    constexpr std::uint32_t frames_without = 20;
+    const std::size_t left_out =
+        std::size_t{found.background} + found.settled + found.open + found.filtered_enough;
+    quiet_ = worth_it * left_out < tiles ? quiet_ + 1 : 0;
+    if (quiet_ < patience) return;
+    quiet_ = 0;
+    rest_ = frames_without;
 }
 
 std::size_t offset_of(TileLists list) {

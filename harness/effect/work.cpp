@@ -5,18 +5,40 @@
 #include <limits>
 #include <vector>
 
+#include "effect/internal/passes.hpp"
+
 namespace gloam::effect {
 
-Work summed(std::span<const TileWork> tiles) {
+namespace {
+
+// The pixels of a tile's side that are shaded: from `first` on, of `size` in all.
+std::uint32_t shaded_side(std::uint32_t first, std::uint32_t size, std::uint32_t band) {
+    const std::uint32_t begin = std::max(first, band);
+    const std::uint32_t end = std::min(first + tile_side, size - band);
+    return end > begin ? end - begin : 0;
+}
+
+}  // namespace
+
+Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent band) {
+    constexpr std::uint32_t mask = 0xFF;
+    const std::size_t columns = groups_for(extent)[0];
     Work work{.tiles = tiles.size()};
-    for (const TileWork& tile : tiles) {
-        work.pixels += tile.pixels;
-        work.background += tile.background;
-        work.below_radius += tile.below_radius;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const TileState& tile = tiles[i];
+        const auto x = static_cast<std::uint32_t>(i % columns) * tile_side;
+        const auto y = static_cast<std::uint32_t>(i / columns) * tile_side;
+        const std::uint32_t pixels =
+            shaded_side(x, extent.width, band.width) * shaded_side(y, extent.height, band.height);
+        const std::uint32_t background = tile.pixels & mask;
+        const std::uint32_t below_radius = tile.pixels >> 8U & mask;
+        work.pixels += pixels;
+        work.background += background;
+        work.below_radius += below_radius;
         work.samples += tile.samples;
-        const bool left_out = tile.pixels == 0;  // in a guard band that is not sampled
-        work.tiles_background += !left_out && tile.background == tile.pixels ? 1 : 0;
-        work.tiles_skipped += tile.background + tile.below_radius == tile.pixels ? 1 : 0;
+        const bool left_out = pixels == 0;  // in a guard band that is not sampled
+        work.tiles_background += !left_out && background == pixels ? 1 : 0;
+        work.tiles_skipped += background + below_radius == pixels ? 1 : 0;
     }
     return work;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -285,8 +286,16 @@ TEST_F(Skips, SurfacesReadFromTheDepthChainMayLieBeyondTheRadius) {
     EXPECT_EQ(expect_same(stays, settings).front().work.tiles_open, 0U);
 }
 
+bool ran(const Frame& frame, const std::string& pass) {
+    return std::ranges::any_of(frame.times, [&](const PassTime& time) { return time.pass == pass; });
+}
+
 bool searched(const Frame& frame) {
-    return std::ranges::any_of(frame.times, [](const PassTime& time) { return time.pass == "open_tiles"; });
+    return ran(frame, "open_tiles");
+}
+
+bool listed(const Frame& frame) {
+    return ran(frame, "select_tiles");
 }
 
 TEST_F(Skips, FewOpenTilesAreNotSoughtInEveryFrame) {
@@ -303,6 +312,37 @@ TEST_F(Skips, FewOpenTilesAreNotSoughtInEveryFrame) {
     const std::vector<Frame> without = run(grass, settings);
     for (std::size_t i = 0; i < without.size(); ++i) EXPECT_EQ(searched(without[i]), i % 8 == 0) << i;
     EXPECT_TRUE(std::ranges::all_of(run(floor, quick(Settings{})), searched));
+}
+
+TEST_F(Skips, NoListsWhereNothingIsLeftOutUntilTheViewStandsStill) {
+    Settings settings = quick(settings_for("room"));
+    settings.skip_open = false;
+    settings.filter = Filter::geometry;
+    settings.filter_half_width = 1;
+    std::vector<Stay> stays;
+    for (int i = 0; i < 30; ++i) stays.push_back({view("room", i)});
+    stays.back().frames = 8;
+    const std::vector<Frame> frames = expect_same(stays, settings);
+    for (std::size_t i = 0; i < 30; ++i) EXPECT_EQ(listed(frames[i]), i < 4 || (i >= 24 && i < 28)) << i;
+    for (std::size_t i = 30; i < frames.size(); ++i) EXPECT_TRUE(listed(frames[i])) << i;
+    EXPECT_EQ(frames.back().work.tiles_shaded, 0U);
+    EXPECT_EQ(frames[5].work.tiles_shaded, frames[5].work.tiles);
+}
+
+TEST_F(Skips, ListsComeBackWithSomethingToLeaveOut) {
+    Settings settings = quick(settings_for("sky"));
+    settings.skip_open = false;
+    settings.filter = Filter::none;
+    std::vector<Stay> stays;
+    scene::GBuffer full = view("sky", 0);
+    for (float& depth : full.depth) depth = depth > 0.0F && std::isfinite(depth) ? depth : 30.0F;
+    full.camera.previous_from_current = glm::mat4(1.0F);
+    for (int i = 0; i < 5; ++i) stays.push_back({full});
+    for (int i = 1; i < 25; ++i) stays.push_back({view("sky", i)});
+    const std::vector<Frame> frames = expect_same(stays, settings);
+    EXPECT_FALSE(listed(frames[10]));
+    EXPECT_EQ(frames[10].work.tiles_blank, 0U);
+    EXPECT_GT(frames.back().work.tiles_blank, frames.back().work.tiles / 3);
 }
 
 TEST_F(Skips, OpenTilesOfScenes) {

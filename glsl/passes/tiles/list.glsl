@@ -23,13 +23,6 @@ const uint OPEN_TILES = 4u;        // of the shaded tiles: those where nothing c
 const uint SKIPPED_TILES = 5u;     // (background, settled, 0, filtered enough): no list, but counts
 const uint TILE_LISTS = 6u;
 
-// Of a tile's state, from frame to frame.
-const uint STATE_SETTLED = 1u;      // the view stood still in the last frame, and no pixel asked for a sample
-const uint STATE_SHADED = 2u;       // it is in the list of this frame
-const uint STATE_BACKGROUND = 4u;   // it is left out of all lists of this frame: no geometry, and the images show that already
-const uint STATE_UNFILTERED = 8u;   // the filter leaves every pixel of it as it is
-const uint STATE_BLANK_SHIFT = 8u;  // from this bit on: images that hold background all over the tile
-
 // Of a list's entry: the tile's column, and its row from this bit on. A division by the columns would cost each invocation more than
 // the entry.
 const uint ENTRY_ROW_SHIFT = 15u;

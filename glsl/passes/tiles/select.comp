@@ -7,26 +7,26 @@
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f    eye-linear depth, world units; background 0 or not finite
 //   1  buffer  the tiles' states after the last frame
-//   2  buffer  written: after this one, but for STATE_SETTLED and STATE_UNFILTERED of the tiles that are shaded
+//   2  buffer  written: after this one, but for the counts of the tiles that are shaded, which become 0
 //   3  buffer  the lists, their counts 0 and their `layers` 1; all but those of filters are filled
 //   4  buffer  for each tile 1 where nothing can block any tap of its pixels, else 0; read when open_tiles is set
-//   5  buffer  what the tiles took in the last frame, as ambient_occlusion.comp writes it: the samples of settled tiles become 0
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #define GLOAM_LIST_BINDING 3
 #include "append.glsl"
+#include "state.glsl"
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, std430) readonly buffer StatesBefore { uint states_before[]; };
-layout(binding = 2, std430) writeonly buffer StatesAfter { uint states_after[]; };
+layout(binding = 1, std430) readonly buffer StatesBefore { TileState states_before[]; };
+layout(binding = 2, std430) writeonly buffer StatesAfter { TileState states_after[]; };
 layout(binding = 4, std430) readonly buffer OpenTiles { uint open_tile[]; };
-layout(binding = 5, std430) buffer Work { uvec4 work[]; };
 
 layout(push_constant) uniform Parameters {
     ivec2 size;        // of the images, pixels
+    ivec2 band;        // on each side, that is not shaded, pixels
     uint written;      // images that this frame writes, a bit each from 0 on
     uint background;   // 1: leave out tiles without geometry
-    uint settled;      // 1: leave out tiles that have settled: the view is that of the last frame
+    uint settled;      // 1: leave out tiles that have settled: the last frame's view was the same, and stood still
     uint open_tiles;   // 1: list tiles that nothing can block apart
 } parameters;
 
@@ -48,22 +48,22 @@ void main() {
     uvec2 at = gl_GlobalInvocationID.xy;
     if (at.x >= tiles.x || at.y >= tiles.y) return;
     uint tile = at.y * tiles.x + at.x;
-    uint before = states_before[tile];
+    TileState before = states_before[tile];
     uint written = parameters.written << STATE_BLANK_SHIFT;
-    bool settled = parameters.settled != 0u && (before & STATE_SETTLED) != 0u;
+    uint blank_images = before.flags >> STATE_BLANK_SHIFT << STATE_BLANK_SHIFT;
+    bool settled = parameters.settled != 0u && without_samples(before, pixels_of_tile(at, parameters.size, parameters.band));
     // A settled tile is blank where it was blank before.
-    bool blank = parameters.background != 0u && (settled ? before >> STATE_BLANK_SHIFT != 0u : without_geometry(at));
-    uint kept = blank ? before >> STATE_BLANK_SHIFT << STATE_BLANK_SHIFT : 0u;
-    if (blank && (before & written) == written) {
+    bool blank = parameters.background != 0u && (settled ? blank_images != 0u : without_geometry(at));
+    uint kept = blank ? blank_images : 0u;
+    if (blank && (blank_images & written) == written) {
         atomicAdd(tile_lists[SKIPPED_TILES].columns, 1u);
-        states_after[tile] = kept | STATE_BACKGROUND | (settled ? STATE_SETTLED : 0u);
+        states_after[tile] = TileState(kept | STATE_BACKGROUND, 0u, before.pixels);
     } else if (settled) {
         atomicAdd(tile_lists[SKIPPED_TILES].rows, 1u);
-        states_after[tile] = kept | STATE_SETTLED | (before & STATE_UNFILTERED);
-        work[tile].x = 0u;
+        states_after[tile] = TileState(kept, 0u, before.pixels);
     } else {
         append(SHADED_TILES, at, tiles);
         if (parameters.open_tiles != 0u) append(open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES, at, tiles);
-        states_after[tile] = STATE_SHADED | (blank ? kept | written : 0u);
+        states_after[tile] = TileState(STATE_SHADED | (blank ? kept | written : 0u), 0u, 0u);
     }
 }

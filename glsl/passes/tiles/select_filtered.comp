@@ -11,21 +11,37 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #define GLOAM_LIST_BINDING 1
 #include "append.glsl"
+#include "state.glsl"
 
-layout(binding = 0, std430) readonly buffer States { uint states[]; };
+layout(binding = 0, std430) readonly buffer States { TileState states[]; };
 
 layout(push_constant) uniform Parameters {
     ivec2 size;   // of the images, pixels
     ivec2 reach;  // of the filter along x and y, pixels
 } parameters;
 
-// Whether the state of any tile around one, itself included, has the bits `mask` as in `bits`.
-bool any_around(ivec2 at, ivec2 around, uint mask, uint bits, ivec2 tiles) {
-    ivec2 first = max(at - around, ivec2(0));
-    ivec2 last = min(at + around, tiles - 1);
-    for (int y = first.y; y <= last.y; ++y) {
-        for (int x = first.x; x <= last.x; ++x) {
-            if ((states[y * tiles.x + x] & mask) == bits) return true;
+// The tiles around one, itself included: first and last.
+ivec4 tiles_around(ivec2 at, ivec2 around, ivec2 tiles) {
+    return ivec4(max(at - around, ivec2(0)), min(at + around, tiles - 1));
+}
+
+bool any_shaded(ivec2 at, ivec2 around, ivec2 tiles) {
+    ivec4 region = tiles_around(at, around, tiles);
+    for (int y = region.y; y <= region.w; ++y) {
+        for (int x = region.x; x <= region.z; ++x) {
+            if ((states[y * tiles.x + x].flags & STATE_SHADED) != 0u) return true;
+        }
+    }
+    return false;
+}
+
+// Whether the filter may change any of them.
+bool any_filtered(ivec2 at, ivec2 around, ivec2 tiles) {
+    ivec4 region = tiles_around(at, around, tiles);
+    for (int y = region.y; y <= region.w; ++y) {
+        for (int x = region.x; x <= region.z; ++x) {
+            TileState state = states[y * tiles.x + x];
+            if ((state.flags & STATE_BACKGROUND) == 0u && !unfiltered(state)) return true;
         }
     }
     return false;
@@ -35,20 +51,18 @@ void main() {
     ivec2 tiles = ivec2(tiles_of(parameters.size));
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (at.x >= tiles.x || at.y >= tiles.y) return;
-    uint state = states[at.y * tiles.x + at.x];
-    if ((state & STATE_BACKGROUND) != 0u) return;  // no filter changes background
+    TileState state = states[at.y * tiles.x + at.x];
+    if ((state.flags & STATE_BACKGROUND) != 0u) return;  // no filter changes background
     ivec2 side = ivec2(TILE_SIDE);
     ivec2 around = (parameters.reach + side - 1) / side;
-    uint filtered = STATE_BACKGROUND | STATE_UNFILTERED;
     // Along x wherever it may be read: what is there was formed in a frame whose list was another.
-    if (any_around(at, ivec2(0, around.y), filtered, 0u, tiles) &&
-        any_around(at, ivec2(around.x, 2 * around.y), STATE_SHADED, STATE_SHADED, tiles)) {
+    if (any_filtered(at, ivec2(0, around.y), tiles) && any_shaded(at, ivec2(around.x, 2 * around.y), tiles)) {
         append(FILTERED_X_TILES, uvec2(at), uvec2(tiles));
     }
-    if (!any_around(at, around, STATE_SHADED, STATE_SHADED, tiles)) return;
-    if ((state & STATE_UNFILTERED) == 0u) {
-        append(FILTERED_Y_TILES, uvec2(at), uvec2(tiles));
-    } else {
+    if (!any_shaded(at, around, tiles)) return;
+    if (unfiltered(state)) {
         atomicAdd(tile_lists[SKIPPED_TILES].tiles, 1u);
+    } else {
+        append(FILTERED_Y_TILES, uvec2(at), uvec2(tiles));
     }
 }

@@ -37,8 +37,7 @@ struct FrameImages {
     gpu::Image after;        // history of this frame
     gpu::Image half_filtered;
     gpu::Image filtered;
-    gpu::Buffer tiles;  // TileWork
-    Tiles tile_selection;
+    Tiles tiles;
     std::optional<gpu::Image> previous_position;
     std::optional<gpu::Image> layers;           // of depth behind the first, one in each channel
     std::optional<gpu::Image> mapped;           // what is shown of the history, where it is mapped at all

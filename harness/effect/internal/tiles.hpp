@@ -19,6 +19,14 @@ struct TileList {
     std::uint32_t tiles = 0;
 };
 
+// What is known of a tile after a frame, as glsl/passes/tiles/state.glsl has it.
+struct TileState {
+    std::uint32_t flags = 0;
+    std::uint32_t samples = 0;
+    std::uint32_t pixels =
+        0;  // numbers of them in eight bits each: background, below the limit, frozen, filtered
+};
+
 enum class TileLists : std::uint8_t { shaded, filtered_x, filtered_y, sampled, open };
 
 constexpr std::size_t tile_lists = 5;
@@ -36,6 +44,7 @@ enum TileImage : std::uint32_t {
 // Push constants of tiles/select.comp.
 struct SelectParameters {
     std::array<std::int32_t, 2> size;
+    std::array<std::int32_t, 2> band;
     std::uint32_t written;
     std::uint32_t background;
     std::uint32_t settled;
@@ -78,6 +87,23 @@ struct SelectedTiles {
     std::uint32_t filtered_enough = 0;
 };
 
+// When a frame runs over lists of tiles. Where the last frames of a moving view had next to nothing to leave
+// out, lists cost more than they save: the next ones run over the whole image, to the same result. A view
+// that stands still is always listed: it settles.
+class Listing {
+  public:
+    void restart() { quiet_ = rest_ = 0; }
+
+    [[nodiscard]] bool due(bool moved) const { return !moved || rest_ == 0; }
+
+    // After a frame of `tiles` tiles, which was listed or not.
+    void advance(bool listed, const SelectedTiles& found, std::size_t tiles);
+
+  private:
+    std::uint32_t quiet_ = 0;  // listed frames in a row that left out next to nothing
+    std::uint32_t rest_ = 0;   // frames until the next list
+};
+
 // What is known of the tiles of an image from frame to frame, and the lists of those that passes run on.
 class Tiles {
   public:
@@ -86,8 +112,8 @@ class Tiles {
     // Nothing is known any more.
     void forget();
 
-    // Empties the lists: before each run of the passes.
-    void clear_lists();
+    // Empties the lists and counts: before each run of the passes.
+    void clear();
 
     // The states of this frame become those of the last.
     void advance() { std::swap(before_, after_); }

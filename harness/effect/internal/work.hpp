@@ -5,19 +5,13 @@
 #include <span>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/internal/tiles.hpp"
 
 namespace gloam::effect {
 
-// What ambient_occlusion.comp writes for each group, as it declares it.
-struct TileWork {
-    std::uint32_t samples;
-    std::uint32_t background;
-    std::uint32_t below_radius;
-    std::uint32_t pixels;
-};
-
-// Sums of all tiles; Work::converged stays 0.
-[[nodiscard]] Work summed(std::span<const TileWork> tiles);
+// Sums of all tiles of an image, by rows; Work::converged stays 0.
+// band: on each side, that is not shaded.
+[[nodiscard]] Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent band);
 
 // Of all passes. NaN where the device has no clock.
 [[nodiscard]] double total_ms(const Frame& frame);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_PASSES_TILES_TALLY_GLSL
+#define GLOAM_PASSES_TILES_TALLY_GLSL
+
+#include "state.glsl"
+
+// Lets a pass count what its tiles take. Define GLOAM_STATE_BINDING as the binding of the tiles' states, whose counts are 0 before the
+// pass; they are touched when `counts` is set.
+
+const uint COUNT_EACH = 1u;   // each invocation adds its own
+const uint COUNT_GROUP = 2u;  // the group adds its sum: what is far from the device is written once a tile
+
+// COUNT_*; 0: nothing is counted. Where a group's barrier costs more than memory, as on a CPU, COUNT_EACH is faster.
+layout(constant_id = 0) const uint counts = 0u;
+
+layout(binding = GLOAM_STATE_BINDING, std430) buffer TileStates { TileState tile_states[]; };
+
+shared uint group_samples;
+shared uint group_pixels;
+
+// Adds what the invocation has taken; to be called by all of the group.
+// entry: of group_entry(). tiles: of the image, along x and y.
+void count_tile(uint entry, uvec2 tiles, uint samples, uint pixels) {
+    uvec2 at = tile_of(entry);
+    uint tile = at.y * tiles.x + at.x;
+    bool inside = at.x < tiles.x && at.y < tiles.y;
+    if (counts == COUNT_EACH && inside) {
+        if (samples > 0u) atomicAdd(tile_states[tile].samples, samples);
+        if (pixels > 0u) atomicAdd(tile_states[tile].pixels, pixels);
+    }
+    if (counts != COUNT_GROUP) return;
+    if (gl_LocalInvocationIndex == 0u) group_samples = group_pixels = 0u;
+    barrier();
+    if (samples > 0u) atomicAdd(group_samples, samples);
+    if (pixels > 0u) atomicAdd(group_pixels, pixels);
+    barrier();
+    if (gl_LocalInvocationIndex != 0u || !inside) return;
+    tile_states[tile].samples = group_samples;
+    tile_states[tile].pixels = group_pixels;
+}
+
+#endif
