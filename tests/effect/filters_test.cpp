@@ -9,7 +9,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -311,13 +310,12 @@ TEST_P(FiltersInTheEffect, AreForDisplayOnly) {
             chosen.precision = precision;
             chosen.table_size = 2048;
             set(chosen, "filter", filter);
-            std::optional<AmbientOcclusion> effect;
             for (int i = 0; i < 3; ++i) {
                 const scene::GBuffer view =
                     scene::rasterize(device_, passes_, scene, {72, 41}, {.frame = i, .motion = true});
-                if (i == 0) effect.emplace(device_, passes_, view.extent);
-                i == 0 ? effect->begin(view, chosen) : effect->advance(view);
-                Frame frame = effect->next();
+                AmbientOcclusion& effect = effect_for(view.extent);
+                i == 0 ? effect.begin(view, chosen) : effect.advance(view);
+                Frame frame = effect.next();
                 if (i == 2) last.push_back(std::move(frame));
             }
         }

@@ -59,7 +59,7 @@ class Guard : public OnDevice<testing::Test> {
 
     // The last of `frames` frames of a still view.
     [[nodiscard]] Frame still(const scene::GBuffer& view, const Settings& settings, int frames) const {
-        AmbientOcclusion effect(device_, passes_, view.extent);
+        AmbientOcclusion& effect = effect_for(view.extent);
         effect.begin(view, settings);
         Frame frame;
         for (int i = 0; i < frames; ++i) frame = effect.next();
@@ -69,7 +69,7 @@ class Guard : public OnDevice<testing::Test> {
     // The last of `frames` frames of a moving one.
     [[nodiscard]] Frame moving(const scene::Scene& scene, const Settings& settings, int frames) const {
         const scene::GBuffer first = view(scene, settings.guard);
-        AmbientOcclusion effect(device_, passes_, first.extent);
+        AmbientOcclusion& effect = effect_for(first.extent);
         effect.begin(first, settings);
         Frame frame = effect.next();
         for (int i = 1; i < frames; ++i) {

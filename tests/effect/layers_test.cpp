@@ -53,14 +53,15 @@ TEST_F(Layers, TheSameAgainChangesNothing) {
     }
 }
 
-// Behind a bare plane seen at a tilt another plane: nothing of it rises above the first.
+// Behind a bare plane seen at a tilt other planes: nothing of them rises above the first.
 TEST_F(Layers, WhatLiesBehindAPlaneLeavesItOpen) {
     scene::GBuffer view = view_of("corner", {63, 41}, 1);
     view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     view.depth.assign(view.depth.size(), 2.0F);
-    view.layers = {std::vector<float>(view.depth.size(), 2.4F), std::vector<float>(view.depth.size(), 2.8F)};
+    view.layers.clear();
+    for (const float depth : {2.4F, 2.8F, 3.2F}) view.layers.emplace_back(view.depth.size(), depth);
     for (const MethodInfo& method : methods()) {
-        EXPECT_THAT(occlusion(view, settings_for(method.name.c_str(), 3, 1.0)), testing::Each(0.0F))
+        EXPECT_THAT(occlusion(view, settings_for(method.name.c_str(), 4, 1.0)), testing::Each(0.0F))
             << method.name;
     }
 }

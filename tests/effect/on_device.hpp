@@ -4,14 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <cstdlib>
-#include <map>
+#include <optional>
 #include <string>
-#include <utility>
 
 #include "effect/ambient_occlusion.hpp"
 #include "gpu/device.hpp"
+#include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {
@@ -36,15 +36,29 @@ class OnDevice : public Base {
                          .cache_directory = variable("GLOAM_CACHE_DIR")}};
     scene::PassLibrary passes_{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};
 
-    // One for each size, so that pipelines are compiled once; begin() leaves no trace of what it held before
-    // (configuration_study_test.cpp).
+    // Always the same, so that pipelines are compiled once, for images of that size until the next call with
+    // another; begin() leaves no trace of what it held before (configuration_study_test.cpp).
     [[nodiscard]] AmbientOcclusion& effect_for(gpu::Extent extent) const {
-        return effects_.try_emplace(std::pair(extent.width, extent.height), device_, passes_, extent)
-            .first->second;
+        if (!effect_) effect_.emplace(device_, passes_, extent);
+        if (extent_ && *extent_ != extent) {
+            effect_->begin(blank(*extent_), {});
+            effect_->advance(blank(extent));
+        }
+        extent_ = extent;
+        return *effect_;
     }
 
   private:
-    mutable std::map<std::pair<std::uint32_t, std::uint32_t>, AmbientOcclusion> effects_;
+    [[nodiscard]] static scene::GBuffer blank(gpu::Extent extent) {
+        scene::GBuffer view{.extent = extent};
+        view.depth.assign(std::size_t{extent.width} * extent.height, 1.0F);
+        view.camera =
+            scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));
+        return view;
+    }
+
+    mutable std::optional<AmbientOcclusion> effect_;
+    mutable std::optional<gpu::Extent> extent_;
 };
 
 }  // namespace gloam::effect

@@ -45,7 +45,7 @@ class Poison : public OnDevice<testing::Test> {
     // All frames, one of them changed.
     [[nodiscard]] std::vector<Frame> run(const Change& change) const {
         const Settings settings = with_radius(Settings{}, static_cast<float>(scene_.ao_radius));
-        AmbientOcclusion effect(device_, passes_, extent);
+        AmbientOcclusion& effect = effect_for(extent);
         std::vector<Frame> frames;
         for (std::size_t i = 0; i < views_.size(); ++i) {
             scene::GBuffer view = views_[i];

@@ -76,7 +76,7 @@ class Prepared : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
     [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1,
                             int repeat = 1) const {
-        AmbientOcclusion effect(device_, passes_, view.extent);
+        AmbientOcclusion& effect = effect_for(view.extent);
         effect.begin(view, settings);
         Frame frame = effect.next(repeat);
         for (int i = 1; i < frames; ++i) frame = effect.next(repeat);
@@ -101,7 +101,7 @@ TEST_P(Prepared, ABarePlaneIsOpen) {
     settings.angle_bias = 0.0F;
     settings.least_radius = 0.0F;
     for (const gpu::Extent extent : {gpu::Extent{67, 51}, gpu::Extent{5, 1}, gpu::Extent{1, 3}}) {
-        AmbientOcclusion effect(device_, passes_, extent);
+        AmbientOcclusion& effect = effect_for(extent);
         for (const bool orthographic : {false, true}) {
             for (const glm::dvec3 tilt :
                  {glm::dvec3(0, 0, 1), glm::dvec3(0.8, -0.5, 1), glm::dvec3(-1.4, 1.0, 1)}) {
@@ -120,7 +120,7 @@ TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const Settings settings = settings_for(GetParam(), 0.5F);
     for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}}) {
-        AmbientOcclusion effect(device_, passes_, extent);
+        AmbientOcclusion& effect = effect_for(extent);
         for (const float depth : {infinity, 0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
             scene::GBuffer view = view_of(extent, false, [](glm::dvec2) { return 3.0; });
             view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));

@@ -42,8 +42,7 @@ class WithView : public OnDevice<Base> {
     }
 
     [[nodiscard]] std::vector<Frame> run(const Settings& settings) const {
-        AmbientOcclusion effect(this->device_, this->passes_, odd);
-        return run(effect, settings);
+        return run(this->effect_for(odd), settings);
     }
 };
 

@@ -73,7 +73,7 @@ class Temporal : public OnDevice<testing::Test> {
     // The last of `frames` frames; each result is passed on.
     Frame run(const scene::Scene& scene, const Settings& settings, int frames,
               const std::function<void(int, const Frame&)>& seen = {}) const {
-        AmbientOcclusion effect(device_, passes_, extent);
+        AmbientOcclusion& effect = effect_for(extent);
         Frame frame;
         for (int i = 0; i < frames; ++i) {
             const scene::GBuffer now = view(scene, i);
@@ -89,7 +89,7 @@ class Temporal : public OnDevice<testing::Test> {
                                                const Settings& settings) const {
         Settings many = settings;
         many.samples = many.samples_converged = 1024;
-        AmbientOcclusion effect(device_, passes_, extent);
+        AmbientOcclusion& effect = effect_for(extent);
         effect.begin(view(scene, frame), many);
         return effect.next().occlusion;
     }

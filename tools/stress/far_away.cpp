@@ -59,13 +59,12 @@ void append_centered(const Context& context, const MovedPoints& origin, Rows& ro
     rows.push_back({name, varied, "previous depth off, part of the distance", depth, centered_depth_error});
 }
 
+constexpr gpu::Extent picture_extent{96, 54};
+
 // What one shows: depth, normals and occlusion of every pixel, as words.
-std::vector<check::Word> picture(const Context& context, double distance) {
-    constexpr gpu::Extent extent{96, 54};
-    const gpu::Device& device = context.lab.device();
-    const scene::GBuffer view =
-        scene::rasterize(device, context.passes, moved_scene("corner", distance), extent);
-    effect::AmbientOcclusion effect(device, context.passes, extent);
+std::vector<check::Word> picture(const Context& context, effect::AmbientOcclusion& effect, double distance) {
+    const scene::GBuffer view = scene::rasterize(context.lab.device(), context.passes,
+                                                 moved_scene("corner", distance), picture_extent);
     effect.begin(view, effect::with_radius(effect::preset_named("paper").settings, 1.0F));
     (void)effect.next();
     const effect::Frame frame = effect.next();
@@ -77,11 +76,12 @@ std::vector<check::Word> picture(const Context& context, double distance) {
 }
 
 Row whole_picture(const Context& context) {
+    effect::AmbientOcclusion effect(context.lab.device(), context.passes, picture_extent);
     // Moved a little as well: what does not move at all may take another way through the rasteriser.
-    const std::vector<check::Word> expected = picture(context, 2.0);
+    const std::vector<check::Word> expected = picture(context, effect, 2.0);
     std::size_t changed = 0;
     for (const double distance : distances(1e3, 1))
-        changed += differing(picture(context, distance), expected);
+        changed += differing(picture(context, effect, distance), expected);
     return {name, "scene \"corner\", 1e3 to 1e8", "words of depth, normal and occlusion changed",
             static_cast<double>(changed), 0.0};
 }
