@@ -31,12 +31,16 @@ layout(push_constant) uniform Parameters {
 #include "gloam/geometry/background.glsl"
 #include "gloam/shading/remap.glsl"
 
-void main() {
-    ivec2 pixel = pixel_of(group_entry(parameters.size));
+void map(ivec2 pixel) {
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     float occlusion = imageLoad(source_image, pixel).x;
     if (!gloam_is_background(imageLoad(depth_image, pixel).x)) {
         occlusion = 1.0 - gloam_remap(1.0 - occlusion, parameters.a, parameters.b, parameters.c);
     }
     imageStore(mapped_image, pixel, vec4(occlusion));
+}
+
+void main() {
+    uint tiles = listed ? tiles_of_group(which_list) : 1u;
+    for (uint i = 0u; i < tiles; ++i) map(pixel_of(group_entry_at(parameters.size, i, tiles)));
 }

@@ -1,21 +1,40 @@
 // SPDX-License-Identifier: MIT
 #version 450
+#extension GL_EXT_control_flow_attributes : require
 // Smooths the occlusion in the image along one axis: run it along x, then along y on the result. Only for display: the history must not
 // see the result. How neighbours count is said by a file of the folder filters: by convergence (TSSAO-10), by normal and depth (CS-BLUR), by
 // distance and depth (ISSAO-7), or as SAO has it.
 //
-// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f.
-// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select_filtered.comp). Descriptor set 0:
-//   0  r32f     eye-linear depth, world units; background 0 or not finite
-//   1  history  occlusion in x, accumulated samples in y, anything in zw
+// An invocation filters PIXELS pixels of a tile, in a row along the axis. Their windows overlap: it reads the row once, with what the outermost
+// windows reach beyond it, and everything that a tap needs is computed once and not once for each pixel that has it in its window.
+//
+// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f; and GLOAM_HALF_WIDTH as the taps on each side, else 2
+// (5 x 5). Dispatch ceil(width / (8 FILTER_TILES)) x ceil(height / 8) groups, or a list of tiles (tiles/select_filtered.comp). Descriptor set 0:
+//   0  r32f     eye-linear depth, world units; background 0 or not finite; read when the history is of half precision
+//   1  history  occlusion in x, accumulated samples in y, depth in w as binding 0 has it, but for half precision
 //   2  r32f     written: filtered occlusion
 //   3  rgba32f  view-space normal in xyz; read by the filter geometry alone
 //   4  buffer   lists of tiles; read when listed is set
 //   5  r32f     what this pass has written along x; read when along_y is set
-#ifndef GLOAM_HISTORY
+#ifdef GLOAM_HISTORY
+#define HISTORY_ROUNDS true
+#else
+#define HISTORY_ROUNDS false
 #define GLOAM_HISTORY rgba32f
 #endif
-layout(local_size_x = 8, local_size_y = 8) in;
+#ifndef GLOAM_HALF_WIDTH
+#define GLOAM_HALF_WIDTH 2
+#endif
+// A row is held in registers: the loops over it have to be unrolled. One of a wide window would not fit, and is read again for each pixel.
+#if GLOAM_HALF_WIDTH <= 8
+#define HOLDS_ROW true
+#define UNROLL [[unroll]]
+#else
+#define HOLDS_ROW false
+#define UNROLL [[dont_unroll]]
+#endif
+const int HALF_WIDTH = GLOAM_HALF_WIDTH;
+const int PIXELS = HALF_WIDTH <= 2 ? 8 : 4;  // of an invocation; divides the side of a tile
 
 layout(constant_id = 0) const bool along_y = false;       // the second of the two passes
 layout(constant_id = 1) const bool orthographic = false;  // else perspective
@@ -29,10 +48,12 @@ layout(binding = 5, r32f) uniform readonly image2D along_x_image;
 #define GLOAM_LIST_BINDING 4
 #include "tiles/listed.glsl"
 
+const int TILE_ROWS = int(TILE_SIDE * TILE_SIDE) / PIXELS;  // a tile's, each of an invocation
+layout(local_size_x = int(FILTER_TILES) * TILE_ROWS) in;
+
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;        // elements [0][0] and [1][1] of the projection, y down
     ivec2 size;          // of the images, pixels
-    int half_width;      // taps on each side: 2 for 5 x 5
     float sigma_pixels;  // convergence, bilateral: width of the Gaussian in the image, pixels: about a quarter of the window
     float depth_scale;   // geometry, bilateral, sao: difference of depth that sets a neighbour apart, world units, > 0
     float c_adaptive;    // convergence: that from which a pixel is left as it is: 0.2
@@ -41,28 +62,51 @@ layout(push_constant) uniform Parameters {
                          // that has just appeared is not overruled by the old ones that happen to be on one side of it
 } parameters;
 
+// What the images hold of a pixel.
+struct Source {
+    float occlusion;  // what is filtered, in [0, 1]
+    float samples;    // accumulated
+    float depth;      // eye-linear, world units
+};
+
+Source source_at(ivec2 pixel) {
+    vec4 texel = imageLoad(history_image, pixel);
+    if (along_y) texel.x = imageLoad(along_x_image, pixel).x;
+    if (HISTORY_ROUNDS) texel.w = imageLoad(depth_image, pixel).x;
+    return Source(texel.x, texel.y, texel.w);
+}
+
 // Of the image, (1, 0) or (0, 1).
 ivec2 filter_axis() {
     // By components: of whole vectors (OpSpecConstantOp Select with one condition) the choice came out wrong on lavapipe, Mesa 22.3.
     return ivec2(along_y ? 0 : 1, along_y ? 1 : 0);
 }
 
-// What is filtered, in [0, 1].
-float source_occlusion(ivec2 pixel) {
-    return along_y ? imageLoad(along_x_image, pixel).x : imageLoad(history_image, pixel).x;
-}
-
-// The same, and the samples accumulated.
-vec2 source_occlusion_samples(ivec2 pixel) {
-    vec2 texel = imageLoad(history_image, pixel).xy;
-    return along_y ? vec2(imageLoad(along_x_image, pixel).x, texel.y) : texel;
-}
-
-// The filter: any file of this folder.
+// The filter: any file of this folder. It defines REACH, the pixels that a window reaches to each side; what is kept of a pixel for the windows
+// that it lies in (tiles/row.glsl); and filtered_occlusion(position), in [0, 1], of the pixel at a position of the row.
 #include "filters/convergence.glsl"
 
+// Of the invocation's pixels; outside the image for one beyond its edge, and beyond the end of the list.
+ivec2 first_pixel() {
+    int invocation = int(gl_LocalInvocationID.x);
+    int row = invocation % TILE_ROWS;
+    int side = int(TILE_SIDE);
+    // Invocations next to each other lie across the axis where that is along the rows of the image, and so of what is read together.
+    ivec2 within = along_y ? ivec2(row % side, row / side * PIXELS) : ivec2(row % (side / PIXELS) * PIXELS, row / (side / PIXELS));
+    return ivec2(tile_of(group_entry_at(parameters.size, uint(invocation / TILE_ROWS), FILTER_TILES))) * side + within;
+}
+
+bool in_image(ivec2 pixel) {
+    return pixel.x < parameters.size.x && pixel.y < parameters.size.y;
+}
+
 void main() {
-    ivec2 pixel = pixel_of(group_entry(parameters.size));
-    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    imageStore(filtered_image, pixel, vec4(filtered_occlusion(pixel)));
+    ivec2 first = first_pixel();
+    if (!in_image(first)) return;
+    read_row(first);
+    UNROLL for (int i = 0; i < PIXELS; ++i) {
+        ivec2 pixel = first + i * filter_axis();
+        float value = filtered_occlusion(REACH + i);
+        if (in_image(pixel)) imageStore(filtered_image, pixel, vec4(value));
+    }
 }

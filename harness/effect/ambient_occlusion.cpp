@@ -258,15 +258,14 @@ void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
                           tile_groups()});
     }
     const auto along = [&](const char* name, TileLists list, const gpu::Image& from, const gpu::Image& to) {
-        const FilterProgram compiled{.filter = settings.filter,
-                                     .precision = settings.precision,
-                                     .along_y = list == TileLists::filtered_y,
-                                     .orthographic = view.camera.orthographic(),
-                                     .list = listed(list)};
+        FilterProgram compiled = filter_program_for(settings, listed(list));
+        compiled.along_y = list == TileLists::filtered_y;
+        compiled.orthographic = view.camera.orthographic();
         passes.push_back(over(list, {name,
                                      &pipelines.filter(compiled),
                                      {images->depth, images->after, to, images->normal, lists, from},
-                                     bytes_of(filter_constants)}));
+                                     bytes_of(filter_constants),
+                                     filter_groups_for(view.extent)}));
     };
     along("filter_x", TileLists::filtered_x, images->filtered, images->half_filtered);
     along("filter_y", TileLists::filtered_y, images->half_filtered, images->filtered);

@@ -82,6 +82,13 @@ Program program_for(const Settings& settings) {
             .smooths = settings.smoothing > 0.0F};
 }
 
+FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list) {
+    return {.filter = settings.filter,
+            .precision = settings.precision,
+            .half_width = settings.filter_half_width,
+            .list = list};
+}
+
 std::vector<std::string> defines_for(HistoryPrecision precision) {
     if (precision == HistoryPrecision::float32) return {};
     return {"GLOAM_HISTORY rgba16f"};
@@ -148,7 +155,6 @@ ReprojectionParameters reprojection_parameters(const View& view, const View& pre
 FilterParameters filter_parameters(const View& view, const Settings& settings) {
     return {.p00_p11 = view.camera.p00_p11(),
             .size = size_of(view.extent),
-            .half_width = settings.filter_half_width,
             .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1),
             .depth_scale = settings.filter_depth,
             .c_adaptive = settings.c_adaptive,
@@ -211,8 +217,10 @@ gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibra
 
 gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::PassLibrary& library,
                                     const FilterProgram& program) {
+    std::vector<std::string> defines = defines_for(program.precision);
+    defines.push_back(fmt::format("GLOAM_HALF_WIDTH {}", program.half_width));
     const shader::Spirv spirv =
-        library.compile("spatial_filter.comp", defines_for(program.precision),
+        library.compile("spatial_filter.comp", defines,
                         {{filter_include(Filter::convergence), filter_include(program.filter)}});
     std::vector<gpu::SpecializationConstant> constants = constants_of(program.list);
     constants.push_back({.id = 0, .bits = flag(program.along_y)});
@@ -277,6 +285,11 @@ gpu::ComputePipeline select_filtered_tiles(const gpu::Device& device, const scen
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {
     const auto groups = [](std::uint32_t side) { return (side + tile_side - 1) / tile_side; };
     return {groups(extent.width), groups(extent.height), 1};
+}
+
+std::array<std::uint32_t, 3> filter_groups_for(gpu::Extent extent) {
+    const auto [columns, rows, layers] = groups_for(extent);
+    return {(columns + filter_tiles - 1) / filter_tiles, rows, layers};
 }
 
 }  // namespace gloam::effect

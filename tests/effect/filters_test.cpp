@@ -5,20 +5,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
+#include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
 #include "effect/setting_table.hpp"
-#include "gpu/commands.hpp"
-#include "numeric/random.hpp"
+#include "filter_passes.hpp"
 #include "on_device.hpp"
 #include "reference/filter/bilateral.hpp"
 #include "reference/filter/convergence_filter.hpp"
@@ -33,6 +32,7 @@ namespace gloam::effect {
 namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr int default_half_width = 3;
 
 std::vector<std::string> names() {
     std::vector<std::string> all = setting_named("filter").choices;
@@ -40,96 +40,34 @@ std::vector<std::string> names() {
     return all;
 }
 
-// As in spatial_filter.comp.
-struct Parameters {
-    glm::vec2 p00_p11{1.0F, -1.0F};
-    glm::ivec2 size{0};
-    std::int32_t half_width = 3;
-    float sigma_pixels = 1.5F;
-    float depth_scale = 0.1F;
-    float c_adaptive = 1.0F;
-    float weight_max = 100.0F;
-    float cap = 1e18F;
-};
-
-struct Field {
-    glm::ivec2 size;
-    std::vector<float> occlusion;
-    std::vector<float> depth;
-    std::vector<glm::vec3> normal;
-
-    [[nodiscard]] std::size_t at(glm::ivec2 p) const {
-        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size.x) +
-               static_cast<std::size_t>(p.x);
-    }
-};
-
-Field random_field(glm::ivec2 size, float depth_range) {
-    numeric::Random random(7);
-    Field field{.size = size, .occlusion = {}, .depth = {}, .normal = {}};
-    for (int i = 0; i < size.x * size.y; ++i) {
-        field.occlusion.push_back(static_cast<float>(random.unit()));
-        field.depth.push_back(3.0F + depth_range * static_cast<float>(random.unit()));
-        const glm::vec3 tilted(0.5F * static_cast<float>(random.unit()), 0.0F, 1.0F);
-        field.normal.push_back(glm::normalize(tilted));
-    }
-    return field;
-}
-
 class Filters : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
-    [[nodiscard]] Settings settings() const {
+    [[nodiscard]] Settings settings(int half_width = Settings{}.filter_half_width) const {
         Settings chosen;
         set(chosen, "filter", GetParam());
+        chosen.filter_half_width = half_width;
         return chosen;
     }
 
     // The field's occlusion after the pass along x and then along y; all pixels have converged alike.
-    [[nodiscard]] std::vector<float> filtered(const Field& field, Parameters parameters = {}) const {
-        const gpu::Extent extent{static_cast<std::uint32_t>(field.size.x),
-                                 static_cast<std::uint32_t>(field.size.y)};
-        using enum gpu::Format;
-        gpu::Image depth(device_, extent, r32f);
-        gpu::Image source(device_, extent, rgba32f);
-        gpu::Image half(device_, extent, r32f);
-        gpu::Image normal(device_, extent, rgba32f);
-        gpu::Image result(device_, extent, r32f);
-        depth.upload(field.depth);
-        std::vector<float> texels;
-        std::vector<float> normals;
-        for (std::size_t i = 0; i < field.depth.size(); ++i) {
-            texels.insert(texels.end(), {field.occlusion[i], 50.0F, 7.0F, 9.0F});
-            normals.insert(normals.end(), {field.normal[i].x, field.normal[i].y, field.normal[i].z, 0.0F});
-        }
-        source.upload(texels);
-        normal.upload(normals);
-        const gpu::ComputePipeline along_x = pipeline(false);
-        const gpu::ComputePipeline along_y = pipeline(true);
-        parameters.size = field.size;
-        const std::array<std::uint32_t, 3> groups{(extent.width + 7) / 8, (extent.height + 7) / 8, 1};
-        const gpu::Buffer no_list(device_, 64);
-        gpu::Commands commands(device_);
-        const auto run = [&](const gpu::ComputePipeline& pass, const gpu::Image& from, const gpu::Image& to) {
-            const std::vector<gpu::Resource> resources{depth, source, to, normal, no_list, from};
-            commands.dispatch(pass, resources, groups, std::as_bytes(std::span(&parameters, 1)));
-        };
-        run(along_x, result, half);
-        run(along_y, half, result);
-        commands.submit();
-        return result.download();
+    [[nodiscard]] std::vector<float> filtered(const Field& field, int half_width = default_half_width) const {
+        if (!pair_ || half_width_ != half_width) pair_.emplace(pair_for(half_width));
+        half_width_ = half_width;
+        return run_filter(device_, *pair_, field, {}, gpu::Format::rgba32f);
     }
 
-    [[nodiscard]] gpu::ComputePipeline pipeline(bool along_y) const {
-        const shader::Spirv spirv = passes_.compile(
-            "spatial_filter.comp", {}, {{"filters/convergence.glsl", "filters/" + GetParam() + ".glsl"}});
-        using enum gpu::BindingKind;
-        return {device_,
-                {.spirv = spirv,
-                 .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
-                              storage_image},
-                 .push_constant_bytes = sizeof(Parameters),
-                 .constants = {{.id = 0, .bits = along_y ? 1U : 0U}}}};
+  private:
+    [[nodiscard]] FilterPair pair_for(int half_width) const {
+        const auto pass = [&](bool along_y) {
+            FilterProgram program = filter_program_for(settings(half_width), std::nullopt);
+            program.along_y = along_y;
+            return spatial_filter(device_, passes_, program);
+        };
+        return {pass(false), pass(true), {tile_side * filter_tiles, tile_side}};
     }
+
+    mutable std::optional<FilterPair> pair_;
+    mutable int half_width_ = 0;
 };
 
 TEST_P(Filters, AConstantStaysWhatItIs) {
@@ -177,7 +115,7 @@ TEST_P(Filters, NothingLeaksOverAnEdge) {
 
 TEST_P(Filters, WithoutNeighboursItIsNotThere) {
     const Field field = random_field({19, 11}, 0.1F);
-    EXPECT_EQ(filtered(field, {.half_width = 0}), field.occlusion);
+    EXPECT_EQ(filtered(field, 0), field.occlusion);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Filters, testing::ValuesIn(names()),
@@ -201,17 +139,17 @@ class GeometryFilter : public Filters {};
 
 TEST_P(GeometryFilter, IsItsReference) {
     const Field field = random_field({21, 13}, 0.3F);
-    const Parameters parameters;
+    const FilterConstants parameters;
     const std::vector<float> expected =
         by_reference(field, [&](const Field& f, glm::ivec2 pixel, glm::ivec2 axis) {
             const double scale = double{parameters.depth_scale};
             return reference::gloam_geometry_blur<double>(
-                pixel, axis, f.size, parameters.half_width, {10.0, 0.5},
+                pixel, axis, f.size, default_half_width, {10.0, 0.5},
                 [&](glm::ivec2 p) { return double{f.occlusion[f.at(p)]}; },
                 [&](glm::ivec2 p) { return double{f.depth[f.at(p)]} / scale; },
                 [&](glm::ivec2 p) { return glm::dvec3(f.normal[f.at(p)]); });
         });
-    EXPECT_THAT(filtered(field, parameters), testing::Pointwise(testing::FloatNear(2e-5F), expected));
+    EXPECT_THAT(filtered(field), testing::Pointwise(testing::FloatNear(2e-5F), expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(The, GeometryFilter, testing::Values("geometry"));
@@ -220,15 +158,15 @@ class BilateralFilter : public Filters {};
 
 TEST_P(BilateralFilter, IsItsReference) {
     const Field field = random_field({21, 13}, 0.3F);
-    const Parameters parameters;
+    const FilterConstants parameters;
     const std::vector<float> expected =
         by_reference(field, [&](const Field& f, glm::ivec2 pixel, glm::ivec2 axis) {
             return reference::gloam_bilateral_filter<double>(
-                pixel, parameters.half_width * axis, f.size, double{parameters.sigma_pixels},
+                pixel, default_half_width * axis, f.size, double{parameters.sigma_pixels},
                 double{parameters.depth_scale}, [&](glm::ivec2 p) { return double{f.occlusion[f.at(p)]}; },
                 [&](glm::ivec2 p) { return double{f.depth[f.at(p)]}; });
         });
-    EXPECT_THAT(filtered(field, parameters), testing::Pointwise(testing::FloatNear(1e-5F), expected));
+    EXPECT_THAT(filtered(field), testing::Pointwise(testing::FloatNear(1e-5F), expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(The, BilateralFilter, testing::Values("bilateral"));
@@ -237,7 +175,7 @@ class ConvergenceFilter : public Filters {};
 
 TEST_P(ConvergenceFilter, IsItsReference) {
     const Field field = random_field({21, 13}, 0.3F);
-    const Parameters parameters;
+    const FilterConstants parameters;
     const double converged = reference::gloam_convergence(50.0, double{parameters.weight_max});
     const reference::GloamCamera<double> camera{{1.0, -1.0}, field.size, false};
     const std::vector<float> expected =
@@ -246,13 +184,13 @@ TEST_P(ConvergenceFilter, IsItsReference) {
                 reference::gloam_filter_sigma(double{f.depth[f.at(pixel)]}, 1.0,
                                               static_cast<double>(f.size.y), double{parameters.sigma_pixels});
             return reference::gloam_convergence_filter<double>(
-                pixel, axis, f.size, parameters.half_width, double{parameters.c_adaptive}, sigma,
+                pixel, axis, f.size, default_half_width, double{parameters.c_adaptive}, sigma,
                 [&](glm::ivec2 p) { return glm::dvec2(double{f.occlusion[f.at(p)]}, converged); },
                 [&](glm::ivec2 p) {
                     return reference::gloam_camera_position(p, double{f.depth[f.at(p)]}, camera);
                 });
         });
-    EXPECT_THAT(filtered(field, parameters), testing::Pointwise(testing::FloatNear(1e-5F), expected));
+    EXPECT_THAT(filtered(field), testing::Pointwise(testing::FloatNear(1e-5F), expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(The, ConvergenceFilter, testing::Values("convergence"));
@@ -264,7 +202,7 @@ TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
     Field field = random_field({25, 1}, 0.0F);
     field.occlusion.assign(field.occlusion.size(), 0.0F);
     field.occlusion[12] = 1.0F;
-    const std::vector<float> result = filtered(field, {.half_width = 64});
+    const std::vector<float> result = filtered(field, 64);
     const std::vector<double> g{0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
     const double sum = g[0] + 2.0 * (1.2 + g[1] + g[2] + g[3] + g[4]);
     for (int x = 0; x < 25; ++x) {

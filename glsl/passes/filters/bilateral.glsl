@@ -2,23 +2,43 @@
 #ifndef GLOAM_FILTERS_BILATERAL_GLSL
 #define GLOAM_FILTERS_BILATERAL_GLSL
 
-#include "gloam/filter/bilateral.glsl"
+#include "gloam/filter/bilateral_weight.glsl"
+#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/geometry/background.glsl"
 
-// Neighbours count by distance in the image and difference of depth (ISSAO-7), at most 16 on each side.
-// Reads sigma_pixels (sigma_d) and depth_scale (sigma_r).
+// Neighbours count by distance in the image and difference of depth (ISSAO-7), at most 16 on each side: gloam_bilateral_filter over the row, to
+// the bit. Reads sigma_pixels (sigma_d) and depth_scale (sigma_r).
 
-float gloam_fetch_occlusion(ivec2 pixel) {
-    return source_occlusion(pixel);
+const int REACH = min(HALF_WIDTH, 16);
+
+struct Tap {
+    float occlusion;
+    float depth;  // world units
+    bool surface;
+};
+
+Tap weightless(Tap tap) {
+    return Tap(tap.occlusion, tap.depth, false);
 }
 
-float gloam_fetch_depth(ivec2 pixel) {
-    return imageLoad(depth_image, pixel).x;
+Tap tap_at(ivec2 pixel) {
+    Source source = source_at(pixel);
+    return Tap(source.occlusion, source.depth, !gloam_is_background(source.depth));
 }
 
-// Occlusion of a pixel of the image, filtered along the axis: in [0, 1].
-float filtered_occlusion(ivec2 pixel) {
-    return gloam_bilateral_filter(pixel, parameters.half_width * filter_axis(), parameters.size, parameters.sigma_pixels,
-                                  parameters.depth_scale);
+#include "passes/tiles/row.glsl"
+
+// mean: what was added so far. center: depth of the filtered pixel. offset: of the tap from it, pixels.
+GloamWeightedMean with_tap(GloamWeightedMean mean, float center, Tap tap, int offset) {
+    float weight = gloam_bilateral_weight(vec2(float(offset), 0.0), tap.depth - center, parameters.sigma_pixels, parameters.depth_scale);
+    return gloam_weighted_mean_add(mean, tap.occlusion, tap.surface ? weight : 0.0);
+}
+
+float filtered_occlusion(int position) {
+    Tap own = row_tap(position);
+    GloamWeightedMean mean = gloam_weighted_mean_empty();
+    UNROLL for (int i = -REACH; i <= REACH; ++i) mean = with_tap(mean, own.depth, row_tap(position + i), i);
+    return gloam_weighted_mean_value(own.surface ? mean : gloam_weighted_mean_empty(), own.occlusion);
 }
 
 #endif

@@ -12,27 +12,38 @@
 
 const int SAO_STRIDE = 2;
 const int SAO_MOST_TAPS = 4;
+const int SAO_TAPS = min(HALF_WIDTH, SAO_MOST_TAPS);
+const int REACH = SAO_STRIDE * SAO_TAPS;
 
-// mean: what was added so far. tap: its number, from the centre. center: depth of the filtered pixel, world units.
-// Returns the mean with the tap; unchanged outside the image and for background.
-GloamWeightedMean add_tap(GloamWeightedMean mean, ivec2 pixel, int tap, float center) {
-    ivec2 at = pixel + SAO_STRIDE * tap * filter_axis();
-    if (at.x < 0 || at.y < 0 || at.x >= parameters.size.x || at.y >= parameters.size.y) return mean;
-    float depth = imageLoad(depth_image, at).x;
-    if (gloam_is_background(depth)) return mean;
-    float weight = gloam_sao_blur_weight(tap, (depth - center) / parameters.depth_scale, 1.0);
-    return gloam_weighted_mean_add(mean, source_occlusion(at), weight);
+struct Tap {
+    float occlusion;
+    float depth;  // world units
+    bool surface;
+};
+
+Tap weightless(Tap tap) {
+    return Tap(tap.occlusion, tap.depth, false);
 }
 
-// Occlusion of a pixel of the image, filtered along the axis: in [0, 1].
-float filtered_occlusion(ivec2 pixel) {
-    float own = source_occlusion(pixel);
-    float center = imageLoad(depth_image, pixel).x;
+Tap tap_at(ivec2 pixel) {
+    Source source = source_at(pixel);
+    return Tap(source.occlusion, source.depth, !gloam_is_background(source.depth));
+}
+
+#include "passes/tiles/row.glsl"
+
+// mean: what was added so far. center: depth of the filtered pixel, world units. number: of the tap, from the centre.
+// Returns the mean with the tap; unchanged outside the image and for background.
+GloamWeightedMean with_tap(GloamWeightedMean mean, float center, Tap tap, int number) {
+    float weight = gloam_sao_blur_weight(number, (tap.depth - center) / parameters.depth_scale, 1.0);
+    return gloam_weighted_mean_add(mean, tap.occlusion, tap.surface ? weight : 0.0);
+}
+
+float filtered_occlusion(int position) {
+    Tap own = row_tap(position);
     GloamWeightedMean mean = gloam_weighted_mean_empty();
-    if (gloam_is_background(center)) return gloam_weighted_mean_value(mean, own);
-    int last = min(parameters.half_width, SAO_MOST_TAPS);
-    for (int tap = -last; tap <= last; ++tap) mean = add_tap(mean, pixel, tap, center);
-    return gloam_weighted_mean_value(mean, own);
+    UNROLL for (int i = -SAO_TAPS; i <= SAO_TAPS; ++i) mean = with_tap(mean, own.depth, row_tap(position + SAO_STRIDE * i), i);
+    return gloam_weighted_mean_value(own.surface ? mean : gloam_weighted_mean_empty(), own.occlusion);
 }
 
 #endif

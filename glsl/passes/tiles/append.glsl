@@ -16,8 +16,9 @@ layout(binding = GLOAM_LIST_BINDING, std430) buffer TileLists {
 // tiles: of the image, along x and y.
 void append(uint list, uvec2 tile, uvec2 tiles) {
     uint position = atomicAdd(tile_lists[list].tiles, 1u);
-    atomicMax(tile_lists[list].columns, min(position + 1u, LIST_COLUMNS));
-    atomicMax(tile_lists[list].rows, position / LIST_COLUMNS + 1u);
+    uint group = position / tiles_of_group(list);
+    atomicMax(tile_lists[list].columns, min(group + 1u, LIST_COLUMNS));
+    atomicMax(tile_lists[list].rows, group / LIST_COLUMNS + 1u);
     listed_tiles[list * tiles.x * tiles.y + position] = entry_of(tile);
 }
 

@@ -23,6 +23,14 @@ const uint OPEN_TILES = 4u;        // of the shaded tiles: those where nothing c
 const uint SKIPPED_TILES = 5u;     // (background, settled, 0, filtered enough): no list, but counts
 const uint TILE_LISTS = 6u;
 
+// Tiles that a group of the filter takes, along x where it runs over the whole image: an invocation filters several pixels.
+const uint FILTER_TILES = 8u;
+
+// Of a list.
+uint tiles_of_group(uint list) {
+    return list == FILTERED_X_TILES || list == FILTERED_Y_TILES ? FILTER_TILES : 1u;
+}
+
 // Of a list's entry: the tile's column, and its row from this bit on. A division by the columns would cost each invocation more than
 // the entry.
 const uint ENTRY_ROW_SHIFT = 15u;

@@ -15,14 +15,20 @@ layout(binding = GLOAM_LIST_BINDING, std430) readonly buffer TileLists {
     uint listed_tiles[];  // one list after the other, each with room for all tiles
 };
 
-// The group's entry of the list (ENTRY_*); ENTRY_NONE for a group beyond the end of the list.
-// size: of the image, pixels.
-uint group_entry(ivec2 size) {
-    if (!listed) return entry_of(gl_WorkGroupID.xy);
+// One of the entries (ENTRY_*) of a group that takes several tiles; ENTRY_NONE beyond the end of the list.
+// size: of the image, pixels. nth: which of `count`.
+uint group_entry_at(ivec2 size, uint nth, uint count) {
+    if (!listed) return entry_of(uvec2(gl_WorkGroupID.x * count + nth, gl_WorkGroupID.y));
     uvec2 tiles = tiles_of(size);
-    uint position = gl_WorkGroupID.y * LIST_COLUMNS + gl_WorkGroupID.x;
+    uint position = (gl_WorkGroupID.y * LIST_COLUMNS + gl_WorkGroupID.x) * count + nth;
     if (position >= tile_lists[which_list].tiles) return ENTRY_NONE;
     return listed_tiles[which_list * tiles.x * tiles.y + position];
+}
+
+// The entry of a group that takes one tile; ENTRY_NONE for a group beyond the end of the list.
+// size: of the image, pixels.
+uint group_entry(ivec2 size) {
+    return group_entry_at(size, 0u, 1u);
 }
 
 // The invocation's pixel; outside the image for one beyond its edge, and beyond the end of the list.

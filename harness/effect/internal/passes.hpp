@@ -16,6 +16,7 @@
 namespace gloam::effect {
 
 constexpr std::uint32_t tile_side = 8;
+constexpr std::uint32_t filter_tiles = 8;  // that a group of the filter takes, as tiles/list.glsl has it
 
 // Push constants, each laid out as its pass declares them.
 struct NormalParameters {
@@ -75,7 +76,6 @@ struct ReprojectionParameters {
 struct FilterParameters {
     glm::vec2 p00_p11;
     glm::ivec2 size;
-    std::int32_t half_width;
     float sigma_pixels;
     float depth_scale;
     float c_adaptive;
@@ -146,12 +146,16 @@ struct ReprojectionProgram {
 struct FilterProgram {
     Filter filter = Filter::convergence;
     HistoryPrecision precision = HistoryPrecision::float32;
+    int half_width = 2;
     bool along_y = false;
     bool orthographic = false;
     std::optional<TileLists> list;  // of the tiles that it runs on; none: the whole image
 
     friend auto operator<=>(const FilterProgram&, const FilterProgram&) = default;
 };
+
+// What the settings decide of it.
+[[nodiscard]] FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list);
 
 // What a pass that reads or writes a history is compiled with.
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
@@ -186,5 +190,8 @@ struct FilterProgram {
 
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);
+
+// Groups of the filter that cover an image, each of filter_tiles tiles along x.
+[[nodiscard]] std::array<std::uint32_t, 3> filter_groups_for(gpu::Extent extent);
 
 }  // namespace gloam::effect
