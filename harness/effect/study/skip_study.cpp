@@ -65,13 +65,10 @@ Contestant fresh(const Settings& settings) {
 }
 
 // Runs them in turns, so that the machine's drift falls on all alike. Returns the time of a copy.
-double compete(const gpu::Device& device, const scene::PassLibrary& passes, const SkipCase& skip_case,
+double compete(AmbientOcclusion& effect, CopyClock& clock, const SkipCase& skip_case,
                std::vector<Contestant>& contestants, int rounds) {
-    require_timestamps(device.info());
     if (skip_case.views.empty()) throw std::invalid_argument("a case of skips without a view");
     if (rounds < 1) throw std::invalid_argument(fmt::format("rounds {}: expected 1 or more", rounds));
-    AmbientOcclusion effect(device, passes, skip_case.views.front().extent);
-    CopyClock clock(device, passes, skip_case.views.front().extent);
     double copy = 0.0;
     for (int round = 0; round <= rounds; ++round) {
         for (Contestant& contestant : contestants) {
@@ -85,13 +82,18 @@ double compete(const gpu::Device& device, const scene::PassLibrary& passes, cons
 
 }  // namespace
 
-SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes, const SkipCase& skip_case,
-                     int rounds) {
+SkipStudy::SkipStudy(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent)
+    : device_(&device), passes_(passes), extent_(extent), effect_(device, passes, extent) {
+    require_timestamps(device.info());
+}
+
+SkipTimes SkipStudy::times(const SkipCase& skip_case, int rounds) {
     const Settings& all = skip_case.settings;
     std::vector<Contestant> contestants{
         fresh(without_skips(all)), fresh(all), fresh(only(all, &Settings::skip_background)),
         fresh(only(all, &Settings::skip_open)), fresh(only(all, &Settings::skip_settled))};
-    const double copy = compete(device, passes, skip_case, contestants, rounds);
+    CopyClock clock(*device_, passes_, extent_);
+    const double copy = compete(effect_, clock, skip_case, contestants, rounds);
     const auto of = [&](std::size_t i) { return median(contestants.at(i).times); };
     return {.without = of(0),
             .with = of(1),
@@ -104,11 +106,11 @@ SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes
             .passes = contestants[1].passes};
 }
 
-SkipPair skip_pair(const gpu::Device& device, const scene::PassLibrary& passes, const SkipCase& skip_case,
-                   int rounds) {
+SkipPair SkipStudy::pair(const SkipCase& skip_case, int rounds) {
     const Settings& all = skip_case.settings;
     std::vector<Contestant> contestants{fresh(without_skips(all)), fresh(all)};
-    const double copy = compete(device, passes, skip_case, contestants, rounds);
+    CopyClock clock(*device_, passes_, extent_);
+    const double copy = compete(effect_, clock, skip_case, contestants, rounds);
     return {.without = median(contestants[0].times),
             .with = median(contestants[1].times),
             .copy = copy,

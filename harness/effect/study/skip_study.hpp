@@ -46,13 +46,25 @@ struct SkipPair {
 // Every skip off.
 [[nodiscard]] Settings without_skips(Settings settings);
 
-// Times `rounds` runs of each. Throws std::invalid_argument for a case without views and for rounds below 1,
-// std::runtime_error for a device without timestamps, and like AmbientOcclusion.
-[[nodiscard]] SkipTimes skip_times(const gpu::Device& device, const scene::PassLibrary& passes,
-                                   const SkipCase& skip_case, int rounds);
+// Runs cases of views of one size; what they share of the passes is compiled once.
+class SkipStudy {
+  public:
+    // The device must outlive this. Throws std::runtime_error for a device without timestamps, and like
+    // AmbientOcclusion.
+    SkipStudy(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
 
-// The same of two ways alone.
-[[nodiscard]] SkipPair skip_pair(const gpu::Device& device, const scene::PassLibrary& passes,
-                                 const SkipCase& skip_case, int rounds);
+    // Times `rounds` runs of each way. Throws std::invalid_argument for a case without views, or with views
+    // of another size, and for rounds below 1.
+    [[nodiscard]] SkipTimes times(const SkipCase& skip_case, int rounds);
+
+    // The same of two ways alone.
+    [[nodiscard]] SkipPair pair(const SkipCase& skip_case, int rounds);
+
+  private:
+    const gpu::Device* device_;
+    scene::PassLibrary passes_;
+    gpu::Extent extent_;
+    AmbientOcclusion effect_;
+};
 
 }  // namespace gloam::effect

@@ -134,14 +134,15 @@ int run_bench_skips(const BenchSkipsOptions& options) {
     const std::vector<SkipCase> cases = effect::skip_cases(device, passes, extent);
     const std::vector<effect::SkipShare> shares = effect::skip_shares(device, passes, extent);
     const auto total = static_cast<double>(cases.size() + shares.size());
+    effect::SkipStudy study(device, passes, extent);
     std::vector<Row> rows;
     for (const SkipCase& skip_case : cases) {
-        rows.push_back({skip_case, effect::skip_times(device, passes, skip_case, options.rounds)});
+        rows.push_back({skip_case, study.times(skip_case, options.rounds)});
         progress(static_cast<double>(rows.size()) / total);
     }
     std::vector<ShareRow> share_rows;
     for (const effect::SkipShare& share : shares) {
-        share_rows.push_back({share, effect::skip_pair(device, passes, share.skip_case, options.rounds)});
+        share_rows.push_back({share, study.pair(share.skip_case, options.rounds)});
         progress(static_cast<double>(rows.size() + share_rows.size()) / total);
     }
     fmt::print("{}, {} x {} pixels\n\n{}\n{}", device.info().name, extent.width, extent.height,
