@@ -26,6 +26,11 @@ Settings widened(Settings settings) {
     return settings;
 }
 
+Settings filtered_by(Filter filter, Settings settings) {
+    settings.filter = filter;
+    return settings;
+}
+
 Settings unskipped(Settings settings) {
     settings.skip_filtered = false;
     return settings;
@@ -92,6 +97,9 @@ std::vector<PassCase> pass_cases() {
         {"fresh", "nothing has converged: 5 x 5 taps", plain, 0, false},
         {"fresh, no table", "the same, each sample computes its own point", computed_anew(plain), 0, false},
         {"fresh, wide", "the same, 17 x 17", widened(plain), 0, false},
+        {"geometry", "5 x 5 taps by normal and depth", filtered_by(Filter::geometry, plain), 0, false},
+        {"bilateral", "5 x 5 taps by distance and depth", filtered_by(Filter::bilateral, plain), 0, false},
+        {"sao", "5 x 5 taps two pixels apart", filtered_by(Filter::sao, plain), 0, false},
         {"converged", "nothing is filtered: 5 x 5", converged, 0, false},
         {"converged, not skipped", "the same, the filter runs on all tiles", unskipped(converged), 0, false},
         {"frozen", "all has converged and takes no samples", frozen(), 1, false},

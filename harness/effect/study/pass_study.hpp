@@ -29,9 +29,9 @@ struct PassStudy {
     std::vector<PassTimes> cases;
 };
 
-// A filter of 5 x 5 and one of 17 x 17 where nothing has converged, and where all has; a frame of a history
-// that takes no samples, and one of a view that has moved. Settled tiles are not left out: what their passes
-// cost is what is timed.
+// A filter of 5 x 5 and one of 17 x 17 where nothing has converged, and where all has; the other filters; a
+// frame of a history that takes no samples, and one of a view that has moved. Settled tiles are not left out:
+// what their passes cost is what is timed.
 [[nodiscard]] std::vector<PassCase> pass_cases();
 
 // Times `rounds` frames of each case in the scene `columns`, the cases in turns, so that the machine's drift
