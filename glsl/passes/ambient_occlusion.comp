@@ -41,6 +41,7 @@ layout(constant_id = 6) const bool fewer_samples = true;    // read samples_dist
 layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
 layout(constant_id = 8) const bool smooths = true;          // read smoothing
 layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
+layout(constant_id = 12) const bool skip_closed = false;    // end marches that no tap to come can change
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -103,6 +104,7 @@ layout(binding = 7, GLOAM_PREPARED) uniform readonly image2D prepared_image;
 float gloam_fetch_layer(ivec2 pixel, int layer) {
     return imageLoad(layer_image, pixel)[layer - 1];
 }
+#define GLOAM_ENDS_MARCHES (skip_closed && !moving_objects)  // probes are taps that must be taken
 
 #define GLOAM_LIST_BINDING 9
 #include "tiles/listed.glsl"
@@ -130,7 +132,12 @@ Neighborhood neighborhood;
 // The invocation's part of what is counted.
 uint samples_taken = 0u;
 uint pixel_kind = 0u;  // COUNT_*
+uint ended = 0u;       // COUNT_ENDED where a march was
 const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
+
+void gloam_taps_left_out(uint taps) {
+    if (taps > 0u) ended = COUNT_ENDED;
+}
 
 GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
@@ -272,5 +279,5 @@ void main() {
     uint entry = group_entry(parameters.size);
     ivec2 pixel = pixel_of(entry);
     if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) store(pixel, shade(pixel));
-    count_tile(entry, tiles_of(parameters.size), samples_taken, pixel_kind);
+    count_tile(entry, tiles_of(parameters.size), samples_taken | ended, pixel_kind);
 }

@@ -5,6 +5,7 @@
 #include "catalogue/occlusion_parts.hpp"
 #include "catalogue/scenarios.hpp"
 #include "reference/methods/gtao.hpp"
+#include "reference/occlusion/closed_march.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -58,6 +59,41 @@ Values slices() {
         const auto turn = static_cast<float>(random.uniform(0, 3.1415926));
         return reference::gloam_slice(glm::vec2(std::cos(turn), std::sin(turn)), view, normal);
     });
+}
+
+void append_clearance(Entries& entries) {
+    using Signature = glm::vec2(Slice, glm::vec3, glm::vec2, glm::vec2, Camera, float, float);
+    const Values ends = either(vector(2, uniform(0, 1)), vector(2, uniform(-0.1, 1.1))).and_special();
+    const Values positions = vector({uniform(-1, 1), uniform(-1, 1), uniform(-4, -1)}).and_special();
+    entries.push_back(
+        equation<Signature>({.id = "SLICE-clearance",
+                             .function = "gloam_slice_clearance",
+                             .file = "gloam/occlusion/closed_march.glsl",
+                             .title = "how near to the view axis the taps of a slice may see something",
+                             .formula = "s -> (1 - B / D) (s a - b) / (1 + R / D (sqrt(1 - a^2) + b))",
+                             .source = "derived from the rays of pixels beside the slice"},
+                            GLOAM_REFERENCE(gloam_slice_clearance),
+                            {.domain = {slices(), positions, unit_vector(2), ends, cameras(),
+                                        log_uniform(0.01, 10), uniform(0, 1)},
+                             .budget = {.absolute = 8e-7},
+                             .codomain = {0, 1}}));
+}
+
+void append_taps(Entries& entries) {
+    using Signature = unsigned(glm::vec2, float, float, unsigned);
+    const Values clearances = vector({uniform(0, 1), uniform(0, 1)}).and_value(glm::vec2(0)).and_special();
+    entries.push_back(
+        equation<Signature>({.id = "SLICE-taps",
+                             .function = "gloam_slice_taps",
+                             .file = "gloam/occlusion/closed_march.glsl",
+                             .title = "taps of a side of a slice that may see something within a ball",
+                             .formula = "ceil(n sqrt((b + y) / x) - jitter), at most n",
+                             .source = "definition"},
+                            GLOAM_REFERENCE(gloam_slice_taps),
+                            {.domain = {clearances, uniform(-0.25, 1.25).and_near({0.0, 1.0}).and_special(),
+                                        uniform(0, 1), integers(1, 64)},
+                             .budget = {.backward_ulp = 4},
+                             .codomain = {0, 64}}));
 }
 
 void append_march(Entries& entries) {
@@ -114,6 +150,8 @@ void append_gather(Entries& entries) {
 
 void append_slice_gathers(Entries& entries) {
     append_into_slice(entries);
+    append_clearance(entries);
+    append_taps(entries);
     append_march(entries);
     append_gather(entries);
 }

@@ -29,6 +29,7 @@ struct Work {
     std::uint64_t below_radius = 0;  // pixels skipped: projected radius below Settings::least_radius
     std::uint64_t converged = 0;     // pixels that the filter left as they were, background not included
     std::uint64_t samples = 0;       // that entered a mean
+    std::uint64_t ended_early = 0;   // pixels of which a march ended where no tap to come could change it
     std::uint64_t tiles = 0;
     std::uint64_t tiles_background = 0;  // without any geometry
     std::uint64_t tiles_skipped = 0;     // without any pixel to sample, those without geometry included

@@ -70,6 +70,15 @@ float c_filter(const Settings& settings) {
 
 }  // namespace
 
+namespace {
+
+// Of the methods of slices those that may say so (gloam_method_slice_ball, gloam_method_slice_full).
+bool ends_marches(std::string_view method) {
+    return method == "bitmask" || method == "hbao" || method == "dual_resolution";
+}
+
+}  // namespace
+
 Program program_for(const Settings& settings) {
     return {.method = settings.method,
             .precision = settings.precision,
@@ -79,7 +88,8 @@ Program program_for(const Settings& settings) {
             .table_size = settings.table_size,
             .fewer_samples = settings.samples_distance > 0.0F || settings.samples_radius > 0.0F,
             .caps_radius = no_radius_cap > settings.radius_cap,
-            .smooths = settings.smoothing > 0.0F};
+            .smooths = settings.smoothing > 0.0F,
+            .skip_closed = settings.skip_closed && ends_marches(settings.method)};
 }
 
 FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list) {
@@ -196,6 +206,7 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
                            {.id = 7, .bits = flag(program.caps_radius)},
                            {.id = 8, .bits = flag(program.smooths)},
                            {.id = 9, .bits = flag(program.orthographic)},
+                           {.id = 12, .bits = flag(program.skip_closed)},
                            {.id = listed_constant, .bits = flag(program.listed)},
                            {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)}}}};
 }

@@ -106,6 +106,7 @@ struct Settings {
     bool sample_table = true;     // off: what samples share is computed for each anew, to the same result
     bool skip_background = true;  // off: background goes the long way, to the same result
     bool skip_open = true;        // off: tiles that nothing can block are sampled, to the same result
+    bool skip_closed = true;      // off: marches go on where no tap can change them, to the same result
     bool skip_settled = true;     // off: tiles that would not change are shaded, to the same result
     bool skip_filtered = true;    // off: tiles that the filter leaves as they are pass it, to the same result
 };

@@ -35,7 +35,8 @@ Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent ba
         work.pixels += pixels;
         work.background += background;
         work.below_radius += below_radius;
-        work.samples += tile.samples;
+        work.samples += tile.samples & 0xFFFFFFU;
+        work.ended_early += tile.samples >> 24U;
         const bool left_out = pixels == 0;  // in a guard band that is not sampled
         work.tiles_background += !left_out && background == pixels ? 1 : 0;
         work.tiles_skipped += background + below_radius == pixels ? 1 : 0;

@@ -31,6 +31,7 @@ struct Stay {
 Settings with_skips(Settings settings) {
     settings.skip_background = true;
     settings.skip_open = true;
+    settings.skip_closed = true;
     settings.skip_settled = true;
     settings.skip_filtered = true;
     return settings;
@@ -39,6 +40,7 @@ Settings with_skips(Settings settings) {
 Settings without_skips(Settings settings) {
     settings.skip_background = false;
     settings.skip_open = false;
+    settings.skip_closed = false;
     settings.skip_settled = false;
     settings.skip_filtered = false;
     return settings;

@@ -18,14 +18,16 @@ TEST(BenchSkips, PrintsATableAndWritesEveryNumber) {
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr("| sky | mostly sky"));
     const json document = json::parse(read_file(file));
-    ASSERT_EQ(document.at("cases").size(), 5U);
+    ASSERT_EQ(document.at("cases").size(), 7U);
     for (const json& row : document.at("cases")) {
         for (const char* time :
-             {"copy_ms", "without_ms", "with_ms", "background_ms", "open_ms", "settled_ms", "first_frame_ms"})
+             {"copy_ms", "without_ms", "with_ms", "background_ms", "open_ms", "closed_ms", "settled_ms", "first_frame_ms"})
             EXPECT_GT(row.at(time), 0.0) << row.at("scene") << ' ' << time;
     }
     EXPECT_GT(document.at("cases").at(0).at("tiles_blank"), 0);
     EXPECT_GT(document.at("cases").at(1).at("tiles_open"), 0);
+    EXPECT_GT(document.at("cases").at(5).at("pixels_ended_early"), 0);
+    EXPECT_GT(document.at("cases").at(6).at("pixels_ended_early"), 0);
     ASSERT_EQ(document.at("shares").size(), 13U);
     for (const json& row : document.at("shares")) {
         const double tiles = row.at("tiles");

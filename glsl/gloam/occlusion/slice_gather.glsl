@@ -6,6 +6,7 @@
 #include "gloam/geometry/into_slice.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/geometry/slice.glsl"
+#include "gloam/occlusion/closed_march.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/further_layers.glsl"
@@ -40,6 +41,13 @@ GloamMarch gloam_method_slice_start(GloamSlice slice, vec3 normal, float share, 
 GloamMarch gloam_method_slice_step(GloamMarch march, GloamSlice slice, vec3 offset, bool positive, GloamKernel kernel,
                                    GloamMethod method);
 
+// Defined by the method: how far from the shaded point, as part of the radius, taps of a side may change a march that begins; 0: none does.
+// Less than 1 of slices through the eye alone, 0 or 1 of others.
+float gloam_method_slice_ball(GloamMarch march, bool positive);
+
+// Defined by the method: whether no tap at all can change the march any more.
+bool gloam_method_slice_full(GloamMarch march);
+
 // Defined by the method: (occlusion times weight, weight) with the slice added.
 vec2 gloam_method_slice_end(vec2 accumulated, GloamMarch march, GloamSlice slice, GloamMethod method);
 
@@ -60,7 +68,23 @@ GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint
     ivec2 pixel = gloam_nearest_pixel(center, camera.size);
     vec2 reach = gloam_camera_radius(kernel.radius, -point.position.z, camera) * point.direction;
     vec3 axis = cross(slice.tangent, slice.view);
-    for (uint i = 0u; i < 2u * method.steps; ++i) {
+    uint first = 0u;
+    uint end = 2u * method.steps;
+    uint by = 1u;
+    if (GLOAM_ENDS_MARCHES) {
+        vec2 direction = vec2(point.direction.x, camera.p00_p11.y < 0.0 ? -point.direction.y : point.direction.y);
+        vec2 balls = vec2(gloam_method_slice_ball(march, true), gloam_method_slice_ball(march, false));
+        vec2 ahead = gloam_slice_clearance(slice, point.position, direction, center + reach, camera, kernel.radius, balls.x);
+        vec2 behind = gloam_slice_clearance(slice, point.position, direction, center - reach, camera, kernel.radius, balls.y);
+        uint positive = gloam_slice_taps(ahead, balls.x, point.jitter, method.steps);
+        uint negative = gloam_slice_taps(behind, balls.y, point.jitter, method.steps);
+        // One tap too many changes nothing: both sides are marched as far.
+        first = positive == 0u ? 1u : 0u;
+        by = min(positive, negative) == 0u ? 2u : 1u;
+        end = 2u * max(positive, negative);
+    }
+    uint i = first;
+    for (; i < end && !(GLOAM_ENDS_MARCHES && gloam_method_slice_full(march)); i += by) {
         bool positive = (i & 1u) == 0u;
         float share = (float(i / 2u) + point.jitter) / float(method.steps);
         ivec2 at = gloam_nearest_pixel(center + (positive ? share * share : -share * share) * reach, camera.size);
@@ -75,6 +99,7 @@ GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint
             march = gloam_method_slice_step(march, slice, offset, positive, kernel, method);
         }
     }
+    GLOAM_TAPS_LEFT_OUT(2u * method.steps - (i - first) / by);
     return march;
 }
 

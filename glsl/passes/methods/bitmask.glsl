@@ -28,6 +28,14 @@ GloamMarch gloam_method_slice_step(GloamMarch march, GloamSlice slice, vec3 offs
     return march;
 }
 
+float gloam_method_slice_ball(GloamMarch march, bool positive) {
+    return march.share;
+}
+
+bool gloam_method_slice_full(GloamMarch march) {
+    return march.sectors == 0xFFFFFFFFu;
+}
+
 vec2 gloam_method_slice_end(vec2 accumulated, GloamMarch march, GloamSlice slice, GloamMethod method) {
     return accumulated + slice.weight * gloam_slice_whole(slice) * vec2(gloam_bitmask_occlusion(march.sectors), 1.0);
 }

@@ -30,6 +30,15 @@ GloamMarch gloam_method_slice_step(GloamMarch march, GloamSlice slice, vec3 offs
     return march;
 }
 
+float gloam_method_slice_ball(GloamMarch march, bool positive) {
+    return 1.0;
+}
+
+// The falloff draws every horizon away from the view vector: none is so high that no other can be higher.
+bool gloam_method_slice_full(GloamMarch march) {
+    return false;
+}
+
 vec2 gloam_method_slice_end(vec2 accumulated, GloamMarch march, GloamSlice slice, GloamMethod method) {
     return gloam_gtao_add(accumulated, slice, vec2(march.negative.x, march.positive.x));
 }

@@ -29,6 +29,15 @@ GloamMarch gloam_method_slice_step(GloamMarch march, GloamSlice slice, vec3 offs
     return march;
 }
 
+// Nothing rises above the bias where the tangent plane slopes towards the eye nearly along the view: the sine there is 1.
+float gloam_method_slice_ball(GloamMarch march, bool positive) {
+    return (positive ? march.positive.x : march.negative.x) < 1.0 ? 1.0 : 0.0;
+}
+
+bool gloam_method_slice_full(GloamMarch march) {
+    return false;
+}
+
 vec2 gloam_method_slice_end(vec2 accumulated, GloamMarch march, GloamSlice slice, GloamMethod method) {
     float occlusion = 0.5 * (march.positive.y + march.negative.y);
     return accumulated + vec2(1.0 - gloam_hbao_visibility(occlusion, method.angle_bias, method.intensity), 1.0);

@@ -7,7 +7,7 @@
 // What is known of a tile after a frame.
 struct TileState {
     uint flags;    // STATE_*
-    uint samples;  // taken in that frame
+    uint samples;  // taken in that frame, 64 x 2048 at most, and from bit 24 on the pixels of which a march was ended (COUNT_ENDED)
     uint pixels;   // how many of its pixels are what, COUNT_*; of a tile that was left out: when it was last shaded
 };
 
@@ -20,6 +20,9 @@ const uint COUNT_BACKGROUND = 1u;
 const uint COUNT_BELOW_LIMIT = 1u << 8u;  // the projected radius is below the limit
 const uint COUNT_FROZEN = 1u << 16u;      // of a surface that took no sample
 const uint COUNT_FILTERED = 1u << 24u;    // which the filter may change
+
+// One pixel of TileState.samples.
+const uint COUNT_ENDED = 1u << 24u;
 
 // The pixels of that kind.
 uint tile_count(uint pixels, uint kind) {

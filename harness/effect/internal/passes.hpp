@@ -121,6 +121,7 @@ struct Program {
     bool fewer_samples = false;  // with distance or projected radius
     bool caps_radius = false;
     bool smooths = false;
+    bool skip_closed = false;
     bool orthographic = false;
 
     friend auto operator<=>(const Program&, const Program&) = default;

@@ -22,7 +22,7 @@ struct TileList {
 // What is known of a tile after a frame, as glsl/passes/tiles/state.glsl has it.
 struct TileState {
     std::uint32_t flags = 0;
-    std::uint32_t samples = 0;
+    std::uint32_t samples = 0;  // and, from bit 24 on, pixels of which a march was ended
     std::uint32_t pixels =
         0;  // numbers of them in eight bits each: background, below the limit, frozen, filtered
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "effect/study/skip_cases.hpp"
 
+#include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "effect/study/skip_floor.hpp"
 #include "scene/rasterize.hpp"
@@ -17,7 +18,8 @@ constexpr int settled_after = 64;
 
 Settings with_skips(const scene::Scene& scene) {
     Settings settings = with_radius(preset_named("paper").settings, static_cast<float>(scene.ao_radius));
-    settings.skip_background = settings.skip_open = settings.skip_settled = settings.skip_filtered = true;
+    settings.skip_background = settings.skip_open = settings.skip_closed = settings.skip_settled =
+        settings.skip_filtered = true;
     return settings;
 }
 
@@ -47,6 +49,10 @@ std::vector<SkipCase> skip_cases(const gpu::Device& device, const scene::PassLib
     still.settings.freeze = true;
     still.settings.weight_max = few_samples;
     cases.push_back(std::move(still));
+    for (const char* method : {"bitmask", "hbao"}) {
+        cases.push_back(moving(scene::make_scene("far"), method, false, 0.0));
+        cases.back().settings = with_method(cases.back().settings, method);
+    }
     return cases;
 }
 

@@ -53,6 +53,7 @@ Settings only(const Settings& settings, bool Settings::*skip) {
 Settings without_skips(Settings settings) {
     settings.skip_background = false;
     settings.skip_open = false;
+    settings.skip_closed = false;
     settings.skip_settled = false;
     settings.skip_filtered = false;
     return settings;
@@ -89,9 +90,12 @@ SkipStudy::SkipStudy(const gpu::Device& device, const scene::PassLibrary& passes
 
 SkipTimes SkipStudy::times(const SkipCase& skip_case, int rounds) {
     const Settings& all = skip_case.settings;
-    std::vector<Contestant> contestants{
-        fresh(without_skips(all)), fresh(all), fresh(only(all, &Settings::skip_background)),
-        fresh(only(all, &Settings::skip_open)), fresh(only(all, &Settings::skip_settled))};
+    std::vector<Contestant> contestants{fresh(without_skips(all)),
+                                        fresh(all),
+                                        fresh(only(all, &Settings::skip_background)),
+                                        fresh(only(all, &Settings::skip_open)),
+                                        fresh(only(all, &Settings::skip_settled)),
+                                        fresh(only(all, &Settings::skip_closed))};
     CopyClock clock(*device_, passes_, extent_);
     const double copy = compete(effect_, clock, skip_case, contestants, rounds);
     const auto of = [&](std::size_t i) { return median(contestants.at(i).times); };
@@ -99,6 +103,7 @@ SkipTimes SkipStudy::times(const SkipCase& skip_case, int rounds) {
             .with = of(1),
             .background = of(2),
             .open = of(3),
+            .closed = of(5),
             .settled = of(4),
             .fresh = median(contestants[1].first_times),
             .copy = copy,

@@ -28,6 +28,7 @@ struct SkipTimes {
     double with = 0.0;        // every skip on
     double background = 0.0;  // only this one on
     double open = 0.0;
+    double closed = 0.0;
     double settled = 0.0;
     double fresh = 0.0;            // every skip on, in the first frame of the same view
     double copy = 0.0;             // a pass that reads one r32f texel and writes one

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -39,6 +40,12 @@ double percent(std::uint64_t tiles, const effect::Work& work) {
     return 100.0 * static_cast<double>(tiles) / static_cast<double>(work.tiles);
 }
 
+// Pixels of which a march was ended, as a part of those with a surface, in per cent.
+double ended_early(const effect::Work& work) {
+    const auto pixels = static_cast<double>(std::max<std::uint64_t>(work.pixels - work.background, 1));
+    return 100.0 * static_cast<double>(work.ended_early) / pixels;
+}
+
 // A target of the time without, and whether it is met; nothing for none.
 std::string verdict(double ratio, double target) {
     return target > 0.0 ? fmt::format("{:.2f}, {}", target, ratio <= target ? "met" : "missed")
@@ -49,20 +56,23 @@ std::string table_row(const Row& row) {
     const SkipTimes& t = row.times;
     const auto part = [&](double time) { return time / t.without; };
     return fmt::format(
-        "| {} | {} | {:.0f} % | {:.0f} % | {:.0f} % | {:.1f} | {:.1f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | "
-        "{:.2f} | {} |\n",
+        "| {} | {} | {:.0f} % | {:.0f} % | {:.0f} % | {:.0f} % | {:.1f} | {:.1f} | {:.2f} | {:.2f} | {:.2f} "
+        "| "
+        "{:.2f} | {:.2f} | {:.2f} | {} |\n",
         row.skip_case.name, row.skip_case.what, percent(t.work.tiles_blank, t.work),
-        percent(t.work.tiles_open, t.work), percent(t.work.tiles_settled, t.work), t.without / t.copy,
-        t.with / t.copy, part(t.background), part(t.open), part(t.settled), part(t.with), t.with / t.fresh,
-        verdict(part(t.with), row.skip_case.target));
+        percent(t.work.tiles_open, t.work), percent(t.work.tiles_settled, t.work), ended_early(t.work),
+        t.without / t.copy, t.with / t.copy, part(t.background), part(t.open), part(t.settled),
+        part(t.closed), part(t.with), t.with / t.fresh, verdict(part(t.with), row.skip_case.target));
 }
 
 std::string table_of(const std::vector<Row>& rows) {
     std::string text =
-        "| scene | | tiles of background | open | settled | copies without | copies | of the time without: "
+        "| scene | | tiles of background | open | settled | of pixels marches ended | copies without | "
+        "copies | of the "
+        "time without: "
         "background left out | open | "
-        "settled | all | of a first frame | target "
-        "|\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+        "settled | closed | all | of a first frame | target "
+        "|\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     for (const Row& row : rows) text += table_row(row);
     return text;
 }
@@ -108,12 +118,14 @@ ordered_json json_of(const Row& row) {
             {"tiles_blank", t.work.tiles_blank},
             {"tiles_open", t.work.tiles_open},
             {"tiles_settled", t.work.tiles_settled},
+            {"pixels_ended_early", t.work.ended_early},
             {"tiles_filtered", t.work.tiles_filtered},
             {"copy_ms", t.copy},
             {"without_ms", t.without},
             {"with_ms", t.with},
             {"background_ms", t.background},
             {"open_ms", t.open},
+            {"closed_ms", t.closed},
             {"settled_ms", t.settled},
             {"first_frame_ms", t.fresh},
             {"ratio", t.with / t.without},
