@@ -4,7 +4,7 @@
 // is that of the same pixel: move it first (reproject.comp) where the view has changed. Where objects move, the samples tell as well
 // whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
 //
-// Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
+// The history is held as history_image.glsl says.
 // Define GLOAM_SAMPLE_TABLE as 11 for a table of what the samples share; else it is computed for each of them.
 // Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is rgba32f.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
@@ -21,12 +21,7 @@
 //   9  buffer   lists of tiles; read when listed is set
 //  10  r32f     written when shows is set, where the filter leaves pixels as they are: occlusion
 //  11  rgba32f  what the samples share (samples/table.glsl); read when GLOAM_SAMPLE_TABLE is defined
-#ifdef GLOAM_HISTORY
-#define HISTORY_ROUNDS true
-#else
-#define HISTORY_ROUNDS false
-#define GLOAM_HISTORY rgba32f
-#endif
+#include "history_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif
@@ -45,8 +40,8 @@ layout(constant_id = 12) const bool skip_closed = false;    // end marches that 
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D history_before;
-layout(binding = 3, GLOAM_HISTORY) uniform image2D history_after;
+layout(binding = 2, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE history_before;
+layout(binding = 3, GLOAM_HISTORY) uniform GLOAM_HISTORY_IMAGE history_after;
 layout(binding = 5, rgba32f) uniform readonly image2D previous_position_image;
 
 layout(push_constant) uniform Parameters {
@@ -226,7 +221,7 @@ uint samples_for(GloamHistory before, float depth) {
 }
 
 GloamHistory sampled(ivec2 pixel, float depth) {
-    GloamHistory before = gloam_history_unpack(imageLoad(history_before, pixel));
+    GloamHistory before = GLOAM_LOAD_HISTORY(history_before, pixel);
     uint samples = samples_for(before, depth);
     pixel_kind += samples == 0u && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
@@ -265,14 +260,14 @@ GloamHistory shade(ivec2 pixel) {
 
 // Stores the pixel's history, and what is shown of it where the filter leaves it as it is: the filter runs on the tiles of all others.
 void store(ivec2 pixel, GloamHistory after) {
-    vec4 texel = gloam_history_pack(after);
-    imageStore(history_after, pixel, texel);
+    GLOAM_STORE_HISTORY(history_after, pixel, after);
     if (!shows) return;
-    if (HISTORY_ROUNDS) texel.xy = imageLoad(history_after, pixel).xy;
-    float convergence = gloam_convergence(texel.y, parameters.weight_max);
-    bool filtered = !gloam_is_background(texel.w) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
+    GloamHistory stored = gloam_history_sanitize(after);
+    if (GLOAM_HISTORY_ROUNDS) stored = GLOAM_LOAD_HISTORY(history_after, pixel);
+    float convergence = gloam_convergence(stored.weight, parameters.weight_max);
+    bool filtered = !gloam_is_background(stored.depth) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
     pixel_kind += filtered ? COUNT_FILTERED : 0u;
-    if (!filtered) imageStore(shown_image, pixel, vec4(texel.x));
+    if (!filtered) imageStore(shown_image, pixel, vec4(stored.occlusion));
 }
 
 void main() {

@@ -3,19 +3,21 @@
 // Maps the occlusion to what is shown (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel. Only for display: the
 // history must not see the result.
 //
-// Define GLOAM_SOURCE as the format of binding 1, else it is rgba32f.
+// Define GLOAM_SOURCE as r32f where binding 1 is not a history, which is held as history_image.glsl says.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  source   occlusion in x: the history, or the filter's result
 //   2  r32f     written: mapped occlusion, in [0, 1]; background as it is
 //   3  buffer   lists of tiles; read when listed is set
-#ifndef GLOAM_SOURCE
-#define GLOAM_SOURCE rgba32f
-#endif
+#include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
+#ifdef GLOAM_SOURCE
 layout(binding = 1, GLOAM_SOURCE) uniform readonly image2D source_image;
+#else
+layout(binding = 1, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE source_image;
+#endif
 layout(binding = 2, r32f) uniform writeonly image2D mapped_image;
 
 #define GLOAM_LIST_BINDING 3
@@ -33,7 +35,11 @@ layout(push_constant) uniform Parameters {
 
 void map(ivec2 pixel) {
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+#ifdef GLOAM_SOURCE
     float occlusion = imageLoad(source_image, pixel).x;
+#else
+    float occlusion = GLOAM_LOAD_HISTORY_TEXEL(source_image, pixel).x;
+#endif
     if (!gloam_is_background(imageLoad(depth_image, pixel).x)) {
         occlusion = 1.0 - gloam_remap(1.0 - occlusion, parameters.a, parameters.b, parameters.c);
     }

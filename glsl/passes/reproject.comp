@@ -3,7 +3,7 @@
 // Brings the history of the previous frame to the pixels of this one (TSSAO-RP, -7, -8, BUF): one invocation a pixel. What was
 // hidden, outside the image or another surface has no history.
 //
-// Define GLOAM_HISTORY as rgba16f for a history of half precision (a table of at most 2048 samples then), else it is rgba32f.
+// The history is held as history_image.glsl says.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
 //   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
@@ -11,9 +11,7 @@
 //   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0, 0, depth)
 //               for none
 //   4  buffer   lists of tiles; read when listed is set
-#ifndef GLOAM_HISTORY
-#define GLOAM_HISTORY rgba32f
-#endif
+#include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
@@ -24,8 +22,8 @@ layout(constant_id = 4) const bool previous_orthographic = false;  // the previo
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D previous_position_image;
-layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D previous_history;
-layout(binding = 3, GLOAM_HISTORY) uniform writeonly image2D history;
+layout(binding = 2, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE previous_history;
+layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history;
 
 #define GLOAM_LIST_BINDING 4
 #include "tiles/listed.glsl"
@@ -45,7 +43,7 @@ const uint NEAREST = 0u;
 const uint BILINEAR = 1u;
 
 vec4 gloam_fetch_history(ivec2 pixel) {
-    return imageLoad(previous_history, pixel);
+    return GLOAM_LOAD_HISTORY_TEXEL(previous_history, pixel);
 }
 
 vec3 previous_position(ivec2 pixel, float depth) {
@@ -91,5 +89,5 @@ GloamHistory reprojected(ivec2 pixel) {
 void main() {
     ivec2 pixel = pixel_of(group_entry(parameters.size));
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    imageStore(history, pixel, gloam_history_pack(reprojected(pixel)));
+    GLOAM_STORE_HISTORY(history, pixel, reprojected(pixel));
 }

@@ -8,20 +8,15 @@
 // An invocation filters PIXELS pixels of a tile, in a row along the axis. Their windows overlap: it reads the row once, with what the outermost
 // windows reach beyond it, and everything that a tap needs is computed once and not once for each pixel that has it in its window.
 //
-// Define GLOAM_HISTORY as rgba16f to read a history of half precision, else it is rgba32f; and GLOAM_HALF_WIDTH as the taps on each side, else 2
-// (5 x 5). Dispatch ceil(width / (8 FILTER_TILES)) x ceil(height / 8) groups, or a list of tiles (tiles/select_filtered.comp). Descriptor set 0:
-//   0  r32f     eye-linear depth, world units; background 0 or not finite; read when the history is of half precision
-//   1  history  occlusion in x, accumulated samples in y, depth in w as binding 0 has it, but for half precision
+// The history is held as history_image.glsl says. Define GLOAM_HALF_WIDTH as the taps on each side, else 2 (5 x 5).
+// Dispatch ceil(width / (8 FILTER_TILES)) x ceil(height / 8) groups, or a list of tiles (tiles/select_filtered.comp). Descriptor set 0:
+//   0  r32f     eye-linear depth, world units; background 0 or not finite; read where the history rounds
+//   1  history  occlusion in x, accumulated samples in y, depth in w as binding 0 has it unless it is rounded
 //   2  r32f     written: filtered occlusion
 //   3  rgba32f  view-space normal in xyz; read by the filter geometry alone
 //   4  buffer   lists of tiles; read when listed is set
 //   5  r32f     what this pass has written along x; read when along_y is set
-#ifdef GLOAM_HISTORY
-#define HISTORY_ROUNDS true
-#else
-#define HISTORY_ROUNDS false
-#define GLOAM_HISTORY rgba32f
-#endif
+#include "history_image.glsl"
 #ifndef GLOAM_HALF_WIDTH
 #define GLOAM_HALF_WIDTH 2
 #endif
@@ -40,7 +35,7 @@ layout(constant_id = 0) const bool along_y = false;       // the second of the t
 layout(constant_id = 1) const bool orthographic = false;  // else perspective
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D history_image;
+layout(binding = 1, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE history_image;
 layout(binding = 2, r32f) uniform writeonly image2D filtered_image;
 layout(binding = 3, rgba32f) uniform readonly image2D normal_image;
 layout(binding = 5, r32f) uniform readonly image2D along_x_image;
@@ -70,9 +65,9 @@ struct Source {
 };
 
 Source source_at(ivec2 pixel) {
-    vec4 texel = imageLoad(history_image, pixel);
+    vec4 texel = GLOAM_LOAD_HISTORY_TEXEL(history_image, pixel);
     if (along_y) texel.x = imageLoad(along_x_image, pixel).x;
-    if (HISTORY_ROUNDS) texel.w = imageLoad(depth_image, pixel).x;
+    if (GLOAM_HISTORY_ROUNDS) texel.w = imageLoad(depth_image, pixel).x;
     return Source(texel.x, texel.y, texel.w);
 }
 

@@ -8,6 +8,7 @@ namespace gloam::catalogue {
 void append_temporal(Entries& entries) {
     append_accumulation(entries);
     append_history(entries);
+    append_packed_history(entries);
     append_validity(entries);
     append_reprojection(entries);
     append_temporal_smoothing(entries);

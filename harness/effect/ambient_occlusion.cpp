@@ -275,26 +275,28 @@ void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
 void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     if (!remaps(settings)) return;
     const gpu::Buffer& lists = images->tiles.lists();
-    const auto map = [&](const char* name, TileLists list, const gpu::Image& from, const gpu::Image& to) {
+    using Held = std::optional<HistoryPrecision>;
+    const auto map = [&](const char* name, TileLists list, Held held, const gpu::Image& from,
+                         const gpu::Image& to) {
         passes.push_back(over(list, {name,
-                                     &pipelines.remapping(from.format(), listed(list)),
+                                     &pipelines.remapping(held, listed(list)),
                                      {images->depth, from, to, lists},
                                      bytes_of(remap_constants)}));
     };
-    map("remap", TileLists::shaded, images->after, *images->mapped);
+    map("remap", TileLists::shaded, settings.precision, images->after, *images->mapped);
     if (!filters(settings)) return;
-    map("remap_filtered", TileLists::shaded, images->filtered, *images->filtered_mapped);
+    const gpu::Image& to = *images->filtered_mapped;
+    map("remap_filtered", TileLists::shaded, {}, images->filtered, to);
     // What the filter changes besides.
-    if (lists_tiles())
-        map("remap_filtered_tiles", TileLists::filtered_y, images->filtered, *images->filtered_mapped);
+    if (lists_tiles()) map("remap_filtered_tiles", TileLists::filtered_y, {}, images->filtered, to);
 }
 
 Frame AmbientOcclusion::Impl::collect() const {
-    const std::vector<float> result = images->after.download();
+    HistoryTexels result = history_in(images->after);
     const bool mapped = remaps(settings);
-    Frame frame{.occlusion = mapped ? images->mapped->download() : channel(result, 0),
-                .convergence = channel(result, 1),
-                .kept = channel(history().download(), 1)};
+    Frame frame{.occlusion = mapped ? images->mapped->download() : std::move(result.occlusion),
+                .convergence = std::move(result.samples),
+                .kept = history_in(history()).samples};
     const gpu::Image& filtered = mapped ? *images->filtered_mapped : images->filtered;
     frame.filtered = filters(settings) ? filtered.download() : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);

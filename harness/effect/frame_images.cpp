@@ -13,7 +13,14 @@ namespace {
 using enum gpu::Format;
 
 gpu::Format format_of(HistoryPrecision precision) {
-    return precision == HistoryPrecision::float16 ? rgba16f : rgba32f;
+    switch (precision) {
+        case HistoryPrecision::float16:
+            return rgba16f;
+        case HistoryPrecision::packed:
+            return rgba16ui;
+        default:
+            return rgba32f;
+    }
 }
 
 void require_size(const char* what, std::size_t found, gpu::Extent extent) {
@@ -54,6 +61,16 @@ std::vector<float> channel(std::span<const float> texels, std::size_t which) {
     std::vector<float> values(texels.size() / 4);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = texels[4 * i + which];
     return values;
+}
+
+HistoryTexels history_in(const gpu::Image& image) {
+    const std::vector<float> texels = image.download();
+    HistoryTexels history{.occlusion = channel(texels, 0), .samples = channel(texels, 1)};
+    if (image.format() != rgba16ui) return history;
+    // As GloamPackedHistory has them.
+    for (float& value : history.occlusion) value /= 32768.0F;
+    for (float& value : history.samples) value /= 16.0F;
+    return history;
 }
 
 FrameImages::FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPrecision precision)

@@ -20,17 +20,6 @@ glm::ivec2 size_of(gpu::Extent extent) {
     return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
 }
 
-const char* name_of(gpu::Format format) {
-    switch (format) {
-        case gpu::Format::r32f:
-            return "r32f";
-        case gpu::Format::rgba16f:
-            return "rgba16f";
-        default:
-            return "rgba32f";
-    }
-}
-
 std::uint32_t flag(bool value) {
     return value ? 1U : 0U;
 }
@@ -100,8 +89,14 @@ FilterProgram filter_program_for(const Settings& settings, std::optional<TileLis
 }
 
 std::vector<std::string> defines_for(HistoryPrecision precision) {
-    if (precision == HistoryPrecision::float32) return {};
-    return {"GLOAM_HISTORY rgba16f"};
+    switch (precision) {
+        case HistoryPrecision::float16:
+            return {"GLOAM_HISTORY rgba16f"};
+        case HistoryPrecision::packed:
+            return {"GLOAM_PACKED_HISTORY"};
+        default:
+            return {};
+    }
 }
 
 std::vector<std::string> defines_for(HistoryPrecision precision, gpu::Format prepared) {
@@ -244,10 +239,10 @@ gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::Pass
              .constants = std::move(constants)}};
 }
 
-gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library, gpu::Format source,
-                           std::optional<TileLists> list) {
-    const shader::Spirv spirv =
-        library.compile("remap.comp", {fmt::format("GLOAM_SOURCE {}", name_of(source))});
+gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
+                           std::optional<HistoryPrecision> history, std::optional<TileLists> list) {
+    const shader::Spirv spirv = library.compile(
+        "remap.comp", history ? defines_for(*history) : std::vector<std::string>{"GLOAM_SOURCE r32f"});
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_image, storage_image, storage_buffer},

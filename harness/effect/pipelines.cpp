@@ -29,8 +29,10 @@ const gpu::ComputePipeline& Pipelines::filter(const FilterProgram& program) {
     return found_or_made(filter_, program, [&] { return spatial_filter(*device_, library_, program); });
 }
 
-const gpu::ComputePipeline& Pipelines::remapping(gpu::Format source, std::optional<TileLists> list) {
-    return found_or_made(remapping_, {source, list}, [&] { return remap(*device_, library_, source, list); });
+const gpu::ComputePipeline& Pipelines::remapping(std::optional<HistoryPrecision> history,
+                                                 std::optional<TileLists> list) {
+    return found_or_made(remapping_, {history, list},
+                         [&] { return remap(*device_, library_, history, list); });
 }
 
 const gpu::ComputePipeline& Pipelines::selection() {

@@ -157,7 +157,7 @@ void add_history(std::vector<Setting>& table) {
         number("weight_small", "samples", "that a history keeps by clamping", &S::weight_small, any_from_0));
     table.push_back(number("confidence_factor", "per radius", "S: how fast a change takes the confidence",
                            &S::confidence_factor, not_negative));
-    table.push_back(choice("precision", "of the history", &S::precision, {"float32", "float16"}));
+    table.push_back(choice("precision", "of the history", &S::precision, {"float32", "float16", "packed"}));
 }
 
 Setting filter() {

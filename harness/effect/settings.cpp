@@ -3,14 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <stdexcept>
+#include <string>
 
 #include "effect/setting_table.hpp"
 
 namespace gloam::effect {
 namespace {
 
-constexpr std::uint32_t largest_half_count = 2048;  // integers up to it are exact in float16
+// What a history can hold.
+struct Limit {
+    HistoryPrecision precision;
+    const char* setting;
+    double most;
+};
+constexpr std::array limits{
+    Limit{HistoryPrecision::float16, "table_size", 2048.0},  // integers up to it are exact
+    Limit{HistoryPrecision::float16, "weight_max", 2048.0},
+    Limit{HistoryPrecision::packed, "table_size", 65536.0},
+    Limit{HistoryPrecision::packed, "weight_max", 4095.0}};
 
 }  // namespace
 
@@ -35,12 +47,13 @@ bool remaps(const Settings& settings) {
 
 void validate(const Settings& settings) {
     for (const Setting& setting : setting_table()) check(setting, setting.get(settings));
-    if (settings.precision != HistoryPrecision::float16) return;
-    for (const char* name : {"table_size", "weight_max"}) {
-        const SettingValue value = setting_named(name).get(settings);
-        if (std::get<double>(value) <= double{largest_half_count}) continue;
-        throw std::invalid_argument(fmt::format("{} {}: expected at most {} with a history in float16", name,
-                                                text_of(value), largest_half_count));
+    for (const Limit& limit : limits) {
+        if (limit.precision != settings.precision) continue;
+        const SettingValue value = setting_named(limit.setting).get(settings);
+        if (std::get<double>(value) <= limit.most) continue;
+        const std::string held = std::get<std::string>(setting_named("precision").get(settings));
+        throw std::invalid_argument(fmt::format("{} {}: expected at most {} with a history in {}",
+                                                limit.setting, text_of(value), limit.most, held));
     }
 }
 

@@ -21,7 +21,11 @@ enum class HistoryTaps {
     validated  // those of four that pass it
 };
 
-enum class HistoryPrecision { float32, float16 };
+enum class HistoryPrecision {
+    float32,  // 16 bytes a pixel
+    float16,  // 8, halves: coarse in the mean
+    packed    // 8, 16 bits of fixed point each
+};
 
 // What smooths the estimate for display.
 enum class Filter {
@@ -74,10 +78,9 @@ struct Settings {
         false;  // points, taps, slices: what is further in front than `range` is left out (CS-REJ)
     float smoothing =
         0.0F;  // part of each frame in an exponential mean (CS-G), 0 to 1; 0: the mean of all (eq. 5)
-    float c_spatial = 0.3F;  // convergence from which a pixel takes k_2; above 1: never
-    std::uint32_t table_size =
-        65'536;                 // samples after which the sequence starts over, 1 to 2^24, to 2048 in float16
-    float weight_max = 500.0F;  // samples in the mean at most, 1 to 2^23
+    float c_spatial = 0.3F;             // convergence from which a pixel takes k_2; above 1: never
+    std::uint32_t table_size = 65'536;  // samples after which the sequence starts over, 1 to 2^24
+    float weight_max = 500.0F;          // samples in the mean at most, 1 to 2^23
     float c_rot = 0.5F;  // kernels are rotated by pixel below this convergence; 0: never, above 1: always
     float c_adaptive = 0.2F;        // the filter leaves pixels of this convergence as they are
     float depth_tolerance = 0.02F;  // relative: another surface beyond it (TSSAO-8), > 0; infinity: no test
@@ -121,7 +124,7 @@ struct Settings {
 [[nodiscard]] Settings with_radius(Settings settings, float radius);
 
 // Throws std::invalid_argument that names the first setting outside its range: that of setting_table(), and
-// half precision holds no sample counts beyond 2048.
+// a history holds a table_size and a weight_max of at most 2048 in float16, of 65536 and 4095 packed.
 void validate(const Settings& settings);
 
 }  // namespace gloam::effect

@@ -9,9 +9,13 @@
 namespace gloam::effect {
 namespace {
 
+bool short_channels(gpu::Format format) {
+    return format == gpu::Format::rgba16f || format == gpu::Format::rgba16ui;
+}
+
 std::uint64_t bytes_of(const gpu::Image& image) {
     const std::uint64_t texel = static_cast<std::uint64_t>(gpu::channels(image.format())) *
-                                (image.format() == gpu::Format::rgba16f ? 2U : 4U);
+                                (short_channels(image.format()) ? 2U : 4U);
     return std::uint64_t{image.extent().width} * image.extent().height * texel;
 }
 

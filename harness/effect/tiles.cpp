@@ -69,7 +69,7 @@ void Listing::advance(bool listed, const SelectedTiles& found, std::size_t tiles
         rest_ -= rest_ > 0 ? 1 : 0;
         return;
     }
-    constexpr std::size_t worth_it = 16;  // lists take about a sixteenth of a frame
+    constexpr std::size_t worth_it = 16;   // lists take about a sixteenth of a frame
     constexpr std::uint32_t patience = 4;  // what the images hold is known after three
     constexpr std::uint32_t frames_without = 20;
     const std::size_t left_out =

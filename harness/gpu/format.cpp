@@ -14,6 +14,8 @@ const FormatTraits& traits(Format format) {
                                           color};
     static constexpr FormatTraits rgba16f{"rgba16f", vk::Format::eR16G16B16A16Sfloat, 4, 8, Aspect::eColor,
                                           color};
+    static constexpr FormatTraits rgba16ui{
+        "rgba16ui", vk::Format::eR16G16B16A16Uint, 4, 8, Aspect::eColor, Usage::eStorage};
     static constexpr FormatTraits depth32f{"depth32f",     vk::Format::eD32Sfloat,        1, 4,
                                            Aspect::eDepth, Usage::eDepthStencilAttachment};
     switch (format) {
@@ -23,6 +25,8 @@ const FormatTraits& traits(Format format) {
             return rgba32f;
         case Format::rgba16f:
             return rgba16f;
+        case Format::rgba16ui:
+            return rgba16ui;
         case Format::depth32f:
             return depth32f;
     }

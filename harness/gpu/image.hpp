@@ -11,7 +11,7 @@
 namespace gloam::gpu {
 
 // Formats that every Vulkan device can store to and render to, plus the depth attachment.
-enum class Format { r32f, rgba32f, rgba16f, depth32f };
+enum class Format { r32f, rgba32f, rgba16f, rgba16ui, depth32f };
 
 // Floats per texel as uploaded and downloaded.
 [[nodiscard]] int channels(Format format);
@@ -36,7 +36,8 @@ class Image {
     [[nodiscard]] Format format() const;
 
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
-    // rgba16f is converted from and to float32 (round to nearest even). Throws std::invalid_argument on
+    // rgba16f is converted from and to float32 (round to nearest even), and rgba16ui (to the nearest of 0 to
+    // 65535). Throws std::invalid_argument on
     // another count, std::runtime_error like Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -38,21 +39,32 @@ vk::BufferImageCopy copy_region(const Image::Impl& image, Band band) {
             .imageExtent = {image.extent.width, band.rows, 1}};
 }
 
+// The nearest integer that 16 bits hold; 0 for NaN.
+std::uint16_t to_uint16(float value) {
+    return value > 0.0F ? static_cast<std::uint16_t>(std::lround(std::min(value, 65535.0F)))
+                        : std::uint16_t{0};
+}
+
 void encode(Format format, std::span<const float> texels, std::byte* staging) {
-    if (format != Format::rgba16f) {
+    auto* shorts = reinterpret_cast<std::uint16_t*>(staging);
+    if (format == Format::rgba16f) {
+        std::ranges::transform(texels, shorts, to_half);
+    } else if (format == Format::rgba16ui) {
+        std::ranges::transform(texels, shorts, to_uint16);
+    } else {
         std::memcpy(staging, texels.data(), texels.size_bytes());
-        return;
     }
-    std::ranges::transform(texels, reinterpret_cast<std::uint16_t*>(staging), to_half);
 }
 
 void decode(Format format, const std::byte* staging, std::span<float> texels) {
-    if (format != Format::rgba16f) {
+    const auto* shorts = reinterpret_cast<const std::uint16_t*>(staging);
+    if (format == Format::rgba16f) {
+        std::transform(shorts, shorts + texels.size(), texels.begin(), from_half);
+    } else if (format == Format::rgba16ui) {
+        std::copy(shorts, shorts + texels.size(), texels.begin());
+    } else {
         std::memcpy(texels.data(), staging, texels.size_bytes());
-        return;
     }
-    const auto* halves = reinterpret_cast<const std::uint16_t*>(staging);
-    std::transform(halves, halves + texels.size(), texels.begin(), from_half);
 }
 
 // Calls move(staging, band, floats before the band, floats in it) for each band of the image.

@@ -241,7 +241,8 @@ TEST_P(FiltersInTheEffect, BringTheCornerNearerToItsClosedForm) {
 // The history never sees a filter, whatever the camera does.
 TEST_P(FiltersInTheEffect, AreForDisplayOnly) {
     const scene::Scene scene = scene::make_scene("moving");
-    for (const HistoryPrecision precision : {HistoryPrecision::float32, HistoryPrecision::float16}) {
+    for (const auto precision :
+         {HistoryPrecision::float32, HistoryPrecision::float16, HistoryPrecision::packed}) {
         std::vector<Frame> last;
         for (const char* filter : {GetParam().c_str(), "none"}) {
             Settings chosen = with_radius(Settings{}, static_cast<float>(scene.ao_radius));

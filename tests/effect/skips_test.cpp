@@ -169,7 +169,8 @@ TEST_F(Skips, SomeTilesSettleBeforeTheirNeighbours) {
 // With a history of half precision what the filter sees is not what the samples gave.
 TEST_F(Skips, TilesThatTheFilterLeavesAsTheyAre) {
     const std::vector<Stay> stays{{view("columns", 0), 3}, {view("columns", 9), 4}};
-    for (const HistoryPrecision precision : {HistoryPrecision::float32, HistoryPrecision::float16}) {
+    for (const auto precision :
+         {HistoryPrecision::float32, HistoryPrecision::float16, HistoryPrecision::packed}) {
         Settings settings = without_skips(settings_for("columns"));
         settings.skip_filtered = true;
         settings.precision = precision;
@@ -198,12 +199,14 @@ TEST_F(Skips, EveryFilterAndTheMap) {
     }
 }
 
-TEST_F(Skips, AHistoryOfHalfPrecision) {
+TEST_F(Skips, HistoriesOfHalfTheMemory) {
     Settings settings = quick(settings_for("sky"));
-    settings.precision = HistoryPrecision::float16;
     settings.table_size = 2048;
     const std::vector<Stay> stays{{view("sky", 0), 6}, {view("sky", 5), 5}};
-    EXPECT_EQ(expect_same(stays, settings)[5].work.tiles_shaded, 0U);
+    for (const auto precision : {HistoryPrecision::float16, HistoryPrecision::packed}) {
+        settings.precision = precision;
+        EXPECT_EQ(expect_same(stays, settings)[5].work.tiles_shaded, 0U);
+    }
 }
 
 TEST_F(Skips, GuardBands) {

@@ -236,6 +236,13 @@ TEST_F(Temporal, HalfPrecisionStaysCloseToFull) {
     EXPECT_LT(errors_of(half.occlusion, full.occlusion).rmse, 2e-3);
     EXPECT_GT(largest_difference(half.occlusion, full.occlusion), 0.0)
         << "the same bits would be the same format";
+    settings.precision = HistoryPrecision::packed;
+    const Frame packed = run(scene, settings, 8);
+    const double error = errors_of(packed.occlusion, full.occlusion).rmse;
+    EXPECT_LT(error, 0.3 * errors_of(half.occlusion, full.occlusion).rmse);
+    EXPECT_GT(error, 0.0);
+    EXPECT_LT(packed.memory_bytes, full.memory_bytes);
+    EXPECT_EQ(packed.work.samples, full.work.samples);
 }
 
 TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
@@ -246,6 +253,12 @@ TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
     settings.precision = HistoryPrecision::float16;
     EXPECT_THAT([&] { effect.begin(first, settings); },
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("at most 2048")));
+    settings = paper();
+    settings.precision = HistoryPrecision::packed;
+    settings.weight_max = 4096.0F;
+    EXPECT_THAT([&] { effect.begin(first, settings); },
+                testing::ThrowsMessage<std::invalid_argument>(
+                    testing::HasSubstr("weight_max 4096: expected at most 4095 with a history in packed")));
     settings = paper();
     settings.depth_tolerance = 0.0F;
     EXPECT_THAT([&] { effect.begin(first, settings); },

@@ -20,8 +20,16 @@ std::vector<float> distinct_texels(Extent extent, Format format) {
     const auto channels_of_format = static_cast<std::size_t>(channels(format));
     std::vector<float> texels(std::size_t{extent.width} * extent.height * channels_of_format);
     for (std::size_t i = 0; i < texels.size(); ++i) {
-        texels[i] = format == Format::rgba16f ? from_half(static_cast<std::uint16_t>(i % 0x7c00))
-                                              : static_cast<float>(i) / static_cast<float>(texels.size());
+        switch (format) {
+            case Format::rgba16f:
+                texels[i] = from_half(static_cast<std::uint16_t>(i % 0x7c00));
+                break;
+            case Format::rgba16ui:
+                texels[i] = static_cast<float>(i % 0x10000);
+                break;
+            default:
+                texels[i] = static_cast<float>(i) / static_cast<float>(texels.size());
+        }
     }
     return texels;
 }
@@ -43,7 +51,7 @@ TEST_P(RoundTripTest, ComesBackAsItWas) {
 
 std::string case_name(const ::testing::TestParamInfo<RoundTripTest::ParamType>& info) {
     const auto [format, extent] = info.param;
-    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "depth32f"};
+    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "rgba16ui", "depth32f"};
     return names[static_cast<std::size_t>(format)] + ("_" + std::to_string(extent.width)) + "x" +
            std::to_string(extent.height);
 }
@@ -52,7 +60,7 @@ constexpr Extent large{1500, 2000};  // as rgba32f more than is staged at once
 
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTripTest,
                          ::testing::Combine(::testing::Values(Format::r32f, Format::rgba32f, Format::rgba16f,
-                                                              Format::depth32f),
+                                                              Format::rgba16ui, Format::depth32f),
                                             ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})),
                          case_name);
 INSTANTIATE_TEST_SUITE_P(Bands, RoundTripTest,

@@ -5,8 +5,8 @@
 // What the preparation passes have in common. They run before ambient_occlusion.comp, in the order of their method's list, and write
 // parts of one image that the method reads by gloam_fetch_prepared. Nothing of a frame stays in it.
 //
-// Define GLOAM_HISTORY as rgba16f for a history of half precision, else it is rgba32f; and GLOAM_PREPARED as r32f for the passes whose
-// image has one channel (first_direction.comp, depth_chain.comp), else it is rgba32f.
+// The history is held as history_image.glsl says. Define GLOAM_PREPARED as r32f for the passes whose image has one channel
+// (first_direction.comp, depth_chain.comp), else it is rgba32f.
 // Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
@@ -14,9 +14,7 @@
 //   3  prepared the prepared image, written and, by passes that build on others, read
 //   4  buffer   a GloamMethod
 //   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is more than 1
-#ifndef GLOAM_HISTORY
-#define GLOAM_HISTORY rgba32f
-#endif
+#include "../history_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif
@@ -26,7 +24,7 @@ layout(constant_id = 0) const int layers = 1;  // of depth that the samples see,
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 2, GLOAM_HISTORY) uniform readonly image2D history_before;
+layout(binding = 2, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE history_before;
 layout(binding = 3, GLOAM_PREPARED) uniform image2D prepared_image;
 
 layout(push_constant) uniform Parameters {
@@ -76,7 +74,8 @@ float gloam_fetch_depth(ivec2 pixel) {
 GloamKernel kernel_at(ivec2 pixel) {
     // Where there is no geometry nothing may have been written: tiles of background are left out (tiles/select.comp).
     bool known = !gloam_is_background(gloam_fetch_depth(pixel));
-    GloamHistory before = gloam_history_unpack(known ? imageLoad(history_before, pixel) : vec4(0.0));
+    GloamHistory before = gloam_history_empty(0.0);
+    if (known) before = GLOAM_LOAD_HISTORY(history_before, pixel);
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     bool rotated = gloam_rotation_enabled(convergence, parameters.c_rot);
     float angle = rotated ? gloam_hash_rotation(pixel - parameters.border) : 0.0;

@@ -19,6 +19,13 @@ namespace gloam::effect {
 // One channel of texels of four.
 [[nodiscard]] std::vector<float> channel(std::span<const float> texels, std::size_t which);
 
+// What a history image holds for each pixel.
+struct HistoryTexels {
+    std::vector<float> occlusion;
+    std::vector<float> samples;  // accumulated
+};
+[[nodiscard]] HistoryTexels history_in(const gpu::Image& image);
+
 // Everything of the size of the image.
 struct FrameImages {
     FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPrecision precision);

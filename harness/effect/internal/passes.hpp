@@ -176,10 +176,11 @@ struct FilterProgram {
                                                   const scene::PassLibrary& library,
                                                   const FilterProgram& program);
 
-// `source`: format of the image that the pass reads. `list`: of the tiles that it runs on; none: the whole
-// image.
+// `history`: of the history that the pass reads; none: it reads the filter's result. `list`: of the tiles
+// that it runs on; none: the whole image.
 [[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
-                                         gpu::Format source, std::optional<TileLists> list);
+                                         std::optional<HistoryPrecision> history,
+                                         std::optional<TileLists> list);
 
 // Which tiles the others run on.
 [[nodiscard]] gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library);

@@ -22,9 +22,9 @@ class Pipelines {
     [[nodiscard]] const gpu::ComputePipeline& occlusion(const Program& program);
     [[nodiscard]] const gpu::ComputePipeline& reprojection(const ReprojectionProgram& program);
     [[nodiscard]] const gpu::ComputePipeline& filter(const FilterProgram& program);
-    // `source`: format of the image that the pass reads.
-    // `list`: of the tiles that it runs on; none: the whole image.
-    [[nodiscard]] const gpu::ComputePipeline& remapping(gpu::Format source, std::optional<TileLists> list);
+    // Like remap().
+    [[nodiscard]] const gpu::ComputePipeline& remapping(std::optional<HistoryPrecision> history,
+                                                        std::optional<TileLists> list);
     [[nodiscard]] const gpu::ComputePipeline& selection();
     [[nodiscard]] const gpu::ComputePipeline& filtered_selection();
     [[nodiscard]] const gpu::ComputePipeline& bounding();
@@ -38,7 +38,8 @@ class Pipelines {
     std::map<Program, gpu::ComputePipeline> occlusion_;
     std::map<ReprojectionProgram, gpu::ComputePipeline> reprojection_;
     std::map<FilterProgram, gpu::ComputePipeline> filter_;
-    std::map<std::pair<gpu::Format, std::optional<TileLists>>, gpu::ComputePipeline> remapping_;
+    std::map<std::pair<std::optional<HistoryPrecision>, std::optional<TileLists>>, gpu::ComputePipeline>
+        remapping_;
     std::map<std::string, gpu::ComputePipeline> of_tiles_;
 };
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_PASSES_HISTORY_IMAGE_GLSL
+#define GLOAM_PASSES_HISTORY_IMAGE_GLSL
+
+// How passes hold a history. Define GLOAM_HISTORY as rgba16f for four half floats, or GLOAM_PACKED_HISTORY for 16 bits of fixed point each
+// (gloam/temporal/packed_history.glsl); else it is four floats.
+//   layout(binding = B, GLOAM_HISTORY) uniform GLOAM_HISTORY_IMAGE image;
+//   GLOAM_LOAD_HISTORY(image, pixel)          a GloamHistory
+//   GLOAM_LOAD_HISTORY_TEXEL(image, pixel)    the same as a vec4, as gloam_history_pack gives it, or anything: not sanitized
+//   GLOAM_STORE_HISTORY(image, pixel, history)
+// GLOAM_HISTORY_ROUNDS: what is loaded may differ from what was stored.
+
+#include "gloam/temporal/history.glsl"
+
+#ifdef GLOAM_PACKED_HISTORY
+#include "gloam/temporal/packed_history.glsl"
+
+#define GLOAM_HISTORY rgba16ui
+#define GLOAM_HISTORY_IMAGE uimage2D
+#define GLOAM_HISTORY_ROUNDS true
+
+GloamHistory history_from_texel(uvec4 texel) {
+    return gloam_history_decode(GloamPackedHistory(texel.x, texel.y, texel.z, texel.w));
+}
+
+#define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) gloam_history_pack(GLOAM_LOAD_HISTORY(image, pixel))
+
+uvec4 texel_from_history(GloamHistory history) {
+    GloamPackedHistory packed = gloam_history_encode(history);
+    return uvec4(packed.occlusion, packed.weight, packed.index, packed.depth);
+}
+#else
+#ifdef GLOAM_HISTORY
+#define GLOAM_HISTORY_ROUNDS true
+#else
+#define GLOAM_HISTORY rgba32f
+#define GLOAM_HISTORY_ROUNDS false
+#endif
+#define GLOAM_HISTORY_IMAGE image2D
+
+GloamHistory history_from_texel(vec4 texel) {
+    return gloam_history_unpack(texel);
+}
+
+#define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) imageLoad(image, pixel)
+
+vec4 texel_from_history(GloamHistory history) {
+    return gloam_history_pack(history);
+}
+#endif
+
+#define GLOAM_LOAD_HISTORY(image, pixel) history_from_texel(imageLoad(image, pixel))
+#define GLOAM_STORE_HISTORY(image, pixel, history) imageStore(image, pixel, texel_from_history(history))
+
+#endif
