@@ -3,13 +3,22 @@
 // Copies an image: one texel read and one written by each invocation. The least that a pass over all pixels
 // can cost, and so the unit in which the time of others is told ("copies").
 //
+// Define GLOAM_FORMAT as the format of both images, else it is r32f, and GLOAM_INTEGERS where it holds unsigned integers.
 // Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f  read
-//   1  r32f  written, of the same size
+//   0  read
+//   1  written, of the same size
+#ifndef GLOAM_FORMAT
+#define GLOAM_FORMAT r32f
+#endif
+#ifdef GLOAM_INTEGERS
+#define GLOAM_COPIED uimage2D
+#else
+#define GLOAM_COPIED image2D
+#endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0, r32f) uniform readonly image2D source_image;
-layout(binding = 1, r32f) uniform writeonly image2D target_image;
+layout(binding = 0, GLOAM_FORMAT) uniform readonly GLOAM_COPIED source_image;
+layout(binding = 1, GLOAM_FORMAT) uniform writeonly GLOAM_COPIED target_image;
 
 layout(push_constant) uniform Parameters {
     ivec2 size;  // of the images, pixels

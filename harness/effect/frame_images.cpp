@@ -12,17 +12,6 @@ namespace {
 
 using enum gpu::Format;
 
-gpu::Format format_of(HistoryPrecision precision) {
-    switch (precision) {
-        case HistoryPrecision::float16:
-            return rgba16f;
-        case HistoryPrecision::packed:
-            return rgba16ui;
-        default:
-            return rgba32f;
-    }
-}
-
 void require_size(const char* what, std::size_t found, gpu::Extent extent) {
     if (found == pixels_of(extent)) return;
     throw std::invalid_argument(
@@ -52,6 +41,17 @@ void require_layers(std::span<const std::vector<float>> layers, gpu::Extent exte
 }
 
 }  // namespace
+
+gpu::Format format_of(HistoryPrecision precision) {
+    switch (precision) {
+        case HistoryPrecision::float16:
+            return rgba16f;
+        case HistoryPrecision::packed:
+            return rgba16ui;
+        default:
+            return rgba32f;
+    }
+}
 
 std::size_t pixels_of(gpu::Extent extent) {
     return std::size_t{extent.width} * extent.height;

@@ -31,6 +31,10 @@ TEST(BenchPasses, PrintsATableAndWritesEveryNumber) {
         EXPECT_TRUE(shaded) << state.at("state");
     }
     EXPECT_TRUE(reprojected) << "no state in which the view moves";
+    ASSERT_EQ(document.at("history_copies").size(), 3U);
+    for (const json& copy : document.at("history_copies"))
+        EXPECT_GT(copy.at("copies"), 0.0) << copy.at("precision");
+    EXPECT_THAT(result.out, HasSubstr("| history, packed | "));
 }
 
 TEST(BenchPasses, WrongOptionsAreNamed) {

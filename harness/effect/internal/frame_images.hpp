@@ -19,6 +19,9 @@ namespace gloam::effect {
 // One channel of texels of four.
 [[nodiscard]] std::vector<float> channel(std::span<const float> texels, std::size_t which);
 
+// Of the images that hold a history.
+[[nodiscard]] gpu::Format format_of(HistoryPrecision precision);
+
 // What a history image holds for each pixel.
 struct HistoryTexels {
     std::vector<float> occlusion;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "effect/internal/passes.hpp"
@@ -15,9 +16,25 @@ namespace {
 constexpr int at_once = 5;
 constexpr std::size_t remembered = 75;
 
-gpu::ComputePipeline copy_pipeline(const gpu::Device& device, const scene::PassLibrary& passes) {
+std::vector<std::string> defines_for(gpu::Format format) {
+    switch (format) {
+        case gpu::Format::r32f:
+            return {};
+        case gpu::Format::rgba32f:
+            return {"GLOAM_FORMAT rgba32f"};
+        case gpu::Format::rgba16f:
+            return {"GLOAM_FORMAT rgba16f"};
+        case gpu::Format::rgba16ui:
+            return {"GLOAM_FORMAT rgba16ui", "GLOAM_INTEGERS"};
+        default:
+            throw std::invalid_argument("a copy of depth32f: expected a format of storage images");
+    }
+}
+
+gpu::ComputePipeline copy_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
+                                   gpu::Format format) {
     require_timestamps(device.info());
-    const shader::Spirv spirv = passes.compile("copy.comp");
+    const shader::Spirv spirv = passes.compile("copy.comp", defines_for(format));
     return {device,
             {.spirv = spirv,
              .bindings = {gpu::BindingKind::storage_image, gpu::BindingKind::storage_image},
@@ -32,12 +49,14 @@ void require_timestamps(const gpu::DeviceInfo& device) {
         "device \"{}\" has no timestamps: expected one that can tell how long a pass takes", device.name));
 }
 
-CopyClock::CopyClock(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent)
+CopyClock::CopyClock(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
+                     gpu::Format format)
     : device_(&device),
-      pipeline_(copy_pipeline(device, passes)),
-      from_(device, extent, gpu::Format::r32f),
-      to_(device, extent, gpu::Format::r32f) {
-    from_.upload(std::vector<float>(std::size_t{extent.width} * extent.height, 0.0F));
+      pipeline_(copy_pipeline(device, passes, format)),
+      from_(device, extent, format),
+      to_(device, extent, format) {
+    const auto channels = static_cast<std::size_t>(gpu::channels(format));
+    from_.upload(std::vector<float>(channels * extent.width * extent.height, 0.0F));
     measure();  // drivers compile at the first dispatch
     readings_.clear();
     measure();

@@ -12,12 +12,14 @@ namespace gloam::effect {
 // Throws std::runtime_error that names the device where it has no timestamps: nothing can be timed on it.
 void require_timestamps(const gpu::DeviceInfo& device);
 
-// How long a copy takes: a pass that reads one r32f texel and writes one, for each pixel of images of one
-// size. Times told in copies compare across machines, and cancel a machine's drift.
+// How long a copy takes: a pass that reads one texel and writes one, for each pixel of images of one size.
+// Times told in copies of r32f compare across machines, and cancel a machine's drift.
 class CopyClock {
   public:
-    // The device must outlive this. Throws std::runtime_error without timestamps, and like gpu::Image.
-    CopyClock(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
+    // The device must outlive this. Throws std::invalid_argument for depth32f, std::runtime_error without
+    // timestamps, and like gpu::Image.
+    CopyClock(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
+              gpu::Format format = gpu::Format::r32f);
 
     // Copies a few times; returns the median of the last readings, in milliseconds: a single one of so short
     // a pass says little.

@@ -5,8 +5,12 @@
 
 #include <array>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
+#include "effect/internal/frame_images.hpp"
 #include "effect/internal/work.hpp"
+#include "effect/setting_table.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "scene/rasterize.hpp"
 
@@ -29,6 +33,18 @@ Settings widened(Settings settings) {
 Settings filtered_by(Filter filter, Settings settings) {
     settings.filter = filter;
     return settings;
+}
+
+Settings held_in(HistoryPrecision precision, Settings settings) {
+    settings.precision = precision;
+    settings.table_size = 2048;
+    return settings;
+}
+
+std::string name_of(HistoryPrecision precision) {
+    Settings settings;
+    settings.precision = precision;
+    return std::get<std::string>(setting_named("precision").get(settings));
 }
 
 Settings unskipped(Settings settings) {
@@ -103,7 +119,9 @@ std::vector<PassCase> pass_cases() {
         {"converged", "nothing is filtered: 5 x 5", converged, 0, false},
         {"converged, not skipped", "the same, the filter runs on all tiles", unskipped(converged), 0, false},
         {"frozen", "all has converged and takes no samples", frozen(), 1, false},
-        {"moved", "the history follows the camera", plain, 1, true}};
+        {"moved", "the history follows the camera", plain, 1, true},
+        {"moved, float16", "the same, of half floats", held_in(HistoryPrecision::float16, plain), 1, true},
+        {"moved, packed", "the same, of 64 bits", held_in(HistoryPrecision::packed, plain), 1, true}};
 }
 
 PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
@@ -112,6 +130,11 @@ PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& pass
     if (rounds < 1) throw std::invalid_argument(fmt::format("rounds {}: expected 1 or more", rounds));
     Runner runner(device, passes, extent);
     CopyClock clock(device, passes, extent);
+    std::vector<std::pair<std::string, CopyClock>> history_clocks;
+    for (const auto precision :
+         {HistoryPrecision::float32, HistoryPrecision::float16, HistoryPrecision::packed})
+        history_clocks.emplace_back(name_of(precision),
+                                    CopyClock(device, passes, extent, format_of(precision)));
     PassStudy study;
     for (const PassCase& what : pass_cases()) study.cases.push_back({what, {}});
     std::vector<Rounds> times(study.cases.size());
@@ -121,6 +144,9 @@ PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& pass
             if (round > 0) times[i].push_back(std::move(frame.times));  // drivers compile in the first
         }
         study.copy_ms = clock.measure();
+        study.history_copies.clear();
+        for (auto& [precision, history_clock] : history_clocks)
+            study.history_copies.push_back({precision, history_clock.measure()});
     }
     for (std::size_t i = 0; i < times.size(); ++i) study.cases[i].times = medians_of(times[i]);
     return study;

@@ -24,13 +24,21 @@ struct PassTimes {
     std::vector<PassTime> times;
 };
 
+// A pass that reads one texel of a history and writes it: no pass that brings or blends one can cost less.
+struct HistoryCopy {
+    std::string precision;  // as the setting names it
+    double ms = 0.0;
+};
+
 struct PassStudy {
     double copy_ms = 0.0;  // a pass that reads one r32f texel and writes one
+    std::vector<HistoryCopy> history_copies;
     std::vector<PassTimes> cases;
 };
 
 // A filter of 5 x 5 and one of 17 x 17 where nothing has converged, and where all has; the other filters; a
-// frame of a history that takes no samples, and one of a view that has moved. Settled tiles are not left out:
+// frame of a history that takes no samples, and one of a view that has moved, with each kind of history.
+// Settled tiles are not left out:
 // what their passes cost is what is timed.
 [[nodiscard]] std::vector<PassCase> pass_cases();
 

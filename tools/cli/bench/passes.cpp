@@ -21,6 +21,9 @@ using nlohmann::ordered_json;
 
 std::string pass_table(const effect::PassStudy& study) {
     std::string text = "| state | | pass | copies |\n|---|---|---|--:|\n";
+    for (const effect::HistoryCopy& copy : study.history_copies)
+        text += fmt::format("| history, {} | one texel read and one written | copy | {:.2f} |\n",
+                            copy.precision, copy.ms / study.copy_ms);
     for (const effect::PassTimes& row : study.cases) {
         for (const effect::PassTime& time : row.times)
             text += fmt::format("| {} | {} | {} | {:.2f} |\n", row.pass_case.name, row.pass_case.what,
@@ -41,6 +44,14 @@ ordered_json pass_json(const effect::PassStudy& study) {
     return cases;
 }
 
+ordered_json history_json(const effect::PassStudy& study) {
+    ordered_json copies = ordered_json::array();
+    for (const effect::HistoryCopy& copy : study.history_copies)
+        copies.push_back(
+            {{"precision", copy.precision}, {"ms", copy.ms}, {"copies", copy.ms / study.copy_ms}});
+    return copies;
+}
+
 }  // namespace
 
 int run_bench_passes(const BenchPassesOptions& options) {
@@ -55,6 +66,7 @@ int run_bench_passes(const BenchPassesOptions& options) {
                                 {"width", extent.width},
                                 {"height", extent.height},
                                 {"copy_ms", study.copy_ms},
+                                {"history_copies", history_json(study)},
                                 {"cases", pass_json(study)}};
     json.write(document.dump(2) + "\n");
     return validation_status(device);
