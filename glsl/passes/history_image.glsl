@@ -11,10 +11,9 @@
 // GLOAM_HISTORY_ROUNDS: what is loaded may differ from what was stored.
 
 #include "gloam/temporal/history.glsl"
-
-#ifdef GLOAM_PACKED_HISTORY
 #include "gloam/temporal/packed_history.glsl"
 
+#ifdef GLOAM_PACKED_HISTORY
 #define GLOAM_HISTORY rgba16ui
 #define GLOAM_HISTORY_IMAGE uimage2D
 #define GLOAM_HISTORY_ROUNDS true

@@ -20,8 +20,8 @@ TEST(BenchSkips, PrintsATableAndWritesEveryNumber) {
     const json document = json::parse(read_file(file));
     ASSERT_EQ(document.at("cases").size(), 7U);
     for (const json& row : document.at("cases")) {
-        for (const char* time :
-             {"copy_ms", "without_ms", "with_ms", "background_ms", "open_ms", "closed_ms", "settled_ms", "first_frame_ms"})
+        for (const char* time : {"copy_ms", "without_ms", "with_ms", "background_ms", "open_ms", "closed_ms",
+                                 "settled_ms", "first_frame_ms"})
             EXPECT_GT(row.at(time), 0.0) << row.at("scene") << ' ' << time;
     }
     EXPECT_GT(document.at("cases").at(0).at("tiles_blank"), 0);
