@@ -116,12 +116,16 @@ std::vector<SkipShare> skip_shares(const gpu::Device& device, const scene::PassL
     const Shares shares(device, passes, extent);
     std::vector<SkipShare> made;
     made.push_back(shares.nothing());
-    for (const double share : {0.25, 0.5, 0.75, 0.9}) made.push_back(shares.background(share));
-    for (const double share : {0.25, 0.5, 0.75, 1.0}) made.push_back(shares.open(share));
-    for (const double share : {0.25, 0.5, 0.75, 1.0}) made.push_back(shares.settled(share));
-    made[3].skip_case.target = made[4].skip_case.target = mostly_sky;
-    made[8].skip_case.target = open_floor;
-    made[12].skip_case.target = all_settled;
+    const auto add = [&](SkipShare share, double target) {
+        share.skip_case.target = target;
+        made.push_back(std::move(share));
+    };
+    for (const double share : {0.25, 0.5, 0.75, 0.9, 0.95})
+        add(shares.background(share), share >= 0.75 ? mostly_sky : 0.0);
+    for (const double share : {0.25, 0.5, 0.75, 1.0})
+        add(shares.open(share), share == 1.0 ? open_floor : 0.0);
+    for (const double share : {0.25, 0.5, 0.75, 1.0})
+        add(shares.settled(share), share == 1.0 ? all_settled : 0.0);
     return made;
 }
 
