@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <string>
 #include <vector>
 
+#include "bits.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
@@ -20,12 +20,6 @@ namespace gloam::effect {
 namespace {
 
 constexpr gpu::Extent odd{83, 45};
-
-std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
-    std::vector<std::uint32_t> bits;
-    for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
-    return bits;
-}
 
 class EndedMarches : public OnDevice<testing::Test> {
   protected:

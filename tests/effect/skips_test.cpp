@@ -4,15 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "bits.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
+#include "effect/study/skip_study.hpp"
 #include "on_device.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/rasterize.hpp"
@@ -35,21 +36,6 @@ Settings with_skips(Settings settings) {
     settings.skip_settled = true;
     settings.skip_filtered = true;
     return settings;
-}
-
-Settings without_skips(Settings settings) {
-    settings.skip_background = false;
-    settings.skip_open = false;
-    settings.skip_closed = false;
-    settings.skip_settled = false;
-    settings.skip_filtered = false;
-    return settings;
-}
-
-std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
-    std::vector<std::uint32_t> bits;
-    for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
-    return bits;
 }
 
 class Skips : public OnDevice<testing::Test> {

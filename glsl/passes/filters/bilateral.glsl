@@ -4,28 +4,13 @@
 
 #include "gloam/filter/bilateral_weight.glsl"
 #include "gloam/filter/weighted_mean.glsl"
-#include "gloam/geometry/background.glsl"
 
 // Neighbours count by distance in the image and difference of depth (ISSAO-7), at most 16 on each side: gloam_bilateral_filter over the row, to
 // the bit. Reads sigma_pixels (sigma_d) and depth_scale (sigma_r).
 
 const int REACH = min(HALF_WIDTH, 16);
 
-struct Tap {
-    float occlusion;
-    float depth;  // world units
-    bool surface;
-};
-
-Tap weightless(Tap tap) {
-    return Tap(tap.occlusion, tap.depth, false);
-}
-
-Tap tap_at(ivec2 pixel) {
-    Source source = source_at(pixel);
-    return Tap(source.occlusion, source.depth, !gloam_is_background(source.depth));
-}
-
+#include "passes/tiles/depth_tap.glsl"
 #include "passes/tiles/row.glsl"
 
 // mean: what was added so far. center: depth of the filtered pixel. offset: of the tap from it, pixels.

@@ -4,7 +4,6 @@
 
 #include "gloam/filter/sao_blur.glsl"
 #include "gloam/filter/weighted_mean.glsl"
-#include "gloam/geometry/background.glsl"
 
 // The blur of scalable ambient obscurance (McGuire et al. 2012; CS-Q): at most four taps on each side, two pixels apart; one counts nothing from
 // depth_scale on, and linearly more before it.
@@ -15,21 +14,7 @@ const int SAO_MOST_TAPS = 4;
 const int SAO_TAPS = min(HALF_WIDTH, SAO_MOST_TAPS);
 const int REACH = SAO_STRIDE * SAO_TAPS;
 
-struct Tap {
-    float occlusion;
-    float depth;  // world units
-    bool surface;
-};
-
-Tap weightless(Tap tap) {
-    return Tap(tap.occlusion, tap.depth, false);
-}
-
-Tap tap_at(ivec2 pixel) {
-    Source source = source_at(pixel);
-    return Tap(source.occlusion, source.depth, !gloam_is_background(source.depth));
-}
-
+#include "passes/tiles/depth_tap.glsl"
 #include "passes/tiles/row.glsl"
 
 // mean: what was added so far. center: depth of the filtered pixel, world units. number: of the tap, from the centre.
