@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "effect/internal/precision_name.hpp"
 #include "effect/setting_table.hpp"
 
 namespace gloam::effect {
@@ -51,9 +52,9 @@ void validate(const Settings& settings) {
         if (limit.precision != settings.precision) continue;
         const SettingValue value = setting_named(limit.setting).get(settings);
         if (std::get<double>(value) <= limit.most) continue;
-        const std::string held = std::get<std::string>(setting_named("precision").get(settings));
         throw std::invalid_argument(fmt::format("{} {}: expected at most {} with a history in {}",
-                                                limit.setting, text_of(value), limit.most, held));
+                                                limit.setting, text_of(value), limit.most,
+                                                name_of(settings.precision)));
     }
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "effect/internal/frame_images.hpp"
+#include "effect/internal/precision_name.hpp"
 #include "effect/internal/work.hpp"
-#include "effect/setting_table.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "scene/rasterize.hpp"
 
@@ -39,12 +39,6 @@ Settings held_in(HistoryPrecision precision, Settings settings) {
     settings.precision = precision;
     settings.table_size = 2048;
     return settings;
-}
-
-std::string name_of(HistoryPrecision precision) {
-    Settings settings;
-    settings.precision = precision;
-    return std::get<std::string>(setting_named("precision").get(settings));
 }
 
 Settings unskipped(Settings settings) {
