@@ -10,8 +10,8 @@ namespace {
 using namespace check;
 using History = reference::GloamHistory<float>;
 
-constexpr const char* file = "gloam/temporal/history.glsl";
-constexpr const char* source = "TSSAO (Mattausch et al.), layout of the ambient-occlusion buffer";
+constexpr Origin origin{"gloam/temporal/history.glsl",
+                        "TSSAO (Mattausch et al.), layout of the ambient-occlusion buffer"};
 
 Values occlusions() {
     return uniform(0, 1).and_near({0.0, 1.0}).and_special();
@@ -37,42 +37,35 @@ Values texels() {
     return vector({occlusions(), weights(), index, depths()}).and_special();
 }
 
-template <class Signature, class Reference>
-void append(Entries& entries, Description description, Reference reference, Domain domain) {
-    description.file = file;
-    description.source = source;
-    entries.push_back(
-        equation<Signature>(std::move(description), std::move(reference), {.domain = std::move(domain)}));
-}
-
 void append_buffer(Entries& entries) {
-    append<History(float)>(entries,
-                           {.id = "TSSAO-BUF-empty",
-                            .function = "gloam_history_empty",
-                            .title = "history of a pixel that has none",
-                            .formula = "(0, 0, 0, d), d = infinity for background"},
-                           GLOAM_REFERENCE(gloam_history_empty), {depths()});
-    append<History(History)>(entries,
-                             {.id = "TSSAO-BUF-sanitize",
-                              .function = "gloam_history_sanitize",
-                              .title = "history made safe to use",
-                              .formula = "h if 0 <= AO <= 1, 0 < w < infinity and d is geometry, else empty"},
-                             GLOAM_REFERENCE(gloam_history_sanitize), {histories()});
-    append<glm::vec4(History)>(entries,
-                               {.id = "TSSAO-BUF-pack",
-                                .function = "gloam_history_pack",
-                                .title = "texel of the history buffer",
-                                .formula = "(AO, w, j, d)"},
-                               GLOAM_REFERENCE(gloam_history_pack), {histories()});
-    append<History(glm::vec4)>(entries,
-                               {.id = "TSSAO-BUF-unpack",
-                                .function = "gloam_history_unpack",
-                                .title = "history from a texel",
-                                .formula = "(AO, w, j, d)"},
-                               GLOAM_REFERENCE(gloam_history_unpack), {texels()});
+    append_exact<History(float)>(entries, origin,
+                                 {.id = "TSSAO-BUF-empty",
+                                  .function = "gloam_history_empty",
+                                  .title = "history of a pixel that has none",
+                                  .formula = "(0, 0, 0, d), d = infinity for background"},
+                                 GLOAM_REFERENCE(gloam_history_empty), {depths()});
+    append_exact<History(History)>(
+        entries, origin,
+        {.id = "TSSAO-BUF-sanitize",
+         .function = "gloam_history_sanitize",
+         .title = "history made safe to use",
+         .formula = "h if 0 <= AO <= 1, 0 < w < infinity and d is geometry, else empty"},
+        GLOAM_REFERENCE(gloam_history_sanitize), {histories()});
+    append_exact<glm::vec4(History)>(entries, origin,
+                                     {.id = "TSSAO-BUF-pack",
+                                      .function = "gloam_history_pack",
+                                      .title = "texel of the history buffer",
+                                      .formula = "(AO, w, j, d)"},
+                                     GLOAM_REFERENCE(gloam_history_pack), {histories()});
+    append_exact<History(glm::vec4)>(entries, origin,
+                                     {.id = "TSSAO-BUF-unpack",
+                                      .function = "gloam_history_unpack",
+                                      .title = "history from a texel",
+                                      .formula = "(AO, w, j, d)"},
+                                     GLOAM_REFERENCE(gloam_history_unpack), {texels()});
     const Values integer = log_integers(4294967295).and_near_integers({16777216, 4294967295});
-    append<unsigned(unsigned, unsigned, unsigned)>(
-        entries,
+    append_exact<unsigned(unsigned, unsigned, unsigned)>(
+        entries, origin,
         {.id = "TSSAO-BUF-index",
          .function = "gloam_next_index",
          .title = "start index of the next frame",

@@ -10,8 +10,8 @@ using namespace check;
 using History = reference::GloamHistory<float>;
 using Packed = reference::GloamPackedHistory;
 
-constexpr const char* file = "gloam/temporal/packed_history.glsl";
-constexpr const char* source = "gloam: the layout of TSSAO's ambient-occlusion buffer in 64 bits";
+constexpr Origin origin{"gloam/temporal/packed_history.glsl",
+                        "gloam: the layout of TSSAO's ambient-occlusion buffer in 64 bits"};
 
 Values depths() {
     return either(log_uniform(1e-3, 1e6), log_uniform(1e-12, 1e12))
@@ -24,53 +24,45 @@ Values members() {
     return either(log_integers(65535), log_integers(4294967295)).and_near_integers({32768, 65535});
 }
 
-template <class Signature, class Reference>
-void append(Entries& entries, Description description, Reference reference, Domain domain) {
-    description.file = file;
-    description.source = source;
-    entries.push_back(
-        equation<Signature>(std::move(description), std::move(reference), {.domain = std::move(domain)}));
-}
-
 }  // namespace
 
 void append_packed_history(Entries& entries) {
-    append<unsigned(float)>(entries,
-                            {.id = "PACKED-round",
-                             .function = "gloam_round_half_up",
-                             .title = "nearest integer, by no operation that rounds",
-                             .formula = "floor(x + 1/2)"},
-                            GLOAM_REFERENCE(gloam_round_half_up),
-                            {either(uniform(0, 70000), log_uniform(1e-30, 8388608))});
-    append<unsigned(float)>(entries,
-                            {.id = "PACKED-depth",
-                             .function = "gloam_depth_to_code",
-                             .title = "depth in 16 bits",
-                             .formula = "6 bits of exponent, 10 of mantissa; 65535 for background"},
-                            GLOAM_REFERENCE(gloam_depth_to_code), {depths()});
-    append<float(unsigned)>(entries,
-                            {.id = "PACKED-depth-of",
-                             .function = "gloam_depth_from_code",
-                             .title = "depth from 16 bits",
-                             .formula = "the inverse of PACKED-depth"},
-                            GLOAM_REFERENCE(gloam_depth_from_code), {members()});
+    append_exact<unsigned(float)>(entries, origin,
+                                  {.id = "PACKED-round",
+                                   .function = "gloam_round_half_up",
+                                   .title = "nearest integer, by no operation that rounds",
+                                   .formula = "floor(x + 1/2)"},
+                                  GLOAM_REFERENCE(gloam_round_half_up),
+                                  {either(uniform(0, 70000), log_uniform(1e-30, 8388608))});
+    append_exact<unsigned(float)>(entries, origin,
+                                  {.id = "PACKED-depth",
+                                   .function = "gloam_depth_to_code",
+                                   .title = "depth in 16 bits",
+                                   .formula = "6 bits of exponent, 10 of mantissa; 65535 for background"},
+                                  GLOAM_REFERENCE(gloam_depth_to_code), {depths()});
+    append_exact<float(unsigned)>(entries, origin,
+                                  {.id = "PACKED-depth-of",
+                                   .function = "gloam_depth_from_code",
+                                   .title = "depth from 16 bits",
+                                   .formula = "the inverse of PACKED-depth"},
+                                  GLOAM_REFERENCE(gloam_depth_from_code), {members()});
     const Values history =
         vector({uniform(0, 1).and_near({0.0, 1.0}).and_special(),
                 either(uniform(0, 5000), log_uniform(1e-30, 1e30)).and_near({4095.0}).and_special(),
                 log_integers(4294967295).and_near_integers({65536, 16777216}), depths()});
-    append<Packed(History)>(entries,
-                            {.id = "PACKED-encode",
-                             .function = "gloam_history_encode",
-                             .title = "history in 64 bits",
-                             .formula = "(32768 AO, 16 w, j, code of d), rounded"},
-                            GLOAM_REFERENCE(gloam_history_encode), {history});
-    append<History(Packed)>(entries,
-                            {.id = "PACKED-decode",
-                             .function = "gloam_history_decode",
-                             .title = "history from 64 bits",
-                             .formula = "the inverse of PACKED-encode"},
-                            GLOAM_REFERENCE(gloam_history_decode),
-                            {vector({members(), members(), members(), members()})});
+    append_exact<Packed(History)>(entries, origin,
+                                  {.id = "PACKED-encode",
+                                   .function = "gloam_history_encode",
+                                   .title = "history in 64 bits",
+                                   .formula = "(32768 AO, 16 w, j, code of d), rounded"},
+                                  GLOAM_REFERENCE(gloam_history_encode), {history});
+    append_exact<History(Packed)>(entries, origin,
+                                  {.id = "PACKED-decode",
+                                   .function = "gloam_history_decode",
+                                   .title = "history from 64 bits",
+                                   .formula = "the inverse of PACKED-encode"},
+                                  GLOAM_REFERENCE(gloam_history_decode),
+                                  {vector({members(), members(), members(), members()})});
 }
 
 }  // namespace gloam::catalogue

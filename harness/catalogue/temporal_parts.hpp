@@ -3,8 +3,24 @@
 
 #include "catalogue/entry.hpp"
 
-// The parts of append_temporal, one file each.
+// The parts of append_temporal, one file each, and what they share.
 namespace gloam::catalogue {
+
+// Where an equation stands and where it comes from.
+struct Origin {
+    const char* file;    // as Description has it
+    const char* source;  // likewise
+};
+
+// An equation of which nothing is to be told but its domain: no error is allowed to it.
+template <class Signature, class Reference>
+void append_exact(Entries& entries, const Origin& origin, Description description, Reference reference,
+                  check::Domain domain) {
+    description.file = origin.file;
+    description.source = origin.source;
+    entries.push_back(
+        equation<Signature>(std::move(description), std::move(reference), {.domain = std::move(domain)}));
+}
 
 void append_accumulation(Entries& entries);  // blending, convergence, what depends on it
 void append_history(Entries& entries);       // the history buffer, its interpolation, the start index
