@@ -7,6 +7,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/work.hpp"
+#include "effect/methods.hpp"
 #include "effect/study/configuration_study.hpp"
 #include "scene/rasterize.hpp"
 
@@ -27,6 +28,7 @@ struct Case {
 struct Sweep {
     std::string of;
     std::vector<Case> cases;
+    bool counts_open = false;
 };
 
 double pixels_of(gpu::Extent extent) {
@@ -58,7 +60,11 @@ class Sweeps {
         : options_(options), scene_(scene::make_scene("moving")), base_(options.sizes.front()) {}
 
     [[nodiscard]] std::vector<Sweep> all() const {
-        return {pixels(), samples(), radius(), filter_width(), objects()};
+        std::vector<Sweep> sweeps{pixels(false)};
+        if (method_named(options_.method).open_proof != OpenProof::none) sweeps.push_back(pixels(true));
+        for (Sweep& sweep : std::vector{samples(), radius(), filter_width(), objects()})
+            sweeps.push_back(std::move(sweep));
+        return sweeps;
     }
 
   private:
@@ -70,12 +76,13 @@ class Sweeps {
         return {.value = value, .scene = scene_, .extent = base_, .settings = settings};
     }
 
-    [[nodiscard]] Sweep pixels() const {
-        Sweep sweep{.of = "pixels"};
+    [[nodiscard]] Sweep pixels(bool skip_open) const {
+        Sweep sweep{.of = skip_open ? "pixels, open tiles left out" : "pixels", .counts_open = true};
         for (const gpu::Extent size : options_.sizes) {
             const double radius = scene_.ao_radius * base_.height / size.height;
             sweep.cases.push_back(usual(pixels_of(size), settings(usual_samples, radius)));
             sweep.cases.back().extent = size;
+            sweep.cases.back().settings.skip_open = skip_open;
         }
         return sweep;
     }
@@ -132,6 +139,12 @@ struct Views {
     std::optional<scene::GBuffer> second;
 };
 
+// What a frame of a case took, and the part of its tiles that were found open.
+struct Timing {
+    double ms = 0.0;
+    double open = 0.0;
+};
+
 class Timer {
   public:
     Timer(const gpu::Device& device, const scene::PassLibrary& passes) : device_(&device), passes_(passes) {}
@@ -143,7 +156,7 @@ class Timer {
     }
 
     // One effect at a time: the largest takes a gigabyte.
-    [[nodiscard]] double time(const Case& what, const Views& views) {
+    [[nodiscard]] Timing time(const Case& what, const Views& views) {
         if (!effect_ || extent_ != what.extent) {
             effect_.reset();
             effect_.emplace(*device_, passes_, what.extent);
@@ -159,14 +172,15 @@ class Timer {
                                 {.frame = frame, .motion = what.history});
     }
 
-    double run(const Case& what, const Views& views) {
+    Timing run(const Case& what, const Views& views) {
         effect_->begin(views.first, what.settings);
         Frame frame = effect_->next();
         if (views.second) {
             effect_->advance(*views.second);
             frame = effect_->next();
         }
-        return total_ms(frame);
+        return {total_ms(frame),
+                static_cast<double>(frame.work.tiles_open) / static_cast<double>(frame.work.tiles)};
     }
 
     const gpu::Device* device_;
@@ -179,16 +193,19 @@ ScalingRun run_of(Timer& timer, const Sweep& sweep, int repeat, const std::funct
     std::vector<Views> views;
     for (const Case& what : sweep.cases) views.push_back(timer.views_of(what));
     std::vector<std::vector<double>> times(sweep.cases.size());
+    std::vector<double> open(sweep.cases.size());
     for (int round = 0; round <= repeat; ++round) {
         for (std::size_t i = 0; i < sweep.cases.size(); ++i) {
-            const double ms = timer.time(sweep.cases[i], views[i]);
-            if (round > 0) times[i].push_back(ms);  // the first warms up
+            const Timing timing = timer.time(sweep.cases[i], views[i]);
+            open[i] = timing.open;                         // the same in every round
+            if (round > 0) times[i].push_back(timing.ms);  // the first warms up
             visited();
         }
     }
     ScalingRun run{.of = sweep.of};
     for (std::size_t i = 0; i < times.size(); ++i)
         run.points.emplace_back(sweep.cases[i].value, median(times[i]));
+    if (sweep.counts_open) run.open = std::move(open);
     return run;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -20,10 +21,22 @@ constexpr std::size_t version = 1;
 ordered_json growth_json(const Growth& growth) {
     ordered_json points = ordered_json::array();
     for (const auto& [value, ms] : growth.points) points.push_back({number_json(value), number_json(ms)});
-    return {{"of", growth.of},
-            {"method", growth.method},
-            {"exponent", number_json(growth.exponent)},
-            {"points", points}};
+    ordered_json json{{"of", growth.of},
+                      {"method", growth.method},
+                      {"exponent", number_json(growth.exponent)},
+                      {"points", points}};
+    if (!growth.open.empty()) json["open"] = internal::numbers_json(growth.open);
+    return json;
+}
+
+// A file in which no tiles were counted has none.
+std::vector<double> open_from(const JsonReader& json, std::size_t points) {
+    if (!json.has("open")) return {};
+    const JsonReader member = json.member("open");
+    std::vector<double> open = member.numbers();
+    const bool parts = std::ranges::all_of(open, [](double part) { return part >= 0.0 && part <= 1.0; });
+    if (open.size() != points || !parts) member.expected("a number in [0, 1] for each point");
+    return open;
 }
 
 Growth growth_from(const JsonReader& json) {
@@ -35,6 +48,7 @@ Growth growth_from(const JsonReader& json) {
         if (pair.size() != 2) point.expected("two numbers");
         growth.points.emplace_back(pair[0], pair[1]);
     }
+    growth.open = open_from(json, growth.points.size());
     return growth;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/benchmark/growth.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -26,6 +27,13 @@ double exponent_of(std::span<const std::pair<double, double>> points) {
         xy += (x - mean_x) * (y - mean_y);
     }
     return xx > 0.0 ? xy / xx : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string growth_plot_name(const std::string& of) {
+    std::string name = "scaling-" + of;
+    std::erase(name, ',');
+    std::ranges::replace(name, ' ', '-');
+    return name;
 }
 
 }  // namespace gloam::report

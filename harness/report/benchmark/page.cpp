@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
+#include "report/benchmark/growth.hpp"
 #include "report/benchmark/pareto.hpp"
 #include "report/benchmark/tables.hpp"
 
@@ -23,7 +23,7 @@ writes this page; other devices rank methods otherwise, so measure on yours. The
     tools/run bench --framework --json framework.json
     tools/run bench --from results/results.json scaling.json framework.json --report docs/benchmark.md
 
-which takes ten minutes on two cores; `--resume` goes on where the first was interrupted. Results can be asked and compared:
+With `--resume` the first goes on where it was interrupted. Results can be asked and compared:
 
     tools/run bench --from results/results.json --budget 40copies --error 0.05
     tools/run bench --compare OLD.json NEW.json
@@ -43,6 +43,17 @@ constexpr const char* explanation = R"(
 - **Memory** is of all images and buffers that the passes are given, G-buffer included.
 - **The front** (Pareto): nothing else is both as fast and as near to the truth. *Over all scenes* times are geometric means, and errors
   geometric means of the ratio to the least that any configuration has in the scene.
+)";
+
+constexpr const char* scaling_introduction = R"(
+## Scaling
+
+Time of all passes of a single frame while one thing grows: time ~ value^exponent, least squares on logarithmic axes. *Pixels* grow at
+the same radius in pixels and with every tile sampled, so that a pixel is the same work at every size: this is what the criterion judges.
+*Pixels, open tiles left out* are the same with the settings as they are by default: the radius shrinks in the world as pixels grow, so
+that less lies within reach, and the bias with it, down to what depths are rounded to, so that another part of the tiles, told with the
+times, can be proven open and takes no samples.
+
 )";
 
 constexpr const char* presets_introduction = R"(
@@ -70,16 +81,10 @@ std::string picture(const std::string& images, const std::string& name) {
 
 std::string scaling_section(const Benchmark& benchmark, const std::string& images) {
     if (benchmark.scaling.empty()) return {};
-    std::string text =
-        "\n## Scaling\n\nTime of all passes of a single frame while one thing grows: time ~ value^exponent, "
-        "least squares on "
-        "logarithmic axes. Pixels grow at the same radius in pixels.\n\n";
+    std::string text = scaling_introduction;
     std::set<std::string> shown;
     for (const Growth& growth : benchmark.scaling) {
-        if (!shown.insert(growth.of).second) continue;
-        std::string name = "scaling-" + growth.of;
-        std::ranges::replace(name, ' ', '-');
-        text += picture(images, name);
+        if (shown.insert(growth.of).second) text += picture(images, growth_plot_name(growth.of));
     }
     const std::string criteria = scaling_criteria_table(benchmark);
     return text + criteria + (criteria.empty() ? "" : "\n") + scaling_table(benchmark);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "report/benchmark/growth.hpp"
 #include "report/benchmark/pareto.hpp"
 
 namespace gloam::report {
@@ -115,9 +116,7 @@ std::vector<std::pair<std::string, Plot>> plots_of(const Benchmark& benchmark) {
     std::set<std::string> drawn;
     for (const Growth& growth : benchmark.scaling) {
         if (!drawn.insert(growth.of).second) continue;
-        std::string name = "scaling-" + growth.of;
-        std::ranges::replace(name, ' ', '-');
-        plots.emplace_back(name, growth_plot(benchmark, growth.of));
+        plots.emplace_back(growth_plot_name(growth.of), growth_plot(benchmark, growth.of));
     }
     return plots;
 }

@@ -72,6 +72,7 @@ struct Growth {
     std::string method;
     std::vector<std::pair<double, double>> points;               // value, milliseconds of all passes
     double exponent = std::numeric_limits<double>::quiet_NaN();  // least squares on logarithmic axes
+    std::vector<double> open;  // part of the tiles found open at each point, in [0, 1]; empty: not counted
 };
 
 // A figure of the framework itself.

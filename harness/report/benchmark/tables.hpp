@@ -25,11 +25,14 @@ namespace gloam::report {
 // to the truth, and better in one of the two. Empty without any.
 [[nodiscard]] std::string presets_table(const Benchmark& benchmark);
 
-// Exponents and times of the scaling runs; empty without any.
+// Exponents and times of the scaling runs, with the part of the tiles found open where any was; empty without
+// any.
 [[nodiscard]] std::string scaling_table(const Benchmark& benchmark);
 
 // What the scaling runs are to meet: per pixel 3840 x 2160 takes at most 1.15 times as long as 1280 x 720,
-// and ten times the radius at most 1.5 times as long. Empty where no run has both values.
+// and ten times the radius at most 1.5 times as long. The first is judged where every tile is known to have
+// been sampled; else it is told without a verdict, with the parts found open. Empty where no run has both
+// values.
 [[nodiscard]] std::string scaling_criteria_table(const Benchmark& benchmark);
 
 // Figures of the framework; empty without any.

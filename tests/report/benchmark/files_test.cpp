@@ -48,6 +48,23 @@ TEST(BenchmarkJson, ReadsWhatItWrote) {
     EXPECT_EQ(back.framework[0].value, 1.25);
 }
 
+TEST(BenchmarkJson, HoldsThePartOfOpenTilesWhereItWasCounted) {
+    Benchmark benchmark = everything();
+    EXPECT_THAT(to_json(benchmark), testing::Not(HasSubstr("\"open\"")));
+    EXPECT_TRUE(benchmark_from_json(to_json(benchmark)).scaling[0].open.empty());
+    benchmark.scaling[0].open = {0.5, 0.25};
+    const std::string text = to_json(benchmark);
+    const Benchmark back = benchmark_from_json(text);
+    EXPECT_THAT(back.scaling[0].open, testing::ElementsAre(0.5, 0.25));
+    EXPECT_EQ(to_json(back), text);
+    for (const std::vector<double>& bad : {std::vector{0.5}, std::vector{0.5, 1.5}, std::vector{-0.1, 0.5}}) {
+        benchmark.scaling[0].open = bad;
+        EXPECT_THAT([&] { (void)benchmark_from_json(to_json(benchmark)); },
+                    testing::ThrowsMessage<std::runtime_error>(
+                        HasSubstr("scaling[0].open: expected a number in [0, 1] for each point")));
+    }
+}
+
 TEST(BenchmarkJson, SaysWhereSomethingElseStands) {
     const std::string text = to_json(everything());
     const auto refusal = [&](const std::string& from, const std::string& to, const char* named) {
@@ -120,8 +137,11 @@ TEST(BenchmarkPage, SaysOfEachPresetWhetherItLiesOnTheFront) {
 TEST(BenchmarkPage, SaysWhetherTimeGrowsAsItShould) {
     Benchmark benchmark = everything();
     benchmark.scaling = {
-        {.of = "pixels", .method = "m", .points = {{57'600, 1}, {921'600, 10}, {8'294'400, 108}}},
-        {.of = "pixels", .method = "n", .points = {{57'600, 1}, {8'294'400, 108}}},
+        {.of = "pixels",
+         .method = "m",
+         .points = {{57'600, 1}, {921'600, 10}, {8'294'400, 108}},
+         .open = {0, 0, 0}},
+        {.of = "pixels", .method = "n", .points = {{57'600, 1}, {8'294'400, 108}}, .open = {0, 0}},
         {.of = "radius in pixels", .method = "m", .points = {{5, 9}, {10.4, 10}, {52, 12}, {104, 16}}}};
     const std::string page = to_benchmark_page(benchmark, "images");
     EXPECT_THAT(page,
@@ -130,6 +150,24 @@ TEST(BenchmarkPage, SaysWhetherTimeGrowsAsItShould) {
     EXPECT_THAT(page, testing::Not(HasSubstr("| n: time")));
     benchmark.scaling[2].points.back().second = 15;
     EXPECT_THAT(to_benchmark_page(benchmark, "images"), HasSubstr("radius | 1.500 | 1.50 | met |"));
+}
+
+TEST(BenchmarkPage, JudgesNoTimeOfPixelsThatAreOtherWork) {
+    Benchmark benchmark = everything();
+    benchmark.scaling = {{.of = "pixels, open tiles left out",
+                          .method = "m",
+                          .points = {{57'600, 1}, {921'600, 10}, {8'294'400, 117}},
+                          .open = {0, 0.544, 0.365}},
+                         {.of = "pixels", .method = "old", .points = {{921'600, 10}, {8'294'400, 99}}}};
+    const std::string page = to_benchmark_page(benchmark, "images");
+    const std::string criterion = ": time per pixel, 3840 x 2160 over 1280 x 720, ";
+    EXPECT_THAT(page, HasSubstr("| m" + criterion +
+                                "36 % of the tiles left out as open over 54 % | 1.300 | - | not judged |"));
+    EXPECT_THAT(page, HasSubstr("| old" + criterion + "open tiles not counted | 1.100 | - | not judged |"));
+    EXPECT_THAT(page, HasSubstr("5.76e+04: 1.000 (0 % open), 9.216e+05: 10.000 (54 % open)"));
+    EXPECT_THAT(page, HasSubstr("9.216e+05: 10.000, 8.294e+06: 99.000 |"));
+    EXPECT_THAT(page, HasSubstr("images/scaling-pixels-open-tiles-left-out.svg"));
+    EXPECT_EQ(plots_of(benchmark)[2].first, "scaling-pixels-open-tiles-left-out");
 }
 
 TEST(BenchmarkPlots, NamePresetsThatLieBehindTheFront) {

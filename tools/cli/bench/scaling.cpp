@@ -21,7 +21,7 @@ std::vector<report::Growth> measured_scaling(const BenchmarkOptions& options, co
         asked.progress = progress_bar(method + ", scaling");
         for (effect::ScalingRun& run : effect::study_scaling(device, passes, asked)) {
             const double exponent = report::exponent_of(run.points);
-            all.push_back({run.of, method, std::move(run.points), exponent});
+            all.push_back({run.of, method, std::move(run.points), exponent, std::move(run.open)});
         }
     }
     return all;
