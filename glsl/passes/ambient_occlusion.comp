@@ -126,12 +126,13 @@ Neighborhood neighborhood;
 
 // The invocation's part of what is counted.
 uint samples_taken = 0u;
-uint pixel_kind = 0u;  // COUNT_*
-uint ended = 0u;       // COUNT_ENDED where a march was
+uint pixel_kinds = 0u;     // COUNT_*
+uint marches_ended = 0u;   // COUNT_ENDED for each pixel that had one
+bool march_ended = false;  // of the pixel
 const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
 
 void gloam_taps_left_out(uint taps) {
-    if (taps > 0u) ended = COUNT_ENDED;
+    march_ended = march_ended || taps > 0u;
 }
 
 GloamCamera this_camera() {
@@ -223,11 +224,11 @@ uint samples_for(GloamHistory before, float depth) {
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = GLOAM_LOAD_HISTORY(history_before, pixel);
     uint samples = samples_for(before, depth);
-    pixel_kind += samples == 0u && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
+    pixel_kinds += samples == 0u && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
     vec2 fresh = vec2(0.0, float(samples));
     if (!open_tiles && samples > 0u) fresh = gather(pixel, depth, before, samples);
-    samples_taken = uint(fresh.y);
+    samples_taken += uint(fresh.y);
     float mean = gloam_estimator_mean(fresh);
     float weight = weight_after_change(before.weight);
     vec2 blended = gloam_blend(before.occlusion, weight, mean, fresh.y, parameters.weight_max);
@@ -247,12 +248,12 @@ GloamHistory shade(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
     if (left_out(pixel)) return gloam_history_empty(depth);
     bool background = gloam_is_background(depth);
-    pixel_kind += background ? COUNT_BACKGROUND : 0u;
+    pixel_kinds += background ? COUNT_BACKGROUND : 0u;
     if (background && parameters.skip_background != 0u) return gloam_history_empty(depth);
 
     vec2 reach = reach_at(depth);
     if (!background && max(reach.x, reach.y) < parameters.least_radius) {
-        pixel_kind += COUNT_BELOW_LIMIT;
+        pixel_kinds += COUNT_BELOW_LIMIT;
         return GloamHistory(0.0, parameters.weight_max, 0u, depth);  // known for certain: converged
     }
     return sampled(pixel, depth);
@@ -266,13 +267,17 @@ void store(ivec2 pixel, GloamHistory after) {
     if (GLOAM_HISTORY_ROUNDS) stored = GLOAM_LOAD_HISTORY(history_after, pixel);
     float convergence = gloam_convergence(stored.weight, parameters.weight_max);
     bool filtered = !gloam_is_background(stored.depth) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
-    pixel_kind += filtered ? COUNT_FILTERED : 0u;
+    pixel_kinds += filtered ? COUNT_FILTERED : 0u;
     if (!filtered) imageStore(shown_image, pixel, vec4(stored.occlusion));
 }
 
 void main() {
-    uint entry = group_entry(parameters.size);
-    ivec2 pixel = pixel_of(entry);
-    if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) store(pixel, shade(pixel));
-    count_tile(entry, tiles_of(parameters.size), samples_taken | ended, pixel_kind);
+    Column column = column_of_invocation(parameters.size);
+    for (int i = 0; i < column.pixels; ++i) {
+        ivec2 pixel = column.first + ivec2(0, i);
+        march_ended = false;
+        if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) store(pixel, shade(pixel));
+        marches_ended += march_ended ? COUNT_ENDED : 0u;
+    }
+    count_tile(column.entry, tiles_of(parameters.size), samples_taken + marches_ended, pixel_kinds);
 }

@@ -47,6 +47,6 @@ void map(ivec2 pixel) {
 }
 
 void main() {
-    uint tiles = listed ? tiles_of_group(which_list) : 1u;
-    for (uint i = 0u; i < tiles; ++i) map(pixel_of(group_entry_at(parameters.size, i, tiles)));
+    Column column = column_of_invocation(parameters.size);
+    for (int i = 0; i < column.pixels; ++i) map(column.first + ivec2(0, i));
 }

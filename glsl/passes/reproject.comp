@@ -87,7 +87,7 @@ GloamHistory reprojected(ivec2 pixel) {
 }
 
 void main() {
-    ivec2 pixel = pixel_of(group_entry(parameters.size));
+    ivec2 pixel = column_of_invocation(parameters.size).first;
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     GLOAM_STORE_HISTORY(history, pixel, reprojected(pixel));
 }

@@ -37,6 +37,7 @@ std::string filter_include(Filter filter) {
 
 constexpr std::uint32_t listed_constant = 10;
 constexpr std::uint32_t list_constant = 11;
+constexpr std::uint32_t open_tiles_constant = 13;
 
 // Of a pass that runs over a list of tiles, or over the whole image.
 std::vector<gpu::SpecializationConstant> constants_of(std::optional<TileLists> list) {
@@ -44,11 +45,21 @@ std::vector<gpu::SpecializationConstant> constants_of(std::optional<TileLists> l
             {.id = list_constant, .bits = static_cast<std::uint32_t>(list.value_or(TileLists::shaded))}};
 }
 
+bool is_cpu(const gpu::Device& device) {
+    return device.info().type == "cpu";
+}
+
 // How ambient_occlusion.comp counts: the buffers of counts are memory of the CPU.
 std::uint32_t counting_on(const gpu::Device& device) {
     constexpr std::uint32_t count_each = 1;
     constexpr std::uint32_t count_group = 2;
-    return device.info().type == "cpu" ? count_each : count_group;
+    return is_cpu(device) ? count_each : count_group;
+}
+
+// Open tiles that a group takes. A CPU runs its invocations one after the other: the fewer, the less what
+// each costs by itself.
+gpu::SpecializationConstant open_tiles_each(const gpu::Device& device) {
+    return {.id = open_tiles_constant, .bits = is_cpu(device) ? 8U : 1U};
 }
 
 // Convergence from which the filter leaves a pixel as it is; infinite where it leaves none so.
@@ -203,7 +214,8 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
                            {.id = 9, .bits = flag(program.orthographic)},
                            {.id = 12, .bits = flag(program.skip_closed)},
                            {.id = listed_constant, .bits = flag(program.listed)},
-                           {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)}}}};
+                           {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)},
+                           open_tiles_each(device)}}};
 }
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
@@ -255,7 +267,8 @@ gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLi
     return {device,
             {.spirv = spirv,
              .bindings = {storage_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer},
-             .push_constant_bytes = sizeof(SelectParameters)}};
+             .push_constant_bytes = sizeof(SelectParameters),
+             .constants = {open_tiles_each(device)}}};
 }
 
 gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLibrary& library) {

@@ -23,11 +23,14 @@ const uint OPEN_TILES = 4u;        // of the shaded tiles: those where nothing c
 const uint SKIPPED_TILES = 5u;     // (background, settled, 0, filtered enough): no list, but counts
 const uint TILE_LISTS = 6u;
 
-// Tiles that a group of the filter takes, along x where it runs over the whole image: an invocation filters several pixels.
+// Tiles that a group takes where its invocations take several pixels of a tile each: 1, 2, 4 or 8. Of the filter, which takes them along x where it
+// runs over the whole image; and of the open tiles, which take so little that a group's own cost shows.
 const uint FILTER_TILES = 8u;
+layout(constant_id = 13) const uint open_tiles_each = 1u;
 
 // Of a list.
 uint tiles_of_group(uint list) {
+    if (list == OPEN_TILES) return open_tiles_each;
     return list == FILTERED_X_TILES || list == FILTERED_Y_TILES ? FILTER_TILES : 1u;
 }
 

@@ -25,16 +25,22 @@ uint group_entry_at(ivec2 size, uint nth, uint count) {
     return listed_tiles[which_list * tiles.x * tiles.y + position];
 }
 
-// The entry of a group that takes one tile; ENTRY_NONE for a group beyond the end of the list.
-// size: of the image, pixels.
-uint group_entry(ivec2 size) {
-    return group_entry_at(size, 0u, 1u);
-}
+// The pixels of an invocation, all of one tile, one below the other.
+struct Column {
+    uint entry;   // the tile's (ENTRY_*)
+    ivec2 first;  // outside the image for a tile beyond its edge, and beyond the end of the list
+    int pixels;
+};
 
-// The invocation's pixel; outside the image for one beyond its edge, and beyond the end of the list.
-// entry: of group_entry().
-ivec2 pixel_of(uint entry) {
-    return ivec2(tile_of(entry) * TILE_SIDE + gl_LocalInvocationID.xy);
+// Of a group of 64 invocations. Those next to each other lie so in the image.
+// size: of the image, pixels.
+Column column_of_invocation(ivec2 size) {
+    uint pixels = tiles_of_group(which_list);
+    uint invocations = TILE_SIDE * TILE_SIDE / pixels;  // of a tile
+    uint entry = group_entry_at(size, gl_LocalInvocationIndex / invocations, pixels);
+    uint within = gl_LocalInvocationIndex % invocations;
+    uvec2 first = tile_of(entry) * TILE_SIDE + uvec2(within % TILE_SIDE, within / TILE_SIDE * pixels);
+    return Column(entry, ivec2(first), int(pixels));
 }
 
 #endif

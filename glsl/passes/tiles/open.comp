@@ -61,6 +61,7 @@ struct Pixels {
 };
 Pixels pixels;
 Block reach;     // pixels that samples are compared at: both included
+vec2 steepest_ray;  // largest magnitudes along x and y of the rays through them, at depth 1
 vec4 overshoot;  // how far the samples reach beyond the left, the top, the right and the bottom of the image, pixels
 
 // Slope of the ray that touches the ball around a point, on the side of larger slopes. slope, depth: of the point, further away than the radius.
@@ -91,6 +92,8 @@ void find_reach(Block tile, float nearest) {
     vec2 last = (furthest(most, nearest) * scale * 0.5 + 0.5) * image + 2.0;
     overshoot = max(vec4(-first, last - image), vec4(0.0));
     reach = Block(ivec2(clamp(first, vec2(0.0), image - 1.0)), ivec2(clamp(last, vec2(0.0), image - 1.0)));
+    steepest_ray = 1.00001 * max(abs(gloam_ndc_from_pixel(reach.first, parameters.size)),
+                                 abs(gloam_ndc_from_pixel(reach.last, parameters.size))) / scale;
 }
 
 // How far the planes of the tile may lie below that of its pixel anywhere in a block.
@@ -101,7 +104,7 @@ float lowered(Block block) {
 
 // Sum of the magnitudes in n . ray.
 float sum_of_ray() {
-    return dot(pixels.normal, vec3(1.0 / abs(parameters.p00_p11), 1.0));
+    return dot(pixels.normal, vec3(steepest_ray, 1.0));
 }
 
 // What rounding adds to a sample's depth, relative to 1/t, where the planes' inverse depth is at least `lowest`.
