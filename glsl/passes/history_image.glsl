@@ -6,7 +6,7 @@
 // (gloam/temporal/packed_history.glsl); else it is four floats.
 //   layout(binding = B, GLOAM_HISTORY) uniform GLOAM_HISTORY_IMAGE image;
 //   GLOAM_LOAD_HISTORY(image, pixel)          a GloamHistory
-//   GLOAM_LOAD_HISTORY_TEXEL(image, pixel)    the same as a vec4, as gloam_history_pack gives it, or anything: not sanitized
+//   GLOAM_LOAD_HISTORY_TEXEL(image, pixel)    the same as a vec4, as gloam_history_pack gives it, but not sanitized
 //   GLOAM_STORE_HISTORY(image, pixel, history)
 // GLOAM_HISTORY_ROUNDS: what is loaded may differ from what was stored.
 
@@ -18,11 +18,15 @@
 #define GLOAM_HISTORY_IMAGE uimage2D
 #define GLOAM_HISTORY_ROUNDS true
 
-GloamHistory history_from_texel(uvec4 texel) {
-    return gloam_history_decode(GloamPackedHistory(texel.x, texel.y, texel.z, texel.w));
+GloamPackedHistory packed_in(uvec4 texel) {
+    return GloamPackedHistory(texel.x, texel.y, texel.z, texel.w);
 }
 
-#define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) gloam_history_pack(GLOAM_LOAD_HISTORY(image, pixel))
+GloamHistory history_from_texel(uvec4 texel) {
+    return gloam_history_decode(packed_in(texel));
+}
+
+#define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) gloam_packed_texel(packed_in(imageLoad(image, pixel)))
 
 uvec4 texel_from_history(GloamHistory history) {
     GloamPackedHistory packed = gloam_history_encode(history);

@@ -56,13 +56,19 @@ void append_packed_history(Entries& entries) {
                                    .title = "history in 64 bits",
                                    .formula = "(32768 AO, 16 w, j, code of d), rounded"},
                                   GLOAM_REFERENCE(gloam_history_encode), {history});
+    const Values packed = vector({members(), members(), members(), members()});
+    append_exact<glm::vec4(Packed)>(entries, origin,
+                                    {.id = "PACKED-texel",
+                                     .function = "gloam_packed_texel",
+                                     .title = "texel that 64 bits stand for",
+                                     .formula = "(AO, w, j, d), the inverse of PACKED-encode"},
+                                    GLOAM_REFERENCE(gloam_packed_texel), {packed});
     append_exact<History(Packed)>(entries, origin,
                                   {.id = "PACKED-decode",
                                    .function = "gloam_history_decode",
                                    .title = "history from 64 bits",
-                                   .formula = "the inverse of PACKED-encode"},
-                                  GLOAM_REFERENCE(gloam_history_decode),
-                                  {vector({members(), members(), members(), members()})});
+                                   .formula = "the same, sanitized"},
+                                  GLOAM_REFERENCE(gloam_history_decode), {packed});
 }
 
 }  // namespace gloam::catalogue

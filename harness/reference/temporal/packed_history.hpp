@@ -51,10 +51,14 @@ GloamPackedHistory gloam_history_encode(GloamHistory<T> h) {
 }
 
 template <class T = double>
+vec4<T> gloam_packed_texel(GloamPackedHistory packed) {
+    return {T(packed.occlusion % 65536U) * T(0x1p-15), T(packed.weight % 65536U) * T(0x1p-4),
+            T(packed.index % 65536U), gloam_depth_from_code<T>(packed.depth % 65536U)};
+}
+
+template <class T = double>
 GloamHistory<T> gloam_history_decode(GloamPackedHistory packed) {
-    return gloam_history_sanitize(
-        GloamHistory<T>{T(packed.occlusion % 65536U) * T(0x1p-15), T(packed.weight % 65536U) * T(0x1p-4),
-                        packed.index % 65536U, gloam_depth_from_code<T>(packed.depth % 65536U)});
+    return gloam_history_unpack(gloam_packed_texel<T>(packed));
 }
 
 }  // namespace gloam::reference
