@@ -18,6 +18,7 @@ using namespace check;
 using Mean = reference::GloamWeightedMean<float>;
 
 constexpr double float_max = 0x1.fffffep127;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Values lengths() {
     return either(log_uniform(1e-3, 10), log_uniform(1e-37, 1e38))
@@ -25,7 +26,7 @@ Values lengths() {
         .and_special();
 }
 
-void append_weights(Entries& entries) {
+void append_shrink(Entries& entries) {
     const Values convergence = either(uniform(0, 1.1), log_uniform(1e-30, 1)).and_special();
     const Values threshold =
         either(uniform(0, 1), log_uniform(1e-37, 1e38)).and_near({0.2, 0x1p-126}).and_special();
@@ -40,21 +41,43 @@ void append_weights(Entries& entries) {
                                       {.domain = Domain{convergence, threshold}.tied(0, 1).tied(0, 1, 0.5),
                                        .budget = {.ulp = 1.5},
                                        .codomain = {0, 1}}));
-    entries.push_back(
-        equation<float(float, float)>({.id = "TSSAO-10-g",
-                                       .function = "gloam_gaussian",
-                                       .file = "gloam/filter/gaussian.glsl",
-                                       .title = "weight of a neighbour by its distance in the world",
-                                       .formula = "g = exp(-d^2 / (2 sigma^2))",
-                                       .source = "TSSAO (Mattausch et al.), eq 10"},
-                                      GLOAM_REFERENCE(gloam_gaussian),
-                                      {.domain = {either(uniform(0, 1), lengths()).and_special(), lengths()},
-                                       .budget = {.absolute = 3e-7},
-                                       .codomain = {0, 1}}));
+}
+
+void append_gaussian(Entries& entries) {
+    constexpr const char* file = "gloam/filter/gaussian.glsl";
+    constexpr const char* source = "TSSAO (Mattausch et al.), eq 10";
+    const Values squares = either(uniform(0, 1), lengths()).and_near({99.5}).and_special();
+    entries.push_back(equation<float(float, float)>(
+        {.id = "TSSAO-10-g",
+         .function = "gloam_gaussian",
+         .file = file,
+         .title = "weight of a neighbour by its distance in the world",
+         .formula = "g = exp(-d^2 / (2 sigma^2))",
+         .source = source},
+        GLOAM_REFERENCE(gloam_gaussian),
+        {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}}));
+    entries.push_back(equation<float(float)>(
+        {.id = "TSSAO-10-g-scale",
+         .function = "gloam_gaussian_scale",
+         .file = file,
+         .title = "what a Gaussian of one width takes distances by",
+         .formula = "s = sqrt(log2(e) / 2) / sigma",
+         .source = source},
+        GLOAM_REFERENCE(gloam_gaussian_scale),
+        {.domain = {lengths().and_near({0x1p100})}, .budget = {.ulp = 1.5}, .codomain = {0, infinity}}));
+    entries.push_back(equation<float(float, float)>(
+        {.id = "TSSAO-10-g-scaled",
+         .function = "gloam_gaussian_scaled",
+         .file = file,
+         .title = "the same weight by the scale of the Gaussian",
+         .formula = "g = 2^-(d s)^2",
+         .source = source},
+        GLOAM_REFERENCE(gloam_gaussian_scaled),
+        {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}}));
     entries.push_back(equation<float(float, float, float, float)>(
         {.id = "TSSAO-10-sigma",
          .function = "gloam_filter_sigma",
-         .file = "gloam/filter/gaussian.glsl",
+         .file = file,
          .title = "width of the filter in the world",
          .formula = "sigma = sigma_px 2 d tan(fov_y / 2) / H",
          .source = "derived: world size of a pixel"},
@@ -164,6 +187,9 @@ std::vector<ImageScenario> surfaces() {
 Values sigmas() {
     return either(log_uniform(0.003, 0.3), log_uniform(1e-6, 1e6)).and_special();
 }
+Values scales() {
+    return either(log_uniform(3, 300), log_uniform(1e-6, 1e6)).and_special();
+}
 
 void append_window(Entries& entries) {
     entries.push_back(equation<float(int, float)>(
@@ -191,13 +217,13 @@ void append_filtering(Entries& entries) {
                        .formula = "(sum + w AO, K + w), w = coverage g(|p - x|) conv(x)",
                        .source = "TSSAO (Mattausch et al.), eq 10"},
                       []<class T>(const ImageSet& images, const reference::GloamWeightedMean<T>& mean,
-                                  reference::vec3<T> center, glm::ivec2 tap, T coverage, T sigma) {
-                          return reference::gloam_filter_tap(mean, center, tap, coverage, sigma,
+                                  reference::vec3<T> center, glm::ivec2 tap, T coverage, T scale) {
+                          return reference::gloam_filter_tap(mean, center, tap, coverage, scale,
                                                              values_of<T>(images), positions_of<T>(images));
                       },
                       {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)),
                                   vector({uniform(0, 0.4), uniform(0, 0.4), uniform(-3, -2)}), image_pixel(),
-                                  uniform(0, 1), sigmas()},
+                                  uniform(0, 1), scales()},
                        .budget = {.absolute = 5e-7},
                        .scenarios = surfaces()}));
     const Values axis = made_by<glm::ivec2>(
@@ -224,7 +250,8 @@ void append_filtering(Entries& entries) {
 }  // namespace
 
 void append_filter(Entries& entries) {
-    append_weights(entries);
+    append_shrink(entries);
+    append_gaussian(entries);
     append_window(entries);
     append_mean(entries);
     append_filtering(entries);

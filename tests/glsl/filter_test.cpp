@@ -88,7 +88,36 @@ TEST_F(Filter, GaussianOfDistance) {
     EXPECT_EQ(g(1.0F, infinity), 1.0F);
     EXPECT_EQ(g(infinity, 1.0F), 0.0F);
     EXPECT_EQ(g(NAN, 1.0F), 0.0F);
+    EXPECT_EQ(g(0.0F, NAN), 0.0F);
     EXPECT_EQ(g(1.0F, NAN), 0.0F);
+    EXPECT_EQ(g(1e38F, infinity), 1.0F);
+    EXPECT_EQ(g(infinity, infinity), 0.0F);
+    EXPECT_EQ(g(-infinity, 1.0F), 1.0F);
+    EXPECT_EQ(g(1.2e-38F, 1.2e-38F), 0.0F);
+    EXPECT_EQ(g(1.2e-38F, -1.0F), 0.0F);
+}
+
+TEST_F(Filter, ScaleOfTheGaussianStandsForItsWidth) {
+    const Kernel<float(float)> scale(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian_scale");
+    const Kernel<float(float, float)> g(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian_scaled");
+    EXPECT_NEAR(scale(1.0F), std::sqrt(0.5 / std::log(2.0)), 1e-7);
+    EXPECT_EQ(scale(0.5F), 2.0F * scale(1.0F));
+    EXPECT_NEAR(g(4.0F, scale(2.0F)), std::exp(-0.5), 2e-7);
+    for (const float none : {0.0F, -1.0F, -infinity, 1e-40F}) EXPECT_EQ(scale(none), scale(0x1p-126F));
+    for (const float all : {0x1p101F, infinity}) EXPECT_EQ(scale(all), 0.0F);
+    EXPECT_EQ(scale(0x1p100F), 0x1p-100F * scale(1.0F));
+    EXPECT_EQ(scale(NAN), infinity);
+    for (const float distance : {0.0F, 1.0F, infinity, NAN}) {
+        EXPECT_EQ(g(distance, infinity), 0.0F);
+        EXPECT_EQ(g(distance, NAN), 0.0F);
+    }
+    EXPECT_EQ(g(0.0F, scale(0.0F)), 1.0F);
+    EXPECT_EQ(g(0x1p-126F, scale(0.0F)), 0.0F);
+    EXPECT_EQ(g(0x1.fffffep127F, scale(infinity)), 1.0F);
+    EXPECT_EQ(g(infinity, scale(infinity)), 0.0F);
+    EXPECT_EQ(g(NAN, 1.0F), 0.0F);
+    EXPECT_EQ(g(-1.0F, 1.0F), 1.0F);
+    EXPECT_EQ(g(100.0F, 1.0F), 0.0F);
 }
 
 TEST_F(Filter, WidthIsSoManyPixelsInTheWorld) {

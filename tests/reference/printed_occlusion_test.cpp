@@ -52,7 +52,11 @@ TEST(Printed, MeanGaussianSigmaShrinkAndRemap) {
         expect_same(gloam_estimator_mean(dvec2(sum, 9.0)), sum / 9.0);
         const double d = random.uniform(0, 3);
         const double sigma = random.uniform(0.5, 3);
-        expect_same(gloam_gaussian(d * d, sigma), std::exp(-d * d / (2 * sigma * sigma)));
+        const double weight = std::exp(-d * d / (2 * sigma * sigma));
+        expect_same(gloam_gaussian(d * d, sigma), weight);
+        const double scale = gloam_gaussian_scale(sigma);
+        expect_same(scale * scale, 0.5 / (sigma * sigma) / std::log(2.0));
+        expect_same(gloam_gaussian_scaled(d * d, scale), weight);
         expect_same(gloam_filter_sigma(d + 1, 0.5, 1080.0, 1.25), 1.25 * 2 * (d + 1) * 0.5 / 1080.0);
         const double conv = random.unit();
         expect_same(gloam_shrink(conv, 0.5), std::max(0.5 - conv, 0.0) / 0.5);

@@ -21,15 +21,15 @@ vec3 gloam_fetch_position(ivec2 pixel);
 
 // Adds the pixel at a tap.
 // mean: what was added so far. center: position of the filtered pixel, world units. tap: pixel inside the image.
-// coverage: part of the tap in the window, [0, 1]. sigma: of gloam_gaussian, world units.
+// coverage: part of the tap in the window, [0, 1]. scale: of gloam_gaussian_scale, 1 / world units.
 // Returns the mean with the tap's occlusion, weighted by coverage, distance and convergence (read inside [0, 1], NaN as 0).
 // Unchanged for background and for occlusion outside [0, 1]. Error: 5e-7 of the tap.
-GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, vec3 center, ivec2 tap, float coverage, float sigma) {
+GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, vec3 center, ivec2 tap, float coverage, float scale) {
     vec3 position = gloam_fetch_position(tap);
     vec2 value = gloam_fetch_occlusion_convergence(tap);
     if (!gloam_is_surface_position(position)) return mean;
     vec3 offset = position - center;
-    float weight = coverage * gloam_gaussian(dot(offset, offset), sigma) * gloam_unit_interval(value.y);
+    float weight = coverage * gloam_gaussian_scaled(dot(offset, offset), scale) * gloam_unit_interval(value.y);
     return gloam_weighted_mean_add(mean, value.x, weight);
 }
 
@@ -47,14 +47,15 @@ float gloam_convergence_filter(ivec2 pixel, ivec2 axis, ivec2 size, int half_wid
     if (!(reach > 0.0)) return gloam_unit_interval(own.x);
     vec3 center = gloam_fetch_position(pixel);
     if (!gloam_is_surface_position(center)) return gloam_unit_interval(own.x);
-    GloamWeightedMean mean = gloam_filter_tap(gloam_weighted_mean_empty(), center, pixel, 1.0, sigma);
+    float scale = gloam_gaussian_scale(sigma);
+    GloamWeightedMean mean = gloam_filter_tap(gloam_weighted_mean_empty(), center, pixel, 1.0, scale);
     int last = min(half_width, max(size.x, size.y));
     for (int i = 1; i <= last && float(i) < reach + 1.0; ++i) {
         float coverage = gloam_window_coverage(i, reach);
         ivec2 before = pixel - i * axis;
         ivec2 after = pixel + i * axis;
-        if (before.x >= 0 && before.y >= 0) mean = gloam_filter_tap(mean, center, before, coverage, sigma);
-        if (after.x < size.x && after.y < size.y) mean = gloam_filter_tap(mean, center, after, coverage, sigma);
+        if (before.x >= 0 && before.y >= 0) mean = gloam_filter_tap(mean, center, before, coverage, scale);
+        if (after.x < size.x && after.y < size.y) mean = gloam_filter_tap(mean, center, after, coverage, scale);
     }
     return gloam_weighted_mean_value(mean, own.x);
 }

@@ -4,19 +4,34 @@
 
 #include "gloam/geometry/background.glsl"
 
+// Scale of distances for gloam_gaussian_scaled (g of TSSAO-10): sqrt(log2(e) / 2) / sigma. It holds all of the weight that is the same for every
+// neighbour of a pixel. Not its square, which may overflow or underflow.
+// sigma: standard deviation, world units, >= 0.
+// Returns the scale, in 1 / world units, from 2^-101 to 2^126 for all but three kinds of sigma: a zero, subnormal or negative one is read as
+// 2^-126, of which no distance but 0 counts; above 2^100 (and for infinity) 0, with which every finite distance counts wholly; for NaN
+// infinity, with which nothing counts. Error: 1.5 ULP.
+float gloam_gaussian_scale(float sigma) {
+    if (!(abs(sigma) >= 0.0)) return uintBitsToFloat(0x7F800000u);
+    return sigma <= 1.2676506e30 ? 0.8493218003 / max(sigma, 1.175494351e-38) : 0.0;
+}
+
+// Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)), which is exp2(-(d scale)^2).
+// squared_distance: d^2, world units squared, >= 0 (below 0 it is read as 0). scale: of gloam_gaussian_scale, 1 / world units.
+// Returns a weight in [0, 1], not below 1e-30 unless 0. 0 for infinity or NaN in either, else 1 for distance 0 or scale 0.
+// Error: 3e-7; 7e-7 by any device that keeps Vulkan's rules for exp2().
+float gloam_gaussian_scaled(float squared_distance, float scale) {
+    float x = squared_distance * scale * scale;
+    float weight = min(exp2(-max(x, 0.0)), 1.0);
+    return x <= 99.5 ? weight : 0.0;
+}
+
 // Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)). Depth edges need no further term.
 // squared_distance: d^2, world units squared, >= 0 (below 0 it is read as 0). sigma: world units, >= 0.
 // Returns a weight in [0, 1], not below 1e-30 unless 0. For sigma zero, subnormal or negative: 1 at distance 0, else 0. An infinite
 // distance gives 0, an infinite sigma 1 at every finite one, NaN in either 0. Error: 3e-7; 1e-6 by any device that keeps
-// Vulkan's rules for exp() and division.
+// Vulkan's rules for exp2() and division.
 float gloam_gaussian(float squared_distance, float sigma) {
-    float d2 = squared_distance > 0.0 ? squared_distance : 0.0;
-    if (!(squared_distance <= 3.402823466e38) || !(abs(sigma) >= 0.0)) return 0.0;
-    if (sigma > 3.402823466e38) return 1.0;
-    if (!(sigma >= 1.175494351e-38)) return d2 > 0.0 ? 0.0 : 1.0;
-    // Divided twice, because the square of sigma may overflow or underflow.
-    float x = 0.5 * (d2 / sigma) / sigma;
-    return x <= 69.0 ? min(exp(-x), 1.0) : 0.0;
+    return gloam_gaussian_scaled(squared_distance, gloam_gaussian_scale(sigma));
 }
 
 // Standard deviation in the world of a filter that is sigma_pixels wide in the image at a depth: sigma_px 2 d tan(fov_y / 2) / H.

@@ -12,10 +12,12 @@ float gloam_geometry_weight(vec3 normal, vec3 other, float depth_difference, flo
     float facing = 0.5 * dot(normal, other) + 0.5;
     float apart = 1.0 + abs(depth_difference);
     if (!(facing > 0.0 && apart <= 3.402823466e38 && normal_power > 0.0 && position_power >= 0.0)) return 0.0;
-    float by_normal = facing < 1.0 ? pow(facing, normal_power) : 1.0;
-    float by_depth = apart > 1.0 ? pow(apart, -position_power) : 1.0;
-    float weight = by_normal * by_depth;
-    return weight >= 1e-30 ? min(weight, 1.0) : 0.0;
+    // One power for both: 2^(p_n log2(facing) - p_z log2(apart)).
+    float by_normal = facing < 1.0 ? normal_power * log2(facing) : 0.0;
+    float by_depth = apart > 1.0 ? position_power * log2(apart) : 0.0;
+    float x = by_normal - by_depth;
+    float weight = min(exp2(x), 1.0);
+    return x >= -99.5 ? weight : 0.0;
 }
 
 #endif

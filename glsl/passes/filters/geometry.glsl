@@ -34,9 +34,13 @@ Tap tap_at(ivec2 pixel) {
 
 #include "passes/tiles/row.glsl"
 
-// mean: what was added so far. own: the filtered pixel.
-GloamWeightedMean with_tap(GloamWeightedMean mean, Tap own, Tap tap) {
-    float weight = gloam_geometry_weight(own.normal, tap.normal, own.depth - tap.depth, STUDY_POWERS.x, STUDY_POWERS.y);
+// Weight of two pixels for each other, in the order of the row: then that of a pair is computed once for both.
+float weight_of(Tap first, Tap second) {
+    return gloam_geometry_weight(first.normal, second.normal, first.depth - second.depth, STUDY_POWERS.x, STUDY_POWERS.y);
+}
+
+// mean: what was added so far. weight: of the tap, as on a surface.
+GloamWeightedMean with_tap(GloamWeightedMean mean, Tap tap, float weight) {
     return gloam_weighted_mean_add(mean, tap.occlusion, tap.surface ? weight : 0.0);
 }
 
@@ -44,8 +48,10 @@ float filtered_occlusion(int position) {
     Tap own = row_tap(position);
     GloamWeightedMean mean = gloam_weighted_mean_add(gloam_weighted_mean_empty(), own.occlusion, 1.0);
     UNROLL for (int i = 1; i <= HALF_WIDTH; ++i) {
-        mean = with_tap(mean, own, row_tap(position - i));
-        mean = with_tap(mean, own, row_tap(position + i));
+        Tap before = row_tap(position - i);
+        Tap after = row_tap(position + i);
+        mean = with_tap(mean, before, weight_of(before, own));
+        mean = with_tap(mean, after, weight_of(own, after));
     }
     return gloam_weighted_mean_value(own.surface ? mean : gloam_weighted_mean_empty(), own.occlusion);
 }

@@ -12,12 +12,13 @@ namespace gloam::reference {
 // fetch_value: vec2<T>(glm::ivec2), (occlusion, convergence); fetch_position: vec3<T>(glm::ivec2).
 template <class T, class FetchValue, class FetchPosition>
 GloamWeightedMean<T> gloam_filter_tap(GloamWeightedMean<T> mean, vec3<T> center, glm::ivec2 tap, T coverage,
-                                      T sigma, FetchValue&& fetch_value, FetchPosition&& fetch_position) {
+                                      T scale, FetchValue&& fetch_value, FetchPosition&& fetch_position) {
     const vec3<T> position = fetch_position(tap);
     if (!gloam_is_surface_position(position)) return mean;
     const vec2<T> value = fetch_value(tap);
     const vec3<T> offset = position - center;
-    const T weight = coverage * gloam_gaussian(dot(offset, offset), sigma) * gloam_unit_interval(value.y);
+    const T weight =
+        coverage * gloam_gaussian_scaled(dot(offset, offset), scale) * gloam_unit_interval(value.y);
     return gloam_weighted_mean_add(mean, value.x, weight);
 }
 
@@ -29,8 +30,9 @@ T gloam_convergence_filter(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 size, i
     if (!(reach > T(0))) return gloam_unit_interval(own.x);
     const vec3<T> center = fetch_position(pixel);
     if (!gloam_is_surface_position(center)) return gloam_unit_interval(own.x);
+    const T scale = gloam_gaussian_scale(sigma);
     const auto add = [&](GloamWeightedMean<T> mean, glm::ivec2 tap, T coverage) {
-        return gloam_filter_tap(mean, center, tap, coverage, sigma, fetch_value, fetch_position);
+        return gloam_filter_tap(mean, center, tap, coverage, scale, fetch_value, fetch_position);
     };
     GloamWeightedMean<T> mean = add(gloam_weighted_mean_empty<T>(), pixel, T(1));
     const int last = min(half_width, max(size.x, size.y));

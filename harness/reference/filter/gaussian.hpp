@@ -7,13 +7,21 @@
 namespace gloam::reference {
 
 template <class T>
+T gloam_gaussian_scale(T sigma) {
+    if (!(abs(sigma) >= T(0))) return infinity<T>();
+    return sigma <= T(0x1p100) ? T(0.8493218002880191) / max(sigma, float_min<T>()) : T(0);
+}
+
+template <class T>
+T gloam_gaussian_scaled(T squared_distance, T scale) {
+    const T x = squared_distance * scale * scale;
+    const T weight = min(exp2(-max(x, T(0))), T(1));
+    return x <= T(99.5) ? weight : T(0);
+}
+
+template <class T>
 T gloam_gaussian(T squared_distance, T sigma) {
-    const T d2 = squared_distance > T(0) ? squared_distance : T(0);
-    if (!(squared_distance <= float_max<T>()) || !(abs(sigma) >= T(0))) return T(0);
-    if (sigma > float_max<T>()) return T(1);
-    if (!(sigma >= float_min<T>())) return d2 > T(0) ? T(0) : T(1);
-    const T x = T(0.5) * (d2 / sigma) / sigma;
-    return x <= T(69) ? min(exp(-x), T(1)) : T(0);
+    return gloam_gaussian_scaled(squared_distance, gloam_gaussian_scale(sigma));
 }
 
 template <class T>
