@@ -55,32 +55,36 @@ void append_can_gather(Entries& entries) {
 }
 
 void append_tap(Entries& entries) {
-    using Tap = glm::vec2(glm::vec2, glm::vec3, glm::mat3, Camera, Kernel, Method, unsigned);
-    const Values index = log_integers(16777216).and_near_integers({16777216, 4294967295});
+    using Tap = glm::vec2(glm::vec2, glm::vec3, glm::mat3, Camera, Kernel, Method, glm::vec3);
+    const Values point = vector({uniform(-0.6, 0.6), uniform(-0.6, 0.6), uniform(0, 0.5)})
+                             .and_value(glm::vec3(0), true)
+                             .and_special();
     entries.push_back(equation<Tap>(
         {
             .id = "TSSAO-3-hemisphere",
             .function = "gloam_point_tap",
             .file = hemisphere_file,
             .title = "one point of the half ball against the depth buffer",
-            .formula = "(sum + V(p, s_i), n + 1), s_i of TSSAO-14",
-            .source = "TSSAO (Mattausch et al.), eqs 3 and 14",
+            .formula = "(sum + V(p, s), n + 1)",
+            .source = "TSSAO (Mattausch et al.), eq 3",
         },
         []<class T>(const ImageSet& images, vec2<T> accumulated, vec3<T> position, const mat3<T>& frame,
                     const GloamCamera<T>& camera, const GloamKernel<T>& kernel, const GloamMethod<T>& method,
-                    unsigned i) {
-            return reference::gloam_point_tap(accumulated, position, frame, camera, kernel, method, i,
+                    vec3<T> point) {
+            return reference::gloam_point_tap(accumulated, position, frame, camera, kernel, method, point,
                                               reference::HemisphereMethod<T>{}, depth_of<T>(images));
         },
         {.domain = Domain{constant(glm::vec2(3, 7)), gather_positions(), frames(), cameras(),
-                          gather_kernels(), gather_methods(), index}
+                          gather_kernels(), gather_methods(), point}
                        .adjusted(place_before_camera(2, 14)),
          .budget = hemisphere_budget,
          .codomain = {0, most_samples},
-         .promised = make_predicate<Tap>([](glm::vec2, const glm::vec3& p, const glm::mat3& frame,
-                                            const Camera& c, const Kernel& k, const Method& m, unsigned) {
-             return moderate(1e-9, 4, frame) && usual_gather(p, glm::vec3(0), c, k, m);
-         }),
+         .promised =
+             make_predicate<Tap>([](glm::vec2, const glm::vec3& p, const glm::mat3& frame, const Camera& c,
+                                    const Kernel& k, const Method& m, const glm::vec3& s) {
+                 return moderate(1e-9, 4, frame) && moderate(1e-9, 4, s) &&
+                        usual_gather(p, glm::vec3(0), c, k, m);
+             }),
          .scenarios = depth_scenarios(prototype)}));
 }
 

@@ -56,6 +56,18 @@ void append_poisson(Entries& entries) {
 }  // namespace
 
 void append_sample_patterns(Entries& entries) {
+    const Values count = log_integers(32768).and_near_integers({0, 32768, 2147483647});
+    const Values turns =
+        either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647});
+    entries.push_back(equation<glm::vec2(int, int, int)>(
+        {.id = "SPIRAL-point",
+         .function = "gloam_spiral_point",
+         .file = "gloam/sampling/spiral.glsl",
+         .title = "point of a spiral",
+         .formula = "a = (i + 1/2) / n; a (cos(2 pi a turns), sin(2 pi a turns))",
+         .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance)"},
+        GLOAM_REFERENCE(gloam_spiral_point),
+        {.domain = {count, count, turns}, .budget = {.absolute = 5e-7}, .codomain = {-1.000001, 1.000001}}));
     entries.push_back(equation<glm::vec2(int, int, int, float)>(
         {.id = "SPIRAL",
          .function = "gloam_spiral_tap",
@@ -64,11 +76,7 @@ void append_sample_patterns(Entries& entries) {
          .formula = "a = (i + 1/2) / n; a (cos(2 pi a turns + phase), sin(2 pi a turns + phase))",
          .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance)"},
         GLOAM_REFERENCE(gloam_spiral_tap),
-        {.domain =
-             {log_integers(32768).and_near_integers({0, 32768, 2147483647}),
-              log_integers(32768).and_near_integers({0, 32768, 2147483647}),
-              either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647}),
-              uniform(-7, 7).and_near({65536.0}).and_special()},
+        {.domain = {count, count, turns, uniform(-7, 7).and_near({65536.0}).and_special()},
          .budget = {.absolute = 5e-7},
          .codomain = {-1.000001, 1.000001}}));
     append_poisson(entries);

@@ -59,6 +59,35 @@ void append_rotation(Entries& entries) {
          .codomain = {-2e19, 2e19},
          .promised =
              make_predicate<glm::vec2(glm::vec2, float)>([](const auto& s, float) { return not_tiny(s); })}));
+    const Values turns = made_by<glm::vec2>([](numeric::Random& random) {
+                             return glm::vec2(reference::gloam_sincos(random.uniform(-4, 4)));
+                         }).and_value(glm::vec2(1, 0), true);
+    entries.push_back(equation<glm::vec2(glm::vec2, glm::vec2)>(
+        {.id = "TSSAO-ROT-turn-disc",
+         .function = "gloam_turn_disc",
+         .file = "gloam/sampling/rotation.glsl",
+         .title = "disc sample turned by the cosine and sine of an angle",
+         .formula = "(c x - s y, s x + c y)",
+         .source = "TSSAO (Mattausch et al.), random rotation"},
+        GLOAM_REFERENCE(gloam_turn_disc),
+        {.domain = {kernel_points(2), turns},
+         .budget = {.ulp = 3, .of_largest_component = true},
+         .codomain = {-2e19, 2e19},
+         .promised = make_predicate<glm::vec2(glm::vec2, glm::vec2)>(
+             [](const auto& s, const auto&) { return not_tiny(s); })}));
+    entries.push_back(equation<glm::vec3(glm::vec3, glm::vec2)>(
+        {.id = "TSSAO-ROT-turn-hemisphere",
+         .function = "gloam_turn_hemisphere",
+         .file = "gloam/sampling/rotation.glsl",
+         .title = "hemisphere sample turned by the cosine and sine of an angle",
+         .formula = "(c x - s y, s x + c y, z)",
+         .source = "TSSAO (Mattausch et al.), random rotation"},
+        GLOAM_REFERENCE(gloam_turn_hemisphere),
+        {.domain = {kernel_points(3), turns},
+         .budget = {.ulp = 3, .of_largest_component = true},
+         .codomain = {-2e19, 2e19},
+         .promised = make_predicate<glm::vec3(glm::vec3, glm::vec2)>(
+             [](const auto& s, const auto&) { return not_tiny(s); })}));
     entries.push_back(equation<glm::vec2(unsigned, float)>(
         {.id = "TSSAO-13-kernel",
          .function = "gloam_halton_disc",

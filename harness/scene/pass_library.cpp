@@ -36,8 +36,9 @@ std::string with_include(std::string text, const PassLibrary::Replacement& repla
 
 }  // namespace
 
-PassLibrary::PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache)
-    : glsl_(std::move(glsl)), cache_(cache) {}
+PassLibrary::PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache,
+                         shader::Optimization optimization)
+    : glsl_(std::move(glsl)), cache_(cache), optimization_(optimization) {}
 
 shader::Source PassLibrary::source(const std::string& name, const std::vector<std::string>& defines,
                                    const std::vector<Replacement>& replacements) const {
@@ -54,10 +55,9 @@ std::string PassLibrary::text(const std::string& name, const std::vector<std::st
 
 shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines,
                                    const std::vector<Replacement>& replacements) const {
-    return cache_.compile(source(name, defines, replacements),
-                          {.stage = stage_of(name),
-                           .include_roots = {glsl_},
-                           .variant = {.optimization = shader::Optimization::performance}});
+    return cache_.compile(
+        source(name, defines, replacements),
+        {.stage = stage_of(name), .include_roots = {glsl_}, .variant = {.optimization = optimization_}});
 }
 
 }  // namespace gloam::scene

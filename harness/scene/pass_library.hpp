@@ -13,7 +13,9 @@ namespace gloam::scene {
 class PassLibrary {
   public:
     // glsl: the folder that holds gloam/ and passes/. cache: where compiled passes are kept; empty: nowhere.
-    explicit PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache = {});
+    // optimization: of every pass.
+    explicit PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache = {},
+                         shader::Optimization optimization = shader::Optimization::hoisting);
 
     // An #include of a pass, as written, and what is included instead.
     struct Replacement {
@@ -21,7 +23,7 @@ class PassLibrary {
         std::string instead;
     };
 
-    // The pass in passes/NAME, whose suffix (.comp, .vert, .frag) says its stage, optimised for speed. Each
+    // The pass in passes/NAME, whose suffix (.comp, .vert, .frag) says its stage. Each
     // of `defines` is defined before the first line. Throws std::runtime_error for a missing file,
     // std::invalid_argument for a replacement of what the pass does not include, shader::CompileError for a
     // pass that does not compile.
@@ -38,6 +40,7 @@ class PassLibrary {
 
     std::filesystem::path glsl_;
     shader::SpirvCache cache_;
+    shader::Optimization optimization_;
 };
 
 }  // namespace gloam::scene

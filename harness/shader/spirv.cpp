@@ -33,10 +33,15 @@ Spirv optimize(const Spirv& module, Optimization optimization) {
     std::string messages;
     spvtools::Optimizer optimizer(environment);
     optimizer.SetMessageConsumer(collect_into(messages));
-    if (optimization == Optimization::performance)
-        optimizer.RegisterPerformancePasses();
-    else
+    if (optimization == Optimization::size)
         optimizer.RegisterSizePasses();
+    else
+        optimizer.RegisterPerformancePasses();
+    if (optimization == Optimization::hoisting) {
+        optimizer.RegisterPass(spvtools::CreateLoopInvariantCodeMotionPass());
+        optimizer.RegisterPass(spvtools::CreateRedundancyEliminationPass());
+        optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
+    }
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
     Spirv optimized;

@@ -7,7 +7,12 @@
 namespace gloam::shader {
 
 // Optimisation by SPIRV-Tools after the front end.
-enum class Optimization { none, performance, size };
+enum class Optimization {
+    none,
+    performance,
+    size,
+    hoisting  // performance, and what a loop does not change is computed before it: not every driver moves it
+};
 
 // One way to make a module of a shader. The default is the way that glslang makes it.
 struct Variant {

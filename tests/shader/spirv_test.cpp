@@ -72,7 +72,7 @@ TEST(Spirv, NoOptimisationLeavesTheModuleAlone) {
 }
 
 TEST(Spirv, OptimisationShrinksTheModule) {
-    for (const Optimization kind : {Optimization::performance, Optimization::size}) {
+    for (const Optimization kind : {Optimization::performance, Optimization::size, Optimization::hoisting}) {
         const Spirv optimized = optimize(module(), kind);
         EXPECT_LT(optimized.size(), module().size());
         EXPECT_EQ(reason_against(optimized), "");

@@ -5,6 +5,7 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/height_at.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -60,8 +61,9 @@ vec2 gloam_pair_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKern
     vec3 view = camera.orthographic ? ahead : gloam_safe_normalize(-position, ahead);
     vec2 upright = vec2(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0);
     vec2 weighted = vec2(0.0);
+    vec2 turn = gloam_sincos(kernel.angle);
     for (uint i = 0u; i < kernel.count; i += 2u) {
-        vec2 point = gloam_halton_disc((kernel.first + i) / 2u + 1u, kernel.angle);
+        vec2 point = gloam_turn_disc(GLOAM_DISC_POINT((kernel.first + i) / 2u + 1u), turn);
         ivec2 first = gloam_nearest_pixel(center + reach * point, camera.size);
         ivec2 second = gloam_nearest_pixel(center - reach * point, camera.size);
         vec3 aim = vec3(kernel.radius * point * upright, 0.0);

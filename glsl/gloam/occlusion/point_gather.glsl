@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/plane_depth.glsl"
+#include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/further_layers.glsl"
@@ -18,9 +19,9 @@
 float gloam_fetch_depth(ivec2 pixel);
 
 // Defined by the method: a point of the unit ball.
-// index: number of the Halton point, 1 for the first. angle: rotation of the kernel, radians.
+// index: number of the Halton point, 1 for the first. turn: (cos, sin) of the kernel's angle.
 // Returns the point in tangent space, z along the normal; the zero vector for none.
-vec3 gloam_method_point(uint index, float angle);
+vec3 gloam_method_point(uint index, vec2 turn);
 
 // Defined by the method: what a point contributes.
 // depth: of the point, moved to the centre of its pixel along the plane parallel to the surface, so that a bare plane is the same at
@@ -31,13 +32,12 @@ float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel 
 // One sample point. With further layers a point behind the back of what is in front of it is open: no guess of a thickness is needed. What is
 // behind the last layer nobody knows: of three or more, a back that is the last closes nothing.
 // accumulated: (sum, count) so far. position: view space, world units. frame: columns tangent, bitangent, normal.
-// index: number of the Halton point.
+// point: of the unit ball, of gloam_method_point.
 // Returns (sum, count) with the sample added; outside the image the nearest pixel counts. Unchanged for a point at or
-// behind the eye, one that is not finite, and one at the centre (index 0).
+// behind the eye, one that is not finite, and one at the centre.
 // Error: none, but a point within rounding of a pixel's border or of the blocking depth may fall to either side.
 vec2 gloam_point_tap(vec2 accumulated, vec3 position, mat3 frame, GloamCamera camera, GloamKernel kernel, GloamMethod method,
-                     uint index) {
-    vec3 point = gloam_method_point(index, kernel.angle);
+                     vec3 point) {
     vec3 at = position + kernel.radius * (frame * point);
     if (point == vec3(0.0) || gloam_is_background(-at.z) || !gloam_is_finite2(at.xy)) return accumulated;
     ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
@@ -67,8 +67,10 @@ vec2 gloam_point_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKer
     vec2 accumulated = vec2(0.0);
     if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
     mat3 frame = gloam_tangent_frame(normal);
+    vec2 turn = gloam_sincos(kernel.angle);
     for (uint i = 0u; i < kernel.count; ++i) {
-        accumulated = gloam_point_tap(accumulated, position, frame, camera, kernel, method, kernel.first + i + 1u);
+        vec3 point = gloam_method_point(kernel.first + i + 1u, turn);
+        accumulated = gloam_point_tap(accumulated, position, frame, camera, kernel, method, point);
     }
     return accumulated;
 }

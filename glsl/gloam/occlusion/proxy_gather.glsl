@@ -5,6 +5,7 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/length.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/further_layers.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -65,9 +66,10 @@ vec2 gloam_proxy_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKer
     vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
     vec2 axes = reach * vec2(camera.size);
     float pixels = 3.141592654 * axes.x * axes.y;
+    vec2 turn = gloam_sincos(kernel.angle);
     for (uint i = 0u; i < kernel.count; ++i) {
         vec2 zeta = gloam_halton_2d(kernel.first + i + 1u);
-        vec2 tap = gloam_rotate_disc(zeta.y * gloam_circle_point(zeta.x), kernel.angle);
+        vec2 tap = gloam_turn_disc(zeta.y * gloam_circle_point(zeta.x), turn);
         ivec2 at = gloam_nearest_pixel(center + reach * tap, camera.size);
         float piece = at == pixel ? 0.0 : gloam_proxy_at(position, n, at, camera, kernel, method);
         accumulated = gloam_estimator_add(accumulated, piece > 0.0 ? 2.0 * zeta.y * pixels * piece : 0.0);

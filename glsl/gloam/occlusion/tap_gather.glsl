@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/further_layers.glsl"
@@ -18,8 +19,14 @@
 float gloam_fetch_depth(ivec2 pixel);
 
 // Defined by the method: a tap, in units of the projected radius.
-// i: number of the tap in this frame, from 0. position: of the shaded point, view space, world units.
-vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel);
+// i: number of the tap in this frame, from 0. position: of the shaded point, view space, world units. turn: GLOAM_KERNEL_TURN of the kernel.
+vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel, vec2 turn);
+
+// (cos, sin) by which all taps of a pixel are turned. A method that turns them by more than the kernel's angle declares a function with this
+// parameter and defines the macro as its name, before it includes this file.
+#ifndef GLOAM_KERNEL_TURN
+#define GLOAM_KERNEL_TURN(kernel) gloam_sincos(kernel.angle)
+#endif
 
 // Defined by the method: what the surface seen at a tap contributes.
 // offset: from the shaded point to it, view space, world units. normal: of the shaded point, unit. depth: of the shaded point,
@@ -61,8 +68,9 @@ vec2 gloam_tap_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKerne
     vec2 center = gloam_camera_uv(position, camera);
     ivec2 pixel = gloam_nearest_pixel(center, camera.size);
     vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
+    vec2 turn = GLOAM_KERNEL_TURN(kernel);
     for (uint i = 0u; i < kernel.count; ++i) {
-        ivec2 aimed = gloam_nearest_pixel(center + reach * gloam_method_tap(i, position, kernel), camera.size);
+        ivec2 aimed = gloam_nearest_pixel(center + reach * gloam_method_tap(i, position, kernel, turn), camera.size);
         if (GLOAM_REJECTS_TAPS) {
             ivec2 at = gloam_tap_pixel(aimed, pixel, camera.size, method.mip_distance);
             if (gloam_tap_rejected(-position.z, gloam_fetch_depth(at), method.range)) continue;

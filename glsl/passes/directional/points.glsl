@@ -49,8 +49,8 @@ float gloam_fetch_depth(ivec2 pixel) {
     return imageLoad(depth_image, pixel).x;
 }
 
-vec3 gloam_method_point(uint index, float angle) {
-    return gloam_rotate_hemisphere(gloam_hemisphere_uniform(gloam_halton_3d(index)), angle);
+vec3 gloam_method_point(uint index, vec2 turn) {
+    return gloam_turn_hemisphere(gloam_hemisphere_uniform(gloam_halton_3d(index)), turn);
 }
 
 float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method) {
@@ -63,6 +63,7 @@ struct Shaded {
     vec3 normal;    // unit
     mat3 frame;     // tangent, bitangent, normal
     GloamKernel kernel;
+    vec2 turn;  // (cos, sin) of the kernel's angle
 };
 
 // One direction in which it may be open.
@@ -83,6 +84,7 @@ bool shaded_at(ivec2 pixel, out Shaded shaded) {
     shaded.position = gloam_camera_position(pixel, gloam_fetch_depth(pixel), this_camera());
     shaded.normal = gloam_safe_normalize(normal, vec3(0.0));
     shaded.kernel = GloamKernel(parameters.radius, parameters.bias, gloam_hash_rotation(pixel), 0u, parameters.samples);
+    shaded.turn = gloam_sincos(shaded.kernel.angle);
     if (!gloam_can_gather(shaded.position, normal, parameters.radius)) return false;
     shaded.frame = gloam_tangent_frame(normal);
     return true;
@@ -90,8 +92,9 @@ bool shaded_at(ivec2 pixel, out Shaded shaded) {
 
 // i: number of the sample, from 0.
 Sample sample_of(Shaded shaded, uint i) {
-    vec3 along = shaded.frame * gloam_method_point(i + 1u, shaded.kernel.angle);
-    vec2 tap = gloam_point_tap(vec2(0.0), shaded.position, shaded.frame, this_camera(), shaded.kernel, method_settings, i + 1u);
+    vec3 point = gloam_method_point(i + 1u, shaded.turn);
+    vec3 along = shaded.frame * point;
+    vec2 tap = gloam_point_tap(vec2(0.0), shaded.position, shaded.frame, this_camera(), shaded.kernel, method_settings, point);
     ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(shaded.position + parameters.radius * along, this_camera()), parameters.size);
     return Sample(gloam_safe_normalize(along, vec3(0.0)), 1.0 - tap.x, pixel, tap.y > 0.0);
 }

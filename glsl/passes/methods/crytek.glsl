@@ -10,8 +10,8 @@
 // Crytek's method (Mittring 2007; CS-3.1): points of a whole ball, without falloff. On a plane half of the ball lies in the ground: points
 // come in opposite pairs, so a bare plane reads exactly 1/2 for an even number of them. The remap's a = 0.5 undoes it.
 
-vec3 gloam_method_point(uint index, float angle) {
-    vec3 point = gloam_rotate_hemisphere(GLOAM_SHARED_SAMPLE((index + 1u) / 2u), angle);
+vec3 gloam_method_point(uint index, vec2 turn) {
+    vec3 point = gloam_turn_hemisphere(GLOAM_SHARED_SAMPLE((index + 1u) / 2u), turn);
     return (index & 1u) == 1u ? point : -point;
 }
 

@@ -12,8 +12,8 @@
 // Reads epsilon. A point beyond the radius, or no higher than the bias above the tangent plane, contributes nothing: there noise
 // would decide.
 
-vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel) {
-    return gloam_halton_disc(kernel.first + i + 1u, kernel.angle);
+vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel, vec2 turn) {
+    return gloam_turn_disc(GLOAM_DISC_POINT(kernel.first + i + 1u), turn);
 }
 
 float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method) {

@@ -11,8 +11,8 @@
 // of a point than the radius opens again as radius / distance. Uniform directions: a wall reads 1/2, as with cosine weights, a
 // bowl more.
 
-vec3 gloam_method_point(uint index, float angle) {
-    return gloam_rotate_hemisphere(GLOAM_SHARED_SAMPLE(index), angle);
+vec3 gloam_method_point(uint index, vec2 turn) {
+    return gloam_turn_hemisphere(GLOAM_SHARED_SAMPLE(index), turn);
 }
 
 float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method) {

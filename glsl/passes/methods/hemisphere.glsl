@@ -13,8 +13,8 @@
 // tests estimates TSSAO-1 with the linear falloff, for a scene that is solid behind what the eye sees.
 // Reads range, about the radius, or infinity.
 
-vec3 gloam_method_point(uint index, float angle) {
-    return gloam_rotate_hemisphere(GLOAM_SHARED_SAMPLE(index), angle);
+vec3 gloam_method_point(uint index, vec2 turn) {
+    return gloam_turn_hemisphere(GLOAM_SHARED_SAMPLE(index), turn);
 }
 
 float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method) {

@@ -16,12 +16,12 @@
 // No circle covers more than this many times the disc parallel to the screen.
 const float GLOAM_ISSAO_MOST_STRETCH = 4.0;
 
-vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel) {
+vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel, vec2 turn) {
     float parallel = gloam_covering_radius_parallel(position, kernel.radius, 3.402823466e38);
     float covering = gloam_covering_radius_perpendicular(position, kernel.radius, GLOAM_ISSAO_MOST_STRETCH * parallel);
     float stretch = parallel > 0.0 ? covering / parallel : 1.0;
     vec2 offset = gloam_issao_offset_polar(gloam_halton_2d(kernel.first + i + 1u).yx, stretch);
-    return gloam_rotate_disc(offset, kernel.angle);
+    return gloam_turn_disc(offset, turn);
 }
 
 float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method) {

@@ -2,8 +2,8 @@
 #ifndef GLOAM_METHODS_SAO_GLSL
 #define GLOAM_METHODS_SAO_GLSL
 
+#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/sao.glsl"
-#include "gloam/occlusion/tap_gather.glsl"
 #include "gloam/sampling/radical_inverse.glsl"
 #include "gloam/sampling/spiral.glsl"
 
@@ -11,12 +11,20 @@
 // read from a depth chain (mip_distance 16). Each frame turns the spiral by another angle.
 // Reads epsilon, mip_distance and intensity: sigma as a share of the radius, which the paper has at 1 m.
 
+vec2 gloam_sao_turn(GloamKernel kernel);
+#define GLOAM_KERNEL_TURN gloam_sao_turn
+#include "gloam/occlusion/tap_gather.glsl"
+
 const int GLOAM_SAO_TURNS = 7;
 
-vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel) {
+// (cos, sin) of the pixel's angle and the frame's.
+vec2 gloam_sao_turn(GloamKernel kernel) {
     uint frame = kernel.first / max(kernel.count, 1u);
-    float turn = 6.283185307 * gloam_radical_inverse_base2(frame);
-    return gloam_spiral_tap(int(i), int(kernel.count), GLOAM_SAO_TURNS, kernel.angle + turn);
+    return gloam_sincos(kernel.angle + 6.283185307 * gloam_radical_inverse_base2(frame));
+}
+
+vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel, vec2 turn) {
+    return gloam_turn_disc(gloam_spiral_point(int(i), int(kernel.count), GLOAM_SAO_TURNS), turn);
 }
 
 float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method) {

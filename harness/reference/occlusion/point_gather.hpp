@@ -15,9 +15,8 @@ namespace gloam::reference {
 
 template <class T, class Method, class Fetch>
 vec2<T> gloam_point_tap(vec2<T> accumulated, vec3<T> position, mat3<T> frame, GloamCamera<T> camera,
-                        GloamKernel<T> kernel, GloamMethod<T> parameters, unsigned index, Method method,
+                        GloamKernel<T> kernel, GloamMethod<T> parameters, vec3<T> point, Method method,
                         Fetch&& fetch_depth) {
-    const vec3<T> point = method.point(index, kernel.angle);
     const vec3<T> at = position + kernel.radius * multiply(frame, point);
     const bool none = point.x == T(0) && point.y == T(0) && point.z == T(0);
     if (none || gloam_is_background(T(-at.z)) || !gloam_is_finite2(vec2<T>(at.x, at.y))) return accumulated;
@@ -34,8 +33,8 @@ vec2<T> gloam_point_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> came
     if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
     const mat3<T> frame = gloam_tangent_frame(normal);
     for (unsigned i = 0; i < kernel.count; ++i) {
-        const unsigned index = kernel.first + i + 1U;
-        accumulated = gloam_point_tap(accumulated, position, frame, camera, kernel, parameters, index, method,
+        const vec3<T> point = method.point(kernel.first + i + 1U, kernel.angle);
+        accumulated = gloam_point_tap(accumulated, position, frame, camera, kernel, parameters, point, method,
                                       fetch_depth);
     }
     return accumulated;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Passes are compiled so that what a loop does not change is computed before it: the same images, to the bit,
+// as when it is computed in every round.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "bits.hpp"
+#include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
+#include "effect/presets.hpp"
+#include "on_device.hpp"
+#include "scene/rasterize.hpp"
+#include "shader/variant.hpp"
+
+namespace gloam::effect {
+namespace {
+
+constexpr gpu::Extent odd{83, 45};
+
+// A method of each kind of loop over samples.
+class HoistedLoops : public OnDevice<testing::TestWithParam<std::string>> {
+  protected:
+    // Two frames of a moving camera.
+    [[nodiscard]] std::vector<Frame> frames(const scene::PassLibrary& passes) const {
+        const scene::Scene scene = scene::make_scene("columns");
+        const Settings settings = with_method(
+            with_radius(preset_named("paper").settings, static_cast<float>(scene.ao_radius)), GetParam());
+        AmbientOcclusion effect(device_, passes, odd);
+        effect.begin(scene::rasterize(device_, passes, scene, odd, {.frame = 0}), settings);
+        std::vector<Frame> frames{effect.next()};
+        effect.advance(scene::rasterize(device_, passes, scene, odd, {.frame = 1}));
+        frames.push_back(effect.next());
+        return frames;
+    }
+};
+
+TEST_P(HoistedLoops, ChangeNothing) {
+    const scene::PassLibrary as_written(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR"),
+                                        shader::Optimization::performance);
+    const std::vector<Frame> hoisted = frames(passes_);
+    const std::vector<Frame> written = frames(as_written);
+    for (std::size_t i = 0; i < hoisted.size(); ++i) {
+        EXPECT_EQ(bits_of(hoisted[i].occlusion), bits_of(written[i].occlusion)) << "frame " << i;
+        EXPECT_EQ(bits_of(hoisted[i].filtered), bits_of(written[i].filtered)) << "frame " << i;
+        EXPECT_EQ(bits_of(hoisted[i].kept), bits_of(written[i].kept)) << "frame " << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, HoistedLoops,
+                         testing::Values("hemisphere", "alchemy", "sao", "gtao", "hbao", "volumetric",
+                                         "poisson", "disc_proxy", "curvature"),
+                         [](const auto& asked) { return asked.param; });
+
+}  // namespace
+}  // namespace gloam::effect
