@@ -62,7 +62,7 @@ CopyClock::CopyClock(const gpu::Device& device, const scene::PassLibrary& passes
     measure();
 }
 
-double CopyClock::measure() {
+std::vector<double> CopyClock::times() {
     const gpu::Extent extent = from_.extent();
     const glm::ivec2 size(extent.width, extent.height);
     const std::vector<gpu::Resource> resources{std::cref(from_), std::cref(to_)};
@@ -73,8 +73,18 @@ double CopyClock::measure() {
         commands.timestamp();
     }
     commands.submit();
-    const std::vector<double> times = commands.times_ms();
-    for (std::size_t i = 1; i < times.size(); ++i) readings_.push_back(times[i] - times[i - 1]);
+    const std::vector<double> stamps = commands.times_ms();
+    std::vector<double> times;
+    for (std::size_t i = 1; i < stamps.size(); ++i) times.push_back(stamps[i] - stamps[i - 1]);
+    return times;
+}
+
+double CopyClock::measure_now() {
+    return median(times());
+}
+
+double CopyClock::measure() {
+    for (const double time : times()) readings_.push_back(time);
     while (readings_.size() > remembered) readings_.pop_front();
     const std::vector<double> recent(readings_.begin(), readings_.end());
     return median(recent);

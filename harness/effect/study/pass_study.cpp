@@ -5,7 +5,7 @@
 
 #include <array>
 #include <stdexcept>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "effect/internal/frame_images.hpp"
@@ -76,7 +76,8 @@ class Runner {
         effect_.begin(views_[0], with_radius(what.settings, static_cast<float>(scene_.ao_radius)));
         for (int i = 0; i < what.warm; ++i) (void)effect_.next();
         if (what.moves) effect_.advance(views_[1]);
-        return effect_.next();
+        // The first run of them may be that which touches an image's memory first.
+        return effect_.next(3);
     }
 
   private:
@@ -85,17 +86,29 @@ class Runner {
     AmbientOcclusion effect_;
 };
 
-// The times of a case's passes, a row for each round.
-using Rounds = std::vector<std::vector<PassTime>>;
+// What is collected of a pass, round by round.
+struct Readings {
+    std::string pass;
+    std::vector<double> ms;
+    std::vector<double> copies;
 
-std::vector<PassTime> medians_of(const Rounds& rounds) {
-    std::vector<PassTime> medians = rounds.front();
-    for (std::size_t p = 0; p < medians.size(); ++p) {
-        std::vector<double> times;
-        for (const std::vector<PassTime>& round : rounds) times.push_back(round.at(p).ms);
-        medians[p].ms = median(times);
+    void add(double time_ms, double copy_ms) {
+        ms.push_back(time_ms);
+        copies.push_back(time_ms / copy_ms);
     }
-    return medians;
+};
+
+std::vector<PassCost> medians_of(const std::vector<Readings>& passes) {
+    std::vector<PassCost> costs;
+    for (const Readings& of : passes) costs.push_back({of.pass, median(of.ms), median(of.copies)});
+    return costs;
+}
+
+void add_frame(std::vector<Readings>& passes, const Frame& frame, double copy_ms) {
+    if (passes.empty()) {
+        for (const PassTime& time : frame.times) passes.push_back({time.pass, {}, {}});
+    }
+    for (std::size_t p = 0; p < passes.size(); ++p) passes[p].add(frame.times.at(p).ms, copy_ms);
 }
 
 }  // namespace
@@ -124,25 +137,30 @@ PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& pass
     if (rounds < 1) throw std::invalid_argument(fmt::format("rounds {}: expected 1 or more", rounds));
     Runner runner(device, passes, extent);
     CopyClock clock(device, passes, extent);
-    std::vector<std::pair<std::string, CopyClock>> history_clocks;
+    std::vector<CopyClock> history_clocks;
+    std::vector<Readings> histories;
     for (const auto precision :
-         {HistoryPrecision::float32, HistoryPrecision::float16, HistoryPrecision::packed})
-        history_clocks.emplace_back(name_of(precision),
-                                    CopyClock(device, passes, extent, format_of(precision)));
-    PassStudy study;
-    for (const PassCase& what : pass_cases()) study.cases.push_back({what, {}});
-    std::vector<Rounds> times(study.cases.size());
-    for (int round = 0; round <= rounds; ++round) {
-        for (std::size_t i = 0; i < study.cases.size(); ++i) {
-            Frame frame = runner.frame_of(study.cases[i].pass_case);
-            if (round > 0) times[i].push_back(std::move(frame.times));  // drivers compile in the first
-        }
-        study.copy_ms = clock.measure();
-        study.history_copies.clear();
-        for (auto& [precision, history_clock] : history_clocks)
-            study.history_copies.push_back({precision, history_clock.measure()});
+         {HistoryPrecision::float32, HistoryPrecision::float16, HistoryPrecision::packed}) {
+        history_clocks.emplace_back(device, passes, extent, format_of(precision));
+        histories.push_back({name_of(precision), {}, {}});
     }
-    for (std::size_t i = 0; i < times.size(); ++i) study.cases[i].times = medians_of(times[i]);
+    const std::vector<PassCase> cases = pass_cases();
+    std::vector<std::vector<Readings>> readings(cases.size());
+    std::vector<double> copies;
+    for (int round = 0; round <= rounds; ++round) {
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            const Frame frame = runner.frame_of(cases[i]);
+            if (round == 0) continue;  // drivers compile in the first
+            copies.push_back(clock.measure_now());
+            add_frame(readings[i], frame, copies.back());
+        }
+        for (std::size_t i = 0; i < histories.size() && round > 0; ++i) {
+            copies.push_back(clock.measure_now());
+            histories[i].add(history_clocks[i].measure_now(), copies.back());
+        }
+    }
+    PassStudy study{.copy_ms = median(copies), .history_copies = medians_of(histories), .cases = {}};
+    for (std::size_t i = 0; i < cases.size(); ++i) study.cases.push_back({cases[i], medians_of(readings[i])});
     return study;
 }
 

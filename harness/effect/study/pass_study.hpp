@@ -18,22 +18,25 @@ struct PassCase {
     bool moves = false;  // the one that is timed shows a second view
 };
 
-// Median time of each pass of the case's frame, in the order they run.
-struct PassTimes {
-    PassCase pass_case;
-    std::vector<PassTime> times;
+// What a pass takes: the medians of its rounds.
+struct PassCost {
+    std::string pass;
+    double ms = 0.0;
+    double copies = 0.0;  // each round by the copy that was timed beside it
 };
 
-// A pass that reads one texel of a history and writes it: no pass that brings or blends one can cost less.
-struct HistoryCopy {
-    std::string precision;  // as the setting names it
-    double ms = 0.0;
+// The passes of the case's frame, in the order they run.
+struct PassCosts {
+    PassCase pass_case;
+    std::vector<PassCost> passes;
 };
 
 struct PassStudy {
     double copy_ms = 0.0;  // a pass that reads one r32f texel and writes one
-    std::vector<HistoryCopy> history_copies;
-    std::vector<PassTimes> cases;
+    // Passes that read one texel of a history and write it, by its precision: no pass that brings or blends
+    // one can cost less.
+    std::vector<PassCost> history_copies;
+    std::vector<PassCosts> cases;
 };
 
 // A filter of 5 x 5 and one of 17 x 17 where nothing has converged, and where all has; the other filters; a
@@ -43,8 +46,8 @@ struct PassStudy {
 [[nodiscard]] std::vector<PassCase> pass_cases();
 
 // Times `rounds` frames of each case in the scene `columns`, the cases in turns, so that the machine's drift
-// falls on all alike. Throws std::invalid_argument for rounds below 1, std::runtime_error for a device
-// without timestamps, and like AmbientOcclusion.
+// falls on all alike, each beside a copy. Throws std::invalid_argument for rounds below 1, std::runtime_error
+// for a device without timestamps, and like AmbientOcclusion.
 [[nodiscard]] PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& passes,
                                      gpu::Extent extent, int rounds);
 

@@ -19,7 +19,7 @@ writes this page; other devices rank methods otherwise, so measure on yours. The
 
     tools/run bench --method all --preset fast balanced reference paper moving gtao-performance gtao-quality \
       --scene columns moving room grass --size 192x108 --samples 4 16 64 --repeat 4 --out results
-    tools/run bench --scaling --method hemisphere alchemy gtao sao --repeat 2 --json scaling.json
+    tools/run bench --scaling --method hemisphere alchemy gtao sao --repeat 3 --json scaling.json
     tools/run bench --framework --json framework.json
     tools/run bench --from results/results.json scaling.json framework.json --report docs/benchmark.md
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/bench/image_size.hpp"
 #include "cli/drivers.hpp"
@@ -21,35 +22,32 @@ using nlohmann::ordered_json;
 
 std::string pass_table(const effect::PassStudy& study) {
     std::string text = "| state | | pass | copies |\n|---|---|---|--:|\n";
-    for (const effect::HistoryCopy& copy : study.history_copies)
-        text += fmt::format("| history, {} | one texel read and one written | copy | {:.2f} |\n",
-                            copy.precision, copy.ms / study.copy_ms);
-    for (const effect::PassTimes& row : study.cases) {
-        for (const effect::PassTime& time : row.times)
+    for (const effect::PassCost& copy : study.history_copies)
+        text += fmt::format("| history, {} | one texel read and one written | copy | {:.2f} |\n", copy.pass,
+                            copy.copies);
+    for (const effect::PassCosts& row : study.cases) {
+        for (const effect::PassCost& cost : row.passes)
             text += fmt::format("| {} | {} | {} | {:.2f} |\n", row.pass_case.name, row.pass_case.what,
-                                time.pass, time.ms / study.copy_ms);
+                                cost.pass, cost.copies);
     }
     return text;
 }
 
-ordered_json pass_json(const effect::PassStudy& study) {
-    ordered_json cases = ordered_json::array();
-    for (const effect::PassTimes& row : study.cases) {
-        ordered_json passes = ordered_json::array();
-        for (const effect::PassTime& time : row.times)
-            passes.push_back({{"pass", time.pass}, {"ms", time.ms}, {"copies", time.ms / study.copy_ms}});
-        cases.push_back(
-            {{"state", row.pass_case.name}, {"what", row.pass_case.what}, {"passes", std::move(passes)}});
-    }
-    return cases;
+// `named`: what the passes' names are in the file.
+ordered_json costs_json(const std::vector<effect::PassCost>& costs, const char* named) {
+    ordered_json passes = ordered_json::array();
+    for (const effect::PassCost& cost : costs)
+        passes.push_back({{named, cost.pass}, {"ms", cost.ms}, {"copies", cost.copies}});
+    return passes;
 }
 
-ordered_json history_json(const effect::PassStudy& study) {
-    ordered_json copies = ordered_json::array();
-    for (const effect::HistoryCopy& copy : study.history_copies)
-        copies.push_back(
-            {{"precision", copy.precision}, {"ms", copy.ms}, {"copies", copy.ms / study.copy_ms}});
-    return copies;
+ordered_json pass_json(const effect::PassStudy& study) {
+    ordered_json cases = ordered_json::array();
+    for (const effect::PassCosts& row : study.cases)
+        cases.push_back({{"state", row.pass_case.name},
+                         {"what", row.pass_case.what},
+                         {"passes", costs_json(row.passes, "pass")}});
+    return cases;
 }
 
 }  // namespace
@@ -66,7 +64,7 @@ int run_bench_passes(const BenchPassesOptions& options) {
                                 {"width", extent.width},
                                 {"height", extent.height},
                                 {"copy_ms", study.copy_ms},
-                                {"history_copies", history_json(study)},
+                                {"history_copies", costs_json(study.history_copies, "precision")},
                                 {"cases", pass_json(study)}};
     json.write(document.dump(2) + "\n");
     return validation_status(device);
