@@ -40,6 +40,12 @@ PassLibrary::PassLibrary(std::filesystem::path glsl, const std::filesystem::path
                          shader::Optimization optimization)
     : glsl_(std::move(glsl)), cache_(cache), optimization_(optimization) {}
 
+PassLibrary PassLibrary::with(shader::Optimization optimization) const {
+    PassLibrary other = *this;
+    other.optimization_ = optimization;
+    return other;
+}
+
 shader::Source PassLibrary::source(const std::string& name, const std::vector<std::string>& defines,
                                    const std::vector<Replacement>& replacements) const {
     const std::filesystem::path file = glsl_ / "passes" / name;

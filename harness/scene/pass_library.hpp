@@ -17,6 +17,9 @@ class PassLibrary {
     explicit PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache = {},
                          shader::Optimization optimization = shader::Optimization::hoisting);
 
+    // The same passes, optimised otherwise.
+    [[nodiscard]] PassLibrary with(shader::Optimization optimization) const;
+
     // An #include of a pass, as written, and what is included instead.
     struct Replacement {
         std::string include;

@@ -37,10 +37,8 @@ class HoistedLoops : public OnDevice<testing::TestWithParam<std::string>> {
 };
 
 TEST_P(HoistedLoops, ChangeNothing) {
-    const scene::PassLibrary as_written(GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR"),
-                                        shader::Optimization::performance);
     const std::vector<Frame> hoisted = frames(passes_);
-    const std::vector<Frame> written = frames(as_written);
+    const std::vector<Frame> written = frames(passes_.with(shader::Optimization::performance));
     for (std::size_t i = 0; i < hoisted.size(); ++i) {
         EXPECT_EQ(bits_of(hoisted[i].occlusion), bits_of(written[i].occlusion)) << "frame " << i;
         EXPECT_EQ(bits_of(hoisted[i].filtered), bits_of(written[i].filtered)) << "frame " << i;

@@ -11,8 +11,10 @@
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/precision_name.hpp"
 #include "effect/internal/work.hpp"
+#include "effect/methods.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "scene/rasterize.hpp"
+#include "shader/variant.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -67,23 +69,27 @@ Settings frozen() {
 class Runner {
   public:
     Runner(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent)
-        : scene_(scene::make_scene("columns")), effect_(device, passes, extent) {
+        : scene_(scene::make_scene("columns")),
+          effect_(device, passes, extent),
+          unhoisted_(device, passes.with(shader::Optimization::performance), extent) {
         for (std::size_t i = 0; i < views_.size(); ++i)
             views_.at(i) = scene::rasterize(device, passes, scene_, extent, {.frame = static_cast<int>(i)});
     }
 
     [[nodiscard]] Frame frame_of(const PassCase& what) {
-        effect_.begin(views_[0], with_radius(what.settings, static_cast<float>(scene_.ao_radius)));
-        for (int i = 0; i < what.warm; ++i) (void)effect_.next();
-        if (what.moves) effect_.advance(views_[1]);
+        AmbientOcclusion& effect = what.hoists ? effect_ : unhoisted_;
+        effect.begin(views_[0], with_radius(what.settings, static_cast<float>(scene_.ao_radius)));
+        for (int i = 0; i < what.warm; ++i) (void)effect.next();
+        if (what.moves) effect.advance(views_[1]);
         // The first run of them may be that which touches an image's memory first.
-        return effect_.next(3);
+        return effect.next(3);
     }
 
   private:
     scene::Scene scene_;
     std::array<scene::GBuffer, 2> views_;
     AmbientOcclusion effect_;
+    AmbientOcclusion unhoisted_;
 };
 
 // What is collected of a pass, round by round.
@@ -122,6 +128,9 @@ std::vector<PassCase> pass_cases() {
         {"fresh, wide", "the same, 17 x 17", widened(plain), 0, false},
         {"geometry", "5 x 5 taps by normal and depth", filtered_by(Filter::geometry, plain), 0, false},
         {"bilateral", "5 x 5 taps by distance and depth", filtered_by(Filter::bilateral, plain), 0, false},
+        {"slices", "`gtao`", with_method(plain, "gtao"), 0, false},
+        {"slices, not hoisted", "the same, loops as they are written", with_method(plain, "gtao"), 0, false,
+         false},
         {"sao", "5 x 5 taps two pixels apart", filtered_by(Filter::sao, plain), 0, false},
         {"converged", "nothing is filtered: 5 x 5", converged, 0, false},
         {"converged, not skipped", "the same, the filter runs on all tiles", unskipped(converged), 0, false},

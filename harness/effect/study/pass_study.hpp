@@ -16,6 +16,7 @@ struct PassCase {
     Settings settings;   // of a radius of 1
     int warm = 0;        // frames of the first view before the one that is timed
     bool moves = false;  // the one that is timed shows a second view
+    bool hoists = true;  // what a loop does not change is computed before it
 };
 
 // What a pass takes: the medians of its rounds.
@@ -39,10 +40,10 @@ struct PassStudy {
     std::vector<PassCosts> cases;
 };
 
-// A filter of 5 x 5 and one of 17 x 17 where nothing has converged, and where all has; the other filters; a
-// frame of a history that takes no samples, and one of a view that has moved, with each kind of history.
-// Settled tiles are not left out:
-// what their passes cost is what is timed.
+// A filter of 5 x 5 and one of 17 x 17 where nothing has converged, and where all has; the other filters;
+// slices, and these with loops as they are written; a frame of a history that takes no samples, and one of a
+// view that has moved, with each kind of history. Settled tiles are not left out: what their passes cost is
+// what is timed.
 [[nodiscard]] std::vector<PassCase> pass_cases();
 
 // Times `rounds` frames of each case in the scene `columns`, the cases in turns, so that the machine's drift

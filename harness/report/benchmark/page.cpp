@@ -18,7 +18,7 @@ Which method, with how many samples, takes how long and comes how near to the tr
 writes this page; other devices rank methods otherwise, so measure on yours. The repository's is made by
 
     tools/run bench --method all --preset fast balanced reference paper moving gtao-performance gtao-quality \
-      --scene columns moving room grass --size 192x108 --samples 4 16 64 --repeat 4 --out results
+      --scene columns moving room grass --size 192x108 --samples 4 16 64 --repeat 8 --out results
     tools/run bench --scaling --method hemisphere alchemy gtao sao --repeat 3 --json scaling.json
     tools/run bench --framework --json framework.json
     tools/run bench --from results/results.json scaling.json framework.json --report docs/benchmark.md
