@@ -74,10 +74,13 @@ void append_gaussian(Entries& entries) {
          .source = source},
         GLOAM_REFERENCE(gloam_gaussian_scaled),
         {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}}));
+}
+
+void append_sigma(Entries& entries) {
     entries.push_back(equation<float(float, float, float, float)>(
         {.id = "TSSAO-10-sigma",
          .function = "gloam_filter_sigma",
-         .file = file,
+         .file = "gloam/filter/gaussian.glsl",
          .title = "width of the filter in the world",
          .formula = "sigma = sigma_px 2 d tan(fov_y / 2) / H",
          .source = "derived: world size of a pixel"},
@@ -252,6 +255,7 @@ void append_filtering(Entries& entries) {
 void append_filter(Entries& entries) {
     append_shrink(entries);
     append_gaussian(entries);
+    append_sigma(entries);
     append_window(entries);
     append_mean(entries);
     append_filtering(entries);

@@ -45,20 +45,7 @@ Values normals() {
         .and_special();
 }
 
-void append_rotation(Entries& entries) {
-    entries.push_back(equation<glm::vec2(glm::vec2, float)>(
-        {.id = "TSSAO-ROT-disc",
-         .function = "gloam_rotate_disc",
-         .file = "gloam/sampling/rotation.glsl",
-         .title = "disc sample rotated about the centre",
-         .formula = "(c x - s y, s x + c y)",
-         .source = "TSSAO (Mattausch et al.), random rotation"},
-        GLOAM_REFERENCE(gloam_rotate_disc),
-        {.domain = {kernel_points(2), angles()},
-         .budget = {.ulp = 4, .of_largest_component = true},
-         .codomain = {-2e19, 2e19},
-         .promised =
-             make_predicate<glm::vec2(glm::vec2, float)>([](const auto& s, float) { return not_tiny(s); })}));
+void append_turn(Entries& entries) {
     const Values turns = made_by<glm::vec2>([](numeric::Random& random) {
                              return glm::vec2(reference::gloam_sincos(random.uniform(-4, 4)));
                          }).and_value(glm::vec2(1, 0), true);
@@ -88,6 +75,22 @@ void append_rotation(Entries& entries) {
          .codomain = {-2e19, 2e19},
          .promised = make_predicate<glm::vec3(glm::vec3, glm::vec2)>(
              [](const auto& s, const auto&) { return not_tiny(s); })}));
+}
+
+void append_rotation(Entries& entries) {
+    entries.push_back(equation<glm::vec2(glm::vec2, float)>(
+        {.id = "TSSAO-ROT-disc",
+         .function = "gloam_rotate_disc",
+         .file = "gloam/sampling/rotation.glsl",
+         .title = "disc sample rotated about the centre",
+         .formula = "(c x - s y, s x + c y)",
+         .source = "TSSAO (Mattausch et al.), random rotation"},
+        GLOAM_REFERENCE(gloam_rotate_disc),
+        {.domain = {kernel_points(2), angles()},
+         .budget = {.ulp = 4, .of_largest_component = true},
+         .codomain = {-2e19, 2e19},
+         .promised =
+             make_predicate<glm::vec2(glm::vec2, float)>([](const auto& s, float) { return not_tiny(s); })}));
     entries.push_back(equation<glm::vec2(unsigned, float)>(
         {.id = "TSSAO-13-kernel",
          .function = "gloam_halton_disc",
@@ -184,6 +187,7 @@ void append_sample_rotations(Entries& entries) {
          .source = "Duff et al. 2017"},
         GLOAM_REFERENCE(gloam_tangent_frame),
         {.domain = {normals()}, .budget = {.absolute = 7e-7}, .codomain = {-1.000001, 1.000001}}));
+    append_turn(entries);
     append_rotation(entries);
     append_hash(entries);
     append_reflections(entries);

@@ -19,7 +19,7 @@ shared uint group_samples;
 shared uint group_pixels;
 
 // Adds what the invocation has taken; to be called by all of the group.
-// entry: of group_entry(). tiles: of the image, along x and y.
+// entry: of the tile (Column.entry). tiles: of the image, along x and y.
 void count_tile(uint entry, uvec2 tiles, uint samples, uint pixels) {
     uvec2 at = tile_of(entry);
     uint tile = at.y * tiles.x + at.x;
