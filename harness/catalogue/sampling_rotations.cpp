@@ -45,10 +45,15 @@ Values normals() {
         .and_special();
 }
 
+// (cos, sin) of angles.
+Values turns() {
+    return made_by<glm::vec2>([](numeric::Random& random) {
+               return glm::vec2(reference::gloam_sincos(random.uniform(-4, 4)));
+           })
+        .and_value(glm::vec2(1, 0), true);
+}
+
 void append_turn(Entries& entries) {
-    const Values turns = made_by<glm::vec2>([](numeric::Random& random) {
-                             return glm::vec2(reference::gloam_sincos(random.uniform(-4, 4)));
-                         }).and_value(glm::vec2(1, 0), true);
     entries.push_back(equation<glm::vec2(glm::vec2, glm::vec2)>(
         {.id = "TSSAO-ROT-turn-disc",
          .function = "gloam_turn_disc",
@@ -57,7 +62,7 @@ void append_turn(Entries& entries) {
          .formula = "(c x - s y, s x + c y)",
          .source = "TSSAO (Mattausch et al.), random rotation"},
         GLOAM_REFERENCE(gloam_turn_disc),
-        {.domain = {kernel_points(2), turns},
+        {.domain = {kernel_points(2), turns()},
          .budget = {.ulp = 3, .of_largest_component = true},
          .codomain = {-2e19, 2e19},
          .promised = make_predicate<glm::vec2(glm::vec2, glm::vec2)>(
@@ -70,7 +75,7 @@ void append_turn(Entries& entries) {
          .formula = "(c x - s y, s x + c y, z)",
          .source = "TSSAO (Mattausch et al.), random rotation"},
         GLOAM_REFERENCE(gloam_turn_hemisphere),
-        {.domain = {kernel_points(3), turns},
+        {.domain = {kernel_points(3), turns()},
          .budget = {.ulp = 3, .of_largest_component = true},
          .codomain = {-2e19, 2e19},
          .promised = make_predicate<glm::vec3(glm::vec3, glm::vec2)>(
@@ -91,15 +96,15 @@ void append_rotation(Entries& entries) {
          .codomain = {-2e19, 2e19},
          .promised =
              make_predicate<glm::vec2(glm::vec2, float)>([](const auto& s, float) { return not_tiny(s); })}));
-    entries.push_back(equation<glm::vec2(unsigned, float)>(
+    entries.push_back(equation<glm::vec2(unsigned, glm::vec2)>(
         {.id = "TSSAO-13-kernel",
          .function = "gloam_halton_disc",
          .file = "gloam/sampling/halton_disc.glsl",
          .title = "point of the rotated disc kernel",
-         .formula = "TSSAO-13 of the Halton point, turned by the angle",
+         .formula = "TSSAO-13 of the Halton point, turned",
          .source = "TSSAO (Mattausch et al.), eq 13 and random rotation"},
         GLOAM_REFERENCE(gloam_halton_disc),
-        {.domain = {log_integers(16777216).and_near_integers({16777216, 4294967295}), angles()},
+        {.domain = {log_integers(16777216).and_near_integers({16777216, 4294967295}), turns()},
          .budget = {.absolute = 5e-7},
          .codomain = {-1.000001, 1.000001}}));
     entries.push_back(equation<glm::vec3(glm::vec3, float)>(

@@ -63,7 +63,7 @@ vec2 gloam_pair_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKern
     vec2 weighted = vec2(0.0);
     vec2 turn = gloam_sincos(kernel.angle);
     for (uint i = 0u; i < kernel.count; i += 2u) {
-        vec2 point = gloam_turn_disc(GLOAM_DISC_POINT((kernel.first + i) / 2u + 1u), turn);
+        vec2 point = gloam_halton_disc((kernel.first + i) / 2u + 1u, turn);
         ivec2 first = gloam_nearest_pixel(center + reach * point, camera.size);
         ivec2 second = gloam_nearest_pixel(center - reach * point, camera.size);
         vec3 aim = vec3(kernel.radius * point * upright, 0.0);

@@ -12,10 +12,10 @@
 #endif
 
 // Point of the rotated disc kernel: the disc map (TSSAO-13) of a Halton point, turned about the centre (TSSAO-ROT).
-// index: number of the Halton point, 1 for the first. angle: radians, |angle| <= 65536; anything else, NaN included, counts as 0.
+// index: number of the Halton point, 1 for the first. turn: (cos, sin) of the kernel's angle, as gloam_sincos gives it: the same for all its points.
 // Returns a point of the unit disc; the zero vector for index 0. Error: 5e-7.
-vec2 gloam_halton_disc(uint index, float angle) {
-    return gloam_rotate_disc(GLOAM_DISC_POINT(index), angle);
+vec2 gloam_halton_disc(uint index, vec2 turn) {
+    return gloam_turn_disc(GLOAM_DISC_POINT(index), turn);
 }
 
 #endif

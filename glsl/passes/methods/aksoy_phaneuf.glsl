@@ -9,7 +9,7 @@
 // Surface points under a disc, each counting by its distance if it lies in front of the tangent plane (Aksoy and Phaneuf 2011; CS-J).
 
 vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel, vec2 turn) {
-    return gloam_turn_disc(GLOAM_DISC_POINT(kernel.first + i + 1u), turn);
+    return gloam_halton_disc(kernel.first + i + 1u, turn);
 }
 
 float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method) {

@@ -13,7 +13,7 @@
 // would decide.
 
 vec2 gloam_method_tap(uint i, vec3 position, GloamKernel kernel, vec2 turn) {
-    return gloam_turn_disc(GLOAM_DISC_POINT(kernel.first + i + 1u), turn);
+    return gloam_halton_disc(kernel.first + i + 1u, turn);
 }
 
 float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKernel kernel, GloamMethod method) {

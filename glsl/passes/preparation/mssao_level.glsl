@@ -44,7 +44,7 @@ float gloam_mssao_occlusion(vec3 position, vec3 normal, vec2 center, vec2 reach,
     vec2 last = vec2(gloam_level_size(camera.size, level) - 1);
     vec2 turn = gloam_sincos(kernel.angle);
     for (uint i = 0u; i < kernel.count; ++i) {
-        vec2 at = center + reach * gloam_turn_disc(GLOAM_DISC_POINT(kernel.first + i + 1u), turn);
+        vec2 at = center + reach * gloam_halton_disc(kernel.first + i + 1u, turn);
         vec3 seen = gloam_pyramid_position(ivec2(clamp(at, vec2(0.0), last)), level, camera);
         vec3 offset = seen - position;
         float contribution = dot(offset, normal) > kernel.bias ? gloam_contribution_mssao(offset, normal, kernel.radius) : 0.0;

@@ -10,7 +10,7 @@ namespace gloam::reference {
 template <class T>
 struct DiscMethod {
     vec2<T> tap(unsigned i, vec3<T> /*position*/, GloamKernel<T> kernel) const {
-        return gloam_halton_disc(kernel.first + i + 1U, kernel.angle);
+        return gloam_halton_disc(kernel.first + i + 1U, gloam_sincos(kernel.angle));
     }
     T occlusion(vec3<T> offset, vec3<T> normal, T /*depth*/, GloamKernel<T> kernel,
                 GloamMethod<T> method) const {

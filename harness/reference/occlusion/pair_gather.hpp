@@ -45,7 +45,7 @@ vec2<T> gloam_pair_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camer
     const vec2<T> upright(T(1), camera.p00_p11.y < T(0) ? T(-1) : T(1));
     vec2<T> weighted(T(0), T(0));
     for (unsigned i = 0; i < kernel.count; i += 2U) {
-        const vec2<T> point = gloam_halton_disc((kernel.first + i) / 2U + 1U, kernel.angle);
+        const vec2<T> point = gloam_halton_disc((kernel.first + i) / 2U + 1U, gloam_sincos(kernel.angle));
         const glm::ivec2 first = gloam_nearest_pixel(center + reach * point, camera.size);
         const glm::ivec2 second = gloam_nearest_pixel(center - reach * point, camera.size);
         const vec2<T> in_plane = kernel.radius * point * upright;

@@ -8,9 +8,9 @@
 namespace gloam::reference {
 
 template <class T>
-vec2<T> gloam_halton_disc(unsigned index, T angle) {
+vec2<T> gloam_halton_disc(unsigned index, vec2<T> turn) {
     const vec2<T> zeta = gloam_halton_2d<T>(index);
-    return gloam_rotate_disc(gloam_disc_sample(zeta), angle);
+    return gloam_turn_disc(gloam_disc_sample(zeta), turn);
 }
 
 }  // namespace gloam::reference
