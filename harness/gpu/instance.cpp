@@ -39,11 +39,17 @@ bool layer_has_extension(const vk::raii::Context& loader, std::string_view name)
 // Not heard: "general" messages, where the loader talks of drivers that it skipped, and "performance", which
 // dislikes the general image layout that keeps this room simple.
 vk::DebugUtilsMessengerCreateInfoEXT messenger_info(MessageLog& log) {
-    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-    return {.messageSeverity = Severity::eWarning | Severity::eError,
-            .messageType = vk::DebugUtilsMessageTypeFlagBitsEXT::eValidation,
-            .pfnUserCallback = on_message,
-            .pUserData = &log};
+    // By the C structure, because the type of the callback in the C++ one depends on the version of the
+    // headers.
+    vk::DebugUtilsMessengerCreateInfoEXT info;
+    info = VkDebugUtilsMessengerCreateInfoEXT{
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+        .messageSeverity =
+            VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+        .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
+        .pfnUserCallback = on_message,
+        .pUserData = &log};
+    return info;
 }
 
 vk::raii::Instance create(const vk::raii::Context& loader, const vk::InstanceCreateInfo& info) {

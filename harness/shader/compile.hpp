@@ -43,9 +43,9 @@ using Spirv = std::vector<std::uint32_t>;
 [[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options);
 
 // Every function that the text and its includes define, and every one that they only declare and call (a
-// declaration that nothing calls is not seen), in order of definition or first call, as the compiler's own
-// syntax tree has it. Overloads are separate entries. The text needs no main; the variant does not matter.
-// Throws like compile().
+// declaration that nothing calls is not seen), in order of definition or first call; types and names are
+// those of the compiled module. Overloads are separate entries. The text needs no main; the variant does not
+// matter. Throws like compile().
 [[nodiscard]] std::vector<Function> functions(const Source& source, const CompileOptions& options);
 
 // Name and version of the compiler, the optimiser, the validator and the translator back to GLSL; part of

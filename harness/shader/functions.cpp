@@ -1,150 +1,115 @@
 // SPDX-License-Identifier: MIT
-#include <glslang/MachineIndependent/localintermediate.h>
-
 #include <algorithm>
-#include <set>
+#include <stdexcept>
 
 #include "shader/compile.hpp"
+#include "shader/internal/declarations.hpp"
 #include "shader/internal/front_end.hpp"
+#include "shader/internal/signature.hpp"
 #include "shader/internal/version_line.hpp"
 
 namespace gloam::shader {
 namespace {
 
-using Text = std::basic_string_view<char>;
+using internal::Declaration;
+using internal::Signature;
 
-Text view(const glslang::TString& text) {
-    return {text.data(), text.size()};
+bool defines(const std::vector<Declaration>& declared, const Declaration& wanted) {
+    return std::ranges::any_of(declared, [&wanted](const Declaration& other) {
+        return other.defined && internal::declare_the_same(other, wanted);
+    });
 }
 
-Scalar scalar_of(glslang::TBasicType type) {
-    switch (type) {
-        case glslang::EbtVoid:
-            return Scalar::void_;
-        case glslang::EbtBool:
-            return Scalar::bool_;
-        case glslang::EbtInt:
-            return Scalar::int_;
-        case glslang::EbtUint:
-            return Scalar::uint_;
-        case glslang::EbtFloat:
-            return Scalar::float_;
-        case glslang::EbtStruct:
-            return Scalar::structure;
-        default:
-            return Scalar::unsupported;
-    }
+// One declaration for each function, in the order in which the completed text defines them: those that the
+// text defines, then those that it only declares.
+std::vector<Declaration> in_order_of_definition(const std::vector<Declaration>& declared) {
+    std::vector<Declaration> ordered;
+    std::ranges::copy_if(declared, std::back_inserter(ordered), &Declaration::defined);
+    for (const Declaration& declaration : declared)
+        if (!defines(declared, declaration) && std::ranges::none_of(ordered, [&](const Declaration& other) {
+                return declare_the_same(other, declaration);
+            }))
+            ordered.push_back(declaration);
+    return ordered;
 }
 
-Type type_of(const glslang::TType& type);
-
-std::string array_sizes(const glslang::TType& type) {
-    std::string text;
-    for (int i = 0; i < type.getArraySizes()->getNumDims(); ++i) {
-        const unsigned size = type.getArraySizes()->getDimSize(i);
-        text.append("[").append(size == 0 ? "" : std::to_string(size)).append("]");
+// A body for each function that has none, and a main where there is none: SPIR-V holds complete programs
+// only.
+std::string completed(std::string text, const std::vector<Declaration>& functions) {
+    text += "\n";
+    for (const Declaration& function : functions) {
+        if (function.defined) continue;
+        const bool has_result = function.result != "void";
+        text += function.head +
+                (has_result ? " { " + function.result + " gloam_result; return gloam_result; }\n" : " { }\n");
     }
+    if (std::ranges::none_of(functions, [](const Declaration& f) { return f.name == "main"; }))
+        text += "void main() { }\n";
     return text;
 }
 
-std::string unsupported_text(const glslang::TType& type) {
-    if (type.isArray()) {
-        glslang::TType element;
-        element.shallowCopy(type);
-        element.clearArraySizes();
-        const Type plain = type_of(element);
-        return (plain.scalar == Scalar::structure ? plain.name : to_glsl(plain)) + array_sizes(type);
+// What the module knows of a function, with what only the text knows: directions, and the names of opaque
+// types.
+Function function_of(const Signature& signature, const Declaration& declaration) {
+    Function function{signature.name, signature.result, signature.parameters, declaration.defined};
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        Parameter& parameter = function.parameters[i];
+        const internal::DeclaredParameter& declared = declaration.parameters.at(i);
+        parameter.direction = declared.direction;
+        if (parameter.type.scalar == Scalar::unsupported && parameter.type.name.empty())
+            parameter.type.name = declared.type;
+        if (!declaration.defined) parameter.name.clear();
     }
-    if (type.getBasicType() == glslang::EbtSampler) return std::string(view(type.getSampler().getString()));
-    const glslang::TString text = type.getCompleteString(true, false, false);
-    return std::string(view(text).substr(std::min(text.find_first_not_of(' '), text.size())));
+    return function;
 }
 
-Type type_of(const glslang::TType& type) {
-    Type result;
-    result.scalar = type.isArray() ? Scalar::unsupported : scalar_of(type.getBasicType());
-    if (result.scalar == Scalar::unsupported) {
-        result.name = unsupported_text(type);
-    } else if (result.scalar == Scalar::structure) {
-        result.name = view(type.getTypeName());
-        for (const glslang::TTypeLoc& member : *type.getStruct())
-            result.members.push_back({std::string(view(member.type->getFieldName())), type_of(*member.type)});
-    } else if (type.isMatrix()) {
-        result.columns = type.getMatrixCols();
-        result.rows = type.getMatrixRows();
-    } else {
-        result.rows = type.getVectorSize();
+// For each function of the module its declaration; null for a main that was added. Those of one name are in
+// the same order on both sides.
+std::vector<const Declaration*> paired(const std::vector<Signature>& signatures,
+                                       const std::vector<Declaration>& declared) {
+    std::vector<const Declaration*> pairs(signatures.size(), nullptr);
+    for (const Declaration& declaration : declared) {
+        std::size_t i = 0;
+        while (i < pairs.size() && (pairs[i] || signatures[i].name != declaration.name)) ++i;
+        if (i == pairs.size())
+            throw std::logic_error("function '" + declaration.name + "' is not in its own module");
+        pairs[i] = &declaration;
     }
-    return result;
+    return pairs;
 }
 
-Direction direction_of(glslang::TStorageQualifier storage) {
-    if (storage == glslang::EvqOut) return Direction::out;
-    if (storage == glslang::EvqInOut) return Direction::inout;
-    return Direction::in;
+// In order of definition; a function that is only declared at its first call.
+std::vector<Function> listed(const std::vector<Signature>& signatures,
+                             const std::vector<Declaration>& declared) {
+    const std::vector<const Declaration*> pairs = paired(signatures, declared);
+    std::vector<Function> functions;
+    std::vector<bool> taken(pairs.size(), false);
+    const auto take = [&](std::size_t i) {
+        if (!taken[i]) functions.push_back(function_of(signatures[i], *pairs[i]));
+        taken[i] = true;
+    };
+    for (const Declaration& declaration : declared) {
+        if (!declaration.defined) break;  // those that are only declared come last
+        const auto found = static_cast<std::size_t>(std::ranges::find(pairs, &declaration) - pairs.begin());
+        take(found);
+        for (const std::size_t called : signatures[found].calls)
+            if (pairs[called] && !pairs[called]->defined) take(called);
+    }
+    return functions;
 }
-
-// The compiler's key of an overload is "name(types;".
-std::string plain_name(Text key) {
-    return std::string(key.substr(0, key.find('(')));
-}
-
-// Finds the nodes of definitions and of calls, in the order of the text.
-class Collector final : public glslang::TIntermTraverser {
-  public:
-    bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
-        if (node->getOp() == glslang::EOpFunction) define(*node);
-        if (node->getOp() == glslang::EOpFunctionCall && node->isUserDefined()) call(*node);
-        return true;
-    }
-
-    std::vector<Function> take() {
-        std::vector<Function> functions;
-        for (auto& [key, function] : found_)
-            if (function.defined || !defined_.contains(key)) functions.push_back(std::move(function));
-        return functions;
-    }
-
-  private:
-    void define(const glslang::TIntermAggregate& node) {
-        Function function{plain_name(view(node.getName())), type_of(node.getType()), {}, true};
-        for (const TIntermNode* parameter : node.getSequence().front()->getAsAggregate()->getSequence()) {
-            const glslang::TIntermSymbol& symbol = *parameter->getAsSymbolNode();
-            function.parameters.push_back({std::string(view(symbol.getName())), type_of(symbol.getType()),
-                                           direction_of(symbol.getType().getQualifier().storage)});
-        }
-        std::string key(view(node.getName()));
-        defined_.insert(key);
-        found_.emplace_back(std::move(key), std::move(function));
-    }
-
-    // The front end has already converted every argument to the type of its parameter.
-    void call(const glslang::TIntermAggregate& node) {
-        std::string key(view(node.getName()));
-        if (!called_.insert(key).second) return;
-        Function function{plain_name(key), type_of(node.getType()), {}, false};
-        const auto& directions = node.getQualifierList();
-        for (std::size_t i = 0; i < node.getSequence().size(); ++i)
-            function.parameters.push_back({{},
-                                           type_of(node.getSequence()[i]->getAsTyped()->getType()),
-                                           direction_of(directions.at(i))});
-        found_.emplace_back(std::move(key), std::move(function));
-    }
-
-    std::vector<std::pair<std::string, Function>> found_;
-    std::set<std::string> defined_;
-    std::set<std::string> called_;
-};
 
 }  // namespace
 
 std::vector<Function> functions(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
+    // Parsed as it stands first: messages name the places of the text itself.
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
                                 options.include_roots);
-    Collector collector;
-    if (TIntermNode* root = parse.tree().getTreeRoot()) root->traverse(&collector);
-    return collector.take();
+    const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
+    const std::vector<Declaration> declared = in_order_of_definition(internal::declarations(text));
+    const Source whole{source.name, completed(text, declared)};
+    const Spirv module = internal::to_spirv(whole, options.stage, {}, internal::Unreached::kept);
+    return listed(internal::signatures(module), declared);
 }
 
 }  // namespace gloam::shader

@@ -58,7 +58,7 @@ void check_compiles(const Source& body, Language language,
     std::vector<Source> pieces{
         {"preamble", preamble(language)}, body, {"main", "\n" + local_size + "void main() {}\n"}};
     internal::Parse parse(entry.stage, entry.client, body.name, std::move(pieces), include_roots);
-    static_cast<void>(parse.link());
+    static_cast<void>(parse.link(internal::Unreached::dropped));
 }
 
 }  // namespace gloam::shader

@@ -88,7 +88,34 @@ TEST(Functions, CallsInsideAnyStatementAreSeen) {
                                         "        switch (b()) { case 0: break; default: return d(c(i)); }\n"
                                         "    }\n"
                                         "    return 0.0;\n}\n")),
-                ElementsAre("float f()", "? bool a()", "? int b()", "? float d(vec4)", "? vec4 c(int)"));
+                ElementsAre("float f()", "? bool a()", "? int b()", "? vec4 c(int)", "? float d(vec4)"));
+}
+
+TEST(Functions, OtherDeclarationsAreNotTakenForFunctions) {
+    EXPECT_THAT(prototypes(functions_of("const float scale = max(1.0, 2.0), other[2] = float[](1.0, 2.0);\n"
+                                        "layout(std430, binding = 0) buffer Block { float x[]; } block;\n"
+                                        "layout(binding = 1) uniform sampler2D image;\n"
+                                        "struct S { float a; } state;\n"
+                                        "float table[int(max(2.0, 3.0))];\n"
+                                        "float f(float x) { { x += scale; } return x; }\n")),
+                ElementsAre("float f(float x)"));
+}
+
+TEST(Functions, PrototypesWithArraysAndQualifiersAreMatchedWithTheirDefinitions) {
+    EXPECT_THAT(prototypes(functions_of(
+                    "float get(const in float[2] a, vec2 b[3]);\n"
+                    "float[2] pair(int i);\nvoid set(out float[2] a);\n"
+                    "float get(const in float a[2], vec2[3] b) { return a[0] + b[0].x; }\n"
+                    "float f() { float a[2] = pair(1); set(a); return get(a, vec2[3](vec2(0), vec2(0), "
+                    "vec2(0))); }\n")),
+                ElementsAre("float get(float[2] a, vec2[3] b)", "float f()", "? float[2] pair(int)",
+                            "? void set(out float[2])"));
+}
+
+TEST(Functions, MacrosDoNotReachWhatIsAddedToTheText) {
+    EXPECT_THAT(prototypes(functions_of("float get(float a);\nfloat f() { return get(1.0); }\n"
+                                        "#define float int\n#define main other\n#define gloam_result +\n")),
+                ElementsAre("float f()", "? float get(float)"));
 }
 
 TEST(Functions, BuiltInFunctionsAreNotListed) {

@@ -4,11 +4,16 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
+#include <algorithm>
+
 #include "shader/internal/includer.hpp"
 #include "shader/internal/messages.hpp"
 
 namespace gloam::shader::internal {
 namespace {
+
+constexpr const char* preamble = "#extension GL_GOOGLE_include_directive : enable\n";
+constexpr int version_when_missing = 110;
 
 // glslang's process-wide tables, from first use to the end of the program.
 class Process {
@@ -64,28 +69,48 @@ Parse::Parse(Stage stage, Client client, std::string name, std::vector<Source> p
     }
     shader_.setStringsWithLengthsAndNames(texts.data(), lengths.data(), names.data(),
                                           static_cast<int>(texts.size()));
-    shader_.setPreamble("#extension GL_GOOGLE_include_directive : enable\n");
+    shader_.setPreamble(preamble);
     if (client == Client::vulkan) set_client(shader_, language_);
     Includer includer(roots);
-    constexpr int version_when_missing = 110;
     const bool accepted =
         shader_.parse(GetDefaultResources(), version_when_missing, false, messages_, includer);
     if (!accepted) throw CompileError(error_lines(shader_.getInfoLog(), name_));
 }
 
-const glslang::TIntermediate& Parse::link() {
+const glslang::TIntermediate& Parse::link(Unreached unreached) {
     program_.addShader(&shader_);
-    if (!program_.link(messages_)) throw CompileError(error_lines(program_.getInfoLog(), name_));
+    const EShMessages more = unreached == Unreached::kept ? EShMsgKeepUncalled : EShMsgDefault;
+    if (!program_.link(static_cast<EShMessages>(messages_ | more)))
+        throw CompileError(error_lines(program_.getInfoLog(), name_));
     return *program_.getIntermediate(language_);
 }
 
-Spirv to_spirv(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots) {
+std::string preprocessed(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots) {
+    const EShLanguage language = language_of(stage);
+    glslang::TShader shader(language);
+    const char* const text = source.text.c_str();
+    const char* const name = source.name.c_str();
+    const int length = static_cast<int>(source.text.size());
+    shader.setStringsWithLengthsAndNames(&text, &length, &name, 1);
+    shader.setPreamble(preamble);
+    set_client(shader, language);
+    Includer includer(roots);
+    std::string result;
+    if (!shader.preprocess(GetDefaultResources(), version_when_missing, ENoProfile, false, false,
+                           messages_of(Client::vulkan), &result, includer))
+        throw CompileError(error_lines(shader.getInfoLog(), source.name));
+    // The preamble is printed, too, before the line that must be the first.
+    return result.substr(std::min(result.find("#version"), result.size()));
+}
+
+Spirv to_spirv(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots,
+               Unreached unreached) {
     Parse parse(stage, Client::vulkan, source.name, {source}, roots);
     Spirv module;
     spv::SpvBuildLogger logger;
     glslang::SpvOptions options;
     options.disableOptimizer = true;  // ours runs after it, with the passes that the caller chose
-    glslang::GlslangToSpv(parse.link(), module, &logger, &options);
+    glslang::GlslangToSpv(parse.link(unreached), module, &logger, &options);
     const std::string messages = logger.getAllMessages();
     for (const char* failure : {"error: ", "Missing functionality: "})
         if (messages.find(failure) != std::string::npos) throw CompileError(source.name + ": " + messages);

@@ -14,6 +14,9 @@ namespace gloam::shader::internal {
 // The rules of which client the text is held to: SPIR-V for Vulkan 1.2, or those of the language alone.
 enum class Client { vulkan, none };
 
+// What becomes of functions that main does not reach.
+enum class Unreached { dropped, kept };
+
 // A text parsed by glslang; several pieces are read as one, each with its own name and line numbers.
 // The syntax tree lives as long as this object.
 class Parse {
@@ -24,12 +27,9 @@ class Parse {
     Parse(const Parse&) = delete;
     Parse& operator=(const Parse&) = delete;
 
-    // Before link(): with every function of the text. Valid while this object lives.
-    [[nodiscard]] const glslang::TIntermediate& tree() const { return *shader_.getIntermediate(); }
-
-    // Checks what concerns the whole program (bodies of reached functions, recursion) and drops unreached
-    // functions. Throws CompileError.
-    [[nodiscard]] const glslang::TIntermediate& link();
+    // Checks what concerns the whole program (bodies of called functions, recursion) and drops the functions
+    // of `unreached` if asked to. Throws CompileError.
+    [[nodiscard]] const glslang::TIntermediate& link(Unreached unreached);
 
   private:
     EShLanguage language_;
@@ -40,8 +40,13 @@ class Parse {
     glslang::TProgram program_;  // after the shader: must be destroyed first
 };
 
+// The text with its includes and macros replaced and its comments gone. Throws CompileError.
+[[nodiscard]] std::string preprocessed(const Source& source, Stage stage,
+                                       const std::vector<std::filesystem::path>& roots);
+
 // The text for Vulkan as glslang translates it: no optimisation, not validated. Throws CompileError.
 [[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
-                             const std::vector<std::filesystem::path>& roots);
+                             const std::vector<std::filesystem::path>& roots,
+                             Unreached unreached = Unreached::dropped);
 
 }  // namespace gloam::shader::internal

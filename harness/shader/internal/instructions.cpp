@@ -30,6 +30,18 @@ std::vector<Instruction> instructions(const Spirv& module) {
     return all;
 }
 
+std::string literal_string(const Instruction& instruction, std::size_t index) {
+    std::string text;
+    for (std::size_t i = index; i < instruction.words.size(); ++i) {
+        for (std::uint32_t shift = 0; shift < 32; shift += 8) {
+            const auto character = static_cast<char>(instruction.word(i) >> shift & 0xffu);
+            if (character == '\0') return text;
+            text.push_back(character);
+        }
+    }
+    return text;
+}
+
 Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands) {
     Spirv words{static_cast<std::uint32_t>(operands.size() + 1) << length_shift | opcode};
     words.insert(words.end(), operands.begin(), operands.end());

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "shader/compile.hpp"
@@ -25,6 +26,9 @@ struct Instruction {
 // The instructions behind the five words of the header. Throws std::runtime_error when the words are no
 // SPIR-V module.
 [[nodiscard]] std::vector<Instruction> instructions(const Spirv& module);
+
+// A literal string operand that starts at the word of that index: UTF-8, ended by NUL or by the instruction.
+[[nodiscard]] std::string literal_string(const Instruction& instruction, std::size_t index);
 
 // The words of an instruction: its first one is made of the opcode and the length.
 [[nodiscard]] Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands);

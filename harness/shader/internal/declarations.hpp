@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shader/type.hpp"
+
+namespace gloam::shader::internal {
+
+// A parameter as it is written: what SPIR-V does not keep of it.
+struct DeclaredParameter {
+    Direction direction = Direction::in;
+    std::string type;  // without qualifiers, with every array size: "float[2][3]"
+};
+
+// A function definition or prototype at global scope.
+struct Declaration {
+    std::string name;
+    std::string result;  // as written, qualifiers included
+    std::string head;    // "float f ( vec2 uv )"
+    std::vector<DeclaredParameter> parameters;
+    bool defined = false;  // a body follows
+};
+
+// The functions that a GLSL text defines and declares, in the order of the text. The text is preprocessed: no
+// comments, no macros; lines that begin with # are passed over. It must be valid GLSL.
+[[nodiscard]] std::vector<Declaration> declarations(std::string_view preprocessed);
+
+// Same name and same parameter types: they declare one function.
+[[nodiscard]] bool declare_the_same(const Declaration& a, const Declaration& b);
+
+}  // namespace gloam::shader::internal
