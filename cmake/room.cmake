@@ -1,13 +1,74 @@
 # SPDX-License-Identifier: MIT
-# gloam_room(NAME SOURCES file... USES room... LIBRARIES target...)
+# gloam_sources(RESULT file... [| file...]...)
+# The files of the list in RESULT. Those between two | are compiled as one, because reading headers is most of the cost of a
+# source here; so they may not define the same name, unnamed namespaces included. -DCMAKE_UNITY_BUILD=OFF compiles every
+# file alone.
+function(gloam_sources RESULT)
+  set(group 1)
+  set(files)
+  foreach(word ${ARGN})
+    if(word STREQUAL "|")
+      math(EXPR group "${group} + 1")
+    else()
+      list(APPEND files ${word})
+      set_source_files_properties(${word} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+  set(${RESULT} ${files} PARENT_SCOPE)
+endfunction()
+
+# gloam_compile_together(TARGET [COUNT])
+# Compiles the sources of a target in the groups that gloam_sources() made, or COUNT at a time.
+function(gloam_compile_together TARGET)
+  if(DEFINED CMAKE_UNITY_BUILD AND NOT CMAKE_UNITY_BUILD)
+    return()
+  endif()
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON)
+  if(ARGC GREATER 1)
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_BATCH_SIZE ${ARGV1})
+  else()
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_MODE GROUP)
+  endif()
+endfunction()
+
+# gloam_precompiled(NAME [FLAGS flag...] HEADERS header... LIBRARIES target...)
+# Headers that many sources read, precompiled once. gloam_precompile() makes a target read them; it is then compiled with the
+# same flags, because GCC takes precompiled headers under their own level of optimisation only.
+function(gloam_precompiled NAME)
+  cmake_parse_arguments(PRE "" "" "FLAGS;HEADERS;LIBRARIES" ${ARGN})
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${NAME}.cpp CONTENT "")
+  add_library(${NAME} STATIC ${CMAKE_BINARY_DIR}/${NAME}.cpp)
+  target_link_libraries(${NAME} PRIVATE fmt::fmt glm::glm gloam_warnings ${PRE_LIBRARIES})
+  target_compile_options(${NAME} PRIVATE ${PRE_FLAGS})
+  target_precompile_headers(${NAME} PRIVATE <fmt/format.h> <glm/glm.hpp>
+    <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory>
+    <numeric> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <tuple> <type_traits> <unordered_map>
+    <utility> <variant> <vector> ${PRE_HEADERS})
+endfunction()
+
+function(gloam_precompile TARGET NAME)
+  target_link_libraries(${TARGET} PRIVATE $<BUILD_INTERFACE:fmt::fmt> $<BUILD_INTERFACE:glm::glm>)
+  target_compile_options(${TARGET} PRIVATE $<TARGET_PROPERTY:${NAME},COMPILE_OPTIONS>)
+  target_precompile_headers(${TARGET} REUSE_FROM ${NAME})
+endfunction()
+
+gloam_precompiled(gloam_headers)
+
+# gloam_room(NAME SOURCES file... [| file...]... USES room... LIBRARIES target... [HEADERS precompiled])
 # A room of the house: static library gloam_NAME (interface library when it has no sources), alias gloam::NAME.
-# USES are rooms that its headers may include; LIBRARIES stay hidden behind its sources.
+# USES are rooms that its headers may include; LIBRARIES stay hidden behind its sources. HEADERS: see gloam_precompiled().
 function(gloam_room NAME)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "HEADERS" "SOURCES;USES;LIBRARIES" ${ARGN})
   set(target gloam_${NAME})
   list(TRANSFORM ROOM_USES PREPEND gloam_)
   if(ROOM_SOURCES)
-    add_library(${target} STATIC ${ROOM_SOURCES})
+    gloam_sources(sources ${ROOM_SOURCES})
+    add_library(${target} STATIC ${sources})
+    gloam_compile_together(${target})
+    if(NOT ROOM_HEADERS)
+      set(ROOM_HEADERS gloam_headers)
+    endif()
+    gloam_precompile(${target} ${ROOM_HEADERS})
     target_link_libraries(${target} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_LIBRARIES} $<BUILD_INTERFACE:gloam_warnings>)
     set(scope PUBLIC)
   else()
@@ -22,26 +83,27 @@ function(gloam_room NAME)
   target_compile_features(${target} ${scope} cxx_std_20)
 endfunction()
 
-# gloam_test(NAME SOURCES file... USES room... LIBRARIES target... [SWIFTSHADER filter])
-# A GoogleTest program, its tests found by ctest. Those of the filter run once more, as one test, on a browser's
-# SwiftShader where there is one.
+# gloam_test(NAME SOURCES file... USES room... LIBRARIES target... [SWIFTSHADER filter] [TOGETHER count])
+# A GoogleTest program, its suites found by ctest (list_suites.cmake). Those of the filter run once more, as one test, on a
+# browser's SwiftShader where there is one. So many sources (5) are compiled as one: each has a namespace with the name of its file.
 function(gloam_test NAME)
-  cmake_parse_arguments(TEST "" "SWIFTSHADER" "SOURCES;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "" "SWIFTSHADER;TOGETHER" "SOURCES;USES;LIBRARIES" ${ARGN})
   list(TRANSFORM TEST_USES PREPEND gloam_)
   add_executable(${NAME} ${TEST_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${TEST_USES} ${TEST_LIBRARIES} gloam_glsl gloam_warnings GTest::gmock)
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)  # nothing in a test is worth optimising for longer
-  # Parsing GoogleMock is most of the cost of a test file.
-  list(LENGTH TEST_SOURCES sources)
-  if(sources GREATER 2)
-    target_precompile_headers(${NAME} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+  if(NOT TEST_TOGETHER)
+    set(TEST_TOGETHER 5)
   endif()
+  gloam_compile_together(${NAME} ${TEST_TOGETHER})
+  gloam_precompile(${NAME} gloam_test_headers)
   set(environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
-  gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60 TEST_LIST ${NAME}_found PROPERTIES TIMEOUT 300)
-  # gtest_discover_tests() would take a list apart, and set the first variable only.
-  set(file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_environment.cmake")
-  file(WRITE "${file}" "if(${NAME}_found)\n  set_tests_properties(\${${NAME}_found} PROPERTIES ENVIRONMENT \"${environment}\")\nendif()\n")
+  set(listing "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_suites.cmake")
+  add_custom_command(TARGET ${NAME} POST_BUILD BYPRODUCTS ${listing} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${NAME}> -D OUTPUT=${listing} -D "ENVIRONMENT=${environment}"
+      -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)
+  set(file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_tests.cmake")
+  file(WRITE "${file}" "if(EXISTS [==[${listing}]==])\n  include([==[${listing}]==])\nelse()\n  add_test(${NAME}_NOT_BUILT ${NAME}_NOT_BUILT)\nendif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${file}")
   if(TEST_SWIFTSHADER)
     target_sources(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/device_main.cpp)

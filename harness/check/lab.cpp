@@ -42,12 +42,15 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
 }  // namespace
 
 Lab::Lab(LabOptions options)
+    : Lab(options, std::make_shared<gpu::Device>(gpu::DeviceOptions{
+                       .device = options.device,
+                       .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                       .cache_directory = options.cache_directory,
+                       .timeout = options.timeout})) {}
+
+Lab::Lab(LabOptions options, std::shared_ptr<gpu::Device> device)
     : options_(std::move(options)),
-      device_(std::make_unique<gpu::Device>(
-          gpu::DeviceOptions{.device = options_.device,
-                             .validation = options_.validation ? gpu::Validation::on : gpu::Validation::off,
-                             .cache_directory = options_.cache_directory,
-                             .timeout = options_.timeout})),
+      device_(std::move(device)),
       cache_(options_.cache_directory.empty() ? std::filesystem::path{}
                                               : options_.cache_directory / "spirv") {}
 

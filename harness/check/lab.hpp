@@ -27,6 +27,8 @@ struct LabOptions {
 class Lab {
   public:
     explicit Lab(LabOptions options);
+    // On a device that others use, too: what the options say of the device does not count.
+    Lab(LabOptions options, std::shared_ptr<gpu::Device> device);
 
     // The function of that name and signature in `file`, ready to run. Image prototypes that it declares are
     // served at every run. Throws std::invalid_argument when the file has no such function (lists what it
@@ -55,7 +57,7 @@ class Lab {
     [[nodiscard]] shader::CompileOptions compile_options() const;
 
     LabOptions options_;
-    std::unique_ptr<gpu::Device> device_;
+    std::shared_ptr<gpu::Device> device_;
     shader::SpirvCache cache_;
 };
 

@@ -22,7 +22,7 @@
 namespace gloam::effect {
 namespace {
 
-std::array<std::int32_t, 2> size_of(gpu::Extent extent) {
+std::array<std::int32_t, 2> words_of_size(gpu::Extent extent) {
     return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height)};
 }
 
@@ -125,7 +125,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     filter_constants = filter_parameters(view, settings);
     remap_constants = remap_parameters(view, settings);
     const std::int32_t reach = filter_reach(settings);
-    select_filtered_constants = {.size = size_of(view.extent), .reach = {reach, reach}};
+    select_filtered_constants = {.size = words_of_size(view.extent), .reach = {reach, reach}};
     open_search.take(view, settings);
     shown = still = false;
 }
@@ -195,8 +195,8 @@ SelectParameters AmbientOcclusion::Impl::select_parameters() const {
     if (moved) written |= image_reprojected;
     if (filters(settings)) written |= image_filtered;
     if (remaps(settings)) written |= image_mapped | (filters(settings) ? image_filtered_mapped : 0U);
-    return {.size = size_of(view.extent),
-            .band = size_of(unshaded_band()),
+    return {.size = words_of_size(view.extent),
+            .band = words_of_size(unshaded_band()),
             .written = written,
             .background = settings.skip_background ? 1U : 0U,
             .settled = settings.skip_settled && still ? 1U : 0U,

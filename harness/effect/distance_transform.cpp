@@ -4,11 +4,12 @@
 #include <stdexcept>
 
 #include "effect/pixel_classes.hpp"
+#include "numeric/constants.hpp"
 
 namespace gloam::effect {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 
 // Squared distances along one line: the lower envelope of parabolas at the places where `square` is finite.
 void transform_line(std::vector<double>& square) {

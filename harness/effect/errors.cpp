@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/errors.hpp"
+#include "effect/internal/require_same_size.hpp"
 
 #include <fmt/format.h>
 
@@ -12,11 +13,6 @@ namespace gloam::effect {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-
-void require_same_size(const char* what, std::size_t found, std::size_t expected) {
-    if (found == expected) return;
-    throw std::invalid_argument(fmt::format("{}: {} pixels, expected {}", what, found, expected));
-}
 
 // Reconstructs and projects in double, independently of the shaders.
 class Projector {
@@ -60,7 +56,7 @@ class Projector {
 }  // namespace
 
 Errors errors_of(std::span<const float> occlusion, std::span<const float> truth) {
-    require_same_size("truth", truth.size(), occlusion.size());
+    internal::require_same_size("truth", truth.size(), occlusion.size());
     std::vector<double> magnitudes;
     Errors errors;
     double squares = 0.0;
@@ -99,7 +95,7 @@ Truth truth_of(const scene::GBuffer& view, double radius, const TrueOcclusion& t
 }
 
 Truth truth_from(const scene::GBuffer& view, std::span<const float> reference) {
-    require_same_size("reference", reference.size(), view.depth.size());
+    internal::require_same_size("reference", reference.size(), view.depth.size());
     Truth truth(reference.begin(), reference.end());
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (!std::isfinite(view.depth[i])) truth[i] = unknown;

@@ -8,19 +8,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "effect/internal/require_same_size.hpp"
 #include "scene/pixel_positions.hpp"
 
 namespace gloam::effect {
 namespace {
 
-void require_same_size(const char* what, std::size_t found, std::size_t expected) {
-    if (found == expected) return;
-    throw std::invalid_argument(fmt::format("{}: {} pixels, expected {}", what, found, expected));
-}
-
-bool is_surface(float depth) {
-    return depth > 0.0F && std::isfinite(depth);
-}
+using scene::is_surface;
 
 glm::dmat4 camera_change(const scene::CameraFrame& camera) {
     if (camera.previous_from_current) return glm::dmat4(*camera.previous_from_current);
@@ -97,8 +91,8 @@ bool near_image(const glm::dvec2& place, gpu::Extent extent) {
 
 HistoryMap::HistoryMap(const scene::GBuffer& view, const scene::GBuffer& previous)
     : taps_(view.depth.size()), moved_(view.depth.size(), 0) {
-    require_same_size("the frame before", previous.depth.size(), view.depth.size());
-    require_same_size("normals", view.normal.size(), view.depth.size());
+    internal::require_same_size("the frame before", previous.depth.size(), view.depth.size());
+    internal::require_same_size("normals", view.normal.size(), view.depth.size());
     const Earlier earlier(view, previous);
     const scene::PixelPositions then(previous);
     const auto width = static_cast<long>(view.extent.width);
@@ -136,8 +130,8 @@ double HistoryMap::sample(std::size_t pixel, std::span<const float> previous) co
 
 double mean_change(const HistoryMap& history, std::span<const float> image, std::span<const float> previous,
                    std::span<const std::uint8_t> mask) {
-    require_same_size("the image before", previous.size(), image.size());
-    if (!mask.empty()) require_same_size("mask", mask.size(), image.size());
+    internal::require_same_size("the image before", previous.size(), image.size());
+    if (!mask.empty()) internal::require_same_size("mask", mask.size(), image.size());
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < image.size(); ++i) {

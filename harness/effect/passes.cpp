@@ -16,7 +16,7 @@ namespace {
 
 using enum gpu::BindingKind;
 
-glm::ivec2 size_of(gpu::Extent extent) {
+glm::ivec2 vector_of_size(gpu::Extent extent) {
     return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
 }
 
@@ -117,13 +117,13 @@ std::vector<std::string> defines_for(HistoryPrecision precision, gpu::Format pre
 }
 
 NormalParameters normal_parameters(const View& view) {
-    return {view.camera.p00_p11(), size_of(view.extent), flag(view.camera.orthographic())};
+    return {view.camera.p00_p11(), vector_of_size(view.extent), flag(view.camera.orthographic())};
 }
 
 OcclusionParameters occlusion_parameters(const View& view, const Settings& settings) {
     return {.p00_p11 = view.camera.p00_p11(),
-            .size = size_of(view.extent),
-            .border = size_of(view.border),
+            .size = vector_of_size(view.extent),
+            .border = vector_of_size(view.border),
             .radius = settings.radius,
             .bias = settings.bias,
             .samples = settings.samples,
@@ -164,13 +164,13 @@ ReprojectionParameters reprojection_parameters(const View& view, const View& pre
     return {.previous_from_current = view.camera.previous_from_current.value_or(glm::mat4(1.0F)),
             .p00_p11 = view.camera.p00_p11(),
             .previous_p00_p11 = previous.camera.p00_p11(),
-            .size = size_of(view.extent),
+            .size = vector_of_size(view.extent),
             .tolerance = settings.depth_tolerance};
 }
 
 FilterParameters filter_parameters(const View& view, const Settings& settings) {
     return {.p00_p11 = view.camera.p00_p11(),
-            .size = size_of(view.extent),
+            .size = vector_of_size(view.extent),
             .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1),
             .depth_scale = settings.filter_depth,
             .c_adaptive = settings.c_adaptive,
@@ -179,7 +179,7 @@ FilterParameters filter_parameters(const View& view, const Settings& settings) {
 }
 
 RemapParameters remap_parameters(const View& view, const Settings& settings) {
-    return {size_of(view.extent), settings.remap_a, settings.remap_b, settings.remap_c};
+    return {vector_of_size(view.extent), settings.remap_a, settings.remap_b, settings.remap_c};
 }
 
 gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::PassLibrary& library) {

@@ -12,9 +12,7 @@ namespace {
 
 constexpr int always = 1 << 20;  // frames
 
-bool is_surface(float depth) {
-    return depth > 0.0F && std::isfinite(depth);
-}
+using scene::is_surface;
 
 }  // namespace
 

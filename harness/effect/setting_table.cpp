@@ -10,12 +10,13 @@
 
 #include "effect/internal/named.hpp"
 #include "effect/methods.hpp"
+#include "numeric/constants.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 constexpr double largest = 1e18;  // squares stay finite
 constexpr SettingRange positive{.least = 1e-18, .most = largest, .above_least = true};
 constexpr SettingRange not_negative{.most = largest};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "numeric/float_format.hpp"
+#include "numeric/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,6 @@
 
 namespace gloam::numeric {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The hardware knows float32; the result is corrected where it rounded the other way.
 double float32_down(double x) {

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/constants.hpp"
 #include "numeric/internal/error_rule.hpp"
 #include "numeric/interval.hpp"
 #include "numeric/paths.hpp"
 
 namespace gloam::numeric {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // a + b rounded towards -infinity in double: the rounding error of the sum is known exactly (Knuth).
 double sum_down(double a, double b) {

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/constants.hpp"
 #include "numeric/interval.hpp"
 #include "numeric/paths.hpp"
 
 namespace gloam::numeric {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_integers = 64;
 
 // The answer, explored where both are possible. NaN alone makes every comparison false.

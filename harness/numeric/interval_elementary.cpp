@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "numeric/constants.hpp"
 #include "numeric/internal/error_rule.hpp"
 #include "numeric/interval.hpp"
 #include "numeric/paths.hpp"
@@ -19,7 +20,6 @@ using internal::monotonic;
 using internal::within_absolute;
 using internal::within_ulps;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
 // The numbers of the table, for one format.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "numeric/constants.hpp"
 #include "numeric/float_format.hpp"
 
 namespace gloam::numeric {
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double largest = std::numeric_limits<float>::max();
 constexpr double smallest_normal = std::numeric_limits<float>::min();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // 0 or infinity where the distance is not a matter of measure; -1 where it is.
 double settled_error(float got, double want) {

@@ -17,7 +17,7 @@ constexpr std::size_t fault_words = 5;
 constexpr std::uint32_t canary = 0x3f800000U;
 constexpr auto largest = std::numeric_limits<float>::max();
 
-std::string buffer(const std::string& name, const std::vector<std::uint32_t>& words) {
+std::string buffer_declaration(const std::string& name, const std::vector<std::uint32_t>& words) {
     std::string text = fmt::format("BUFFER {} DATA_TYPE uint32 DATA\n", name);
     const std::vector<std::uint32_t> one{0U};  // no buffer is empty
     const std::vector<std::uint32_t>& all = words.empty() ? one : words;
@@ -128,14 +128,14 @@ std::string to_amber(const KernelReplay& replay) {
     if (!text.ends_with('\n')) text += '\n';
     text += "END\n\n";
     text += "# how many inputs, invocations in a row, the word to write behind the outputs\n";
-    text += buffer("run", {1U, 64U, canary});
-    text += buffer("inputs", replay.inputs);
+    text += buffer_declaration("run", {1U, 64U, canary});
+    text += buffer_declaration("inputs", replay.inputs);
     text += "# accesses outside an image: how many, and the first\n";
-    text += buffer("faults", std::vector<std::uint32_t>(fault_words));
+    text += buffer_declaration("faults", std::vector<std::uint32_t>(fault_words));
     for (std::size_t i = 0; i < replay.images.size(); ++i) {
         text +=
             fmt::format("# {}: width, height, clamped, then the pixels row by row\n", replay.images[i].name);
-        text += buffer(fmt::format("image{}", i), replay.images[i].words);
+        text += buffer_declaration(fmt::format("image{}", i), replay.images[i].words);
     }
     const auto is_float = [](const KernelReplay::Output& output) { return output.is_float; };
     if (std::ranges::any_of(replay.outputs, is_float)) text += view_of(replay, true);

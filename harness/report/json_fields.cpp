@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "numeric/constants.hpp"
 #include "report/internal/json_fields.hpp"
 
 namespace gloam::report::internal {
@@ -10,7 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 constexpr std::size_t longest_quote = 40;
 
 }  // namespace

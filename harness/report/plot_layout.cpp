@@ -10,7 +10,7 @@ namespace {
 
 // Of a label, in parts of the plot, generously.
 constexpr double character = 0.0105;
-constexpr double line = 0.036;
+constexpr double line_height = 0.036;
 constexpr double gap = 0.008;  // between a point and its label
 
 struct Box {
@@ -26,7 +26,7 @@ bool overlap(const Box& a, const Box& b) {
 
 Box box_of(const std::pair<double, double>& at, const std::string& text) {
     const double width = character * static_cast<double>(text.size());
-    return {at.first, at.second - 0.5 * line, at.first + width, at.second + 0.5 * line};
+    return {at.first, at.second - 0.5 * line_height, at.first + width, at.second + 0.5 * line_height};
 }
 
 bool inside(const Box& box) {
@@ -41,7 +41,7 @@ std::vector<std::pair<double, double>> places_for(const std::pair<double, double
     std::vector<std::pair<double, double>> places;
     for (int lines = 1; lines <= 12; ++lines) {
         for (const double side : {1.0, -1.0}) {
-            const double y = point.second + side * 0.6 * line * lines;
+            const double y = point.second + side * 0.6 * line_height * lines;
             for (const double x : {point.first + gap, point.first - gap - width}) places.emplace_back(x, y);
         }
     }

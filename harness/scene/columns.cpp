@@ -18,26 +18,26 @@ constexpr double bay = 5.0;          // from column to column
 constexpr double column_x = 3.5;     // of the two rows
 constexpr double foot_height = 0.5;  // of plinths; capitals are as high
 constexpr double beam_height = 0.25;
-constexpr double cell = 2.0;
+constexpr double columns_cell = 2.0;
 
 // Floor, ceiling, side walls and the two ends.
-Mesh make_shell() {
+Mesh make_columns_shell() {
     const glm::dvec3 across{2.0 * half_width, 0, 0};
     const glm::dvec3 up{0, hall_height, 0};
     const glm::dvec3 along{0, 0, front - back};
     const glm::dvec3 corner{-half_width, 0, back};
-    Mesh shell = make_parallelogram(corner, along, across, cell);
-    append(shell, make_parallelogram(corner + up, across, along, cell));
-    append(shell, make_parallelogram(corner, up, along, cell));
-    append(shell, make_parallelogram(corner + across, along, up, cell));
-    append(shell, make_parallelogram(corner, across, up, cell));
-    append(shell, make_parallelogram(corner + along, up, across, cell));
+    Mesh shell = make_parallelogram(corner, along, across, columns_cell);
+    append(shell, make_parallelogram(corner + up, across, along, columns_cell));
+    append(shell, make_parallelogram(corner, up, along, columns_cell));
+    append(shell, make_parallelogram(corner + across, along, up, columns_cell));
+    append(shell, make_parallelogram(corner, across, up, columns_cell));
+    append(shell, make_parallelogram(corner + along, up, across, columns_cell));
     return shell;
 }
 
 // A square slab around a vertical axis.
 Mesh make_slab(double x, double z, double half_side, double low, double high) {
-    return make_box({x - half_side, low, z - half_side}, {x + half_side, high, z + half_side}, cell);
+    return make_box({x - half_side, low, z - half_side}, {x + half_side, high, z + half_side}, columns_cell);
 }
 
 // A column between plinth and capital, each of two slabs.
@@ -57,13 +57,13 @@ Mesh make_column(double x, double z) {
 Mesh make_at_wall(double side, double depth, double height, double z_low, double z_high) {
     const double wall = side * half_width;
     const double face = side * (half_width - depth);
-    return make_box({std::min(wall, face), 0, z_low}, {std::max(wall, face), height, z_high}, cell);
+    return make_box({std::min(wall, face), 0, z_low}, {std::max(wall, face), height, z_high}, columns_cell);
 }
 
 // What a bay has besides its columns: a beam under the ceiling, pilasters and benches at the walls.
 Mesh make_bay(double z) {
     const double beam = hall_height - beam_height;
-    Mesh mesh = make_box({-half_width, beam, z - 0.3}, {half_width, hall_height, z + 0.3}, cell);
+    Mesh mesh = make_box({-half_width, beam, z - 0.3}, {half_width, hall_height, z + 0.3}, columns_cell);
     for (const double side : {-1.0, 1.0}) {
         append(mesh, make_at_wall(side, 0.3, beam, z - 0.4, z + 0.4));
         append(mesh, make_at_wall(side, 0.6, 0.45, z - 4.0, z - 1.0));
@@ -74,7 +74,7 @@ Mesh make_bay(double z) {
 // The near end: a cable a hand's breadth before the eye, a parapet that the camera looks over, a ball on it,
 // and balls on the floor behind.
 Mesh make_foreground() {
-    Mesh mesh = make_box({0.1, 0, 0.2}, {2.0, 1.5, 0.72}, cell);
+    Mesh mesh = make_box({0.1, 0, 0.2}, {2.0, 1.5, 0.72}, columns_cell);
     append(mesh, make_cylinder({0.222, 0, 0.89}, 0.008, hall_height, 24));
     append(mesh, make_sphere({0.75, 1.65, 0.4}, 0.15, 24, 48));
     append(mesh, make_sphere({-1.2, 0.5, -5.0}, 0.5, 24, 48));
@@ -86,7 +86,7 @@ Mesh make_foreground() {
 }  // namespace
 
 Scene make_columns() {
-    Scene scene{.name = "columns", .mesh = make_shell()};
+    Scene scene{.name = "columns", .mesh = make_columns_shell()};
     for (double z = 0.0; z > back; z -= bay) {
         append(scene.mesh, make_bay(z));
         append(scene.mesh, make_column(-column_x, z));

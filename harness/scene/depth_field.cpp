@@ -13,10 +13,6 @@
 namespace gloam::scene {
 namespace {
 
-bool is_surface(float depth) {
-    return depth > 0.0F && std::isfinite(depth);
-}
-
 // Which neighbours belong to one surface.
 class Connections {
   public:

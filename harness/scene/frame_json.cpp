@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 // Thrown below without the file's name, which read_frame_json adds.
-[[noreturn]] void fail(const std::string& what) {
+[[noreturn]] void fail_to_read(const std::string& what) {
     throw std::runtime_error(what);
 }
 
@@ -25,17 +25,17 @@ bool is_given(const json& object, const char* key) {
 }
 
 double number(const json& object, const char* key) {
-    if (!is_given(object, key)) fail(std::string("\"") + key + "\" is missing, expected a number");
+    if (!is_given(object, key)) fail_to_read(std::string("\"") + key + "\" is missing, expected a number");
     if (!object[key].is_number())
-        fail(std::string("\"") + key + "\": expected a number, found " + object[key].dump());
+        fail_to_read(std::string("\"") + key + "\": expected a number, found " + object[key].dump());
     return object[key].get<double>();
 }
 
 std::uint32_t side(const json& object, const char* key) {
     const double value = number(object, key);
     if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value))) {
-        fail(std::string("\"") + key + "\": expected whole pixels from 1 to 65536, found " +
-             object[key].dump());
+        fail_to_read(std::string("\"") + key + "\": expected whole pixels from 1 to 65536, found " +
+                     object[key].dump());
     }
     return static_cast<std::uint32_t>(value);
 }
@@ -56,14 +56,14 @@ bool is_invertible(const glm::dmat4& matrix) {
 glm::dmat4 matrix(const json& object, const char* key) {
     const std::string name = std::string("\"") + key + "\"";
     const json& values = object[key];
-    if (!values.is_array() || values.size() != 16) fail(name + ": expected an array of 16 numbers");
+    if (!values.is_array() || values.size() != 16) fail_to_read(name + ": expected an array of 16 numbers");
     glm::dmat4 result(0.0);
     for (int i = 0; i < 16; ++i) {
         const json& value = values[static_cast<std::size_t>(i)];
-        if (!value.is_number()) fail(name + ": expected 16 numbers, found " + value.dump());
+        if (!value.is_number()) fail_to_read(name + ": expected 16 numbers, found " + value.dump());
         result[i / 4][i % 4] = value.get<double>();
     }
-    if (!is_invertible(result)) fail(name + ": the matrix cannot be inverted");
+    if (!is_invertible(result)) fail_to_read(name + ": the matrix cannot be inverted");
     return result;
 }
 
@@ -83,16 +83,18 @@ void require_symmetric(const glm::mat4& projection, gpu::Extent extent) {
     const bool skewed = projection[0][1] != 0.0F || projection[1][0] != 0.0F;
     const bool shape = projection[0][0] != 0.0F && projection[1][1] != 0.0F && !skewed;
     const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F;
-    if (!shape || !kind) fail("\"camera\": expected a perspective or orthographic projection without skew");
+    if (!shape || !kind)
+        fail_to_read("\"camera\": expected a perspective or orthographic projection without skew");
     if (std::abs(offset.x) * static_cast<float>(extent.width) > 2.0F ||
         std::abs(offset.y) * static_cast<float>(extent.height) > 2.0F) {
-        fail("\"camera\": the projection is off centre by more than a pixel, expected a symmetric one");
+        fail_to_read(
+            "\"camera\": the projection is off centre by more than a pixel, expected a symmetric one");
     }
 }
 
 CameraFrame camera_of(const json& camera, gpu::Extent extent) {
-    if (!camera.is_object()) fail("\"camera\": expected an object");
-    if (!is_given(camera, "view")) fail("\"view\" is missing, expected an array of 16 numbers");
+    if (!camera.is_object()) fail_to_read("\"camera\": expected an object");
+    if (!is_given(camera, "view")) fail_to_read("\"view\" is missing, expected an array of 16 numbers");
     CameraFrame frame{.view = glm::mat4(matrix(camera, "view"))};
     if (is_given(camera, "proj_vk")) {
         frame.proj_vk = glm::mat4(matrix(camera, "proj_vk"));
@@ -119,20 +121,22 @@ gpu::Extent border_of(const json& root, gpu::Extent extent) {
         fits(border[1], extent.height)) {
         return {border[0].get<std::uint32_t>(), border[1].get<std::uint32_t>()};
     }
-    fail("\"border\": expected two whole numbers of pixels that leave a frame of at least one, found " +
-         border.dump());
+    fail_to_read(
+        "\"border\": expected two whole numbers of pixels that leave a frame of at least one, found " +
+        border.dump());
 }
 
 FrameDescription parse(std::ifstream& stream) {
     const json root = json::parse(stream);
-    if (!root.is_object() || !is_given(root, "camera")) fail("expected an object with \"camera\" in it");
+    if (!root.is_object() || !is_given(root, "camera"))
+        fail_to_read("expected an object with \"camera\" in it");
     FrameDescription frame{.extent = {side(root, "width"), side(root, "height")}};
     frame.camera = camera_of(root["camera"], frame.extent);
     frame.border = border_of(root, frame.extent);
     if (is_given(root, "ao_radius")) {
         frame.ao_radius = number(root, "ao_radius");
         if (!(*frame.ao_radius > 0.0))
-            fail("\"ao_radius\": expected a length > 0, found " + root["ao_radius"].dump());
+            fail_to_read("\"ao_radius\": expected a length > 0, found " + root["ao_radius"].dump());
     }
     return frame;
 }

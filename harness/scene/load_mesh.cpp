@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& file, const std::string& what) {
+[[noreturn]] void fail_to_load(const fs::path& file, const std::string& what) {
     throw std::runtime_error("mesh " + file.string() + ": " + what);
 }
 
@@ -53,7 +53,8 @@ void check_finite(const fs::path& file, const aiMesh& mesh) {
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
         const glm::vec3 p = to_vec3(mesh.mVertices[i]);
         if (is_finite(p)) continue;
-        fail(file, fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z));
+        fail_to_load(file,
+                     fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z));
     }
 }
 
@@ -79,15 +80,15 @@ void mend_normals(Mesh& mesh) {
 
 Mesh load_mesh(const fs::path& file) {
     std::error_code none;
-    if (!fs::exists(file, none)) fail(file, "no such file");
-    if (!fs::is_regular_file(file, none)) fail(file, "not a file");
+    if (!fs::exists(file, none)) fail_to_load(file, "no such file");
+    if (!fs::is_regular_file(file, none)) fail_to_load(file, "not a file");
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file.string(), 0);
-    if (scene == nullptr) fail(file, one_line(importer.GetErrorString()));
+    if (scene == nullptr) fail_to_load(file, one_line(importer.GetErrorString()));
     // Before assimp calculates with them.
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) check_finite(file, *scene->mMeshes[i]);
-    if (scene->mNumMeshes == 0) fail(file, "has no triangle");
+    if (scene->mNumMeshes == 0) fail_to_load(file, "has no triangle");
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
                                          aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
                                          aiProcess_SortByPType);
@@ -96,7 +97,7 @@ Mesh load_mesh(const fs::path& file) {
         check_finite(file, *scene->mMeshes[i]);  // transformed
         append(mesh, convert(*scene->mMeshes[i]));
     }
-    if (mesh.triangle_count() == 0) fail(file, "has no triangle");
+    if (mesh.triangle_count() == 0) fail_to_load(file, "has no triangle");
     mend_normals(mesh);
     return mesh;
 }

@@ -12,7 +12,7 @@ namespace gloam::scene {
 namespace {
 
 // As in peel.frag; gbuffer.vert reads the first.
-struct PushConstants {
+struct PeelConstants {
     glm::mat4 projection;
     std::uint32_t reversed_z;
 };
@@ -43,7 +43,7 @@ gpu::RasterPipeline make_pipeline(const gpu::Device& device, const PassLibrary& 
              .fragment_spirv = fragment,
              .attribute_sizes = {3, 3},
              .color_formats = {gpu::Format::rgba32f},
-             .push_constant_bytes = sizeof(PushConstants),
+             .push_constant_bytes = sizeof(PeelConstants),
              .reversed_z = reversed_z,
              .image_count = 1}};
 }
@@ -72,7 +72,7 @@ std::vector<std::vector<float>> peel(const gpu::Device& device, const PassLibrar
     const gpu::RasterPipeline pipeline = make_pipeline(device, passes, view.reversed_z);
     const gpu::Buffer vertices = vertex_buffer(device, mesh);
     const gpu::Buffer indices = index_buffer(device, mesh);
-    const PushConstants push{view.projection, view.reversed_z ? 1U : 0U};
+    const PeelConstants push{view.projection, view.reversed_z ? 1U : 0U};
     const gpu::Image depth(device, view.extent, gpu::Format::depth32f);
     std::array layers{gpu::Image(device, view.extent, gpu::Format::rgba32f),
                       gpu::Image(device, view.extent, gpu::Format::rgba32f)};

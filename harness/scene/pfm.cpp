@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& file, const std::string& what) {
+[[noreturn]] void fail_with_file(const fs::path& file, const std::string& what) {
     throw std::runtime_error(file.string() + ": " + what);
 }
 
@@ -32,10 +32,10 @@ Header read_header(std::ifstream& stream, const fs::path& file) {
     double scale = 0.0;
     stream >> kind >> width >> height >> scale;
     const int channels = kind == "Pf" ? 1 : (kind == "PF" ? 3 : 0);
-    if (channels == 0) fail(file, "not a PFM: expected it to begin with Pf or PF");
+    if (channels == 0) fail_with_file(file, "not a PFM: expected it to begin with Pf or PF");
     const auto is_side = [](std::int64_t side) { return side >= 1 && side <= 1 << 20; };
     if (!stream || !is_side(width) || !is_side(height) || !(scale < 0.0 || scale > 0.0)) {
-        fail(file, "not a PFM: expected width, height and a scale that is not 0 behind " + kind);
+        fail_with_file(file, "not a PFM: expected width, height and a scale that is not 0 behind " + kind);
     }
     stream.get();
     const gpu::Extent extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
@@ -50,8 +50,8 @@ void require_bytes(std::ifstream& stream, const fs::path& file, std::size_t want
     stream.seekg(0, std::ios::end);
     const auto there = static_cast<std::size_t>(stream.tellg() - here);
     if (there != wanted) {
-        fail(file, (there < wanted ? "cut short: expected " : "too long: expected ") +
-                       std::to_string(wanted) + " bytes of texels, found " + std::to_string(there));
+        fail_with_file(file, (there < wanted ? "cut short: expected " : "too long: expected ") +
+                                 std::to_string(wanted) + " bytes of texels, found " + std::to_string(there));
     }
     stream.seekg(here);
 }
@@ -68,7 +68,7 @@ void swap_bytes(std::vector<float>& texels) {
 FloatImage read_pfm(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::error_code none;
-    if (!stream || fs::is_directory(file, none)) fail(file, "cannot be read");
+    if (!stream || fs::is_directory(file, none)) fail_with_file(file, "cannot be read");
     Header header = read_header(stream, file);
     require_bytes(stream, file, header.bytes);
     FloatImage image = std::move(header.image);
@@ -78,7 +78,7 @@ FloatImage read_pfm(const fs::path& file) {
         stream.read(reinterpret_cast<char*>(image.texels.data() + y * row),
                     static_cast<std::streamsize>(row * sizeof(float)));
     }
-    if (!stream) fail(file, "cannot be read to its end");
+    if (!stream) fail_with_file(file, "cannot be read to its end");
     if (header.little_endian != (std::endian::native == std::endian::little)) swap_bytes(image.texels);
     return image;
 }

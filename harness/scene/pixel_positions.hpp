@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
 
 #include "scene/gbuffer.hpp"
 
 namespace gloam::scene {
+
+// Whether an eye-linear depth is that of a surface, and not of the background.
+[[nodiscard]] inline bool is_surface(float depth) {
+    return depth > 0.0F && std::isfinite(depth);
+}
 
 // Pixels to view-space positions and back, in double.
 class PixelPositions {

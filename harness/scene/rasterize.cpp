@@ -14,7 +14,7 @@ namespace gloam::scene {
 namespace {
 
 // As in gbuffer.vert and gbuffer.frag.
-struct PushConstants {
+struct RasterConstants {
     glm::mat4 projection;
 };
 
@@ -80,7 +80,7 @@ gpu::RasterPipeline make_pipeline(const gpu::Device& device, const PassLibrary& 
              .attribute_sizes = moving ? std::vector{3, 3, 3, 2} : std::vector{3, 3},
              .color_formats = moving ? Formats{Format::r32f, Format::rgba32f, Format::rgba32f, Format::r32f}
                                      : Formats{Format::r32f, Format::rgba32f},
-             .push_constant_bytes = sizeof(PushConstants),
+             .push_constant_bytes = sizeof(RasterConstants),
              .reversed_z = reversed_z}};
 }
 
@@ -152,7 +152,7 @@ class Shot {
 
   private:
     void draw(const gpu::Device& device, const PassLibrary& passes, const Scene& scene,
-              const PushConstants& push) {
+              const RasterConstants& push) {
         const Mesh mesh = view_space_mesh(scene, options_.frame);
         const int previous = std::max(0, options_.frame - 1);
         const gpu::RasterPipeline pipeline = make_pipeline(device, passes, now_.reversed_z, moving_);

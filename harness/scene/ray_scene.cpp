@@ -14,15 +14,16 @@
 #include <type_traits>
 
 namespace gloam::scene {
-namespace {
 
-struct Releaser {
+struct EmbreeReleaser {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
     void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
 };
 template <class Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Releaser>;
+using EmbreeOwned = std::unique_ptr<std::remove_pointer_t<Handle>, EmbreeReleaser>;
+
+namespace {
 
 [[noreturn]] void fail(RTCDevice device) {
     throw std::runtime_error("Embree: error " + std::to_string(static_cast<int>(rtcGetDeviceError(device))) +
@@ -47,9 +48,9 @@ void check(const std::vector<glm::vec3>& positions, const std::vector<std::uint3
     }
 }
 
-Owned<RTCGeometry> make_geometry(RTCDevice device, const std::vector<glm::vec3>& positions,
+EmbreeOwned<RTCGeometry> make_geometry(RTCDevice device, const std::vector<glm::vec3>& positions,
                                  const std::vector<std::uint32_t>& indices) {
-    Owned<RTCGeometry> geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+    EmbreeOwned<RTCGeometry> geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     if (!geometry) fail(device);
     const auto fill = [&](RTCBufferType type, RTCFormat format, const void* data, std::size_t count) {
         constexpr std::size_t stride = 12;  // three words
@@ -79,8 +80,8 @@ void intersect(RTCScene scene, RTCRayHit* ray) {
 }  // namespace
 
 struct RayScene::Impl {
-    Owned<RTCDevice> device;
-    Owned<RTCScene> scene;
+    EmbreeOwned<RTCDevice> device;
+    EmbreeOwned<RTCScene> scene;
 };
 
 RayScene::RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices)
@@ -94,7 +95,7 @@ RayScene::RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> 
     if (!impl_->scene) fail(impl_->device.get());
     // Robust: no ray slips between two triangles that share an edge.
     rtcSetSceneFlags(impl_->scene.get(), RTC_SCENE_FLAG_ROBUST);
-    const Owned<RTCGeometry> geometry = make_geometry(impl_->device.get(), positions_, indices_);
+    const EmbreeOwned<RTCGeometry> geometry = make_geometry(impl_->device.get(), positions_, indices_);
     rtcAttachGeometry(impl_->scene.get(), geometry.get());
     rtcCommitScene(impl_->scene.get());
     if (rtcGetDeviceError(impl_->device.get()) != RTC_ERROR_NONE) fail(impl_->device.get());

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& file, const std::string& what) {
+[[noreturn]] void fail_with_frame(const fs::path& file, const std::string& what) {
     throw std::runtime_error(file.string() + ": " + what);
 }
 
@@ -33,13 +33,13 @@ FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channels) {
     const bool has_pfm = fs::exists(pfm, none);
     const bool has_exr = fs::exists(exr, none);
     if (has_pfm && has_exr)
-        fail(pfm, "there is " + exr.filename().string() + " as well, expected one of them");
+        fail_with_frame(pfm, "there is " + exr.filename().string() + " as well, expected one of them");
     if (!has_pfm && !has_exr) return {};
     const fs::path& file = has_pfm ? pfm : exr;
     FloatImage image = has_pfm ? read_pfm(pfm) : read_exr(exr, channels);
     if (image.extent != extent || image.channels != channels) {
-        fail(file,
-             "is " + size_text(image.extent, image.channels) + ", expected " + size_text(extent, channels));
+        fail_with_frame(file, "is " + size_text(image.extent, image.channels) + ", expected " +
+                                  size_text(extent, channels));
     }
     return image;
 }
@@ -84,7 +84,7 @@ std::vector<std::vector<float>> read_layers(const fs::path& stem, gpu::Extent ex
         std::vector<float> layer = read_image(name, extent, 1).texels;
         if (layer.empty()) continue;
         if (layers.size() + 1 != static_cast<std::size_t>(i))
-            fail(name + ".pfm", "the layer before it is missing");
+            fail_with_frame(name + ".pfm", "the layer before it is missing");
         for (float& depth : layer) {
             if (depth == 0.0F || !std::isfinite(depth)) depth = std::numeric_limits<float>::infinity();
         }
@@ -132,8 +132,8 @@ std::vector<int> frames_of(const fs::path& directory) {
     for (fs::directory_iterator i(directory, error), end; !error && i != end; i.increment(error)) {
         if (const auto frame = frame_of(i->path().filename().string())) frames.push_back(*frame);
     }
-    if (error) fail(directory, "cannot be read: " + error.message());
-    if (frames.empty()) fail(directory, "no frames in it, expected f0000.json and so on");
+    if (error) fail_with_frame(directory, "cannot be read: " + error.message());
+    if (frames.empty()) fail_with_frame(directory, "no frames in it, expected f0000.json and so on");
     std::ranges::sort(frames);
     return frames;
 }
@@ -155,8 +155,9 @@ GBuffer read_gbuffer(const fs::path& directory, int frame) {
     gbuffer.color = within_unit(to_vectors(read("_color", 3)));
     gbuffer.layers = read_layers(stem, description.extent);
     if (!gbuffer.previous_depth.empty() && gbuffer.motion.empty())
-        fail(stem.string() + "_previous_depth.pfm", "there are no motion vectors, which it belongs to");
-    if (gbuffer.depth.empty()) fail(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
+        fail_with_frame(stem.string() + "_previous_depth.pfm",
+                        "there are no motion vectors, which it belongs to");
+    if (gbuffer.depth.empty()) fail_with_frame(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
     gbuffer.normal = with_unit_length(to_vectors(read("_normal", 3)), gbuffer.depth);
     return gbuffer;
 }

@@ -15,10 +15,6 @@
 namespace gloam::scene {
 namespace {
 
-bool is_surface(float depth) {
-    return depth > 0.0F && std::isfinite(depth);
-}
-
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }

@@ -10,7 +10,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::catalogue {
-namespace {
+namespace budget_test {
 
 constexpr std::size_t inputs_per_equation = 65'536;
 constexpr double most_slack = 4.0;
@@ -50,5 +50,5 @@ TEST(Budgets, AreAtMostFourTimesWhatIsMeasured) {
     }
 }
 
-}  // namespace
+}  // namespace budget_test
 }  // namespace gloam::catalogue

@@ -12,7 +12,7 @@
 #include "shader/include.hpp"
 
 namespace gloam::catalogue {
-namespace {
+namespace catalogue_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -94,5 +94,5 @@ TEST(Catalogue, TheDocumentIsThatOfTheCatalogue) {
         << "regenerate: gloam list equations --markdown > docs/equations.md";
 }
 
-}  // namespace
+}  // namespace catalogue_test
 }  // namespace gloam::catalogue

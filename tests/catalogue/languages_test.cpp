@@ -9,7 +9,7 @@
 #include "shader/language.hpp"
 
 namespace gloam {
-namespace {
+namespace languages_test {
 
 namespace fs = std::filesystem;
 
@@ -61,5 +61,5 @@ INSTANTIATE_TEST_SUITE_P(All, Languages,
                                          shader::Language::es300, shader::Language::es310),
                          [](const auto& info) { return "glsl_" + shader::to_string(info.param); });
 
-}  // namespace
+}  // namespace languages_test
 }  // namespace gloam

@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::catalogue {
-namespace {
+namespace sweep_test {
 
 constexpr std::size_t inputs_per_equation = 65'536;
 
@@ -31,7 +31,7 @@ std::string test_name(const testing::TestParamInfo<Entry>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Sweep, testing::ValuesIn(all_entries()), test_name);
 
-}  // namespace
+}  // namespace sweep_test
 
 // Without this GoogleTest prints the bytes of an entry.
 void PrintTo(const Entry& entry, std::ostream* stream) {

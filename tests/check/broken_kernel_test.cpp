@@ -7,7 +7,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::check {
-namespace {
+namespace broken_kernel_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -76,5 +76,5 @@ TEST_F(BrokenKernelTest, InputsOfTheWrongLengthAreRefused) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr("4 words, got 3")));
 }
 
-}  // namespace
+}  // namespace broken_kernel_test
 }  // namespace gloam::check

@@ -14,7 +14,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::check {
-namespace {
+namespace constant_kernel_test {
 
 using testing::AllOf;
 using testing::AnyOf;
@@ -200,5 +200,5 @@ TEST(ConstantCode, SpecializationConstantsAreLeftToTheDriver) {
                       Not(HasSubstr("SpecId 2"))));
 }
 
-}  // namespace
+}  // namespace constant_kernel_test
 }  // namespace gloam::check

@@ -10,7 +10,7 @@
 #include "numeric/special_values.hpp"
 
 namespace gloam::check {
-namespace {
+namespace domain_test {
 
 std::vector<float> floats_of(const Domain::Inputs& inputs) {
     std::vector<float> values;
@@ -105,5 +105,5 @@ TEST(Domain, NonsenseIsRefused) {
     EXPECT_THROW((void)Domain{uniform(0, 1)}.tied(0, 1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace domain_test
 }  // namespace gloam::check

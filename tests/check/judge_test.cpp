@@ -8,7 +8,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::check {
-namespace {
+namespace judge_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -131,5 +131,5 @@ TEST_F(JudgeTest, ADomainThatDoesNotFitTheFunctionIsRefused) {
         std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace judge_test
 }  // namespace gloam::check

@@ -5,7 +5,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::check {
-namespace {
+namespace kernel_image_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -100,5 +100,5 @@ TEST_F(KernelImageTest, StoreOutsideIsAFaultAndChangesNothing) {
     EXPECT_EQ(result.stored.at("store_value").words, set.at("store_value").words);
 }
 
-}  // namespace
+}  // namespace kernel_image_test
 }  // namespace gloam::check

@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::check {
-namespace {
+namespace kernel_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -150,5 +150,5 @@ TEST_F(KernelTest, SpecialValuesSurviveTheTrip) {
     EXPECT_TRUE(std::signbit(same(-0.0F)));
 }
 
-}  // namespace
+}  // namespace kernel_test
 }  // namespace gloam::check

@@ -8,7 +8,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::check {
-namespace {
+namespace reproduction_test {
 
 using numeric::Bounds;
 using testing::HasSubstr;
@@ -152,5 +152,5 @@ TEST(AllowedOutputs, SpecialsAndIntegersAreExact) {
     EXPECT_EQ(allowed[2], Bounds::point(-3.0));
 }
 
-}  // namespace
+}  // namespace reproduction_test
 }  // namespace gloam::check

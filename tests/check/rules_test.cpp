@@ -7,7 +7,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::check {
-namespace {
+namespace rules_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -178,5 +178,5 @@ TEST(FractionOfWidth, IsMeasuredFromTheExactResultToItsSide) {
     EXPECT_TRUE(std::isinf(fraction_of_width(2.0, std::nan(""), numeric::Bounds::only_nan())));
 }
 
-}  // namespace
+}  // namespace rules_test
 }  // namespace gloam::check

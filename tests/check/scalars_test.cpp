@@ -5,7 +5,7 @@
 #include <rapidcheck.h>
 
 namespace gloam::check {
-namespace {
+namespace scalars_test {
 
 struct Mixed {
     bool flag;
@@ -48,5 +48,5 @@ TEST(Scalars, TypesAreThoseOfGlsl) {
     EXPECT_EQ(scalars_of(type_of<Mixed>()).front(), shader::Scalar::bool_);
 }
 
-}  // namespace
+}  // namespace scalars_test
 }  // namespace gloam::check

@@ -7,7 +7,7 @@
 #include "support/lab.hpp"
 
 namespace gloam::check {
-namespace {
+namespace search_test {
 
 Case planted(const std::string& function, Domain domain) {
     return {.file = "peaks.glsl",
@@ -112,5 +112,5 @@ TEST(Values, AdmitNothingElse) {
     EXPECT_FALSE(admits(made_by<float>([](numeric::Random&) { return 1.0F; }), 1.0F)) << "nobody can tell";
 }
 
-}  // namespace
+}  // namespace search_test
 }  // namespace gloam::check

@@ -10,7 +10,7 @@
 #include "check/case.hpp"
 
 namespace gloam::check {
-namespace {
+namespace shrink_test {
 
 constexpr std::size_t enough = 2000;
 
@@ -169,5 +169,5 @@ TEST(Complexity, OrdersFromSimpleToStrange) {
     }
 }
 
-}  // namespace
+}  // namespace shrink_test
 }  // namespace gloam::check

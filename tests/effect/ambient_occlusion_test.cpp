@@ -20,7 +20,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace ambient_occlusion_test {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
@@ -188,5 +188,5 @@ TEST_F(Effect, TheMostSamplesAreAllTaken) {
     }
 }
 
-}  // namespace
+}  // namespace ambient_occlusion_test
 }  // namespace gloam::effect

@@ -8,7 +8,7 @@
 #include "on_device.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace bar_test {
 
 Settings preset_for(const char* name, const scene::Scene& scene) {
     return with_radius(preset_named(name).settings, static_cast<float>(scene.ao_radius));
@@ -57,5 +57,5 @@ TEST_F(BarTest, SingleFramesLeaveTheRunAsItIs) {
     EXPECT_THROW((void)study_bar(device_, passes_, views, {fast, gtao, gtao}, 0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace bar_test
 }  // namespace gloam::effect

@@ -14,7 +14,7 @@
 #include "effect/study/own_value.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace closed_form_test {
 
 class ClosedForm : public OnDevice<testing::TestWithParam<std::string>> {};
 
@@ -68,5 +68,5 @@ std::vector<std::string> method_names() {
 INSTANTIATE_TEST_SUITE_P(All, ClosedForm, testing::ValuesIn(method_names()),
                          [](const auto& info) { return info.param; });
 
-}  // namespace
+}  // namespace closed_form_test
 }  // namespace gloam::effect

@@ -7,7 +7,7 @@
 #include "on_device.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace configuration_study_test {
 
 constexpr BenchmarkFrames frames{.extent = {64, 36}, .frames = 4, .scored = 2, .rays = 32};
 
@@ -74,5 +74,5 @@ TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
     }
 }
 
-}  // namespace
+}  // namespace configuration_study_test
 }  // namespace gloam::effect

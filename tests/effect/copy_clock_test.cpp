@@ -9,7 +9,7 @@
 #include "effect/study/configuration_study.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace copy_clock_test {
 
 TEST(CopyClock, TimesACopy) {
     const gpu::Device device({.validation = gpu::Validation::on});
@@ -47,5 +47,5 @@ TEST(ConfigurationStudy, SettingsHoldTheSamplesAskedFor) {
     EXPECT_THROW((void)measured_settings("magic", 16, false), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace copy_clock_test
 }  // namespace gloam::effect

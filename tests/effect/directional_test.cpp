@@ -25,7 +25,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace directional_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -219,5 +219,5 @@ TEST_F(Directions, WithoutNormalsAndWithLayersAndABand) {
     EXPECT_THROW((void)directional_.light(view, settings, scene::sky_environment()), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace directional_test
 }  // namespace gloam::effect

@@ -17,7 +17,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace ended_marches_test {
 
 constexpr gpu::Extent odd{83, 45};
 
@@ -140,5 +140,5 @@ TEST_F(EndedMarches, NotWhereTapsWatchMovingObjects) {
     EXPECT_EQ(pixels.back(), 0U);
 }
 
-}  // namespace
+}  // namespace ended_marches_test
 }  // namespace gloam::effect

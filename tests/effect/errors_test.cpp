@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace gloam::effect {
-namespace {
+namespace errors_test {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
@@ -52,5 +52,5 @@ TEST(Truth, IsNotKnownNearTheBorder) {
     EXPECT_EQ(truth[200 * 400 + 200], 0.5F);
 }
 
-}  // namespace
+}  // namespace errors_test
 }  // namespace gloam::effect

@@ -19,7 +19,7 @@
 #include "shader/cache.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace filter_rows_test {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
@@ -143,5 +143,5 @@ INSTANTIATE_TEST_SUITE_P(Convergence, FilterRows,
                                          Case{"convergence", 2, half, false}),
                          name_of);
 
-}  // namespace
+}  // namespace filter_rows_test
 }  // namespace gloam::effect

@@ -29,7 +29,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace filters_test {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr int default_half_width = 3;
@@ -268,5 +268,5 @@ TEST_P(FiltersInTheEffect, AreForDisplayOnly) {
 INSTANTIATE_TEST_SUITE_P(Every, FiltersInTheEffect, testing::ValuesIn(names()),
                          [](const auto& name) { return name.param; });
 
-}  // namespace
+}  // namespace filters_test
 }  // namespace gloam::effect

@@ -21,7 +21,7 @@
 #include "scene/truth.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace guard_band_test {
 
 constexpr gpu::Extent extent{96, 54};
 
@@ -193,5 +193,5 @@ TEST_F(Guard, WhatCannotBeIsRefused) {
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("no frame")));
 }
 
-}  // namespace
+}  // namespace guard_band_test
 }  // namespace gloam::effect

@@ -15,7 +15,7 @@
 #include "shader/variant.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace hoisted_loops_test {
 
 constexpr gpu::Extent odd{83, 45};
 
@@ -51,5 +51,5 @@ INSTANTIATE_TEST_SUITE_P(Methods, HoistedLoops,
                                          "poisson", "disc_proxy", "curvature"),
                          [](const auto& asked) { return asked.param; });
 
-}  // namespace
+}  // namespace hoisted_loops_test
 }  // namespace gloam::effect

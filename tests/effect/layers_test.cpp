@@ -14,7 +14,7 @@
 #include "scene/truth.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace layers_test {
 
 class Layers : public OnDevice<testing::Test> {
   protected:
@@ -97,5 +97,5 @@ TEST_F(Layers, MoreThanTheViewHasAreRefused) {
     EXPECT_THROW(effect.begin(uneven, {}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace layers_test
 }  // namespace gloam::effect

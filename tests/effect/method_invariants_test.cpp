@@ -17,7 +17,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace method_invariants_test {
 
 // The estimate itself.
 Settings plain(const std::string& method, float radius) {
@@ -144,5 +144,5 @@ std::vector<std::string> method_names() {
 INSTANTIATE_TEST_SUITE_P(All, Invariants, testing::ValuesIn(method_names()),
                          [](const auto& info) { return info.param; });
 
-}  // namespace
+}  // namespace method_invariants_test
 }  // namespace gloam::effect

@@ -12,7 +12,7 @@
 #include "numeric/random.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace metrics_test {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 using Image = std::vector<float>;
@@ -119,5 +119,5 @@ TEST(Metrics, OfAMask) {
     EXPECT_THROW((void)masked(Image(2), Mask(3)), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace metrics_test
 }  // namespace gloam::effect

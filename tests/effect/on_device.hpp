@@ -5,22 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <cstdlib>
 #include <optional>
-#include <string>
 
 #include "effect/ambient_occlusion.hpp"
 #include "gpu/device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
+#include "support/shared_device.hpp"
 
 namespace gloam::effect {
 
-// A variable of the environment; "" where it is not set.
-inline std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
+using test::variable;
 
 // A test of passes on the device that tests run on, under validation: any message fails it.
 // Base: testing::Test, or testing::TestWithParam of something.
@@ -31,9 +26,7 @@ class OnDevice : public Base {
   protected:
     void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
 
-    gpu::Device device_{{.device = variable("GLOAM_TEST_DEVICE"),
-                         .validation = gpu::Validation::on,
-                         .cache_directory = variable("GLOAM_CACHE_DIR")}};
+    gpu::Device& device_ = *test::SharedDevice::get();
     scene::PassLibrary passes_{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};
 
     // Always the same, so that pipelines are compiled once, for images of that size until the next call with

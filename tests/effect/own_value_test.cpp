@@ -15,7 +15,7 @@
 #include "scene/pixel_positions.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace own_value_test {
 
 using scene::ClosedFormView;
 using scene::Projection;
@@ -257,5 +257,5 @@ TEST(OwnValues, RefuseAnotherRadius) {
     EXPECT_THROW((void)own_value_of("nonesuch"), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace own_value_test
 }  // namespace gloam::effect

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 namespace gloam::effect {
-namespace {
+namespace pixel_classes_test {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t width = 40;
@@ -194,5 +194,5 @@ TEST(PixelClasses, OfAnotherSizeNeedACut) {
     EXPECT_THROW(classes.advance(view, HistoryMap(view, view)), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace pixel_classes_test
 }  // namespace gloam::effect

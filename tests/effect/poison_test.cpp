@@ -18,7 +18,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace poison_test {
 
 constexpr gpu::Extent extent{64, 36};
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
@@ -157,5 +157,5 @@ TEST_F(Poison, AnotherKindOfProjectionIsNone) {
     }
 }
 
-}  // namespace
+}  // namespace poison_test
 }  // namespace gloam::effect

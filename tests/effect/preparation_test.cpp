@@ -21,7 +21,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace preparation_test {
 
 std::vector<std::string> prepared_methods() {
     std::vector<std::string> names;
@@ -388,5 +388,5 @@ TEST_F(MultiResolution, NothingDriftsWithTheLevels) {
     }
 }
 
-}  // namespace
+}  // namespace preparation_test
 }  // namespace gloam::effect

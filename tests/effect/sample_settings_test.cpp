@@ -14,7 +14,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace sample_settings_test {
 
 class SampleSettings : public OnDevice<testing::Test> {
   protected:
@@ -138,5 +138,5 @@ TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
     EXPECT_LT(most, 1e-5);
 }
 
-}  // namespace
+}  // namespace sample_settings_test
 }  // namespace gloam::effect

@@ -14,7 +14,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace sample_table_test {
 
 constexpr gpu::Extent odd{61, 35};
 
@@ -116,5 +116,5 @@ TEST_F(SampleTable, NoneForALongSequence) {
     EXPECT_TRUE(std::ranges::none_of(run(settings), fills_table));
 }
 
-}  // namespace
+}  // namespace sample_table_test
 }  // namespace gloam::effect

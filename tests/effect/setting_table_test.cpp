@@ -19,7 +19,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace setting_table_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -259,5 +259,5 @@ TEST_F(EverySetting, SkipsChangeNothing) {
     }
 }
 
-}  // namespace
+}  // namespace setting_table_test
 }  // namespace gloam::effect

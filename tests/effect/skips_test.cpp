@@ -19,7 +19,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace skips_test {
 
 constexpr gpu::Extent odd{83, 45};
 
@@ -373,5 +373,5 @@ TEST_F(Skips, GeometryAppearsWhereAllWasBackground) {
     EXPECT_EQ(frames[7].work.tiles_shaded, frames[7].work.tiles);
 }
 
-}  // namespace
+}  // namespace skips_test
 }  // namespace gloam::effect

@@ -14,7 +14,7 @@
 #include "shader/compile.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace tally_test {
 
 constexpr std::uint32_t columns = 3;
 constexpr std::uint32_t rows = 2;
@@ -88,5 +88,5 @@ TEST_F(Tally, CountsNothingUnasked) {
     expect_same(counted(0), std::vector<TileState>(expected().size()));
 }
 
-}  // namespace
+}  // namespace tally_test
 }  // namespace gloam::effect

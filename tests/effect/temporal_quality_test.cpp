@@ -16,7 +16,7 @@
 #include "support/devices.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace temporal_quality_test {
 
 Settings settings_for(const char* preset, const scene::Scene& scene) {
     return with_radius(preset_named(preset).settings, static_cast<float>(scene.ao_radius));
@@ -148,5 +148,5 @@ TEST_F(TemporalQuality, EveryDriverGivesTheSameOcclusion) {
     if (others == 0) GTEST_SKIP() << "no second driver here (Debian's package chromium has SwiftShader)";
 }
 
-}  // namespace
+}  // namespace temporal_quality_test
 }  // namespace gloam::effect

@@ -18,7 +18,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {
-namespace {
+namespace temporal_test {
 
 constexpr gpu::Extent extent{96, 64};
 
@@ -271,5 +271,5 @@ TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
                                                     testing::HasSubstr("previous positions: 7 pixels")));
 }
 
-}  // namespace
+}  // namespace temporal_test
 }  // namespace gloam::effect

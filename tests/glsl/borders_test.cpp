@@ -7,7 +7,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace borders_test {
 
 using check::Kernel;
 
@@ -71,5 +71,5 @@ TEST_F(Borders, InnerAndOuterUndoEachOther) {
     EXPECT_LT(glm::distance(inner(glm::vec2(0.5F), guard), glm::vec2(0.5F)), 1e-6F);
 }
 
-}  // namespace
+}  // namespace borders_test
 }  // namespace gloam

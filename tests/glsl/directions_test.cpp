@@ -10,7 +10,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace directions_test {
 
 using check::Kernel;
 
@@ -192,5 +192,5 @@ TEST_F(Curvature, OfNothing) {
     EXPECT_EQ(principal(x, glm::vec3(infinity, 0, 0), x, y), glm::vec2(0));
 }
 
-}  // namespace
+}  // namespace directions_test
 }  // namespace gloam

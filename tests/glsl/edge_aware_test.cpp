@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace edge_aware_test {
 
 using check::Kernel;
 using glm::ivec2;
@@ -139,5 +139,5 @@ TEST_F(EdgeAware, GeometryBlur) {
     EXPECT_EQ(blur(s, ivec2(3, 2)), 0.25F);
 }
 
-}  // namespace
+}  // namespace edge_aware_test
 }  // namespace gloam

@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace filter_test {
 
 using check::Kernel;
 
@@ -249,5 +249,5 @@ TEST_F(Filter, ConvergedPixelReadsNoNeighbour) {
     EXPECT_THROW((void)run(0.1F), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace filter_test
 }  // namespace gloam

@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace gather_test {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -188,5 +188,5 @@ TEST_F(Gathering, LargeKernelsStayInTheImage) {
     }
 }
 
-}  // namespace
+}  // namespace gather_test
 }  // namespace gloam

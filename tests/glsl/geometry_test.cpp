@@ -10,7 +10,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace geometry_test {
 
 using check::Kernel;
 
@@ -174,5 +174,5 @@ TEST_F(Geometry, CameraCentredPositionsDoNotCareWhereTheWorldIs) {
     EXPECT_GT(std::abs(static_cast<double>(naive) - (x.x - previous_eye.x)), 9e-4);
 }
 
-}  // namespace
+}  // namespace geometry_test
 }  // namespace gloam

@@ -10,7 +10,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace horizons_test {
 
 using check::Kernel;
 using glm::vec2;
@@ -351,5 +351,5 @@ TEST_F(Horizons, BackOfASample) {
     EXPECT_EQ(back(vec3(0), slice, 1.0F), vec2(0));
 }
 
-}  // namespace
+}  // namespace horizons_test
 }  // namespace gloam

@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace layers_test {
 
 using check::Kernel;
 
@@ -122,5 +122,5 @@ TEST_F(Layers, ExponentialMeanOverFrames) {
     EXPECT_EQ(smooth(0.9F, true, 0.2F, NAN), 0.2F);
 }
 
-}  // namespace
+}  // namespace layers_test
 }  // namespace gloam

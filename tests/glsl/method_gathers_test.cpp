@@ -14,7 +14,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace method_gathers_test {
 
 using test::Camera;
 using test::Gather;
@@ -181,5 +181,5 @@ TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
 INSTANTIATE_TEST_SUITE_P(All, Methods, testing::ValuesIn(method_names()),
                          [](const auto& info) { return info.param; });
 
-}  // namespace
+}  // namespace method_gathers_test
 }  // namespace gloam

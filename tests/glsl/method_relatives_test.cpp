@@ -13,7 +13,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace method_relatives_test {
 
 using glm::dvec3;
 using test::Camera;
@@ -234,5 +234,5 @@ INSTANTIATE_TEST_SUITE_P(
                     Reads{"aksoy_phaneuf_two", {"mip_distance"}}),
     [](const auto& info) { return info.param.method; });
 
-}  // namespace
+}  // namespace method_relatives_test
 }  // namespace gloam

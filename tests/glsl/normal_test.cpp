@@ -8,7 +8,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace normal_test {
 
 using check::ImageSet;
 using check::Kernel;
@@ -126,5 +126,5 @@ TEST_F(Normal, SafeNormalizeKeepsEveryDirection) {
     }
 }
 
-}  // namespace
+}  // namespace normal_test
 }  // namespace gloam

@@ -10,7 +10,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace numeric_test {
 
 using check::Kernel;
 
@@ -93,5 +93,5 @@ TEST_F(Numeric, DirectionsOfAxesQuadrantsAndInfinities) {
     EXPECT_EQ(f(nan, 1.0F), 0.0F);
 }
 
-}  // namespace
+}  // namespace numeric_test
 }  // namespace gloam

@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace occlusion_test {
 
 using check::Kernel;
 
@@ -260,5 +260,5 @@ TEST_F(Occlusion, MeanOfContributions) {
     EXPECT_EQ(mean_of(glm::vec2(1, NAN)), 0.0F);
 }
 
-}  // namespace
+}  // namespace occlusion_test
 }  // namespace gloam

@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace pairs_test {
 
 using check::Kernel;
 using glm::vec2;
@@ -225,5 +225,5 @@ TEST_F(Pairs, LaterShaderOfTheEngine) {
     EXPECT_EQ(visibility(0.5F, 2.0F, NAN), 1.0F);
 }
 
-}  // namespace
+}  // namespace pairs_test
 }  // namespace gloam

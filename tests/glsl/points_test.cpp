@@ -9,7 +9,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace points_test {
 
 using check::Kernel;
 using glm::vec2;
@@ -301,5 +301,5 @@ TEST_F(Points, FilionOfOnePoint) {
     EXPECT_EQ(c(5.0F, 4.0F, 0.0F), 0.0F);
 }
 
-}  // namespace
+}  // namespace points_test
 }  // namespace gloam

@@ -11,7 +11,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace proxies_test {
 
 using check::Kernel;
 
@@ -240,5 +240,5 @@ TEST_F(Proxies, UpsamplingWeights) {
     EXPECT_EQ(w(1.0F, infinity, 1.0F, 0.5F, 10.0F), 0.0F);
 }
 
-}  // namespace
+}  // namespace proxies_test
 }  // namespace gloam

@@ -7,7 +7,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace reprojection_test {
 
 using check::Kernel;
 using check::Out;
@@ -144,5 +144,5 @@ TEST_F(Reprojection, NothingIsFoundBehindTheCameraOrOutside) {
     EXPECT_TRUE(rejected(clip(glm::dvec3(0, 0, -7), glm::dvec3(0, 0, -6))));
 }
 
-}  // namespace
+}  // namespace reprojection_test
 }  // namespace gloam

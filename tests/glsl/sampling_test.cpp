@@ -11,7 +11,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace sampling_test {
 
 using check::Kernel;
 
@@ -318,5 +318,5 @@ TEST_F(Sampling, PairsAreOpposite) {
     EXPECT_EQ(paired(s, 7), -s);
 }
 
-}  // namespace
+}  // namespace sampling_test
 }  // namespace gloam

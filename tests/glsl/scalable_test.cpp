@@ -10,7 +10,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace scalable_test {
 
 using check::Kernel;
 
@@ -329,5 +329,5 @@ TEST_F(Scalable, BlurWeights) {
     EXPECT_GT(w(1, 0.0F, infinity), 0.4F);
 }
 
-}  // namespace
+}  // namespace scalable_test
 }  // namespace gloam

@@ -7,7 +7,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace shading_test {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -54,5 +54,5 @@ TEST_F(Remap, Edges) {
     EXPECT_EQ(remap(0.5F, 0.0F, 1.0F, NAN), 1.0F);
 }
 
-}  // namespace
+}  // namespace shading_test
 }  // namespace gloam

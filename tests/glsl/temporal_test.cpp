@@ -8,7 +8,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace temporal_test {
 
 using check::Kernel;
 
@@ -215,5 +215,5 @@ TEST_F(Temporal, BilinearWeightsOfTheValidTexels) {
     EXPECT_EQ(validated(glm::vec4(NAN, 0.5F, -1, 0.5F), glm::bvec4(true)), glm::vec4(0, 0.5F, 0, 0.5F));
 }
 
-}  // namespace
+}  // namespace temporal_test
 }  // namespace gloam

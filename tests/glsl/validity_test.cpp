@@ -10,7 +10,7 @@
 #include "support/lab.hpp"
 
 namespace gloam {
-namespace {
+namespace validity_test {
 
 using check::Kernel;
 
@@ -194,5 +194,5 @@ TEST_F(Validity, SmoothInvalidation) {
     EXPECT_EQ(scaled(500.0F, 2.0F), 500.0F);
 }
 
-}  // namespace
+}  // namespace validity_test
 }  // namespace gloam

@@ -8,7 +8,7 @@
 #include "shaders/fill_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace buffer_test {
 
 using BufferTest = GpuTest;
 
@@ -63,5 +63,5 @@ TEST_F(BufferTest, SizesThatCannotBe) {
                                      {std::to_string(too_much).c_str(), most.c_str()});
 }
 
-}  // namespace
+}  // namespace buffer_test
 }  // namespace gloam::gpu::test

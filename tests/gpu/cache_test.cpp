@@ -13,7 +13,7 @@
 #include "shaders/fill_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace cache_test {
 
 namespace fs = std::filesystem;
 
@@ -221,5 +221,5 @@ TEST_F(PipelineCacheTest, CannotBeWrittenIsNoError) {
     EXPECT_EQ(files_in(folder.path()).size(), 1u);
 }
 
-}  // namespace
+}  // namespace cache_test
 }  // namespace gloam::gpu::test

@@ -12,7 +12,7 @@
 #include "shaders/specialize_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace compute_test {
 
 using ComputeTest = GpuTest;
 
@@ -136,5 +136,5 @@ TEST_F(ComputeTest, CommandsMayBeDroppedUnsubmitted) {
     commands.submit();
 }
 
-}  // namespace
+}  // namespace compute_test
 }  // namespace gloam::gpu::test

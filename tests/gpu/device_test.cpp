@@ -9,7 +9,7 @@
 #include "gpu/internal/features.hpp"
 
 namespace gloam::gpu::test {
-namespace {
+namespace device_test {
 
 using DeviceTest = GpuTest;
 
@@ -98,5 +98,5 @@ TEST(Devices, AMissingValidationLayerNamesItsPackage) {
     EXPECT_NO_THROW(Device({.device = device_name()}));
 }
 
-}  // namespace
+}  // namespace device_test
 }  // namespace gloam::gpu::test

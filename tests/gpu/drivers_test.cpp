@@ -11,7 +11,7 @@
 #include "support/devices.hpp"
 
 namespace gloam::gpu::test {
-namespace {
+namespace drivers_test {
 
 namespace fs = std::filesystem;
 
@@ -127,5 +127,5 @@ TEST(Devices, SoftwareComesLastAndTheDefaultStays) {
     EXPECT_EQ(Device({.device = "swiftshader"}).info().identity, found->identity);
 }
 
-}  // namespace
+}  // namespace drivers_test
 }  // namespace gloam::gpu::test

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace gloam::gpu::test {
-namespace {
+namespace half_test {
 
 constexpr std::uint16_t infinite = 0x7c00;
 
@@ -75,5 +75,5 @@ TEST(Half, NanStaysNan) {
     }
 }
 
-}  // namespace
+}  // namespace half_test
 }  // namespace gloam::gpu::test

@@ -12,7 +12,7 @@
 #include "shaders/image_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace image_test {
 
 // Every texel and channel different, and exact in binary16 too: halves count up to the largest finite one.
 // Depth images hold values from 0 to 1 only.
@@ -153,5 +153,5 @@ TEST(Formats, HaveChannels) {
     EXPECT_EQ(channels(Format::rgba16f), 4);
 }
 
-}  // namespace
+}  // namespace image_test
 }  // namespace gloam::gpu::test

@@ -8,7 +8,7 @@
 #include "shaders/fill_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace indirect_test {
 
 class IndirectTest : public GpuTest {
   protected:
@@ -76,5 +76,5 @@ TEST_F(IndirectTest, RefusesTheBufferOfAnotherDevice) {
         {"group counts", "another device"});
 }
 
-}  // namespace
+}  // namespace indirect_test
 }  // namespace gloam::gpu::test

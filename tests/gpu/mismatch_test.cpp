@@ -7,7 +7,7 @@
 #include "shaders/image_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace mismatch_test {
 
 class MismatchTest : public GpuTest {
   protected:
@@ -112,5 +112,5 @@ TEST_F(MismatchTest, PipelinesThatCannotBe) {
                                         {"2000000 storage buffer bindings"});
 }
 
-}  // namespace
+}  // namespace mismatch_test
 }  // namespace gloam::gpu::test

@@ -12,7 +12,7 @@
 #include "shaders/triangle_vert.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace raster_test {
 
 constexpr Extent extent{8, 6};
 constexpr std::size_t pixels = extent.width * extent.height;
@@ -317,5 +317,5 @@ TEST_F(RasterMismatchTest, Programs) {
     expect_error<std::invalid_argument>([&] { make([](auto& p) { p.vertex_spirv = {}; }); }, {"SPIR-V"});
 }
 
-}  // namespace
+}  // namespace raster_test
 }  // namespace gloam::gpu::test

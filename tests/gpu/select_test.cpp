@@ -6,7 +6,7 @@
 #include "gpu/gpu_test.hpp"
 
 namespace gloam::gpu::test {
-namespace {
+namespace select_test {
 
 std::vector<DeviceInfo> machine(std::initializer_list<std::pair<const char*, const char*>> devices) {
     std::vector<DeviceInfo> infos;
@@ -58,5 +58,5 @@ TEST(Select, NoDeviceSaysWhatToInstall) {
     }
 }
 
-}  // namespace
+}  // namespace select_test
 }  // namespace gloam::gpu::test

@@ -9,7 +9,7 @@
 #include "shaders/slow_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace timeout_test {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
@@ -112,5 +112,5 @@ TEST(TimeoutDeathTest, DestructionNeitherWaitsNorBreaksTheRules) {
                 "saw: device .* within 0.2 s .prompt.");
 }
 
-}  // namespace
+}  // namespace timeout_test
 }  // namespace gloam::gpu::test

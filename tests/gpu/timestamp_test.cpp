@@ -7,7 +7,7 @@
 #include "shaders/slow_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace timestamp_test {
 
 class TimestampTest : public GpuTest {
   protected:
@@ -58,5 +58,5 @@ TEST_F(TimestampTest, AreThereOnlyAfterSubmit) {
     expect_error<std::runtime_error>([&] { static_cast<void>(commands.times_ms()); }, {"not been submitted"});
 }
 
-}  // namespace
+}  // namespace timestamp_test
 }  // namespace gloam::gpu::test

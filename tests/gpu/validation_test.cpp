@@ -9,7 +9,7 @@
 #include "shaders/fill_comp.h"
 
 namespace gloam::gpu::test {
-namespace {
+namespace validation_test {
 
 using ValidationTest = GpuTest;
 
@@ -60,5 +60,5 @@ TEST(ValidationOff, HasNoMessages) {
     EXPECT_TRUE(device.take_validation_messages().empty());
 }
 
-}  // namespace
+}  // namespace validation_test
 }  // namespace gloam::gpu::test

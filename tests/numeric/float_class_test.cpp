@@ -8,7 +8,7 @@
 #include "numeric/text.hpp"
 
 namespace gloam::numeric {
-namespace {
+namespace float_class_test {
 
 TEST(FloatClass, EveryClassHasItsValues) {
     EXPECT_EQ(classify(0.0F), FloatClass::zero);
@@ -39,5 +39,5 @@ TEST(Random, IsTheSameOnEveryMachine) {
     }
 }
 
-}  // namespace
+}  // namespace float_class_test
 }  // namespace gloam::numeric

@@ -10,7 +10,7 @@
 #include "numeric/random.hpp"
 
 namespace gloam::numeric {
-namespace {
+namespace float_format_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -75,5 +75,5 @@ TEST(FloatFormat, UlpIsTheGapBelowAPowerOfTwo) {
     EXPECT_EQ(float32.ulp(1e300), 0x1p104);
 }
 
-}  // namespace
+}  // namespace float_format_test
 }  // namespace gloam::numeric

@@ -13,7 +13,7 @@
 #include "numeric/paths.hpp"
 
 namespace gloam::numeric {
-namespace {
+namespace interval_half_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -165,5 +165,5 @@ TEST(IntervalHalf, IntegersAndPartsAreExact) {
     }
 }
 
-}  // namespace
+}  // namespace interval_half_test
 }  // namespace gloam::numeric

@@ -12,7 +12,7 @@
 #include "numeric/ulp.hpp"
 
 namespace gloam::numeric {
-namespace {
+namespace interval_property_test {
 
 // A float of any size; often a usual one.
 float any_number() {
@@ -172,5 +172,5 @@ TEST(IntervalProperties, BranchesContainTheirMembers) {
     }));
 }
 
-}  // namespace
+}  // namespace interval_property_test
 }  // namespace gloam::numeric

@@ -13,7 +13,7 @@
 #include "numeric/random.hpp"
 
 namespace gloam::numeric {
-namespace {
+namespace interval_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<float>::max();
@@ -159,5 +159,5 @@ TEST(Interval, AnyOfDoesNotFillTheGap) {
               (Bounds{1.0, 5.0, false}));
 }
 
-}  // namespace
+}  // namespace interval_test
 }  // namespace gloam::numeric

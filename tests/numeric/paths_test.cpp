@@ -13,7 +13,7 @@
 #include "numeric/interval.hpp"
 
 namespace gloam::numeric {
-namespace {
+namespace paths_test {
 
 using testing::ElementsAre;
 
@@ -126,5 +126,5 @@ TEST(Paths, ConversionsToIntegersTakeEachInReach) {
     }
 }
 
-}  // namespace
+}  // namespace paths_test
 }  // namespace gloam::numeric

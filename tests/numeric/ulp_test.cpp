@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace gloam::numeric {
-namespace {
+namespace ulp_test {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -91,5 +91,5 @@ TEST(UlpError, Properties) {
     }));
 }
 
-}  // namespace
+}  // namespace ulp_test
 }  // namespace gloam::numeric

@@ -6,7 +6,7 @@
 #include "reference/printed.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace builtin_test {
 
 TEST(Builtin, RoundEvenTakesHalvesToEven) {
     for (const auto& [x, want] :
@@ -66,5 +66,5 @@ TEST(Builtin, SignBitsAreThoseOfEachComponent) {
     EXPECT_EQ(probe_normalize_sign(dvec3(-0.0, 1, -2)), 5.0);
 }
 
-}  // namespace
+}  // namespace builtin_test
 }  // namespace gloam::reference::test

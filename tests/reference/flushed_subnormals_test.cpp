@@ -14,7 +14,7 @@
 #include "reference/temporal/history.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace flushed_subnormals_test {
 
 using numeric::Interval;
 using numeric::Paths;
@@ -105,5 +105,5 @@ TEST(FlushedSubnormals, CreaseShadingOfTouchingPointsIsFinite) {
     expect_within(contribution, 0.0, 8.6e37);
 }
 
-}  // namespace
+}  // namespace flushed_subnormals_test
 }  // namespace gloam::reference::test

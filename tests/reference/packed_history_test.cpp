@@ -9,7 +9,7 @@
 #include "reference/temporal/packed_history.hpp"
 
 namespace gloam::reference {
-namespace {
+namespace packed_history_test {
 
 using History = GloamHistory<double>;
 
@@ -77,5 +77,5 @@ TEST(PackedHistory, TheMeanStopsShortByNoMoreThanIsStated) {
     }
 }
 
-}  // namespace
+}  // namespace packed_history_test
 }  // namespace gloam::reference

@@ -12,7 +12,7 @@
 #include "reference/printed.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace printed_geometry_test {
 
 dmat4 random_matrix(numeric::Random& random) {
     dmat4 m(1.0);
@@ -159,5 +159,5 @@ TEST(Printed, PixelsAndGuardBands) {
     });
 }
 
-}  // namespace
+}  // namespace printed_geometry_test
 }  // namespace gloam::reference::test

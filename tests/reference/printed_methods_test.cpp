@@ -18,7 +18,7 @@
 #include "reference/sampling/issao_offset.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace printed_methods_test {
 
 const double whole_turn = 2 * std::acos(-1.0);
 
@@ -190,5 +190,5 @@ TEST(Printed, AnglesAndWeights) {
     });
 }
 
-}  // namespace
+}  // namespace printed_methods_test
 }  // namespace gloam::reference::test

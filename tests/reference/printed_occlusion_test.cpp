@@ -9,7 +9,7 @@
 #include "reference/shading/remap.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace printed_occlusion_test {
 
 TEST(Printed, FalloffsOfTheDistanceOverTheRadius) {
     for_random([](numeric::Random& random) {
@@ -66,5 +66,5 @@ TEST(Printed, MeanGaussianSigmaShrinkAndRemap) {
     });
 }
 
-}  // namespace
+}  // namespace printed_occlusion_test
 }  // namespace gloam::reference::test

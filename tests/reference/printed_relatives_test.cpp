@@ -16,7 +16,7 @@
 #include "reference/shading/directional_occlusion.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace printed_relatives_test {
 
 dvec3 unit3(numeric::Random& random) {
     const dvec3 v = point3(random);
@@ -183,5 +183,5 @@ TEST(Printed, KeysInTwoBytes) {
     });
 }
 
-}  // namespace
+}  // namespace printed_relatives_test
 }  // namespace gloam::reference::test

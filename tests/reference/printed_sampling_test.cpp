@@ -13,7 +13,7 @@
 #include "reference/sampling/tangent_frame.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace printed_sampling_test {
 
 const double two_pi = 2.0 * pi<double>();
 
@@ -137,5 +137,5 @@ TEST(Printed, TangentFrameIsARotationOfTheAxes) {
     });
 }
 
-}  // namespace
+}  // namespace printed_sampling_test
 }  // namespace gloam::reference::test

@@ -12,7 +12,7 @@
 #include "reference/temporal/validated_bilinear.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace printed_temporal_test {
 
 TEST(Printed, BlendIsTheWeightedMean) {
     for_random([](numeric::Random& random) {
@@ -91,5 +91,5 @@ TEST(Printed, FilterIsOneWeightedMeanOverTheRow) {
     });
 }
 
-}  // namespace
+}  // namespace printed_temporal_test
 }  // namespace gloam::reference::test

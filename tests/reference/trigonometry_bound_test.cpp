@@ -10,7 +10,7 @@
 #include "reference/printed.hpp"
 
 namespace gloam::reference::test {
-namespace {
+namespace trigonometry_bound_test {
 
 constexpr double turn = 6.28318530717958647692;
 
@@ -108,5 +108,5 @@ TEST(ErrorBound, SquareRoot) {
     }
 }
 
-}  // namespace
+}  // namespace trigonometry_bound_test
 }  // namespace gloam::reference::test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace gloam::report {
-namespace {
+namespace accuracy_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -79,5 +79,5 @@ TEST(Accuracy, WithoutAStrictRunThereIsNoGuarantee) {
                 AllOf(HasSubstr("not calculated"), Not(HasSubstr("open"))));
 }
 
-}  // namespace
+}  // namespace accuracy_test
 }  // namespace gloam::report

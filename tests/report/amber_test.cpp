@@ -9,7 +9,7 @@
 #include <sstream>
 
 namespace gloam::report {
-namespace {
+namespace amber_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -239,5 +239,5 @@ TEST(Amber, AFunctionWithoutInputsHasABufferAllTheSame) {
     EXPECT_TRUE(grammar.buffers.contains("inputs"));
 }
 
-}  // namespace
+}  // namespace amber_test
 }  // namespace gloam::report

@@ -8,7 +8,7 @@
 #include "report/rows.hpp"
 
 namespace gloam::report {
-namespace {
+namespace check_report_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -74,5 +74,5 @@ TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
     EXPECT_THAT(table_line(row), HasSubstr("could not run"));
 }
 
-}  // namespace
+}  // namespace check_report_test
 }  // namespace gloam::report

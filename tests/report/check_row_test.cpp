@@ -9,7 +9,7 @@
 #include "report/rows.hpp"
 
 namespace gloam::report {
-namespace {
+namespace check_row_test {
 
 using testing::HasSubstr;
 
@@ -95,5 +95,5 @@ TEST(CheckRow, WhatIsWrongIsNamed) {
     EXPECT_THAT([&] { (void)row_from_json("[1]"); }, says("expected an object"));
 }
 
-}  // namespace
+}  // namespace check_row_test
 }  // namespace gloam::report

@@ -11,7 +11,7 @@
 #include "report/image.hpp"
 
 namespace gloam::report {
-namespace {
+namespace color_map_test {
 
 // Relative luminance of an sRGB colour.
 double luminance(const Color& color) {
@@ -54,5 +54,5 @@ TEST(HeatMap, IsAPictureOfErrors) {
     EXPECT_THROW((void)to_rgb_png(std::vector<std::uint8_t>(5), 1, 2), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace color_map_test
 }  // namespace gloam::report

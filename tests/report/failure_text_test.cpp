@@ -6,7 +6,7 @@
 #include "report/rows.hpp"
 
 namespace gloam::report {
-namespace {
+namespace failure_text_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -43,5 +43,5 @@ TEST(Slug, IsFitForAFolder) {
     EXPECT_EQ(slug(""), "unnamed");
 }
 
-}  // namespace
+}  // namespace failure_text_test
 }  // namespace gloam::report

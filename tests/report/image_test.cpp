@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace gloam::report {
-namespace {
+namespace image_test {
 
 float float_at(const std::string& bytes, std::size_t offset) {
     float value = 0.0F;
@@ -56,5 +56,5 @@ TEST(Png, ShowsVisibility) {
     EXPECT_NE(got, to_png(std::vector<std::uint8_t>{0, 255, 128, 255, 0, 255}, 6, 1));
 }
 
-}  // namespace
+}  // namespace image_test
 }  // namespace gloam::report

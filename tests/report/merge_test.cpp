@@ -7,7 +7,7 @@
 #include "report/rows.hpp"
 
 namespace gloam::report {
-namespace {
+namespace merge_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -120,5 +120,5 @@ TEST(Matrix, OneDriverNeedsNoNumbers) {
     EXPECT_THAT(to_matrix({report_of("A", {passing_row("EQ-1")})}), HasSubstr("equation  shipped\n"));
 }
 
-}  // namespace
+}  // namespace merge_test
 }  // namespace gloam::report

@@ -10,7 +10,7 @@
 #include "support/run_command.hpp"
 
 namespace gloam::report {
-namespace {
+namespace output_file_test {
 
 namespace fs = std::filesystem;
 
@@ -72,5 +72,5 @@ TEST(OutputFile, AFolderThatCameInTheWayIsNamedAndNothingIsLeftBeside) {
     EXPECT_TRUE(fs::exists(path / "below"));
 }
 
-}  // namespace
+}  // namespace output_file_test
 }  // namespace gloam::report

@@ -12,7 +12,7 @@
 #include "support/run_command.hpp"
 
 namespace gloam::report {
-namespace {
+namespace output_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -75,5 +75,5 @@ TEST(OutputFolder, AFileInTheWayIsNamed) {
     EXPECT_THAT(message_of([&] { OutputFolder folder("/proc/gloam"); }), testing::HasSubstr("/proc/gloam"));
 }
 
-}  // namespace
+}  // namespace output_folder_test
 }  // namespace gloam::report

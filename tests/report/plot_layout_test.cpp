@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace gloam::report::internal {
-namespace {
+namespace plot_layout_test {
 
 TEST(PlotLayout, RangesHoldWhatIsShown) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -54,5 +54,5 @@ TEST(PlotLayout, LabelsDoNotCoverEachOther) {
     EXPECT_LT(labels.back().at.first, labels.back().point.first - 0.05) << "it would reach beyond the plot";
 }
 
-}  // namespace
+}  // namespace plot_layout_test
 }  // namespace gloam::report::internal

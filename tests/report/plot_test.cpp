@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 namespace gloam::report {
-namespace {
+namespace plot_test {
 
 using testing::HasSubstr;
 
@@ -51,5 +51,5 @@ TEST(Plot, WithoutAPointIsAnError) {
         testing::ThrowsMessage<std::invalid_argument>(HasSubstr("\"empty\"")));
 }
 
-}  // namespace
+}  // namespace plot_test
 }  // namespace gloam::report

@@ -12,7 +12,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace built_in_scenes_test {
 
 class BuiltInScenes : public gpu::test::GpuTest {
   protected:
@@ -206,5 +206,5 @@ TEST(RigidMotion, TurnsThenMoves) {
     EXPECT_LT(glm::distance(glm::dvec3(moved), glm::dvec3(2, 2, 3)), 1e-12);
 }
 
-}  // namespace
+}  // namespace built_in_scenes_test
 }  // namespace gloam::scene::test

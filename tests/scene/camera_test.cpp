@@ -7,7 +7,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace camera_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double aspect = 1.5;
@@ -147,5 +147,5 @@ TEST(Camera, Impossible) {
         expect_error<std::invalid_argument>([&] { (void)make_frame({}, bad); }, {"camera", "aspect"});
 }
 
-}  // namespace
+}  // namespace camera_test
 }  // namespace gloam::scene::test

@@ -14,7 +14,7 @@
 #include "scene/truth.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace depth_field_test {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
@@ -162,5 +162,5 @@ TEST(DepthField, OfOnePixelIsOpen) {
     }
 }
 
-}  // namespace
+}  // namespace depth_field_test
 }  // namespace gloam::scene::test

@@ -8,7 +8,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace exr_test {
 
 namespace fs = std::filesystem;
 
@@ -102,5 +102,5 @@ TEST(Exr, Damaged) {
     expect_error<std::runtime_error>([&] { (void)read_exr(text, 1); }, {"text.exr"});
 }
 
-}  // namespace
+}  // namespace exr_test
 }  // namespace gloam::scene::test

@@ -11,7 +11,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace frame_link_test {
 
 constexpr gpu::Extent extent{96, 54};
 
@@ -134,5 +134,5 @@ TEST(FrameLinkOf, DepthsWithoutMotionAreAnError) {
                                      {"f0000_previous_depth.pfm", "motion"});
 }
 
-}  // namespace
+}  // namespace frame_link_test
 }  // namespace gloam::scene::test

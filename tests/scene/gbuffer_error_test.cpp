@@ -5,7 +5,7 @@
 #include "scene/frame_files.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace gbuffer_error_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -129,5 +129,5 @@ TEST_F(GBufferError, NeitherProjectionNorPlanes) {
     expect({"f0000.json", "field of view"});
 }
 
-}  // namespace
+}  // namespace gbuffer_error_test
 }  // namespace gloam::scene::test

@@ -8,7 +8,7 @@
 #include "scene/frame_files.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace gbuffer_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -164,5 +164,5 @@ TEST(GBuffer, FramesAreFoundByName) {
     EXPECT_EQ(frames_of(folder.path()), (std::vector{2, 10}));
 }
 
-}  // namespace
+}  // namespace gbuffer_test
 }  // namespace gloam::scene::test

@@ -11,7 +11,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace guard_band_test {
 
 constexpr gpu::Extent frame{160, 90};
 
@@ -118,5 +118,5 @@ TEST_F(GuardBand, MotionOutOfTheBandIsNoneForTheFrame) {
         EXPECT_EQ(inner.motion[i].z, i % 4 == 0 ? 0.0F : 1.0F) << i;
 }
 
-}  // namespace
+}  // namespace guard_band_test
 }  // namespace gloam::scene::test

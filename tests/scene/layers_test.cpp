@@ -12,7 +12,7 @@
 #include "scene/rasterize.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace layers_test {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -123,5 +123,5 @@ TEST(LayerFiles, ALayerNeedsTheOneBefore) {
                                      {"f0000_layer1.pfm", "1x2", "expected 2x2"});
 }
 
-}  // namespace
+}  // namespace layers_test
 }  // namespace gloam::scene::test

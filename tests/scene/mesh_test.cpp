@@ -6,7 +6,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace mesh_test {
 
 constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
@@ -105,5 +105,5 @@ TEST(Mesh, BoundsAppendPlaced) {
     EXPECT_THROW((void)bounds_of({}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace mesh_test
 }  // namespace gloam::scene::test

@@ -14,7 +14,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace occlusion_tracer_test {
 
 std::vector<KnownScene> known_scenes() {
     std::vector<KnownScene> scenes{open_plane(),
@@ -206,5 +206,5 @@ TEST(SobolPoints, KeepTheirStrataWhenScrambled) {
     }
 }
 
-}  // namespace
+}  // namespace occlusion_tracer_test
 }  // namespace gloam::scene::test

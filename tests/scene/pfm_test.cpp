@@ -6,7 +6,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace pfm_test {
 
 // 3 x 2, the bottom row first in the file.
 const std::vector<float> bottom_first{
@@ -81,5 +81,5 @@ TEST(Pfm, NotOne) {
     expect_error<std::runtime_error>([&] { (void)read_pfm(folder.path()); }, {folder.path().c_str()});
 }
 
-}  // namespace
+}  // namespace pfm_test
 }  // namespace gloam::scene::test

@@ -12,7 +12,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace rasterize_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -263,5 +263,5 @@ TEST_F(RasterizeTest, MeshesThatDoNotFit) {
     expect(mesh, {"odd", "2 normals", "3 positions"});
 }
 
-}  // namespace
+}  // namespace rasterize_test
 }  // namespace gloam::scene::test

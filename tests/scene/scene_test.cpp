@@ -8,7 +8,7 @@
 #include "scene/support.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace scene_test {
 
 void expect_sound(const Mesh& mesh) {
     ASSERT_GT(mesh.triangle_count(), 0U);
@@ -124,5 +124,5 @@ TEST(MeshOnGround, WithoutExtent) {
     expect_error<std::invalid_argument>([&] { (void)mesh_on_ground(point, "dot"); }, {"dot"});
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace gloam::scene::test

@@ -15,7 +15,7 @@
 #include "scene/truth_cache.hpp"
 
 namespace gloam::scene::test {
-namespace {
+namespace truth_test {
 
 class TruthTest : public gpu::test::GpuTest {
   protected:
@@ -200,5 +200,5 @@ TEST_F(TruthTest, ThatIsDamagedIsTracedAgain) {
     EXPECT_EQ(bits(cache.depth(view, settings(0.4, 64)).occlusion), bits(first.occlusion));
 }
 
-}  // namespace
+}  // namespace truth_test
 }  // namespace gloam::scene::test

@@ -14,7 +14,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace cache_damage_test {
 
 using test::kernel;
 using test::TempDir;
@@ -191,5 +191,5 @@ TEST_F(CacheDamage, AFileThatCannotBeWrittenWholeIsNotKept) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-}  // namespace
+}  // namespace cache_damage_test
 }  // namespace gloam::shader

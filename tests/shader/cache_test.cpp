@@ -14,7 +14,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace cache_test {
 
 using test::fixture;
 using test::kernel;
@@ -221,5 +221,5 @@ TEST(SpirvCache, AHitTakesLessThanAMillisecond) {
     RecordProperty("best_hit_ns", static_cast<int>(best.count()));
 }
 
-}  // namespace
+}  // namespace cache_test
 }  // namespace gloam::shader

@@ -11,7 +11,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace compile_test {
 
 using test::fixture;
 using test::kernel;
@@ -105,5 +105,5 @@ TEST(Compile, NamesItsTools) {
                 AllOf(HasSubstr("glslang "), HasSubstr("SPIRV-Tools "), HasSubstr("SPIRV-Cross ")));
 }
 
-}  // namespace
+}  // namespace compile_test
 }  // namespace gloam::shader

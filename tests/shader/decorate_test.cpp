@@ -10,7 +10,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace decorate_test {
 
 using test::Disassembly;
 using test::kernel;
@@ -134,5 +134,5 @@ TEST(Decorate, RefusesWhatIsNoModule) {
     }
 }
 
-}  // namespace
+}  // namespace decorate_test
 }  // namespace gloam::shader

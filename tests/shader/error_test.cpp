@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace error_test {
 
 using test::fixture;
 using test::kernel;
@@ -138,5 +138,5 @@ TEST(CompileErrorMessage, NothingIsPrinted) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-}  // namespace
+}  // namespace error_test
 }  // namespace gloam::shader

@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace flatten_test {
 
 using Files = std::vector<std::filesystem::path>;
 
@@ -151,5 +151,5 @@ TEST(Flatten, NamesWhatIsMissing) {
     EXPECT_THAT(error_of("none.glsl"), HasSubstr(fixture("none.glsl").string()));
 }
 
-}  // namespace
+}  // namespace flatten_test
 }  // namespace gloam::shader

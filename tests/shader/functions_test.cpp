@@ -6,7 +6,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace functions_test {
 
 using test::fixture;
 using test::message_of;
@@ -161,5 +161,5 @@ TEST(Functions, ErrorsNameTheirPlace) {
     EXPECT_THROW(static_cast<void>(functions({"text", "float f() { return 1.0; }\n"}, {})), CompileError);
 }
 
-}  // namespace
+}  // namespace functions_test
 }  // namespace gloam::shader

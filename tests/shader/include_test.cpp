@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace include_test {
 
 using test::fixture;
 using test::message_of;
@@ -97,5 +97,5 @@ TEST(IncludeClosure, LeavesMissingFilesOut) {
                 ElementsAre(fixture("broken/missing.glsl"), fixture("math/square.glsl")));
 }
 
-}  // namespace
+}  // namespace include_test
 }  // namespace gloam::shader

@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace language_test {
 
 using test::fixture;
 using test::message_of;
@@ -94,5 +94,5 @@ TEST(Language, UnknownLanguageIsRefused) {
     EXPECT_THROW(static_cast<void>(preamble(static_cast<Language>(99))), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace language_test
 }  // namespace gloam::shader

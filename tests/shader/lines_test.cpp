@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace gloam::shader::internal {
-namespace {
+namespace lines_test {
 
 std::vector<std::string> includes(std::string_view text) {
     std::vector<std::string> names;
@@ -63,5 +63,5 @@ TEST(Lines, SeparatesCodeFromComments) {
     EXPECT_TRUE(split_lines("").empty());
 }
 
-}  // namespace
+}  // namespace lines_test
 }  // namespace gloam::shader::internal

@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace round_trip_test {
 
 using internal::round_trip;
 using internal::to_glsl;
@@ -96,5 +96,5 @@ TEST(RoundTrip, WhatCannotBeWrittenIsSaid) {
                 AllOf(HasSubstr("the test: "), HasSubstr("SPIRV-Cross cannot write the module as GLSL")));
 }
 
-}  // namespace
+}  // namespace round_trip_test
 }  // namespace gloam::shader

@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace spirv_test {
 
 using test::kernel;
 using test::message_of;
@@ -83,5 +83,5 @@ TEST(Spirv, DisassemblyNamesThings) {
     EXPECT_THAT(disassemble(module()), HasSubstr("OpEntryPoint GLCompute %main \"main\""));
 }
 
-}  // namespace
+}  // namespace spirv_test
 }  // namespace gloam::shader

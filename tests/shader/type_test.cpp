@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace gloam::shader {
-namespace {
+namespace type_test {
 
 Type vector(Scalar scalar, int rows) {
     return {.scalar = scalar, .rows = rows};
@@ -71,5 +71,5 @@ TEST(Type, UnsupportedComparesByItsText) {
     EXPECT_TRUE(is_supported(Type{}));
 }
 
-}  // namespace
+}  // namespace type_test
 }  // namespace gloam::shader

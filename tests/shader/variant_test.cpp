@@ -9,7 +9,7 @@
 #include "support.hpp"
 
 namespace gloam::shader {
-namespace {
+namespace variant_test {
 
 using test::Disassembly;
 using test::kernel;
@@ -122,5 +122,5 @@ TEST_P(EveryFile, OfTheLibraryCanBeMade) {
 INSTANTIATE_TEST_SUITE_P(Variant, EveryFile, testing::Values("strict", "relaxed", "round_trip"),
                          [](const auto& info) { return std::string(info.param); });
 
-}  // namespace
+}  // namespace variant_test
 }  // namespace gloam::shader

@@ -5,7 +5,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace bench_bar_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -75,5 +75,5 @@ TEST(BenchBar, WrongOptionsAreNamed) {
     expect_could_not_run(run_command(tiny({"--page", page.string()})), "begin bar");
 }
 
-}  // namespace
+}  // namespace bench_bar_test
 }  // namespace gloam::test

@@ -6,7 +6,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace bench_benchmark_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -172,5 +172,5 @@ TEST(Bench, BadInputIsOneClearLine) {
     expect_could_not_run(run_command({"bench", "--out", "/proc/out"}), "/proc/out");
 }
 
-}  // namespace
+}  // namespace bench_benchmark_test
 }  // namespace gloam::test

@@ -6,7 +6,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace bench_methods_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -82,5 +82,5 @@ TEST(BenchMethods, BadInputIsOneClearLine) {
     EXPECT_EQ(read_file(page), before);
 }
 
-}  // namespace
+}  // namespace bench_methods_test
 }  // namespace gloam::test

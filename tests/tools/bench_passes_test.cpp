@@ -5,7 +5,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace bench_passes_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -42,5 +42,5 @@ TEST(BenchPasses, WrongOptionsAreNamed) {
     expect_could_not_run(run_command({"bench", "passes", "--rounds", "0"}), "--rounds");
 }
 
-}  // namespace
+}  // namespace bench_passes_test
 }  // namespace gloam::test

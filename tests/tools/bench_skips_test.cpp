@@ -5,7 +5,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace bench_skips_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -50,5 +50,5 @@ TEST(BenchSkips, WrongOptionsAreNamed) {
     expect_could_not_run(run_command({"bench", "skips", "--rounds", "0"}), "--rounds");
 }
 
-}  // namespace
+}  // namespace bench_skips_test
 }  // namespace gloam::test

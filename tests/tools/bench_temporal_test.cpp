@@ -5,7 +5,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace bench_temporal_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -42,5 +42,5 @@ TEST(BenchTemporal, BadInputIsOneClearLine) {
                          "/no/such/folder");
 }
 
-}  // namespace
+}  // namespace bench_temporal_test
 }  // namespace gloam::test

@@ -5,7 +5,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace check_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -108,5 +108,5 @@ TEST(Check, BadInputIsNamed) {
                          "/no/such/folder/a.json");
 }
 
-}  // namespace
+}  // namespace check_test
 }  // namespace gloam::test

@@ -10,7 +10,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace check_worker_test {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -166,5 +166,5 @@ TEST(CheckWorker, WrongOptionsAreNamed) {
     expect_could_not_run(run_command({"check", "--in-process=maybe"}), "--in-process");
 }
 
-}  // namespace
+}  // namespace check_worker_test
 }  // namespace gloam::test

@@ -7,7 +7,7 @@
 #include "tools/expect.hpp"
 
 namespace gloam::test {
-namespace {
+namespace drivers_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -91,5 +91,5 @@ TEST(Drivers, TheEnvironmentsChoiceIsRespected) {
     EXPECT_THAT(without.out, Not(HasSubstr("SwiftShader")));
 }
 
-}  // namespace
+}  // namespace drivers_test
 }  // namespace gloam::test

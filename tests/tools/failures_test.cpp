@@ -7,7 +7,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace failures_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -131,5 +131,5 @@ TEST(Failures, AFolderThatCannotBeIsNamed) {
                          file.string());
 }
 
-}  // namespace
+}  // namespace failures_test
 }  // namespace gloam::test

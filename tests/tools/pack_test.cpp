@@ -7,7 +7,7 @@
 #include "tools/expect.hpp"
 
 namespace gloam::test {
-namespace {
+namespace pack_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -111,5 +111,5 @@ TEST(Pack, TextThatDoesNotCompileNamesFileAndLine) {
     expect_could_not_run(run_command({"pack", own.string()}), "no_such_variable");
 }
 
-}  // namespace
+}  // namespace pack_test
 }  // namespace gloam::test

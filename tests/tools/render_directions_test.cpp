@@ -5,7 +5,7 @@
 #include "tools/expect.hpp"
 
 namespace gloam::test {
-namespace {
+namespace render_directions_test {
 
 namespace fs = std::filesystem;
 
@@ -63,5 +63,5 @@ TEST(RenderDirections, LayersThatAFolderDoesNotHaveAreNamed) {
     expect_could_not_run(again("4"), "layers 4: the view has 3");
 }
 
-}  // namespace
+}  // namespace render_directions_test
 }  // namespace gloam::test

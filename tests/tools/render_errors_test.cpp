@@ -8,7 +8,7 @@
 #include "tools/expect.hpp"
 
 namespace gloam::test {
-namespace {
+namespace render_errors_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -142,5 +142,5 @@ TEST_F(RenderErrors, TheSameGBufferGivesTheSamePictures) {
     EXPECT_EQ(json.at("frames")[0].at("pixels"), 16 * 9);
 }
 
-}  // namespace
+}  // namespace render_errors_test
 }  // namespace gloam::test

@@ -10,7 +10,7 @@
 #include "tools/expect.hpp"
 
 namespace gloam::test {
-namespace {
+namespace render_sequence_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -190,5 +190,5 @@ TEST_F(RenderSequence, OptionsThatDoNotGoTogether) {
     EXPECT_FALSE(fs::exists(file("out")));
 }
 
-}  // namespace
+}  // namespace render_sequence_test
 }  // namespace gloam::test

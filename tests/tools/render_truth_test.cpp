@@ -8,7 +8,7 @@
 #include "tools/expect.hpp"
 
 namespace gloam::test {
-namespace {
+namespace render_truth_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -113,5 +113,5 @@ TEST_F(RenderTruth, EveryBuiltInSceneIsListed) {
         EXPECT_THAT(list.out, testing::HasSubstr(scene));
 }
 
-}  // namespace
+}  // namespace render_truth_test
 }  // namespace gloam::test

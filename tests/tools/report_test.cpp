@@ -6,7 +6,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace report_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -95,5 +95,5 @@ TEST_F(ReportCommand, WrongFilesAreNamed) {
                          "/no/such/folder/a.json");
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace gloam::test

@@ -6,7 +6,7 @@
 #include <fstream>
 
 namespace gloam::test {
-namespace {
+namespace run_command_test {
 
 TEST(RunProgram, KeepsStatusOutputAndErrorsApart) {
     const CommandResult result = run_program("/bin/sh", {"-c", "echo out; echo err >&2; exit 3"});
@@ -62,5 +62,5 @@ TEST(LineCount, CountsALastLineWithoutItsNewline) {
     EXPECT_EQ(line_count("a\nb"), 2);
 }
 
-}  // namespace
+}  // namespace run_command_test
 }  // namespace gloam::test

@@ -8,7 +8,7 @@
 #include "tools/expect.hpp"
 
 namespace gloam::cli {
-namespace {
+namespace shard_test {
 
 using test::run_command;
 
@@ -73,5 +73,5 @@ TEST(Shard, WhatIsNoneIsNamed) {
         "GTEST_TOTAL_SHARDS");
 }
 
-}  // namespace
+}  // namespace shard_test
 }  // namespace gloam::cli

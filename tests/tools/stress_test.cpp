@@ -5,7 +5,7 @@
 #include "tools/installation.hpp"
 
 namespace gloam::test {
-namespace {
+namespace stress_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -47,5 +47,5 @@ TEST(Stress, BadInputIsOneClearLine) {
     expect_could_not_run(run_command({"stress", "--json", "/no/such/folder/stress.json"}), "/no/such/folder");
 }
 
-}  // namespace
+}  // namespace stress_test
 }  // namespace gloam::test

@@ -5,7 +5,7 @@
 #include "tools/expect.hpp"
 
 namespace gloam::test {
-namespace {
+namespace usage_test {
 
 using testing::HasSubstr;
 
@@ -86,5 +86,5 @@ TEST(List, UnknownKindIsNamedWithThoseThereAre) {
     EXPECT_THAT(result.err, HasSubstr("equations"));
 }
 
-}  // namespace
+}  // namespace usage_test
 }  // namespace gloam::test

@@ -10,7 +10,7 @@
 #include <thread>
 
 namespace gloam::cli {
-namespace {
+namespace worker_process_test {
 
 using namespace std::chrono_literals;
 using testing::HasSubstr;
@@ -135,5 +135,5 @@ TEST(WorkerProcess, AProgramThatIsNotThereIsNamed) {
                 testing::ThrowsMessage<std::system_error>(HasSubstr("/no/such/program: No such file")));
 }
 
-}  // namespace
+}  // namespace worker_process_test
 }  // namespace gloam::cli

@@ -10,7 +10,7 @@
 #include "support/run_command.hpp"
 
 namespace gloam::cli {
-namespace {
+namespace worker_session_test {
 
 using namespace std::chrono_literals;
 using report::Reason;
@@ -112,5 +112,5 @@ TEST(WorkerSession, ARefusalIsNotTriedAgain) {
     EXPECT_EQ(asked, 1);
 }
 
-}  // namespace
+}  // namespace worker_session_test
 }  // namespace gloam::cli

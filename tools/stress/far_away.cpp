@@ -17,8 +17,8 @@
 namespace gloam::stress {
 namespace {
 
-constexpr const char* name = "far-away";
-constexpr double farthest = 1e8;
+constexpr const char* far_away_name = "far-away";
+constexpr double farthest_offset = 1e8;
 constexpr double centered_uv_error = 2.4e-6;    // of gloam_reproject_clip
 constexpr double centered_depth_error = 5e-7;   // of gloam_previous_depth, a part of the distances
 constexpr double static_clip_error = 4e-6;      // of gloam_previous_clip_static, a part of the positions
@@ -28,7 +28,7 @@ constexpr double farthest_point_of_scene = 60;  // from its own origin
 
 std::vector<double> distances(double from, int steps_a_decade) {
     std::vector<double> all;
-    const auto steps = static_cast<int>(std::lround(std::log10(farthest / from) * steps_a_decade));
+    const auto steps = static_cast<int>(std::lround(std::log10(farthest_offset / from) * steps_a_decade));
     for (int i = 0; i <= steps; ++i)
         all.push_back(from * std::pow(10.0, static_cast<double>(i) / steps_a_decade));
     return all;
@@ -54,9 +54,11 @@ void append_centered(const Context& context, const MovedPoints& origin, Rows& ro
         depth = std::max(depth, CenteredForm::depth_error(far, results));
     }
     const std::string varied = "camera-centred, 1e3 to 1e8";
-    rows.push_back({name, varied, "words changed", static_cast<double>(changed), 0.0});
-    rows.push_back({name, varied, "error, pixels at 1920 x 1080", pixels, centered_uv_error * image_width});
-    rows.push_back({name, varied, "previous depth off, part of the distance", depth, centered_depth_error});
+    rows.push_back({far_away_name, varied, "words changed", static_cast<double>(changed), 0.0});
+    rows.push_back(
+        {far_away_name, varied, "error, pixels at 1920 x 1080", pixels, centered_uv_error * image_width});
+    rows.push_back(
+        {far_away_name, varied, "previous depth off, part of the distance", depth, centered_depth_error});
 }
 
 constexpr gpu::Extent picture_extent{96, 54};
@@ -82,7 +84,7 @@ Row whole_picture(const Context& context) {
     std::size_t changed = 0;
     for (const double distance : distances(1e3, 1))
         changed += differing(picture(context, effect, distance), expected);
-    return {name, "scene \"corner\", 1e3 to 1e8", "words of depth, normal and occlusion changed",
+    return {far_away_name, "scene \"corner\", 1e3 to 1e8", "words of depth, normal and occlusion changed",
             static_cast<double>(changed), 0.0};
 }
 
@@ -109,7 +111,7 @@ void append_world(const Context& context, const MovedPoints& origin, Rows& rows)
     double moving_part = 0.0;
     const int steps = context.extent == Extent::full ? 20 : 2;
     for (const double distance : distances(1.0, steps)) {
-        context.progress(fmt::format("{}: world coordinates at {:.3g}", name, distance));
+        context.progress(fmt::format("{}: world coordinates at {:.3g}", far_away_name, distance));
         const MovedPoints far = moved(origin, distance);
         const ReprojectionErrors still = form.still(far);
         const ReprojectionErrors moving = form.moving(far);
@@ -122,17 +124,18 @@ void append_world(const Context& context, const MovedPoints& origin, Rows& rows)
         const double decade = std::log10(distance);
         if (decade > 2.5 && std::abs(decade - std::round(decade)) < 1e-9) {
             const std::string varied = fmt::format("world coordinates at {:.0e}", distance);
-            rows.push_back({name, varied, "static points off, pixels", still.pixels});
-            rows.push_back({name, varied, "points of an object off, pixels", moving.pixels});
-            rows.push_back({name, varied, "previous depth off, relative", still.relative_depth});
+            rows.push_back({far_away_name, varied, "static points off, pixels", still.pixels});
+            rows.push_back({far_away_name, varied, "points of an object off, pixels", moving.pixels});
+            rows.push_back({far_away_name, varied, "previous depth off, relative", still.relative_depth});
         }
     }
     for (const Break& b : breaks)
-        rows.push_back({name, fmt::format("world coordinates, {} points", b.form), b.limit_text, b.distance});
-    rows.push_back({name, "world coordinates, static points", depth.limit_text, depth.distance});
-    rows.push_back({name, "world coordinates, static points", "clip-space error over the distance",
+        rows.push_back(
+            {far_away_name, fmt::format("world coordinates, {} points", b.form), b.limit_text, b.distance});
+    rows.push_back({far_away_name, "world coordinates, static points", depth.limit_text, depth.distance});
+    rows.push_back({far_away_name, "world coordinates, static points", "clip-space error over the distance",
                     static_part, static_clip_error});
-    rows.push_back({name, "world coordinates, moving points", "clip-space error over the distance",
+    rows.push_back({far_away_name, "world coordinates, moving points", "clip-space error over the distance",
                     moving_part, moving_clip_error});
 }
 

@@ -12,7 +12,7 @@
 namespace gloam::stress {
 namespace {
 
-constexpr const char* name = "long-run";
+constexpr const char* long_run_name = "long-run";
 constexpr double blend_error = 1e-7;  // of gloam_blend, as its comment states
 constexpr float half_integers = 2048.0F;
 constexpr unsigned seeds = 3;  // lanes of each pattern
@@ -112,25 +112,25 @@ std::vector<Seen> accumulate(const Context& context) {
         advance(kernel, lanes, static_cast<unsigned>(frames));
         done += frames;
         for (std::size_t i = 0; i < lanes.size(); ++i) look(lanes[i], seen[i / (pattern_count * seeds)]);
-        context.progress(fmt::format("{}: frame {} of {}", name, done, context.frames));
+        context.progress(fmt::format("{}: frame {} of {}", long_run_name, done, context.frames));
     }
     return seen;
 }
 
 void append_rows(const Accumulation& a, const Seen& seen, double store_error, Rows& rows) {
     if (!a.promised()) {
-        rows.push_back(
-            {name, a.text() + " (too large for float16)", "farthest outside [0, 1]", seen.outside, 0.0});
+        rows.push_back({long_run_name, a.text() + " (too large for float16)", "farthest outside [0, 1]",
+                        seen.outside, 0.0});
         return;
     }
     const double frame_error = blend_error + (a.half ? store_error : 0.0);
     const double bound = frame_error * (double{a.weight_max} + a.k) / a.k;
     const double bias = std::abs(seen.signed_sum) / seen.readings;
-    rows.push_back({name, a.text(), "farthest from the exact mean", seen.farthest, bound});
-    rows.push_back({name, a.text(), "bias under noise", bias, bound});
-    rows.push_back({name, a.text(), "farthest outside [0, 1]", seen.outside, 0.0});
-    rows.push_back({name, a.text(), "weight off, samples", seen.weight, 0.0});
-    rows.push_back({name, a.text(), "index off, samples", seen.index, 0.0});
+    rows.push_back({long_run_name, a.text(), "farthest from the exact mean", seen.farthest, bound});
+    rows.push_back({long_run_name, a.text(), "bias under noise", bias, bound});
+    rows.push_back({long_run_name, a.text(), "farthest outside [0, 1]", seen.outside, 0.0});
+    rows.push_back({long_run_name, a.text(), "weight off, samples", seen.weight, 0.0});
+    rows.push_back({long_run_name, a.text(), "index off, samples", seen.index, 0.0});
 }
 
 // Radical inverse of the digits of index modulo 2^24.
@@ -159,7 +159,7 @@ Row points_past(const check::Lab& lab, std::uint32_t boundary, const char* text)
             worst = std::max(worst, numeric::ulp_error(points[i][axis], exact));
         }
     }
-    return {name, fmt::format("Halton points around {}", text), "error, ULP", worst, 2.0};
+    return {long_run_name, fmt::format("Halton points around {}", text), "error, ULP", worst, 2.0};
 }
 
 // Every pair of these, against 64-bit arithmetic.
@@ -176,7 +176,7 @@ Row next_index(const check::Lab& lab) {
             }
         }
     }
-    return {name, "index and count up to 2^32 - 1", "next index off", worst, 0.0};
+    return {long_run_name, "index and count up to 2^32 - 1", "next index off", worst, 0.0};
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double grid = 1'048'576.0;
 constexpr double nearest = 0.5;
-constexpr double farthest = 50.0;
+constexpr double farthest_move = 50.0;
 
 glm::dvec3 on_grid(const glm::dvec3& x) {
     return glm::round(x * grid) / grid;
@@ -35,7 +35,7 @@ MovedPoints points_at_origin(std::size_t count, std::uint64_t seed) {
     const glm::dmat3 rotation = scene::view_rotation(all.now);
     numeric::Random random(seed);
     while (all.points.size() < count) {
-        const double depth = nearest * std::pow(farthest / nearest, random.unit());
+        const double depth = nearest * std::pow(farthest_move / nearest, random.unit());
         const glm::dvec2 ndc(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
         const glm::dvec3 at(ndc / p * depth, -depth);
         const glm::dvec3 point = on_grid(all.now.eye + glm::transpose(rotation) * at);

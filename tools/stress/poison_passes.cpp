@@ -16,7 +16,7 @@ namespace gloam::stress {
 namespace {
 
 constexpr gpu::Extent extent{37, 26};
-constexpr float radius = 0.4F;
+constexpr float poison_radius = 0.4F;
 
 // Which buffer holds the bad value.
 enum class Target { depth, depth_alone, normal_x, normal_y, normal_z };
@@ -52,7 +52,8 @@ class Passes {
     Passes(const gpu::Device& device, const scene::PassLibrary& library) : effect_(device, library, extent) {}
 
     void choose(const effect::MethodInfo& method) {
-        settings_ = with_radius(with_method(effect::preset_named("paper").settings, method.name), radius);
+        settings_ =
+            with_radius(with_method(effect::preset_named("paper").settings, method.name), poison_radius);
         settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
         reads_normals_ = method.reads_normals;
     }
@@ -69,7 +70,7 @@ class Passes {
         const effect::Preparation beside =
             effect::preparation_of(settings_, extent).value_or(effect::Preparation{});
         const bool sampled = depth || reads_normals_;
-        const double reach = sampled ? double{radius + beside.reach} : double{beside.reach};
+        const double reach = sampled ? double{poison_radius + beside.reach} : double{beside.reach};
         const bool alone = !sampled && beside.reach == 0.0F;
         const Mask mask = alone ? single_pixel(extent, source) : depth_footprint(view, reach, source);
         return widened(mask, extent, beside.spread);

@@ -17,15 +17,15 @@
 namespace gloam::stress {
 namespace {
 
-constexpr const char* name = "shapes";
-constexpr float radius = 0.4F;
+constexpr const char* shapes_name = "shapes";
+constexpr float shape_radius = 0.4F;
 constexpr int frames = 2;
 
 using Size = gpu::Extent;
 
 effect::Settings settings_for(const effect::MethodInfo& method) {
     effect::Settings settings =
-        with_radius(with_method(effect::preset_named("paper").settings, method.name), radius);
+        with_radius(with_method(effect::preset_named("paper").settings, method.name), shape_radius);
     settings.least_radius = 0.0F;
     return settings;
 }
@@ -89,7 +89,7 @@ void append_refusals(const Context& context, Rows& rows) {
     for (const Size size :
          {Size{0, 0}, Size{0, 1}, Size{1, 0}, Size{beyond, 1}, Size{1, beyond}, Size{~0U, ~0U}})
         attempts.emplace_back([&, size] { effect::AmbientOcclusion(device, context.passes, size); });
-    rows.push_back({name, "sizes 0 and beyond the limit", "not refused", not_refused(attempts), 0.0});
+    rows.push_back({shapes_name, "sizes 0 and beyond the limit", "not refused", not_refused(attempts), 0.0});
 
     const auto with = [](const std::function<void(effect::Settings&)>& change) -> Attempt {
         return [change] {
@@ -111,8 +111,8 @@ void append_refusals(const Context& context, Rows& rows) {
         attempts.push_back(with([bad](effect::Settings& s) { s.samples = bad; }));
     for (const std::uint32_t bad : {0U, (1U << 24U) + 1, ~0U})
         attempts.push_back(with([bad](effect::Settings& s) { s.table_size = bad; }));
-    rows.push_back({name, "radius, range, epsilon, w_max, samples, table beyond their ranges", "not refused",
-                    not_refused(attempts), 0.0});
+    rows.push_back({shapes_name, "radius, range, epsilon, w_max, samples, table beyond their ranges",
+                    "not refused", not_refused(attempts), 0.0});
 }
 
 // Radii at the ends of what is accepted: nothing is promised of the occlusion but its range.
@@ -128,7 +128,7 @@ void append_radii(const Context& context, effect::AmbientOcclusion& effect, Rows
             const effect::Frame frame = effect.next();
             wrong += outside_unit(frame.occlusion) + outside_unit(frame.filtered);
         }
-        rows.push_back({name, fmt::format("radius {:g}", r), "values outside [0, 1] or NaN",
+        rows.push_back({shapes_name, fmt::format("radius {:g}", r), "values outside [0, 1] or NaN",
                         static_cast<double>(wrong), 0.0});
     }
 }
@@ -147,7 +147,8 @@ void append_counts(const Context& context, effect::AmbientOcclusion& effect, Row
             const auto expected = static_cast<double>(pixels_of(size)) * samples;
             missing = std::max(missing, std::abs(expected - static_cast<double>(effect.next().work.samples)));
         }
-        rows.push_back({name, fmt::format("{} samples a pixel", samples), "samples missing", missing, 0.0});
+        rows.push_back(
+            {shapes_name, fmt::format("{} samples a pixel", samples), "samples missing", missing, 0.0});
     }
 }
 
@@ -162,7 +163,7 @@ Row highest_points(const Gather& gather, const effect::MethodInfo& method) {
     const glm::vec2 sum =
         gather.with_images(gather_images(wall, preparation, 0.0F),
                            {glm::vec3(0, 0, -3), glm::vec3(0, 0, 1), camera, kernel, method_of_length(1.0F)});
-    return {name, fmt::format("method {}, {} points up to 2^24", method.name, effect::most_samples),
+    return {shapes_name, fmt::format("method {}, {} points up to 2^24", method.name, effect::most_samples),
             "samples missing", effect::most_samples - double{sum.y}, 0.0};
 }
 
@@ -180,7 +181,7 @@ effect::AmbientOcclusion begun(const Context& context) {
 }
 
 Row row_of(const Context& context, effect::AmbientOcclusion& effect, Size size) {
-    context.progress(fmt::format("{}: {} x {}", name, size.width, size.height));
+    context.progress(fmt::format("{}: {} x {}", shapes_name, size.width, size.height));
     const bool once = context.extent == Extent::brief && pixels_of(size) > 1000;
     effect.advance(plane(size));
     std::size_t wrong = 0;
@@ -195,7 +196,7 @@ Row row_of(const Context& context, effect::AmbientOcclusion& effect, Size size) 
         }
     }
     context.lab.require_silent_validation();
-    return {name, fmt::format("{} x {} pixels", size.width, size.height), "pixels wrong",
+    return {shapes_name, fmt::format("{} x {} pixels", size.width, size.height), "pixels wrong",
             static_cast<double>(wrong), 0.0};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/constants.hpp"
 #include "numeric/float_class.hpp"
 #include "numeric/ulp.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 using shader::Scalar;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 constexpr std::size_t corner_words = 6;  // most float inputs whose corners are all tried
 
 double fraction_of(double error, double allowed) {

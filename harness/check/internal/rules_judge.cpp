@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "check/internal/rules_judge.hpp"
+#include "numeric/constants.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@
 namespace gloam::check::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 
 }  // namespace
 

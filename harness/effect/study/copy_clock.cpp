@@ -13,7 +13,7 @@
 namespace gloam::effect {
 namespace {
 
-constexpr int at_once = 5;
+constexpr int copies_at_once = 5;
 constexpr std::size_t remembered = 75;
 
 std::vector<std::string> defines_for(gpu::Format format) {
@@ -68,7 +68,7 @@ std::vector<double> CopyClock::times() {
     const std::vector<gpu::Resource> resources{std::cref(from_), std::cref(to_)};
     gpu::Commands commands(*device_);
     commands.timestamp();
-    for (int i = 0; i < at_once; ++i) {
+    for (int i = 0; i < copies_at_once; ++i) {
         commands.dispatch(pipeline_, resources, groups_for(extent), std::as_bytes(std::span(&size, 1)));
         commands.timestamp();
     }

@@ -9,10 +9,6 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled,
-                                                            PixelClass::young, PixelClass::disoccluded,
-                                                            PixelClass::near_moving};
-
 // One variant on its way through the sequence.
 class Runner {
   public:

@@ -4,11 +4,11 @@
 #include <numbers>
 
 #include "effect/internal/own_integrands.hpp"
+#include "effect/study/angles.hpp"
 
 namespace gloam::effect::own {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double background = 1e4;  // radii behind the shaded point
 
 // Of two opposite taps: where the disc parallel to the image was aimed at, and how high the surface stands

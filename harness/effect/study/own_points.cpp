@@ -3,11 +3,10 @@
 #include <numbers>
 
 #include "effect/internal/own_integrands.hpp"
+#include "effect/study/angles.hpp"
 
 namespace gloam::effect::own {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 // A point of the half ball over the tangent plane, from the shaded point. cosine: of its direction to the
 // normal.

@@ -4,12 +4,10 @@
 #include <numbers>
 
 #include "effect/internal/own_integrands.hpp"
+#include "effect/study/angles.hpp"
 
 namespace gloam::effect::own {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double right_angle = 0.5 * std::numbers::pi;
 
 // A direction over the tangent plane.
 glm::dvec3 direction_over(const glm::dvec3& normal, double azimuth, double cosine) {

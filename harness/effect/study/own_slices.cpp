@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "effect/internal/own_integrands.hpp"
+#include "effect/study/angles.hpp"
 
 namespace gloam::effect::own {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double right_angle = 0.5 * pi;
+using std::numbers::pi;
 
 // A slice of the image plane's direction (cos a, sin a); the eye is on the axis, so the slice holds the z
 // axis.

@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "effect/internal/own_integrands.hpp"
+#include "effect/study/angles.hpp"
 
 namespace gloam::effect::own {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double turn = 2.0 * pi;
+using std::numbers::pi;
 
 // The piece of surface in a pixel, per area of the pixel at its depth, so that there is a limit of small
 // pixels.

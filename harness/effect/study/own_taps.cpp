@@ -4,11 +4,10 @@
 #include <numbers>
 
 #include "effect/internal/own_integrands.hpp"
+#include "effect/study/angles.hpp"
 
 namespace gloam::effect::own {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 enum class Radii { area, uniform };  // taps alike over the disc's area, or over its radius
 

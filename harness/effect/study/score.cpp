@@ -8,10 +8,6 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled,
-                                                            PixelClass::young, PixelClass::disoccluded,
-                                                            PixelClass::near_moving};
-
 std::size_t index_of(Against reference) {
     return static_cast<std::size_t>(reference);
 }

@@ -21,6 +21,9 @@ using References = std::array<Truth, references>;
 // The classes of PixelClasses. `young`: those in none of them, whose history is still short.
 enum class PixelClass { all, settled, young, disoccluded, near_moving };
 constexpr std::size_t pixel_classes = 5;
+inline constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled,
+                                                                   PixelClass::young, PixelClass::disoccluded,
+                                                                   PixelClass::near_moving};
 [[nodiscard]] std::string_view name_of(Against reference);
 [[nodiscard]] std::string_view name_of(PixelClass which);
 

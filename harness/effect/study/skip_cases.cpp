@@ -9,7 +9,7 @@
 namespace gloam::effect {
 namespace {
 
-constexpr int frames = 8;
+constexpr int case_frames = 8;
 
 // A mean of few samples, so that a view settles in few frames; what a settled view costs is not theirs to
 // say.
@@ -29,7 +29,7 @@ std::vector<SkipCase> skip_cases(const gpu::Device& device, const scene::PassLib
                                  gpu::Extent extent) {
     const auto moving = [&](const scene::Scene& scene, const char* what, bool objects, double target) {
         SkipCase made{.name = scene.name, .what = what, .settings = with_skips(scene), .target = target};
-        for (int i = 0; i < frames; ++i)
+        for (int i = 0; i < case_frames; ++i)
             made.views.push_back(
                 scene::rasterize(device, passes, scene, extent, {.frame = i, .motion = objects}));
         return made;

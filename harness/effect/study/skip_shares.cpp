@@ -14,7 +14,7 @@
 namespace gloam::effect {
 namespace {
 
-constexpr int frames = 8;
+constexpr int share_frames = 8;
 constexpr double roughness = 0.01;  // of the depth
 
 // Targets.
@@ -60,7 +60,7 @@ class Shares {
         settings_ = with_radius(preset_named("paper").settings, static_cast<float>(floor.ao_radius));
         settings_.skip_background = settings_.skip_open = settings_.skip_settled = settings_.skip_filtered =
             true;
-        for (int i = 0; i < frames; ++i)
+        for (int i = 0; i < share_frames; ++i)
             floor_.push_back(scene::rasterize(device, passes, floor, extent, {.frame = i}));
     }
 

@@ -10,12 +10,12 @@
 namespace gloam::report {
 namespace {
 
-auto circumstances(const Benchmark& part) {
+auto circumstances_of_part(const Benchmark& part) {
     return std::tuple(part.width, part.height, part.frames, part.scored, part.rays);
 }
 
 void append_rows(Benchmark& whole, const Benchmark& part) {
-    if (circumstances(whole) != circumstances(part)) {
+    if (circumstances_of_part(whole) != circumstances_of_part(part)) {
         throw std::invalid_argument(fmt::format(
             "results of {} x {} pixels, {} frames, {} rays and of {} x {}, {}, {}: expected the same",
             whole.width, whole.height, whole.frames, whole.rays, part.width, part.height, part.frames,

@@ -12,7 +12,7 @@
 namespace gloam::report {
 namespace {
 
-constexpr const char* introduction = R"(# Time against error
+constexpr const char* benchmark_introduction = R"(# Time against error
 
 Which method, with how many samples, takes how long and comes how near to the truth. `gloam bench` measures it on any device and
 writes this page; other devices rank methods otherwise, so measure on yours. The repository's is made by
@@ -104,7 +104,7 @@ std::string framework_section(const Benchmark& benchmark) {
 
 std::string to_benchmark_page(const Benchmark& benchmark, const std::string& images) {
     const std::vector<std::string> scenes = scenes_of(benchmark);
-    std::string text = introduction + circumstances(benchmark) + explanation;
+    std::string text = benchmark_introduction + circumstances(benchmark) + explanation;
     if (!overall_of(benchmark).empty()) {
         text += "\n## Over all scenes\n\n" + picture(images, "overall") + overall_table(benchmark);
     }

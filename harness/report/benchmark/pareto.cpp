@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/benchmark/pareto.hpp"
+#include "numeric/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@
 namespace gloam::report {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 
 // Sums of what a choice has in its scenes so far; geometric means are sums of logarithms.
 struct Tally {

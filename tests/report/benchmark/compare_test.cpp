@@ -10,7 +10,7 @@
 #include "report/benchmark_rows.hpp"
 
 namespace gloam::report {
-namespace {
+namespace compare_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -110,5 +110,5 @@ TEST(BenchmarkJoin, RefusesWhatDoesNotBelongTogether) {
                 testing::ThrowsMessage<std::invalid_argument>(HasSubstr("expected one or more")));
 }
 
-}  // namespace
+}  // namespace compare_test
 }  // namespace gloam::report

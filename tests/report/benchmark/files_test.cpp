@@ -14,7 +14,7 @@
 #include "support/run_command.hpp"
 
 namespace gloam::report {
-namespace {
+namespace files_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -257,5 +257,5 @@ TEST_F(BenchmarkJournal, WithoutAFileKeepsInMemory) {
     EXPECT_TRUE(journal.has(configuration(), 0));
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace gloam::report

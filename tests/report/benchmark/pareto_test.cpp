@@ -11,7 +11,7 @@
 #include "report/benchmark_rows.hpp"
 
 namespace gloam::report {
-namespace {
+namespace pareto_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -117,5 +117,5 @@ TEST(BenchmarkBudget, NamesTheBestWithinAndTheFastestWith) {
     EXPECT_FALSE(best_within({}, {1, true}));
 }
 
-}  // namespace
+}  // namespace pareto_test
 }  // namespace gloam::report

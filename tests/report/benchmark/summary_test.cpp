@@ -10,7 +10,7 @@
 #include "report/benchmark/growth.hpp"
 
 namespace gloam::report {
-namespace {
+namespace summary_test {
 
 using testing::ElementsAre;
 using testing::Pair;
@@ -88,5 +88,5 @@ TEST(BenchmarkGrowth, LeavesOutWhatHasNoLogarithm) {
     EXPECT_TRUE(std::isnan(exponent_of(same)));
 }
 
-}  // namespace
+}  // namespace summary_test
 }  // namespace gloam::report

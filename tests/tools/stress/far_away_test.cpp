@@ -6,7 +6,7 @@
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test {
-namespace {
+namespace far_away_test {
 
 TEST(FarAway, NothingCentredOnTheCameraChanges) {
     const Bench bench;
@@ -50,5 +50,5 @@ TEST(FarAway, PixelsBetweenClipPoints) {
     EXPECT_TRUE(std::isinf(pixels_between({0, 0, 0, -1}, {0, 0, 0, 1})));
 }
 
-}  // namespace
+}  // namespace far_away_test
 }  // namespace gloam::stress::test

@@ -8,7 +8,7 @@
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test {
-namespace {
+namespace long_run_test {
 
 TEST(LongRun, StaysWithinItsBounds) {
     const Bench bench;
@@ -88,5 +88,5 @@ TEST(LongRun, NoticesWhatIsBroken) {
     }
 }
 
-}  // namespace
+}  // namespace long_run_test
 }  // namespace gloam::stress::test

@@ -8,7 +8,7 @@
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test {
-namespace {
+namespace poison_test {
 
 using gloam::test::Installation;
 
@@ -94,5 +94,5 @@ TEST(Footprint, WidensAndMeasures) {
     EXPECT_EQ(reach_of(Mask(35), extent, {0, 2}), 0);
 }
 
-}  // namespace
+}  // namespace poison_test
 }  // namespace gloam::stress::test

@@ -8,7 +8,7 @@
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test {
-namespace {
+namespace report_test {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -57,5 +57,5 @@ TEST(Runs, ByNameOrAll) {
     EXPECT_THROW((void)select_runs("no-such-run"), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace gloam::stress::test

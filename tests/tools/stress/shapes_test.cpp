@@ -5,7 +5,7 @@
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test {
-namespace {
+namespace shapes_test {
 
 TEST(Shapes, AllAreAsTheyMustBe) {
     const Bench bench;
@@ -26,5 +26,5 @@ TEST(Shapes, NoticesWhatIsBroken) {
     }
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace gloam::stress::test

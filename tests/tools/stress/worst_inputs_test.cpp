@@ -7,7 +7,7 @@
 #include "support.hpp"
 
 namespace gloam::stress {
-namespace {
+namespace worst_inputs_test {
 
 TEST(WorstInputs, StayWithinWhatEveryEquationDocuments) {
     const test::Bench bench;
@@ -27,5 +27,5 @@ TEST(WorstInputs, AreAtLeastAsBadAsRandomOnes) {
     EXPECT_GT(worse, rows.size() / 8) << "the climb finds worse inputs than drawing for many equations";
 }
 
-}  // namespace
+}  // namespace worst_inputs_test
 }  // namespace gloam::stress

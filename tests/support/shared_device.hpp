@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "gpu/device.hpp"
+
+namespace gloam::test {
+
+// A variable of the environment; "" where it is not set.
+inline std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+// The device of all tests of a process: the default one or $GLOAM_TEST_DEVICE, with the validation layers on.
+// Opened when it is first asked for, closed after the last test.
+class SharedDevice : public testing::Environment {
+  public:
+    [[nodiscard]] static std::shared_ptr<gpu::Device> get() {
+        if (!device()) {
+            device() = std::make_shared<gpu::Device>(
+                gpu::DeviceOptions{.device = variable("GLOAM_TEST_DEVICE"),
+                                   .validation = gpu::Validation::on,
+                                   .cache_directory = variable("GLOAM_CACHE_DIR")});
+        }
+        return device();
+    }
+
+    void TearDown() override { device().reset(); }
+
+  private:
+    static std::shared_ptr<gpu::Device>& device() {
+        static std::shared_ptr<gpu::Device> opened;
+        return opened;
+    }
+};
+
+// Closes the device before the layers and the driver that it uses are unloaded.
+inline testing::Environment* const shared_device_environment =
+    testing::AddGlobalTestEnvironment(new SharedDevice);  // NOLINT: GoogleTest owns it
+
+}  // namespace gloam::test
