@@ -3,6 +3,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/json_bounds.hpp"
+#include "base/text.hpp"
 #include "report/internal/json_fields.hpp"
 
 namespace gloam::report::internal {
@@ -28,8 +30,8 @@ ordered_json numbers_json(const std::vector<double>& values) {
 }
 
 void JsonReader::expected(const std::string& what) const {
-    std::string found = json_->dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-    if (found.size() > longest_quote) found = found.substr(0, longest_quote) + "...";
+    const std::string found =
+        base::shortened(json_->dump(-1, ' ', false, ordered_json::error_handler_t::replace), longest_quote);
     throw std::runtime_error((where_.empty() ? "" : where_ + ": ") + "expected " + what + ", found " + found);
 }
 
@@ -67,6 +69,12 @@ std::string JsonReader::text() const {
     return json_->get<std::string>();
 }
 
+std::string JsonReader::name() const {
+    const std::string value = text();
+    if (!value.empty() && !base::is_name(value)) expected("a name: one line of at most 1000 bytes");
+    return value;
+}
+
 double JsonReader::number() const {
     if (json_->is_number()) return json_->get<double>();
     if (*json_ == "inf") return infinity;
@@ -101,10 +109,17 @@ std::vector<std::uint32_t> JsonReader::words() const {
     return all;
 }
 
+std::size_t JsonReader::count_up_to(std::size_t most) const {
+    const std::size_t value = count();
+    if (value > most) expected("a count of at most " + std::to_string(most));
+    return value;
+}
+
 ordered_json parse_json(std::string_view text) {
     try {
+        base::require_bounded_json(text);
         return ordered_json::parse(text);
-    } catch (const ordered_json::parse_error& error) {
+    } catch (const ordered_json::exception& error) {
         // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the number helps nobody.
         const std::string message = error.what();
         const std::size_t bracket = message.find("] ");

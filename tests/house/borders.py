@@ -12,16 +12,17 @@ import papers
 
 # Who may include whom. A room may always include itself.
 MAY_INCLUDE = {
-    "gpu": set(),
-    "shader": set(),
-    "numeric": set(),
-    "check": {"gpu", "shader", "numeric"},
+    "base": set(),
+    "gpu": {"base"},
+    "shader": {"base"},
+    "numeric": {"base"},
+    "check": {"base", "gpu", "shader", "numeric"},
     "reference": {"numeric"},
     "catalogue": {"check", "reference", "numeric"},
-    "scene": {"gpu", "shader", "numeric"},
-    "effect": {"scene", "shader", "gpu", "numeric"},
-    "report": {"check", "numeric"},
-    "tools": {"report", "effect", "scene", "catalogue", "check", "gpu", "shader", "numeric"},
+    "scene": {"base", "gpu", "shader", "numeric"},
+    "effect": {"base", "scene", "shader", "gpu", "numeric"},
+    "report": {"base", "check", "numeric"},
+    "tools": {"base", "report", "effect", "scene", "catalogue", "check", "gpu", "shader", "numeric"},
 }
 
 # Libraries that belong to one room, by what their headers are called.
