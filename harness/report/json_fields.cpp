@@ -14,6 +14,7 @@ using nlohmann::ordered_json;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t longest_quote = 40;
+constexpr std::size_t longest_message = 300;
 
 }  // namespace
 
@@ -120,8 +121,9 @@ ordered_json parse_json(std::string_view text) {
         base::require_bounded_json(text);
         return ordered_json::parse(text);
     } catch (const ordered_json::exception& error) {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the number helps nobody.
-        const std::string message = error.what();
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the number helps nobody,
+        // and neither does the whole of what was read last.
+        const std::string message = base::shortened(error.what(), longest_message);
         const std::size_t bracket = message.find("] ");
         throw std::runtime_error("no JSON: " +
                                  (bracket == std::string::npos ? message : message.substr(bracket + 2)));

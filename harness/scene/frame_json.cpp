@@ -18,6 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t longest_description = std::size_t{1} << 20;  // bytes
+constexpr std::size_t longest_message = 300;
 
 // Thrown below without the file's name, which read_frame_json adds.
 [[noreturn]] void fail(const std::string& what) {
@@ -165,7 +166,9 @@ FrameDescription read_frame_json(const std::filesystem::path& file) {
     try {
         return parse(text);
     } catch (const json::exception& error) {
-        throw std::runtime_error(file.string() + ": malformed JSON: " + error.what());
+        // The parser quotes the whole of what it read last.
+        throw std::runtime_error(file.string() +
+                                 ": malformed JSON: " + base::shortened(error.what(), longest_message));
     } catch (const std::exception& error) {
         throw std::runtime_error(file.string() + ": " + error.what());
     }

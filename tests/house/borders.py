@@ -117,7 +117,9 @@ def room_include(source):
 
 
 def internal_include(source):
-    """What lies in ROOM/internal is for that room and its tests."""
+    """What lies in ROOM/internal is for that room and its tests, the fuzz targets among them."""
+    if source.area == "tests" and source.room == "fuzz":
+        return
     for number, _, name in source.includes():
         parts = name.split("/")
         if "internal" in parts[1:-1] and parts[0] in MAY_INCLUDE and parts[0] != source.room:

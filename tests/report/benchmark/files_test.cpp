@@ -99,6 +99,12 @@ TEST(BenchmarkJson, DepthSizeAndNumbersAreBounded) {
     };
     refusal(std::string(1'000'000, '['), "nested more than 64 deep");
     refusal(R"({"benchmark": 1e999})", "no JSON");
+    const std::string endless = "{\"" + std::string(100'000, 'x');
+    try {
+        (void)benchmark_from_json(endless);
+    } catch (const std::runtime_error& error) {
+        EXPECT_LT(std::string(error.what()).size(), 400U);  // the parser quotes what it read last
+    }
     std::string text = to_json(everything());
     text.replace(text.find("\"width\": 320"), 12, "\"width\": 18446744073709551615");
     refusal(text, "width: expected a count of at most");
