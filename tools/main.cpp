@@ -2,31 +2,58 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
+#include <system_error>
 
+#include "base/file_descriptor.hpp"
+#include "base/text.hpp"
 #include "cli/bench.hpp"
 #include "cli/check.hpp"
 #include "cli/check/worker.hpp"
 #include "cli/demo.hpp"
 #include "cli/devices.hpp"
 #include "cli/list.hpp"
+#include "cli/mesh_reader.hpp"
 #include "cli/pack.hpp"
 #include "cli/render.hpp"
 #include "cli/report.hpp"
 #include "cli/stress.hpp"
+#include "cli/strict_options.hpp"
 
 namespace {
 
 constexpr int could_not_run = 2;
+constexpr std::size_t longest_message = 2000;
 
 // One line, whatever the message holds.
-std::string one_line(std::string text) {
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    for (char& c : text) {
-        if (c == '\n') c = ' ';
-    }
-    return text;
+void complain(const std::string& message) {
+    const std::string line = gloam::base::shortened(gloam::base::one_line(message), longest_message);
+    std::fputs(("gloam: " + line + "\n").c_str(), stderr);  // nothing is left to do where this fails
+}
+
+// What was printed has arrived, or the run has failed: a full disk shows as late as here.
+int finished(int status) {
+    errno = 0;
+    const bool streamed = static_cast<bool>(std::cout.flush());
+    if (std::ferror(stdout) == 0 && std::fflush(stdout) == 0 && streamed) return status;
+    const int error = errno;
+    if (status != could_not_run)
+        complain(fmt::format("cannot write to standard output: {}",
+                             error == 0 ? "an earlier write failed" : std::strerror(error)));
+    return could_not_run;
+}
+
+int fail(const std::exception& error) {
+    if (std::ferror(stdout) != 0 && dynamic_cast<const std::system_error*>(&error) != nullptr)
+        complain(fmt::format("standard output: {}", error.what()));
+    else
+        complain(error.what());
+    return could_not_run;
 }
 
 int run(int argc, char** argv) {
@@ -39,11 +66,13 @@ int run(int argc, char** argv) {
     gloam::cli::add_list(app);
     gloam::cli::add_check(app, status);
     gloam::cli::add_check_worker(app);
+    gloam::cli::add_mesh_reader(app, status);
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);
     gloam::cli::add_bench(app, status);
     gloam::cli::add_stress(app, status);
     gloam::cli::add_pack(app);
+    gloam::cli::refuse_meaningless_values(app);
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
@@ -52,7 +81,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::CallForAllHelp& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "gloam: {} (gloam --help tells more)\n", one_line(error.what()));
+        complain(std::string(error.what()) + " (gloam --help tells more)");
         return could_not_run;
     }
     return status;
@@ -61,10 +90,11 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    gloam::base::reserve_standard_streams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its write, not the end
     try {
-        return run(argc, argv);
+        return finished(run(argc, argv));
     } catch (const std::exception& error) {
-        fmt::print(stderr, "gloam: {}\n", one_line(error.what()));
-        return could_not_run;
+        return fail(error);
     }
 }

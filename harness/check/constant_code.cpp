@@ -33,7 +33,7 @@ std::string main_function(const shader::Function& function, std::size_t count, c
         output_words = evaluation.output_words;
         cases += fmt::format("    case {}u: {{\n{}    break; }}\n", i, evaluation.code);
     }
-    return internal::main_begin(output_words) + "    switch (kernel_index) {\n" + cases + "    }\n" +
+    return internal::main_begin(output_words) + "    switch (gloam_kernel_index) {\n" + cases + "    }\n" +
            internal::main_end(output_words);
 }
 
@@ -59,20 +59,20 @@ std::string literal_kernel_code(const KernelSource& source, std::span<const Word
             return literal(scalar, input[word]);
         };
     };
-    return internal::preamble(source) + main_function(source.function, count, input_of);
+    return internal::kernel_text(source, main_function(source.function, count, input_of));
 }
 
 std::string specialized_kernel_code(const KernelSource& source, std::size_t count) {
     const std::size_t words = input_words(source.function);
     std::string constants;
     for (std::size_t id = 0; id < count * words; ++id)
-        constants += fmt::format("layout(constant_id = {0}) const uint kernel_constant{0} = 0u;\n", id);
+        constants += fmt::format("layout(constant_id = {0}) const uint gloam_kernel_constant{0} = 0u;\n", id);
     const auto input_of = [words](std::size_t index) -> internal::InputText {
         return [first = index * words](Scalar scalar, std::size_t word) {
-            return internal::from_word(scalar, fmt::format("kernel_constant{}", first + word));
+            return internal::from_word(scalar, fmt::format("gloam_kernel_constant{}", first + word));
         };
     };
-    return internal::preamble(source) + constants + main_function(source.function, count, input_of);
+    return internal::kernel_text(source, constants + main_function(source.function, count, input_of));
 }
 
 }  // namespace gloam::check

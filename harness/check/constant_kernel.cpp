@@ -70,8 +70,8 @@ KernelCore ConstantKernel::module_of(std::span<const Word> inputs, std::size_t c
     std::vector<gpu::SpecializationConstant> constants;
     for (std::size_t word = 0; !literals && word < inputs.size(); ++word)
         constants.push_back({.id = static_cast<std::uint32_t>(word), .bits = inputs[word]});
-    return {lab_->device(), lab_->compile(text), source_.function.name, 0,
-            output_words_,  source_.images,      std::move(constants)};
+    return {lab_->device(), lab_->compile_kernel(text), source_.function.name, 0, output_words_,
+            source_.images, std::move(constants)};
 }
 
 }  // namespace gloam::check

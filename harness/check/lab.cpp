@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "shader/resources.hpp"
+
 namespace gloam::check {
 namespace {
 
@@ -99,7 +101,7 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
     KernelSource made_of = source(file, function, signature);
     const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
     return {*device_,
-            compile(text),
+            compile_kernel(text),
             function,
             signature.input_words(),
             signature.output_words(),
@@ -108,6 +110,18 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
 
 shader::Spirv Lab::compile(const shader::Source& text) const {
     return cache_.compile(text, compile_options());
+}
+
+shader::Spirv Lab::compile_kernel(const shader::Source& text) const {
+    shader::Spirv module = compile(text);
+    for (const shader::Resource& resource : shader::used_resources(module)) {
+        if (resource.block.starts_with("GloamKernel")) continue;
+        throw std::invalid_argument(fmt::format(
+            "{}: uses the {} \"{}\", expected no bindings of its own: a function is given what it "
+            "reads by parameters and by prototypes T name(ivec2)",
+            text.name, resource.kind, resource.name.empty() ? resource.block : resource.name));
+    }
+    return module;
 }
 
 void Lab::require_silent_validation() const {

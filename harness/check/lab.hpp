@@ -43,6 +43,10 @@ class Lab {
     // The module of a compute shader, in the lab's variant. Throws shader::CompileError.
     [[nodiscard]] shader::Spirv compile(const shader::Source& text) const;
 
+    // The same for a kernel. Throws std::invalid_argument as well, for a function that uses bindings of its
+    // own: nothing stands behind them.
+    [[nodiscard]] shader::Spirv compile_kernel(const shader::Source& text) const;
+
     // The generated shader of such a kernel.
     [[nodiscard]] std::string code(const std::string& file, const std::string& function,
                                    const Signature& signature) const;

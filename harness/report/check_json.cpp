@@ -24,10 +24,10 @@ ordered_json device_json(const DeviceSummary& device) {
 
 DeviceSummary read_device(const JsonReader& json) {
     const JsonReader controls = json.member("float_controls");
-    return {.name = json.member("name").text(),
-            .driver = json.member("driver").text(),
-            .type = json.member("type").text(),
-            .api_version = json.member("api_version").text(),
+    return {.name = json.member("name").name(),
+            .driver = json.member("driver").name(),
+            .type = json.member("type").name(),
+            .api_version = json.member("api_version").name(),
             .preserves_signed_zero_inf_nan = controls.member("signed_zero_inf_nan_preserve").flag(),
             .preserves_denormals = controls.member("denorm_preserve").flag(),
             .flushes_denormals = controls.member("denorm_flush_to_zero").flag(),

@@ -155,11 +155,11 @@ ordered_json row_json(const CheckRow& row) {
 }
 
 CheckRow read_row(const JsonReader& json) {
-    CheckRow row{.equation = json.member("equation").text(),
-                 .function = json.member("function").text(),
-                 .file = json.member("file").text(),
-                 .variant = json.member("variant").text(),
-                 .verdict = json.member("verdict").text(),
+    CheckRow row{.equation = json.member("equation").name(),
+                 .function = json.member("function").name(),
+                 .file = json.member("file").name(),
+                 .variant = json.member("variant").name(),
+                 .verdict = json.member("verdict").name(),
                  .inputs = json.member("inputs").count(),
                  .outside = json.member("outside").count(),
                  .recorded = json.member("recorded").count(),

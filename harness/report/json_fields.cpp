@@ -3,8 +3,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "numeric/constants.hpp"
+#include "base/json_bounds.hpp"
+#include "base/text.hpp"
 #include "report/internal/json_fields.hpp"
+#include "numeric/constants.hpp"
 
 namespace gloam::report::internal {
 namespace {
@@ -13,6 +15,7 @@ using nlohmann::ordered_json;
 
 using numeric::infinity;
 constexpr std::size_t longest_quote = 40;
+constexpr std::size_t longest_message = 300;
 
 }  // namespace
 
@@ -29,8 +32,8 @@ ordered_json numbers_json(const std::vector<double>& values) {
 }
 
 void JsonReader::expected(const std::string& what) const {
-    std::string found = json_->dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-    if (found.size() > longest_quote) found = found.substr(0, longest_quote) + "...";
+    const std::string found =
+        base::shortened(json_->dump(-1, ' ', false, ordered_json::error_handler_t::replace), longest_quote);
     throw std::runtime_error((where_.empty() ? "" : where_ + ": ") + "expected " + what + ", found " + found);
 }
 
@@ -68,6 +71,12 @@ std::string JsonReader::text() const {
     return json_->get<std::string>();
 }
 
+std::string JsonReader::name() const {
+    const std::string value = text();
+    if (!value.empty() && !base::is_name(value)) expected("a name: one line of at most 1000 bytes");
+    return value;
+}
+
 double JsonReader::number() const {
     if (json_->is_number()) return json_->get<double>();
     if (*json_ == "inf") return infinity;
@@ -102,12 +111,20 @@ std::vector<std::uint32_t> JsonReader::words() const {
     return all;
 }
 
+std::size_t JsonReader::count_up_to(std::size_t most) const {
+    const std::size_t value = count();
+    if (value > most) expected("a count of at most " + std::to_string(most));
+    return value;
+}
+
 ordered_json parse_json(std::string_view text) {
     try {
+        base::require_bounded_json(text);
         return ordered_json::parse(text);
-    } catch (const ordered_json::parse_error& error) {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the number helps nobody.
-        const std::string message = error.what();
+    } catch (const ordered_json::exception& error) {
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the number helps nobody,
+        // and neither does the whole of what was read last.
+        const std::string message = base::shortened(error.what(), longest_message);
         const std::size_t bracket = message.find("] ");
         throw std::runtime_error("no JSON: " +
                                  (bracket == std::string::npos ? message : message.substr(bracket + 2)));

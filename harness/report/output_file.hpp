@@ -7,7 +7,8 @@
 namespace gloam::report {
 
 // A file to be written at the end of long work: whether it can be is found out at the beginning. It appears
-// whole or not at all. An empty path writes nothing.
+// whole or not at all; a link that the caller names stays one, and what it leads to is replaced. Devices and
+// open files (/dev/stdout) are written to. An empty path writes nothing.
 class OutputFile {
   public:
     // Throws std::runtime_error when the folder is missing or cannot be written to.

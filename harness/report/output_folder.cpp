@@ -1,20 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "report/output_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
-#include "report/internal/write.hpp"
+#include "base/file_descriptor.hpp"
 
 namespace gloam::report {
+namespace {
 
 namespace fs = std::filesystem;
-using internal::fail_to_write;
-using internal::part_of;
+using base::fail_to_write;
+
+// Names come from data, too: none may lead out of the folder.
+void require_file_name(const std::string& name) {
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
+        name.find('\0') != std::string::npos)
+        throw std::invalid_argument("output file \"" + name + "\": expected a name without a folder");
+}
+
+// The folder for one process alone, until the end of the scope.
+class FolderLock {
+  public:
+    explicit FolderLock(const fs::path& folder)
+        : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (!file_.is_open()) return;  // put() says what is wrong with it
+        while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
+        }
+    }
+
+  private:
+    base::FileDescriptor file_;
+};
+
+}  // namespace
 
 OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
     if (folder_.empty()) folder_ = ".";
@@ -37,27 +63,30 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
 }
 
 OutputFolder::~OutputFolder() {
+    waiting_.clear();
     std::error_code ignored;  // a destructor has nobody to tell
-    for (const std::string& name : waiting_) fs::remove(part_of(folder_ / name), ignored);
     for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
 }
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
+    require_file_name(name);
     const fs::path file = folder_ / name;
     std::error_code none;
     if (fs::is_directory(file, none)) fail_to_write(file, EISDIR);
-    if (std::ranges::find(waiting_, name) == waiting_.end()) waiting_.push_back(name);
-    if (const int error = internal::write_all(part_of(file), bytes)) fail_to_write(file, error);
+    fs::create_directories(folder_, none);  // another run that had made it may have given up
+    base::WrittenAside aside(file, bytes);
+    const auto known =
+        std::ranges::find(waiting_, file, [](const base::WrittenAside& other) { return other.path(); });
+    if (known != waiting_.end()) waiting_.erase(known);
+    waiting_.push_back(std::move(aside));
 }
 
 void OutputFolder::keep() {
     made_.clear();
+    const FolderLock lock(folder_);
     while (!waiting_.empty()) {
-        const fs::path file = folder_ / waiting_.front();
-        std::error_code error;
-        fs::rename(part_of(file), file, error);
-        if (error) fail_to_write(file, error.value());
-        waiting_.erase(waiting_.begin());
+        waiting_.front().put();
+        waiting_.pop_front();
     }
 }
 

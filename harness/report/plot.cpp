@@ -2,59 +2,45 @@
 #include "report/plot.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
+#include <cctype>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
+#include <system_error>
+#include <utility>
 
+#include "base/process.hpp"
+#include "base/text.hpp"
 #include "report/internal/plot_layout.hpp"
 
 namespace gloam::report {
 namespace {
 
-namespace fs = std::filesystem;
+const base::ProcessLimits limits{.memory_bytes = std::uint64_t{4} << 30,
+                                 .cpu = std::chrono::seconds(60),
+                                 .patience = std::chrono::seconds(120)};
 
-// A folder of its own that goes with the object.
-class Scratch {
-  public:
-    Scratch() {
-        std::string name = (fs::temp_directory_path() / "gloam-plot-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw std::runtime_error(name + ": cannot make a folder for the plot");
-        path_ = name;
+// A text for gnuplot, whoever wrote it: in its double quotes, where all but letters and spaces stands as the
+// number of its byte (digits, too: gnuplot takes any that follow such a number for a part of it), and a
+// control character as a space. Nothing of it can end the text or be obeyed.
+std::string encoded(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = byte < 0x80U && std::isalpha(byte) != 0;
+        if (plain || byte < 0x20U || byte == 0x7fU || c == ' ') {
+            result += plain ? c : ' ';
+        } else {
+            result += fmt::format("\\{:03o}", byte);
+        }
     }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
-
-// gnuplot's single quotes: nothing in them means anything but a quote itself.
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
-    return result + "'";
+    return result + "\"";
 }
 
 std::string block(std::size_t number, const Curve& curve) {
     std::string text = fmt::format("$curve{} << END\n", number);
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
-        const auto& [x, y] = curve.points[i];
-        const std::string label = curve.labels.empty() ? "" : " \"" + curve.labels[i] + "\"";
-        text +=
-            std::isfinite(x) && std::isfinite(y) ? fmt::format("{} {}{}\n", x, y, label) : std::string("\n");
-    }
+    for (const auto& [x, y] : curve.points)
+        text += std::isfinite(x) && std::isfinite(y) ? fmt::format("{} {}\n", x, y) : std::string("\n");
     return text + "END\n";
 }
 
@@ -72,13 +58,21 @@ const char* style_of(CurveStyle style) {
     return "with linespoints pointtype 7 pointsize 0.8";
 }
 
-// What is drawn of a curve: itself, and its labels, where they have not been placed.
-std::string drawn_of(std::size_t number, const Curve& curve, bool placed) {
-    std::string text =
-        fmt::format("$curve{} using 1:2 {} title {}", number, style_of(curve.style), quoted(curve.name));
-    if (!curve.labels.empty() && !placed)
-        text +=
-            fmt::format(", $curve{} using 1:2:3 with labels left offset 0.5,0.5 font ',9' notitle", number);
+std::string drawn_of(std::size_t number, const Curve& curve) {
+    return fmt::format("$curve{} using 1:2 {} title {}", number, style_of(curve.style), encoded(curve.name));
+}
+
+// The labels of a plot that does not place them apart from each other.
+std::string labels_of(const Plot& plot) {
+    std::string text;
+    for (const Curve& curve : plot.curves) {
+        for (std::size_t i = 0; i < curve.labels.size(); ++i) {
+            const auto& [x, y] = curve.points[i];
+            if (!std::isfinite(x) || !std::isfinite(y)) continue;
+            text += fmt::format("set label {} at first {}, first {} left offset 0.5,0.5 font ',9'\n",
+                                encoded(curve.labels[i]), x, y);
+        }
+    }
     return text;
 }
 
@@ -107,7 +101,7 @@ std::string logarithmic(const Plot& plot) {
         const auto& [px, py] = label.point;
         const auto& [lx, ly] = label.at;
         text += fmt::format("set label {} at graph {:.4f}, graph {:.4f} left font ',9' front\n",
-                            quoted(label.text), lx, ly);
+                            encoded(label.text), lx, ly);
         if (lx > px && std::abs(ly - py) > 0.03)
             text += fmt::format(
                 "set arrow from graph {:.4f}, graph {:.4f} to graph {:.4f}, graph {:.4f} nohead linecolor "
@@ -126,17 +120,17 @@ constexpr Terminal svg_terminal{"svg", "size 960,540 noenhanced font 'sans-serif
 constexpr Terminal png_terminal{
     "pngcairo", "size 1440,810 noenhanced fontscale 1.5 font 'sans-serif,12' background 'white'"};
 
-std::string script_of(const Plot& plot, const fs::path& output, const Terminal& terminal) {
+std::string script_of(const Plot& plot, const Terminal& terminal) {
     std::string script = fmt::format("set terminal {} {}\n", terminal.name, terminal.settings);
-    script += fmt::format("set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n",
-                          quoted(output.string()), quoted(plot.title), quoted(plot.x), quoted(plot.y));
+    script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", encoded(plot.title),
+                          encoded(plot.x), encoded(plot.y));
     script += "set linetype 5 linecolor rgb '#8c564b'\n";  // for a yellow that cannot be read
     script += "set grid\nset key outside right samplen 2\n";
-    script += plot.logarithmic ? logarithmic(plot) : "set yrange [0:*]\n";
+    script += plot.logarithmic ? logarithmic(plot) : "set yrange [0:*]\n" + labels_of(plot);
     std::string drawn;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         script += block(i, plot.curves[i]);
-        drawn += (i == 0 ? "" : ", ") + drawn_of(i, plot.curves[i], plot.logarithmic);
+        drawn += (i == 0 ? "" : ", ") + drawn_of(i, plot.curves[i]);
     }
     return script + "plot " + drawn + "\n";
 }
@@ -162,18 +156,17 @@ std::string drawn(const Plot& plot, const Terminal& terminal) {
     validate(plot);
     if (!has_point(plot))
         throw std::invalid_argument("plot \"" + plot.title + "\": there is no point to draw");
-    const Scratch scratch;
-    const fs::path script = scratch.path() / "plot.gp";
-    const fs::path image = scratch.path() / "plot.image";
-    std::ofstream(script) << script_of(plot, image, terminal);
-    const std::string command =
-        fmt::format("gnuplot '{}' >'{}' 2>&1", script.string(), (scratch.path() / "log").string());
-    const int status = std::system(command.c_str());
-    std::ifstream file(image, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (status == 0 && !bytes.empty()) return bytes;
-    throw std::runtime_error("plot \"" + plot.title +
-                             "\": gnuplot could not draw it (is gnuplot installed?)");
+    // The script on its standard input, the image on its standard output: no file, no shell.
+    base::ProcessResult gnuplot;
+    try {
+        gnuplot = base::run_process({"gnuplot", "-d"}, script_of(plot, terminal), limits);
+    } catch (const std::system_error& error) {
+        throw std::runtime_error(
+            fmt::format("plot \"{}\": {} (is gnuplot installed?)", plot.title, error.what()));
+    }
+    if (gnuplot.succeeded() && !gnuplot.output.empty()) return std::move(gnuplot.output);
+    throw std::runtime_error(
+        fmt::format("plot \"{}\": gnuplot could not draw it: {}", plot.title, base::one_line(gnuplot.how())));
 }
 
 }  // namespace

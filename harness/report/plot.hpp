@@ -30,8 +30,9 @@ struct Plot {
     std::vector<Curve> curves;
 };
 
-// The plot as an SVG, drawn by gnuplot, which must be installed. Throws std::runtime_error when it is not or
-// cannot draw this, std::invalid_argument for a plot without a point or with labels of another number.
+// The plot as an SVG, drawn by gnuplot, which must be installed; texts may hold anything. Throws
+// std::runtime_error when it is not or cannot draw this, std::invalid_argument for a plot without a point or
+// with labels of another number.
 [[nodiscard]] std::string to_svg(const Plot& plot);
 
 // The same as a PNG.

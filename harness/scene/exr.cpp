@@ -4,15 +4,21 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 
+#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
+#include "base/apart.hpp"
 #include "scene/internal/exr.hpp"
 
 namespace gloam::scene {
 namespace {
 
 using Names = std::vector<std::string>;
+
+constexpr std::int64_t longest_side = 65'536;
+constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 
 Names all_names(const Imf::ChannelList& channels) {
     Names names;
@@ -45,8 +51,14 @@ Names choose(const Imf::ChannelList& channels, int count) {
 FloatImage read(const std::string& file, int channels) {
     Imf::InputFile input(file.c_str());
     const Imath::Box2i window = input.header().dataWindow();
-    const int width = window.max.x - window.min.x + 1;
-    const int height = window.max.y - window.min.y + 1;
+    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+    if (width < 1 || height < 1 || width > longest_side || height > longest_side ||
+        width * height > most_pixels)
+        throw std::runtime_error("a data window of " + std::to_string(width) + " x " +
+                                 std::to_string(height) + ", expected sides of 1 to " +
+                                 std::to_string(longest_side) + " and at most " +
+                                 std::to_string(most_pixels) + " pixels");
     FloatImage image{.extent = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)},
                      .channels = channels};
     image.texels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
@@ -64,14 +76,32 @@ FloatImage read(const std::string& file, int channels) {
     return image;
 }
 
+std::string bytes_of(const FloatImage& image) {
+    std::string bytes(reinterpret_cast<const char*>(&image.extent), sizeof image.extent);
+    bytes.append(reinterpret_cast<const char*>(image.texels.data()), image.texels.size() * sizeof(float));
+    return bytes;
+}
+
 }  // namespace
 
 FloatImage read_exr(const std::filesystem::path& file, int channels) {
+    // The library may be wrong about a malformed file: its reading is done apart, within limits.
+    const base::ProcessLimits limits{.memory_bytes = std::uint64_t{8} << 30,
+                                     .cpu = std::chrono::seconds(60),
+                                     .patience = std::chrono::minutes(10)};
+    FloatImage image{.extent = {}, .channels = channels};
+    std::string bytes;
     try {
-        return read(file.string(), channels);
+        bytes = base::run_apart([&] { return bytes_of(read(file.string(), channels)); }, limits);
+    } catch (const base::LimitError& error) {
+        throw std::runtime_error(file.string() + ": cannot be read: its reader " + error.what());
     } catch (const std::exception& error) {
         throw std::runtime_error(file.string() + ": " + error.what());
     }
+    std::memcpy(&image.extent, bytes.data(), sizeof image.extent);
+    image.texels.resize((bytes.size() - sizeof image.extent) / sizeof(float));
+    std::memcpy(image.texels.data(), bytes.data() + sizeof image.extent, image.texels.size() * sizeof(float));
+    return image;
 }
 
 }  // namespace gloam::scene

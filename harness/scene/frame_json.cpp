@@ -2,12 +2,14 @@
 #include "scene/internal/frame_json.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "base/json_bounds.hpp"
+#include "base/read_file.hpp"
+#include "base/text.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::scene {
@@ -15,9 +17,19 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t longest_description = std::size_t{1} << 20;  // bytes
+constexpr std::size_t longest_message = 300;
+
 // Thrown below without the file's name, which read_frame_json adds.
 [[noreturn]] void fail_to_read(const std::string& what) {
     throw std::runtime_error(what);
+}
+
+// What stands there instead, for a message.
+std::string found(const json& value) {
+    constexpr std::size_t longest_quote = 40;
+    return ", found " +
+           base::shortened(value.dump(-1, ' ', false, json::error_handler_t::replace), longest_quote);
 }
 
 bool is_given(const json& object, const char* key) {
@@ -27,15 +39,14 @@ bool is_given(const json& object, const char* key) {
 double number(const json& object, const char* key) {
     if (!is_given(object, key)) fail_to_read(std::string("\"") + key + "\" is missing, expected a number");
     if (!object[key].is_number())
-        fail_to_read(std::string("\"") + key + "\": expected a number, found " + object[key].dump());
+        fail_to_read(std::string("\"") + key + "\": expected a number" + found(object[key]));
     return object[key].get<double>();
 }
 
 std::uint32_t side(const json& object, const char* key) {
     const double value = number(object, key);
     if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value))) {
-        fail_to_read(std::string("\"") + key + "\": expected whole pixels from 1 to 65536, found " +
-                     object[key].dump());
+        fail_to_read(std::string("\"") + key + "\": expected whole pixels from 1 to 65536" + found(object[key]));
     }
     return static_cast<std::uint32_t>(value);
 }
@@ -60,7 +71,7 @@ glm::dmat4 matrix(const json& object, const char* key) {
     glm::dmat4 result(0.0);
     for (int i = 0; i < 16; ++i) {
         const json& value = values[static_cast<std::size_t>(i)];
-        if (!value.is_number()) fail_to_read(name + ": expected 16 numbers, found " + value.dump());
+        if (!value.is_number()) fail_to_read(name + ": expected 16 numbers" + found(value));
         result[i / 4][i % 4] = value.get<double>();
     }
     if (!is_invertible(result)) fail_to_read(name + ": the matrix cannot be inverted");
@@ -83,12 +94,10 @@ void require_symmetric(const glm::mat4& projection, gpu::Extent extent) {
     const bool skewed = projection[0][1] != 0.0F || projection[1][0] != 0.0F;
     const bool shape = projection[0][0] != 0.0F && projection[1][1] != 0.0F && !skewed;
     const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F;
-    if (!shape || !kind)
-        fail_to_read("\"camera\": expected a perspective or orthographic projection without skew");
+    if (!shape || !kind) fail_to_read("\"camera\": expected a perspective or orthographic projection without skew");
     if (std::abs(offset.x) * static_cast<float>(extent.width) > 2.0F ||
         std::abs(offset.y) * static_cast<float>(extent.height) > 2.0F) {
-        fail_to_read(
-            "\"camera\": the projection is off centre by more than a pixel, expected a symmetric one");
+        fail_to_read("\"camera\": the projection is off centre by more than a pixel, expected a symmetric one");
     }
 }
 
@@ -121,22 +130,21 @@ gpu::Extent border_of(const json& root, gpu::Extent extent) {
         fits(border[1], extent.height)) {
         return {border[0].get<std::uint32_t>(), border[1].get<std::uint32_t>()};
     }
-    fail_to_read(
-        "\"border\": expected two whole numbers of pixels that leave a frame of at least one, found " +
-        border.dump());
+    fail_to_read("\"border\": expected two whole numbers of pixels that leave a frame of at least one" +
+         found(border));
 }
 
-FrameDescription parse(std::ifstream& stream) {
-    const json root = json::parse(stream);
-    if (!root.is_object() || !is_given(root, "camera"))
-        fail_to_read("expected an object with \"camera\" in it");
+FrameDescription parse(const std::string& text) {
+    base::require_bounded_json(text);
+    const json root = json::parse(text);
+    if (!root.is_object() || !is_given(root, "camera")) fail_to_read("expected an object with \"camera\" in it");
     FrameDescription frame{.extent = {side(root, "width"), side(root, "height")}};
     frame.camera = camera_of(root["camera"], frame.extent);
     frame.border = border_of(root, frame.extent);
     if (is_given(root, "ao_radius")) {
         frame.ao_radius = number(root, "ao_radius");
         if (!(*frame.ao_radius > 0.0))
-            fail_to_read("\"ao_radius\": expected a length > 0, found " + root["ao_radius"].dump());
+            fail_to_read("\"ao_radius\": expected a length > 0" + found(root["ao_radius"]));
     }
     return frame;
 }
@@ -154,12 +162,13 @@ json finite_or_null(double value) {
 }  // namespace
 
 FrameDescription read_frame_json(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
+    const std::string text = base::read_file(file, longest_description);
     try {
-        return parse(stream);
+        return parse(text);
     } catch (const json::exception& error) {
-        throw std::runtime_error(file.string() + ": malformed JSON: " + error.what());
+        // The parser quotes the whole of what it read last.
+        throw std::runtime_error(file.string() +
+                                 ": malformed JSON: " + base::shortened(error.what(), longest_message));
     } catch (const std::exception& error) {
         throw std::runtime_error(file.string() + ": " + error.what());
     }

@@ -4,12 +4,12 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "base/text.hpp"
 #include "scene/mesh.hpp"
 
 namespace gloam::scene {
@@ -44,17 +44,44 @@ Mesh convert(const aiMesh& source) {
 }
 
 // What assimp says, in one line.
-std::string one_line(std::string text) {
-    std::ranges::replace(text, '\n', ' ');
+std::string reason_of(const Assimp::Importer& importer) {
+    const std::string text = base::one_line(importer.GetErrorString());
     return text.empty() ? "cannot be read" : text;
+}
+
+constexpr unsigned most_corners = 4096;  // of a face: taking one apart costs their square
+constexpr int deepest_node = 256;        // assimp recurses
+
+// What assimp's further steps rely on and its readers do not see to.
+void check_faces(const fs::path& file, const aiMesh& mesh) {
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+        const aiFace& face = mesh.mFaces[i];
+        if (face.mNumIndices < 1 || face.mNumIndices > most_corners || face.mIndices == nullptr)
+            fail_to_load(file,
+                 fmt::format("face {} has {} corners, expected 1 to {}", i, face.mNumIndices, most_corners));
+        for (unsigned k = 0; k < face.mNumIndices; ++k) {
+            if (face.mIndices[k] >= mesh.mNumVertices)
+                fail_to_load(file, fmt::format("face {} has the vertex {}, but there are {} vertices", i,
+                                       face.mIndices[k], mesh.mNumVertices));
+        }
+    }
+}
+
+void check_node(const fs::path& file, const aiScene& scene, const aiNode& node, int depth) {
+    if (depth > deepest_node) fail_to_load(file, fmt::format("its parts are nested more than {} deep", deepest_node));
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        if (node.mMeshes[i] >= scene.mNumMeshes)
+            fail_to_load(file, fmt::format("a part has the mesh {}, but there are {} meshes", node.mMeshes[i],
+                                   scene.mNumMeshes));
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) check_node(file, scene, *node.mChildren[i], depth + 1);
 }
 
 void check_finite(const fs::path& file, const aiMesh& mesh) {
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
         const glm::vec3 p = to_vec3(mesh.mVertices[i]);
         if (is_finite(p)) continue;
-        fail_to_load(file,
-                     fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z));
+        fail_to_load(file, fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z));
     }
 }
 
@@ -76,6 +103,18 @@ void mend_normals(Mesh& mesh) {
         normal = usable(normal) ? glm::normalize(normal) : glm::vec3(0, 1, 0);
 }
 
+// Before assimp calculates with anything.
+void check_scene(const fs::path& file, const aiScene& scene) {
+    if (scene.mNumMeshes == 0 || scene.mRootNode == nullptr) fail_to_load(file, "has no triangle");
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene.mMeshes[i];
+        if (mesh.mNumVertices > 0 && mesh.mVertices == nullptr) fail_to_load(file, "has vertices without positions");
+        check_finite(file, mesh);
+        check_faces(file, mesh);
+    }
+    check_node(file, scene, *scene.mRootNode, 0);
+}
+
 }  // namespace
 
 Mesh load_mesh(const fs::path& file) {
@@ -85,10 +124,8 @@ Mesh load_mesh(const fs::path& file) {
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file.string(), 0);
-    if (scene == nullptr) fail_to_load(file, one_line(importer.GetErrorString()));
-    // Before assimp calculates with them.
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i) check_finite(file, *scene->mMeshes[i]);
-    if (scene->mNumMeshes == 0) fail_to_load(file, "has no triangle");
+    if (scene == nullptr) fail_to_load(file, reason_of(importer));
+    check_scene(file, *scene);
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
                                          aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
                                          aiProcess_SortByPType);

@@ -41,8 +41,10 @@ void append(Mesh& mesh, const Mesh& other);
 [[nodiscard]] Mesh placed(Mesh mesh, double scale, const glm::dvec3& translation);
 
 // Reads any file that assimp reads, all its meshes in one, with smooth normals where it has none. Lines and
-// points are left out. Throws std::runtime_error that names the file: unreadable, without a triangle, or with
-// a vertex that is NaN or infinite.
+// points are left out. Throws std::runtime_error that names the file: unreadable, without a triangle, with a
+// vertex that is NaN or infinite, or a face without corners, with too many, or of vertices that are not
+// there. For files that one trusts: a malformed one can still crash assimp, or keep it busy. Others:
+// mesh_reader.hpp.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
 
 }  // namespace gloam::scene

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/truth_cache.hpp"
 
-#include <unistd.h>
-
 #include <array>
 #include <bit>
 #include <cstring>
@@ -10,8 +8,10 @@
 #include <iterator>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 
+#include "base/write_file.hpp"
 #include "scene/internal/sobol.hpp"
 
 namespace gloam::scene {
@@ -71,11 +71,12 @@ void add_view(Hash& hash, const GBuffer& view, const TruthSettings& settings) {
     if (settings.rays.weighting == Weighting::uniform) hash.add(std::uint64_t{1});
 }
 
-// Three counts, two images, and a hash of all of it.
+// Three counts, two images, and a hash of all of it and of what it is the truth of: a file under another's
+// name is none.
 using Counts = std::array<std::uint64_t, 3>;
 
-std::uint64_t check_word(const Counts& counts, const std::vector<float>& values) {
-    Hash hash;
+std::uint64_t check_word(const Hash& of, const Counts& counts, const std::vector<float>& values) {
+    Hash hash = of;
     for (const std::uint64_t count : counts) hash.add(count);
     hash.add_all(values);
     return hash.word();
@@ -89,18 +90,17 @@ bool read_into(std::ifstream& file, std::span<T> values) {
 }
 
 template <class T>
-void write_from(std::ofstream& file, std::span<const T> values) {
-    const std::span bytes = std::as_bytes(values);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+void append(std::string& bytes, std::span<const T> values) {
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
 }
 
-std::optional<TracedTruth> read(const fs::path& path, std::size_t pixels) {
+std::optional<TracedTruth> read(const fs::path& path, const Hash& of, std::size_t pixels) {
     std::ifstream file(path, std::ios::binary);
     Counts counts{};
     std::vector<float> values(2 * pixels);
     std::uint64_t check = 0;
     if (!read_into(file, std::span<std::uint64_t>(counts)) || !read_into(file, std::span<float>(values)) ||
-        !read_into(file, std::span<std::uint64_t>(&check, 1)) || check != check_word(counts, values))
+        !read_into(file, std::span<std::uint64_t>(&check, 1)) || check != check_word(of, counts, values))
         return std::nullopt;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(pixels);
     return TracedTruth{.occlusion = {values.begin(), middle},
@@ -110,30 +110,30 @@ std::optional<TracedTruth> read(const fs::path& path, std::size_t pixels) {
                        .unmatched = counts[2]};
 }
 
-void write(const fs::path& path, const TracedTruth& truth) {
+void write(const fs::path& path, const Hash& of, const TracedTruth& truth) {
     std::error_code ignored;
     fs::create_directories(path.parent_path(), ignored);
-    const fs::path part = path.string() + "." + std::to_string(::getpid()) + ".part";
-    {
-        const Counts counts{truth.rays, truth.pixels, truth.unmatched};
-        std::vector<float> values = truth.occlusion;
-        values.insert(values.end(), truth.standard_error.begin(), truth.standard_error.end());
-        const std::uint64_t check = check_word(counts, values);
-        std::ofstream file(part, std::ios::binary);
-        write_from(file, std::span<const std::uint64_t>(counts));
-        write_from(file, std::span<const float>(values));
-        write_from(file, std::span<const std::uint64_t>(&check, 1));
+    const Counts counts{truth.rays, truth.pixels, truth.unmatched};
+    std::vector<float> values = truth.occlusion;
+    values.insert(values.end(), truth.standard_error.begin(), truth.standard_error.end());
+    const std::uint64_t check = check_word(of, counts, values);
+    std::string bytes;
+    append(bytes, std::span<const std::uint64_t>(counts));
+    append(bytes, std::span<const float>(values));
+    append(bytes, std::span<const std::uint64_t>(&check, 1));
+    try {
+        base::write_file(path, bytes);
+    } catch (const std::runtime_error&) {  // it is done without
     }
-    fs::rename(part, path, ignored);  // a file cut short by a full disk has the wrong check word
 }
 
 template <class Trace>
 TracedTruth kept(const fs::path& folder, const Hash& hash, std::size_t pixels, const Trace& trace) {
     if (folder.empty()) return trace();
     const fs::path path = folder / (hash.text() + ".truth");
-    if (auto truth = read(path, pixels)) return *std::move(truth);
+    if (auto truth = read(path, hash, pixels)) return *std::move(truth);
     TracedTruth truth = trace();
-    write(path, truth);
+    write(path, hash, truth);
     return truth;
 }
 

@@ -5,17 +5,12 @@
 #include <optional>
 
 #include "shader/include.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/entry.hpp"
 #include "shader/internal/function_codec.hpp"
 
 namespace gloam::shader {
 namespace {
-
-std::string encode(const Spirv& module) {
-    std::string bytes(module.size() * sizeof(Spirv::value_type), '\0');
-    std::memcpy(bytes.data(), module.data(), bytes.size());
-    return bytes;
-}
 
 std::optional<Spirv> decode_module(std::string_view bytes) {
     if (bytes.empty() || bytes.size() % sizeof(Spirv::value_type) != 0) return std::nullopt;
@@ -44,19 +39,19 @@ internal::Hash key_of(std::string_view kind, const Source& source, const Compile
     return fingerprint.hash();
 }
 
-// What the entry holds, or what `make` makes, which is then stored.
-template <class Decode, class Make, class Encode>
+// What the entry holds, or what `make` makes the bytes of, which are then stored.
+template <class Decode, class Make>
 auto stored_or_made(const std::filesystem::path& directory, std::string_view kind, const Source& source,
-                    const CompileOptions& options, Decode&& decode, Make&& make, Encode&& encode) {
-    if (directory.empty()) return make(source, options);
+                    const CompileOptions& options, Decode&& decode, Make&& make) {
+    if (directory.empty()) return *decode(make(source, options));
     const internal::Hash key = key_of(kind, source, options);
     const std::filesystem::path file = directory / (internal::to_hex(key) + "." + std::string(kind));
     if (const auto payload = internal::read_entry(file, key))
         if (auto stored = decode(*payload)) return std::move(*stored);
-    auto made = make(source, options);
+    const std::string made = make(source, options);
     // An include that changed meanwhile must not be stored under the key of its old text.
-    if (key_of(kind, source, options) == key) internal::write_entry(file, key, encode(made));
-    return made;
+    if (key_of(kind, source, options) == key) internal::write_entry(file, key, made);
+    return *decode(made);
 }
 
 }  // namespace
@@ -64,14 +59,14 @@ auto stored_or_made(const std::filesystem::path& directory, std::string_view kin
 SpirvCache::SpirvCache(std::filesystem::path directory) : directory_(std::move(directory)) {}
 
 Spirv SpirvCache::compile(const Source& source, const CompileOptions& options) const {
-    return stored_or_made(directory_, "spv", source, options, decode_module, shader::compile, encode);
+    return stored_or_made(directory_, "spv", source, options, decode_module, internal::compiled_apart);
 }
 
 std::vector<Function> SpirvCache::functions(const Source& source, const CompileOptions& options) const {
     CompileOptions any_variant = options;
     any_variant.variant = {};
-    return stored_or_made(directory_, "functions", source, any_variant, internal::decode, shader::functions,
-                          internal::encode);
+    return stored_or_made(directory_, "functions", source, any_variant, internal::decode,
+                          internal::functions_apart);
 }
 
 }  // namespace gloam::shader

@@ -18,6 +18,15 @@ bool is_one_of(const std::string& word, std::initializer_list<std::string_view> 
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+// "450", "330 core", "300 es" and their like.
+bool is_version(std::string_view text) {
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    text.remove_prefix(digits);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+    return digits == 3 && (text.empty() || text == "core" || text == "compatibility" || text == "es");
+}
+
 // The lines of an include guard around a whole file.
 struct Guard {
     std::size_t ifndef_line;
@@ -125,7 +134,12 @@ class Flattener {
                    line.text.find("SPDX-License-Identifier:") != std::string_view::npos && !line.crosses) {
             lift(std::string(line.text.substr(0, line.text.find_last_not_of(" \t\r\n") + 1)));
             return;
-        } else if (keyword != "version") {
+        } else if (keyword == "version") {
+            if (!is_version(directive->argument))
+                throw std::runtime_error(path.string() + ":" + std::to_string(line.number) + ": #version " +
+                                         directive->argument +
+                                         ": expected a version of GLSL, such as 450 or 300 es");
+        } else {
             pending.has_code = pending.has_code || !internal::is_blank(line);
             pending.text += line.text;
             return;

@@ -12,16 +12,17 @@ import papers
 
 # Who may include whom. A room may always include itself.
 MAY_INCLUDE = {
-    "gpu": set(),
-    "shader": set(),
-    "numeric": set(),
-    "check": {"gpu", "shader", "numeric"},
+    "base": set(),
+    "gpu": {"base"},
+    "shader": {"base"},
+    "numeric": {"base"},
+    "check": {"base", "gpu", "shader", "numeric"},
     "reference": {"numeric"},
     "catalogue": {"check", "reference", "numeric"},
-    "scene": {"gpu", "shader", "numeric"},
-    "effect": {"scene", "shader", "gpu", "numeric"},
-    "report": {"check", "numeric"},
-    "tools": {"report", "effect", "scene", "catalogue", "check", "gpu", "shader", "numeric"},
+    "scene": {"base", "gpu", "shader", "numeric"},
+    "effect": {"base", "scene", "shader", "gpu", "numeric"},
+    "report": {"base", "check", "numeric"},
+    "tools": {"base", "report", "effect", "scene", "catalogue", "check", "gpu", "shader", "numeric"},
 }
 
 # Libraries that belong to one room, by what their headers are called.
@@ -116,7 +117,9 @@ def room_include(source):
 
 
 def internal_include(source):
-    """What lies in ROOM/internal is for that room and its tests."""
+    """What lies in ROOM/internal is for that room and its tests, the fuzz targets among them."""
+    if source.area == "tests" and source.room == "fuzz":
+        return
     for number, _, name in source.includes():
         parts = name.split("/")
         if "internal" in parts[1:-1] and parts[0] in MAY_INCLUDE and parts[0] != source.room:

@@ -3,10 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string>
 
+#include "support/full_disk.hpp"
 #include "support/run_command.hpp"
 
 namespace gloam::report {
@@ -55,6 +58,31 @@ TEST(OutputFile, ALinkStaysOne) {
     OutputFile(link).write("new");
     EXPECT_TRUE(fs::is_symlink(link));
     EXPECT_EQ(read(target), "new");
+}
+
+// What a link leads to is replaced as a whole, too.
+TEST(OutputFile, WhatALinkLeadsToIsNeverHalfWritten) {
+    const test::TemporaryDirectory scratch;
+    const fs::path target = scratch.path() / "target";
+    const fs::path link = scratch.path() / "link";
+    std::ofstream(target) << "precious";
+    fs::create_symlink("target", link);
+    const OutputFile file(link);
+    {
+        const test::FullDisk disk(1000);
+        EXPECT_THAT([&] { file.write(std::string(5000, 'x')); }, names(target));
+    }
+    EXPECT_EQ(read(target), "precious");
+}
+
+TEST(OutputFile, OpenFilesAreWrittenTo) {
+    const test::TemporaryDirectory scratch;
+    const fs::path path = scratch.path() / "a";
+    std::FILE* open = std::fopen(path.c_str(), "w");
+    OutputFile("/proc/self/fd/" + std::to_string(fileno(open))).write("text");
+    std::fclose(open);
+    EXPECT_EQ(read(path), "text");
+    EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1);
 }
 
 TEST(OutputFile, AFullDiskIsNamedAndLeavesNothing) {

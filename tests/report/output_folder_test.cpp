@@ -8,7 +8,10 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
+#include "support/full_disk.hpp"
 #include "support/run_command.hpp"
 
 namespace gloam::report {
@@ -57,13 +60,57 @@ TEST(OutputFolder, WhatWasThereStaysUntilKept) {
 }
 
 TEST(OutputFolder, AFullDiskIsNamedAndLeavesNothing) {
-    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
     const test::TemporaryDirectory scratch;
-    fs::create_symlink("/dev/full", scratch.path() / "x.part");
-    const std::string message = message_of([&] { OutputFolder(scratch.path()).write("x", "one"); });
+    const test::FullDisk disk(1000);
+    const std::string message =
+        message_of([&] { OutputFolder(scratch.path()).write("x", std::string(5000, 'x')); });
     EXPECT_THAT(message, testing::HasSubstr((scratch.path() / "x").string()));
-    EXPECT_THAT(message, testing::HasSubstr("No space left"));
+    EXPECT_THAT(message, testing::HasSubstr("File too large"));
     EXPECT_TRUE(fs::is_empty(scratch.path()));
+}
+
+TEST(OutputFolder, NoLinkIsFollowed) {
+    const test::TemporaryDirectory scratch;
+    const fs::path victim = scratch.path() / "victim";
+    const fs::path out = scratch.path() / "out";
+    fs::create_directory(out);
+    std::ofstream(victim) << "precious";
+    fs::create_symlink(victim, out / "x.part");
+    fs::create_symlink(victim, out / "x");
+    OutputFolder folder(out);
+    folder.write("x", "one");
+    folder.keep();
+    EXPECT_EQ(read(victim), "precious");
+    EXPECT_EQ(read(out / "x"), "one");
+}
+
+TEST(OutputFolder, NoNameLeadsOutOfIt) {
+    const test::TemporaryDirectory scratch;
+    OutputFolder folder(scratch.path() / "out");
+    for (const char* name : {"../x", "/x", "a/b", "..", ".", ""})
+        EXPECT_THROW(folder.write(name, "one"), std::invalid_argument) << name;
+}
+
+// Runs with one folder: each keeps its files all at once or not at all, and none fails for another.
+TEST(OutputFolder, RunsWithOneFolderNeverMix) {
+    const test::TemporaryDirectory scratch;
+    const fs::path out = scratch.path() / "out";
+    for (int round = 0; round < 25; ++round) {
+        std::vector<std::thread> runs;
+        for (const char* text : {"a", "b", "c"}) {
+            runs.emplace_back([&out, text] {
+                EXPECT_EQ(message_of([&] {
+                              OutputFolder folder(out);
+                              for (const char* name : {"x", "y", "z", "w"}) folder.write(name, text);
+                              folder.keep();
+                          }),
+                          "nothing thrown");
+            });
+        }
+        for (std::thread& run : runs) run.join();
+        for (const char* name : {"y", "z", "w"}) ASSERT_EQ(read(out / name), read(out / "x"));
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 4);
 }
 
 TEST(OutputFolder, AFileInTheWayIsNamed) {

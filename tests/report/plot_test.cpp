@@ -4,8 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "support/run_command.hpp"
 
 namespace gloam::report {
 namespace plot_test {
@@ -33,6 +39,49 @@ TEST(Plot, DrawsFrontsWithTheirLabelsAndPng) {
     const std::string svg = to_svg(plot);
     for (const char* text : {"all", "some", "best", "first/4", "second/8"}) EXPECT_THAT(svg, HasSubstr(text));
     EXPECT_THAT(to_png(plot), testing::StartsWith("\x89PNG"));
+}
+
+// Foreign texts, in every place that a text has, never reach gnuplot as its language. (They once did: a line
+// break ended the title.)
+TEST(Plot, TextsAreNeverObeyed) {
+    const test::TemporaryDirectory scratch;
+    const std::string proof = (scratch.path() / "proof").string();
+    const std::vector<std::string> hostile = {"a\nsystem('touch " + proof + "')\n",
+                                              "a'\nsystem('touch " + proof + "')\n#",
+                                              "`touch " + proof + "`",
+                                              "\"; system('touch " + proof + "'); #",
+                                              "$(touch " + proof + ")",
+                                              "END\nsystem('touch " + proof + "')\n",
+                                              "@x\\\n! touch " + proof + "\n",
+                                              std::string("a\0b", 3)};
+    for (const std::string& text : hostile) {
+        for (const bool logarithmic : {false, true}) {
+            const Plot plot{.title = text,
+                            .x = text,
+                            .y = text,
+                            .logarithmic = logarithmic,
+                            .curves = {{text, {{1, 4}, {2, 3}}, CurveStyle::steps, {text, text}}}};
+            EXPECT_THAT(to_svg(plot), HasSubstr("<svg")) << text;
+            EXPECT_FALSE(std::filesystem::exists(proof)) << text;
+        }
+    }
+}
+
+// Its own text, whatever stands in it, is what is shown.
+TEST(Plot, TextsAreShownAsTheyAre) {
+    const std::string text = "7/4 \"x\" \\ 'y' `z` $w @v 100% {a}_b^c";
+    const std::string svg = to_svg({.title = text, .curves = {{"c", {{1, 1}, {2, 3}}}}});
+    EXPECT_THAT(svg, HasSubstr("7/4 \"x\" \\ 'y' `z` $w @v 100% {a}_b^c"));
+}
+
+// No shell stands between: what the environment names is no part of a command.
+TEST(Plot, TheFolderForTemporaryFilesIsNoCommand) {
+    const test::TemporaryDirectory scratch;
+    const std::string folder = (scratch.path() / "it's; a $(folder)").string();
+    std::filesystem::create_directory(folder);
+    ::setenv("TMPDIR", folder.c_str(), 1);
+    EXPECT_THAT(to_svg({.title = "t", .curves = {{"c", {{1, 1}, {2, 2}}}}}), HasSubstr("<svg"));
+    ::unsetenv("TMPDIR");
 }
 
 TEST(Plot, LabelsOfAnotherNumberAreAnError) {

@@ -200,5 +200,22 @@ TEST_F(TruthTest, ThatIsDamagedIsTracedAgain) {
     EXPECT_EQ(bits(cache.depth(view, settings(0.4, 64)).occlusion), bits(first.occlusion));
 }
 
+// A whole file of the same size is the truth of something else, under another's name.
+TEST_F(TruthTest, ThatWasExchangedIsTracedAgain) {
+    const Folder folder;
+    const TruthCache cache(folder.path());
+    const Scene scene = make_scene("moving");
+    const GBuffer view = shot(scene, {16, 9});
+    const TracedTruth one = cache.depth(view, settings(0.4, 64));
+    const auto file = std::filesystem::directory_iterator(folder.path())->path();
+    const std::string whole = read_all(file);
+    std::filesystem::remove(file);
+    const TracedTruth other = cache.depth(view, settings(0.2, 64));
+    ASSERT_NE(bits(other.occlusion), bits(one.occlusion));
+    const auto other_file = std::filesystem::directory_iterator(folder.path())->path();
+    std::ofstream(other_file, std::ios::binary) << whole;
+    EXPECT_EQ(bits(cache.depth(view, settings(0.2, 64)).occlusion), bits(other.occlusion));
+}
+
 }  // namespace truth_test
 }  // namespace gloam::scene::test

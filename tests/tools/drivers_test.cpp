@@ -26,6 +26,14 @@ std::size_t swiftshaders(const json& devices) {
     }));
 }
 
+std::string manifest_in(const TemporaryDirectory& folder, const std::string& name,
+                        const std::string& library) {
+    std::string path = (folder.path() / name).string();
+    std::ofstream(path) << json{{"file_format_version", "1.0.0"},
+                                {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}}}};
+    return path;
+}
+
 TEST(Drivers, WhatIsNoManifestIsNamedByEveryCommand) {
     const TemporaryDirectory folder;
     const std::string missing = (folder.path() / "missing.json").string();
@@ -41,20 +49,69 @@ TEST(Drivers, WhatIsNoManifestIsNamedByEveryCommand) {
 
 TEST(Drivers, TheOptionTakesOneFileAndMayBeRepeated) {
     const TemporaryDirectory folder;
-    const auto manifest = [&folder](const std::string& name, const std::string& library) {
-        const std::string path = (folder.path() / name).string();
-        std::ofstream(path) << json{{"ICD", {{"library_path", library}}}};
-        return path;
-    };
-    const std::string first = manifest("first.json", "libno_such_driver.so");
-    const std::string second = manifest("second.json", "./gone.so");
+    const std::string first = manifest_in(folder, "first.json", "libno_such_driver.so");
+    const std::string second = manifest_in(folder, "second.json", "./gone.so");
     const CommandResult result =
         run_command({"check", "--driver", first, "--driver", second, "gloam_radical_inverse_base2"});
     expect_could_not_run(result, "second.json");
     EXPECT_THAT(result.err, HasSubstr("gone.so"));
-    // A name that the system does not find: the loader passes over it.
-    expect_success(
-        run_command({"check", "--driver", first, "gloam_radical_inverse_base2", "--inputs", "64"}));
+}
+
+// Asked for by name, a driver is checked, or the run fails: it once was passed over without a word.
+TEST(Drivers, WhatIsNoDriverIsAnError) {
+    const TemporaryDirectory folder;
+    const std::string library = (folder.path() / "libnone.so").string();
+    std::ofstream(library) << "no library";
+    const std::string unknown = manifest_in(folder, "unknown.json", "libno_such_driver.so");
+    const std::string text = manifest_in(folder, "text.json", library);
+    const std::string other = manifest_in(folder, "other.json", "libm.so.6");  // a library, but no driver
+    for (const std::string& manifest : {unknown, text, other}) {
+        expect_could_not_run(
+            run_command({"check", "--driver", manifest, "gloam_radical_inverse_base2", "--inputs", "64"}),
+            manifest);
+        expect_could_not_run(run_command({"devices", "--driver", manifest}), manifest);
+    }
+}
+
+// A driver that crashes, exits or hangs while it loads costs itself only, and is named.
+TEST(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
+    const TemporaryDirectory folder;
+    const std::string crashing = manifest_in(folder, "crashing.json", GLOAM_CRASHING_DRIVER);
+    for (const auto& how : {std::vector<std::string>{}, std::vector<std::string>{"--driver", crashing}}) {
+        CommandOptions options;
+        if (how.empty()) options.environment = {"VK_ADD_DRIVER_FILES=" + crashing};
+        const auto run = [&](std::vector<std::string> command) {
+            command.insert(command.end(), how.begin(), how.end());
+            return run_command(command, options);
+        };
+        const CommandResult list = run({"devices"});
+        EXPECT_EQ(list.status, 0);
+        EXPECT_THAT(list.out, testing::StartsWith("0: "));
+        EXPECT_THAT(list.err, HasSubstr(crashing));
+        EXPECT_THAT(list.err, HasSubstr("ABRT"));
+        const std::string out = (folder.path() / "out").string();
+        const CommandResult render =
+            run({"render", "corner", "--size", "16x9", "--samples", "1", "--out", out});
+        EXPECT_EQ(render.status, 0) << render.err;
+        EXPECT_THAT(render.err, HasSubstr(crashing));
+        const std::string file = (folder.path() / "a.json").string();
+        const CommandResult check = run(
+            {"check", "gloam_radical_inverse_base2", "--inputs", "64", "--device", "all", "--json", file});
+        EXPECT_EQ(check.status, 1) << check.err;
+        EXPECT_THAT(check.out, HasSubstr(crashing));
+        EXPECT_THAT(check.out, HasSubstr("1 failed"));
+        std::ifstream stream(file);
+        EXPECT_EQ(json::parse(stream).size(), json::parse(run({"devices", "--json"}).out).size() + 1);
+    }
+}
+
+TEST(Drivers, NoneThatLoadsIsOneLine) {
+    const TemporaryDirectory folder;
+    const std::string crashing = manifest_in(folder, "crashing.json", GLOAM_CRASHING_DRIVER);
+    const CommandOptions only{.environment = {"VK_DRIVER_FILES=" + crashing, "VK_ICD_FILENAMES=" + crashing}};
+    expect_could_not_run(run_command({"devices"}, only), crashing);
+    expect_could_not_run(run_command({"render", "corner", "--out", (folder.path() / "out").string()}, only),
+                         "ABRT");
 }
 
 TEST(Drivers, ABrowsersSwiftShaderIsFoundAndComesLast) {

@@ -111,5 +111,35 @@ TEST(Pack, TextThatDoesNotCompileNamesFileAndLine) {
     expect_could_not_run(run_command({"pack", own.string()}), "no_such_variable");
 }
 
+TEST(Pack, AnErrorNamesTheFileAndItsLine) {
+    const TemporaryDirectory folder;
+    const std::filesystem::path own = folder.path() / "own.glsl";
+    std::ofstream(own) << "#version 450\n#include \"" << halton << "\"\n\nfloat own() { return wrong; }\n";
+    const CommandResult result = run_command({"pack", own.string()});
+    expect_could_not_run(result, own.string() + ":4:");
+    EXPECT_THAT(result.err, Not(HasSubstr("packed text")));
+}
+
+TEST(Pack, AVersionThatIsNoneIsNamed) {
+    const TemporaryDirectory folder;
+    const std::filesystem::path own = folder.path() / "own.glsl";
+    std::ofstream(own) << "#version banana\nfloat own() { return 1.0; }\n";
+    expect_could_not_run(run_command({"pack", own.string()}), own.string() + ":1: #version banana");
+}
+
+// Each macro is twice the one before: 2^40 additions, 7 GB on the way there.
+TEST(Pack, ACompilerThatGrowsIsStopped) {
+    const TemporaryDirectory folder;
+    const std::filesystem::path own = folder.path() / "own.glsl";
+    std::ofstream stream(own);
+    stream << "#define M0 1.0\n";
+    for (int i = 1; i <= 40; ++i) stream << "#define M" << i << " M" << i - 1 << " + M" << i - 1 << "\n";
+    stream << "float own() { return M40; }\n";
+    stream.close();
+    const CommandResult result = run_command({"pack", own.string()});
+    expect_could_not_run(result, own.string());
+    EXPECT_THAT(result.err, HasSubstr("takes more than"));
+}
+
 }  // namespace pack_test
 }  // namespace gloam::test

@@ -86,5 +86,47 @@ TEST(List, UnknownKindIsNamedWithThoseThereAre) {
     EXPECT_THAT(result.err, HasSubstr("equations"));
 }
 
+// Whatever option is added: an empty text, NaN and a count below zero are no values.
+TEST(Usage, ValuesThatNobodyMeansAreNamed) {
+    const std::vector<std::vector<std::string>> wrong{
+        {"check", "--timeout", "nan"}, {"check", "--timeout", "NaN"}, {"check", "--timeout", ""},
+        {"check", "--seed", ""},       {"check", "--seed", "-1"},     {"check", "--shard", ""},
+        {"check", "--inputs", "-1"},   {"check", "--json", ""},       {"bench", "--error", "nan"},
+        {"bench", "--samples", "-4"},  {"render", "--radius", ""},    {"render", "--radius", "nan"},
+        {"render", "--out", ""},       {"render", "--bias", "-nan"},  {"stress", "--seed", "-1"},
+        {"pack", "--version", ""},     {"demo", "--out", ""}};
+    for (const auto& command : wrong) {
+        const CommandResult result = run_command(command);
+        expect_could_not_run(result, command[1]);
+    }
+}
+
+TEST(Usage, AnOptionThatNeedsAnotherSaysSo) {
+    const std::vector<std::vector<std::string>> alone{{"render", "corner", "--truth-rays", "64"},
+                                                      {"render", "corner", "--truth-falloff", "step"},
+                                                      {"render", "corner", "--truth-thickness", "1"},
+                                                      {"render", "moving", "--truth-every"},
+                                                      {"bench", "--fail-if-worse"},
+                                                      {"bench", "--scaling-sizes", "32x32"},
+                                                      {"bench", "--resume"}};
+    for (const auto& command : alone) {
+        const CommandResult result = run_command(command);
+        EXPECT_EQ(result.status, 2) << command.back();
+        EXPECT_EQ(line_count(result.err), 1) << result.err;
+        EXPECT_THAT(result.err, HasSubstr("--")) << command.back();
+    }
+    expect_could_not_run(run_command({"bench", "--from", "a.json", "--scene", "corner"}), "--from");
+    expect_could_not_run(run_command({"check", "--in-process", "--jobs", "2"}), "--in-process");
+}
+
+TEST(Usage, TheSceneMayComeBehindTruth) {
+    const TemporaryDirectory folder;
+    const CommandResult result =
+        run_command({"render", "--size", "16x9", "--samples", "1", "--out", (folder.path() / "out").string(),
+                     "--truth-rays", "32", "--truth", "corner"});
+    expect_success(result);
+    EXPECT_THAT(result.out, testing::StartsWith("corner: "));
+}
+
 }  // namespace usage_test
 }  // namespace gloam::test

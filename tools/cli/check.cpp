@@ -14,6 +14,7 @@
 #include "cli/check/run_device.hpp"
 #include "cli/check/shard.hpp"
 #include "cli/check/worker.hpp"
+#include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
 #include "cli/variant.hpp"
 #include "report/check_report.hpp"
@@ -92,14 +93,33 @@ report::CheckReport check_device(const CheckOptions& options, const std::string&
 
 }  // namespace
 
+// A driver that does not even load costs itself alone: its row, where it was to be checked, and a line.
+std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& options, std::size_t checks) {
+    std::vector<report::CheckReport> reports;
+    const LeftOut left_out = leave_out_bad_drivers();
+    if (!left_out.others) return reports;  // opening a device says what is wrong
+    for (const DriverTrouble& driver : left_out.drivers) {
+        const std::string name = "driver " + driver.manifest.string();
+        if (options.device != "all" && !driver.asked_for) {
+            fmt::print(stderr, "gloam: Vulkan {}: {}; it is left out\n", name, driver.error);
+            continue;
+        }
+        reports.push_back(
+            {.device = {.name = name}, .rows = {device_row(driver.reason, driver.error, checks)}});
+        print_device(reports.back().device);
+        print_row(reports.back().rows.front());
+    }
+    return reports;
+}
+
 int run_check(const CheckOptions& options) {
     const std::vector<CheckTask> tasks = tasks_of(options);
     const report::OutputFile json(options.json);
     const report::OutputFile junit(options.junit);
     FailureFolders failed(options.failures);
-    std::vector<report::CheckReport> reports;
-    std::size_t failures = 0;
-    std::size_t checks = 0;
+    std::vector<report::CheckReport> reports = reports_of_bad_drivers(options, tasks.size());
+    std::size_t failures = reports.size();
+    std::size_t checks = reports.size();
     for (const std::string& device : devices_to_check(options.device)) {
         reports.push_back(check_device(options, device, tasks, failed));
         failures += reports.back().failures();
@@ -140,11 +160,13 @@ void add_check(CLI::App& app, int& status) {
                      "seconds that one check may take; more is a hang, and costs that check")
         ->check(CLI::Range(0.001, 1e6))
         ->capture_default_str();
-    command->add_option("--jobs", options->jobs, "worker processes for each device")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
-        ->capture_default_str();
-    command->add_flag("--in-process", options->in_process,
-                      "no worker processes, for a debugger: a driver that crashes then ends the whole run");
+    CLI::Option* jobs = command->add_option("--jobs", options->jobs, "worker processes for each device")
+                            ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
+                            ->capture_default_str();
+    command
+        ->add_flag("--in-process", options->in_process,
+                   "no worker processes, for a debugger: a driver that crashes then ends the whole run")
+        ->excludes(jobs);
     command->add_option("--json", options->json, "write the results to this file");
     command->add_option("--junit", options->junit, "write the results as JUnit XML");
     command->add_option("--failures", options->failures,

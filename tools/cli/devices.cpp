@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
 #include "gpu/device.hpp"
 
@@ -47,6 +48,7 @@ nlohmann::ordered_json to_json(const gpu::DeviceInfo& device) {
 }
 
 void run_devices(bool json) {
+    require_good_drivers();
     const auto devices = gpu::list_devices();
     if (devices.empty()) {
         throw std::runtime_error(

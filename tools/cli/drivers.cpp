@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli/drivers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 #include <vector>
 
+#include "cli/driver_probe.hpp"
 #include "gpu/drivers.hpp"
 
 namespace gloam::cli {
@@ -21,11 +25,25 @@ bool holds(const Manifests& manifests, const std::filesystem::path& file) {
     });
 }
 
+// One that was asked for by name must not be passed over without a word; what it does to the process that
+// loads it is for the command to say.
+void require_driver(const std::filesystem::path& manifest) {
+    const DriverTrouble driver = probe_driver(manifest);
+    if (driver.reason != report::Reason::error) return;
+    throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
+                                         manifest.string(), driver.error));
+}
+
 void tell_the_loader(Manifests manifests) {
+    const Manifests asked_for = manifests;
     const auto swiftshader = gpu::find_swiftshader();
     if (swiftshader && !gpu::drivers_are_chosen() && !holds(manifests, *swiftshader))
         manifests.push_back(*swiftshader);
     gpu::add_drivers(manifests);
+    for (const auto& manifest : asked_for) {
+        ask_for_driver(manifest);
+        require_driver(manifest);
+    }
 }
 
 }  // namespace

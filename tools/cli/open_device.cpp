@@ -5,11 +5,13 @@
 
 #include <cstdio>
 
+#include "cli/driver_probe.hpp"
 #include "cli/environment.hpp"
 
 namespace gloam::cli {
 
 gpu::Device open_device(const std::string& name, bool validation) {
+    require_good_drivers();
     return gpu::Device({.device = name,
                         .validation = validation ? gpu::Validation::on : gpu::Validation::off,
                         .cache_directory = cache_directory()});

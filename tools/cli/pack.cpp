@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/apart.hpp"
+#include "base/read_file.hpp"
 #include "cli/environment.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
@@ -47,6 +51,41 @@ void put_packed(const report::OutputFile& out, const PackOptions& options, const
     }
 }
 
+// Files may be anybody's, and so is what their macros do to a compiler: within limits of time and memory.
+std::string within_limits(const std::function<std::string()>& work, const std::string& name) {
+    const base::ProcessLimits limits{.memory_bytes = std::uint64_t{2} << 30,
+                                     .cpu = std::chrono::seconds(30),
+                                     .patience = std::chrono::minutes(5)};
+    try {
+        return base::run_apart(work, limits);
+    } catch (const base::LimitError& error) {
+        throw std::runtime_error(fmt::format("{}: packing it {}", name, error.what()));
+    }
+}
+
+// The text without its #version, which the preamble has; lines stay where they are.
+std::string without_version(const std::string& text) {
+    static const std::regex version("(^|\n)[ \t]*#[ \t]*version[^\n]*");
+    return std::regex_replace(text, version, "$1");
+}
+
+std::string packed(const std::vector<fs::path>& files, shader::Language language,
+                   const std::vector<fs::path>& roots) {
+    std::string body = shader::flatten(files, roots);
+    try {
+        shader::check_compiles({.name = files.front().string() + " as packed", .text = body}, language,
+                               roots);
+    } catch (const shader::CompileError&) {
+        // The same of a file as it is names its own lines, and those of what it includes.
+        for (const fs::path& file : files) {
+            const std::string text = without_version(base::read_file(file));
+            shader::check_compiles({.name = fs::absolute(file).string(), .text = text}, language, roots);
+        }
+        throw;
+    }
+    return shader::preamble(language) + body;
+}
+
 // The settings that the pass is given, by the names that `gloam list settings` explains.
 std::string settings_comment(const std::string& preset, const std::string& method) {
     effect::Settings settings = effect::preset_named(preset).settings;
@@ -73,7 +112,8 @@ void pack_pass(const PackOptions& options) {
     std::string text =
         passes.text("ambient_occlusion.comp", {}, {{"methods/hemisphere.glsl", "methods/" + name + ".glsl"}});
     if (!options.preset.empty()) text += "\n" + settings_comment(options.preset, name);
-    (void)shader::compile({.name = "packed text", .text = text}, {.stage = shader::Stage::compute});
+    (void)shader::compile({.name = "the pass of " + name + " as packed", .text = text},
+                          {.stage = shader::Stage::compute});
     put_packed(out, options, text);
 }
 
@@ -90,9 +130,8 @@ void run_pack(const PackOptions& options) {
     std::vector<fs::path> files;
     for (const std::string& name : options.files) files.push_back(find_file(name, roots));
     const report::OutputFile out(options.out);
-    const std::string body = shader::flatten(files, roots);
-    shader::check_compiles({.name = "packed text", .text = body}, *language, roots);
-    put_packed(out, options, shader::preamble(*language) + body);
+    put_packed(out, options,
+               within_limits([&] { return packed(files, *language, roots); }, files.front().string()));
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 namespace gloam::cli {
 
-// All of a file. Throws std::runtime_error that names it and says why it cannot be read.
+// All of a file, of at most base::largest_text bytes. Throws std::runtime_error that names it and says why it
+// cannot be read.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
 }  // namespace gloam::cli

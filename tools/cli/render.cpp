@@ -258,25 +258,38 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_truth_options(CLI::App& command, RenderOptions& options) {
+    CLI::Option* truth = command
+                             .add_option_function<std::vector<std::string>>(
+                                 "--truth",
+                                 [&options](const std::vector<std::string>& files) {
+                                     options.truth = files.empty() ? "" : files.front();
+                                     options.trace_truth = options.truth.empty();
+                                 },
+                                 "compare with true occlusion: traced now, or given as a PFM file")
+                             ->expected(0, 1)
+                             ->type_name("[FILE]");
     command
-        .add_option_function<std::vector<std::string>>(
-            "--truth",
-            [&options](const std::vector<std::string>& files) {
-                options.truth = files.empty() ? "" : files.front();
-                options.trace_truth = options.truth.empty();
-            },
-            "compare with true occlusion: traced now, or given as a PFM file (after the scene's name)")
-        ->expected(0, 1)
-        ->type_name("[FILE]");
-    command.add_flag(
-        "--truth-every", options.truth_every,
-        "trace the truth of every frame of a sequence, not of the last alone: it takes as long for each");
+        .add_flag(
+            "--truth-every", options.truth_every,
+            "trace the truth of every frame of a sequence, not of the last alone: it takes as long for each")
+        ->needs(truth);
     command.add_option("--truth-rays", options.truth_rays, "rays for each pixel, 32 to 16777216")
+        ->needs(truth)
         ->capture_default_str();
     command.add_option("--truth-falloff", options.truth_falloff, "linear, quadratic or step")
+        ->needs(truth)
         ->capture_default_str();
-    command.add_option("--truth-thickness", options.truth_thickness,
-                       "of what the depth buffer shows, world units (default: solid behind its surface)");
+    command
+        .add_option("--truth-thickness", options.truth_thickness,
+                    "of what the depth buffer shows, world units (default: solid behind its surface)")
+        ->needs(truth);
+}
+
+// `render --truth columns`: with nothing else to render, what follows is the scene and not its truth.
+void take_scene_from_truth(RenderOptions& options) {
+    if (!options.source.empty() || !options.gbuffer.empty() || options.truth.empty()) return;
+    options.source = std::exchange(options.truth, "");
+    options.trace_truth = true;
 }
 
 }  // namespace
@@ -298,7 +311,10 @@ void add_render(CLI::App& app, int& status) {
     command->add_option("--device", options->device, "name or index of the device (gloam devices)");
     command->add_flag("--validation", options->validation, "Vulkan validation layers on; any message fails");
     add_driver_option(*command);
-    command->callback([options, &status] { status = run_render(*options); });
+    command->callback([options, &status] {
+        take_scene_from_truth(*options);
+        status = run_render(*options);
+    });
 }
 
 }  // namespace gloam::cli

@@ -9,10 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cli/mesh_reader.hpp"
 #include "cli/names.hpp"
 #include "cli/render_settings.hpp"
 #include "scene/corner.hpp"
 #include "scene/guard_band.hpp"
+#include "scene/mesh_reader.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
 
@@ -41,7 +43,8 @@ scene::Scene load_scene(const std::string& source) {
         throw std::invalid_argument(
             fmt::format("\"{}\" is neither a scene ({}) nor a mesh file", source, scene_list()));
     }
-    return scene::mesh_on_ground(scene::load_mesh(source), fs::path(source).stem().string());
+    return scene::mesh_on_ground(scene::read_mesh(source, mesh_reader_command()),
+                                 fs::path(source).stem().string());
 }
 
 // "640x360".

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "catalogue/catalogue.hpp"
+#include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "report/output_file.hpp"
@@ -41,6 +42,7 @@ int run_stress(const StressOptions& options) {
     (void)catalogue::select(catalogue::all_entries(),
                             options.equations);  // a wrong name is said before anything runs
     const report::OutputFile json(options.json);
+    require_good_drivers();
     const check::Lab lab({.device = options.device,
                           .validation = options.validation,
                           .include_roots = {glsl_directory(), stress_shaders_directory()},

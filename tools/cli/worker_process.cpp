@@ -20,10 +20,13 @@
 #include <thread>
 #include <utility>
 
+#include "base/process.hpp"
+
 namespace gloam::cli {
 namespace {
 
 using namespace std::chrono_literals;
+using base::FileDescriptor;
 
 constexpr auto to_end_by_itself = 1s;            // after it closed its output
 constexpr auto to_die = 10s;                     // a process inside a hung driver may be beyond any signal
@@ -39,7 +42,7 @@ FileDescriptor scratch_file() {
     FileDescriptor file(mkostemp(name.data(), O_CLOEXEC));
     if (file.get() < 0) fail(errno, "cannot make " + name);
     unlink(name.c_str());
-    return file;
+    return base::beyond_standard(std::move(file));
 }
 
 // What the child does between fork and exec: nothing that allocates or locks. Returns only when exec failed.
@@ -54,30 +57,9 @@ void become(char* const* arguments, int connection, int errors, pid_t parent) {
 
 }  // namespace
 
-FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
-    if (this != &other) {
-        reset();
-        number_ = other.release();
-    }
-    return *this;
-}
-
-int FileDescriptor::release() {
-    return std::exchange(number_, -1);
-}
-
-void FileDescriptor::reset() {
-    if (number_ >= 0) close(release());
-}
-
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command) : errors_(scratch_file()) {
-    std::array<int, 2> ends{};
-    // A socket and not a pipe: writing to a program that has died is then an error, not a signal.
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-        fail(errno, "cannot connect to " + command.at(0));
-    }
-    connection_ = FileDescriptor(ends[0]);
-    const FileDescriptor theirs(ends[1]);
+    auto [ours, theirs] = base::connected_pair();
+    connection_ = std::move(ours);
     start(command, theirs.get());
 }
 
@@ -86,10 +68,8 @@ void WorkerProcess::start(const std::vector<std::string>& command, int theirs) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    std::array<int, 2> ends{};  // closed by a successful exec; else carries its error
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "cannot start " + command.at(0));
-    FileDescriptor failure(ends[0]);
-    FileDescriptor failure_end(ends[1]);
+    auto [failure, failure_end] =
+        base::connected_pair();  // closed by a successful exec; else carries its error
     const pid_t parent = getpid();
     child_ = fork();
     if (child_ < 0) fail(errno, "cannot start " + command.at(0));
@@ -157,16 +137,7 @@ std::string WorkerProcess::end() {
         kill(child_, SIGKILL);
         if (!wait(to_die)) return fmt::format("process {} does not even end when killed", child_);
     }
-    std::string text;
-    if (WIFSIGNALED(status_)) {
-        const int signal = WTERMSIG(status_);
-        const char* name = sigabbrev_np(signal);
-        const char* description = sigdescr_np(signal);
-        text = fmt::format("ended by signal {} ({}: {})", signal, name == nullptr ? "?" : name,
-                           description == nullptr ? "?" : description);
-    } else {
-        text = fmt::format("ended with status {}", WEXITSTATUS(status_));
-    }
+    const std::string text = base::how_it_ended(status_);
     const std::string words = last_words();
     return words.empty() ? text : text + ": " + words;
 }

@@ -8,25 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/file_descriptor.hpp"
+
 namespace gloam::cli {
-
-// An open file, closed at the end.
-class FileDescriptor {
-  public:
-    explicit FileDescriptor(int number = -1) : number_(number) {}
-    ~FileDescriptor() { reset(); }
-    FileDescriptor(FileDescriptor&& other) noexcept : number_(other.release()) {}
-    FileDescriptor& operator=(FileDescriptor&& other) noexcept;
-    FileDescriptor(const FileDescriptor&) = delete;
-    FileDescriptor& operator=(const FileDescriptor&) = delete;
-
-    [[nodiscard]] int get() const { return number_; }
-    void reset();
-
-  private:
-    int release();
-    int number_;
-};
 
 // A program that answers lines with lines. Its standard input and output are a connection to this process,
 // its standard error goes to an unnamed file. It dies with the object, and with the thread that started it
@@ -62,8 +46,8 @@ class WorkerProcess {
     pid_t child_ = -1;
     bool running_ = false;
     int status_ = 0;  // as waitpid() has it, once it does not run
-    FileDescriptor connection_;
-    FileDescriptor errors_;
+    base::FileDescriptor connection_;
+    base::FileDescriptor errors_;
     std::string heard_;  // not yet taken
 };
 

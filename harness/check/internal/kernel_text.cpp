@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <set>
 #include <string_view>
 
 namespace gloam::check::internal {
@@ -78,56 +81,84 @@ spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [44
 
 constexpr std::string_view interface = R"(
 layout(local_size_x = 64) in;
-layout(push_constant) uniform KernelRun {
-    uint kernel_count;
-    uint kernel_row_length;
-    uint kernel_canary;
+layout(push_constant) uniform GloamKernelRun {
+    uint gloam_kernel_count;
+    uint gloam_kernel_row_length;
+    uint gloam_kernel_canary;
 };
-layout(std430, set = 0, binding = 0) readonly buffer KernelInputs { uint kernel_inputs[]; };
-layout(std430, set = 0, binding = 1) writeonly buffer KernelOutputs { uint kernel_outputs[]; };
-layout(std430, set = 0, binding = 2) buffer KernelFaults { uint kernel_faults[]; };
-uint kernel_input() { return gl_GlobalInvocationID.y * kernel_row_length + gl_GlobalInvocationID.x; }
-void kernel_fault(uint image, ivec2 pixel) {
-    if (atomicAdd(kernel_faults[0], 1u) == 0u) {
-        kernel_faults[1] = image;
-        kernel_faults[2] = uint(pixel.x);
-        kernel_faults[3] = uint(pixel.y);
-        kernel_faults[4] = kernel_input();
+layout(std430, set = 0, binding = 0) readonly buffer GloamKernelInputs { uint gloam_kernel_inputs[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer GloamKernelOutputs { uint gloam_kernel_outputs[]; };
+layout(std430, set = 0, binding = 2) buffer GloamKernelFaults { uint gloam_kernel_faults[]; };
+uint gloam_kernel_input() { return gl_GlobalInvocationID.y * gloam_kernel_row_length + gl_GlobalInvocationID.x; }
+void gloam_kernel_fault(uint image, ivec2 pixel) {
+    if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {
+        gloam_kernel_faults[1] = image;
+        gloam_kernel_faults[2] = uint(pixel.x);
+        gloam_kernel_faults[3] = uint(pixel.y);
+        gloam_kernel_faults[4] = gloam_kernel_input();
     }
 }
 )";
 
 std::string image_interface(const ImagePrototype& image, std::size_t index) {
     return fmt::format(
-        "layout(std430, set = 0, binding = {}) {}buffer KernelImage{} {{ uint kernel_image{}[]; }};\n",
+        "layout(std430, set = 0, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; "
+        "}};\n",
         KernelBinding::first_image + index, image.stores ? "" : "readonly ", index, index);
 }
 
 // The definition of a prototype: finds the pixel, or reports the fault.
 std::string image_definition(const ImagePrototype& image, std::size_t index) {
-    const std::string buffer = fmt::format("kernel_image{}", index);
+    const std::string buffer = fmt::format("gloam_kernel_image{}", index);
     const std::size_t scalars = scalars_of(image.element).size();
     const std::string type = type_name(image.element);
-    std::string code = image.stores ? fmt::format("void {}(ivec2 pixel, {} value) {{\n", image.name, type)
-                                    : fmt::format("{} {}(ivec2 pixel) {{\n", type, image.name);
+    std::string code =
+        image.stores
+            ? fmt::format("void {}(ivec2 gloam_kernel_pixel, {} gloam_kernel_value) {{\n", image.name, type)
+            : fmt::format("{} {}(ivec2 gloam_kernel_pixel) {{\n", type, image.name);
     code += fmt::format(
-        "    ivec2 size = ivec2({0}[0], {0}[1]);\n"
-        "    ivec2 inside = clamp(pixel, ivec2(0), size - 1);\n"
-        "    if (inside != pixel && {0}[2] == 0u) kernel_fault({1}u, pixel);\n"
-        "    uint at = {2}u + uint(inside.y * size.x + inside.x) * {3}u;\n",
+        "    ivec2 gloam_kernel_size = ivec2({0}[0], {0}[1]);\n"
+        "    ivec2 gloam_kernel_inside = clamp(gloam_kernel_pixel, ivec2(0), gloam_kernel_size - 1);\n"
+        "    if (gloam_kernel_inside != gloam_kernel_pixel && {0}[2] == 0u)\n"
+        "        gloam_kernel_fault({1}u, gloam_kernel_pixel);\n"
+        "    uint gloam_kernel_at = {2}u + uint(gloam_kernel_inside.y * gloam_kernel_size.x +\n"
+        "                                       gloam_kernel_inside.x) * {3}u;\n",
         buffer, index, image_header_words, scalars);
     if (image.stores) {
-        code += "    if (inside != pixel) return;\n";
-        append_write(code, image.element, "value", buffer, "at", 0);
+        code += "    if (gloam_kernel_inside != gloam_kernel_pixel) return;\n";
+        append_write(code, image.element, "gloam_kernel_value", buffer, "gloam_kernel_at", 0);
     } else {
-        code += fmt::format("    {} value;\n", type);
+        code += fmt::format("    {} gloam_kernel_value;\n", type);
         const InputText word = [&buffer](Scalar scalar, std::size_t offset) {
-            return from_word(scalar, fmt::format("{}[at + {}u]", buffer, offset));
+            return from_word(scalar, fmt::format("{}[gloam_kernel_at + {}u]", buffer, offset));
         };
-        append_read(code, image.element, "value", word, 0);
-        code += "    return value;\n";
+        append_read(code, image.element, "gloam_kernel_value", word, 0);
+        code += "    return gloam_kernel_value;\n";
     }
     return code + "}\n";
+}
+
+// Whether a macro can have this name at all.
+bool can_be_macro(std::string_view word) {
+    return !word.starts_with("GL_") && word.find("__") == std::string_view::npos && word != "defined";
+}
+
+// What undefines every name that a text uses: a macro that the user's file leaves behind must not reach into
+// it.
+std::string without_macros(std::string_view text) {
+    const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    std::set<std::string_view> words;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && is_word(text[end])) ++end;
+        const std::string_view word = text.substr(at, end - at);
+        if (!word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 && can_be_macro(word))
+            words.insert(word);
+        at = std::max(end, at + 1);
+    }
+    std::string code;
+    for (const std::string_view word : words) code += fmt::format("#undef {}\n", word);
+    return code;
 }
 
 }  // namespace
@@ -145,14 +176,16 @@ std::string from_word(Scalar scalar, const std::string& word) {
     }
 }
 
-std::string preamble(const KernelSource& source) {
+std::string kernel_text(const KernelSource& source, const std::string& rest) {
     std::string code(header);
     if (source.preserve_nan) code += preserve;
     code += interface;
     for (std::size_t i = 0; i < source.images.size(); ++i) code += image_interface(source.images[i], i);
     code += fmt::format("#include \"{}\"\n", source.file);
-    for (std::size_t i = 0; i < source.images.size(); ++i) code += image_definition(source.images[i], i);
-    return code;
+    std::string ours;
+    for (std::size_t i = 0; i < source.images.size(); ++i) ours += image_definition(source.images[i], i);
+    ours += rest;
+    return code + without_macros(ours) + ours;
 }
 
 Evaluation evaluation(const shader::Function& function, const InputText& input) {
@@ -160,41 +193,44 @@ Evaluation evaluation(const shader::Function& function, const InputText& input) 
     std::string arguments;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const shader::Parameter& p = function.parameters[i];
-        const std::string variable = fmt::format("argument{}", i);
+        const std::string variable = fmt::format("gloam_kernel_argument{}", i);
         result.code += fmt::format("    {} {};\n", type_name(p.type), variable);
         if (p.direction != Direction::out)
             result.input_words += append_read(result.code, p.type, variable, input, result.input_words);
         arguments += (i > 0 ? ", " : "") + variable;
     }
     const auto write = [&](const Type& type, const std::string& variable) {
-        result.output_words +=
-            append_write(result.code, type, variable, "kernel_outputs", "output_at", result.output_words);
+        result.output_words += append_write(result.code, type, variable, "gloam_kernel_outputs",
+                                            "gloam_kernel_output_at", result.output_words);
     };
     const std::string call = fmt::format("{}({});\n", function.name, arguments);
     if (function.result.scalar == Scalar::void_) {
         result.code += "    " + call;
     } else {
-        result.code += fmt::format("    {} result = {}", type_name(function.result), call);
-        write(function.result, "result");
+        result.code += fmt::format("    {} gloam_kernel_result = {}", type_name(function.result), call);
+        write(function.result, "gloam_kernel_result");
     }
     for (std::size_t i = 0; i < function.parameters.size(); ++i)
         if (function.parameters[i].direction != Direction::in)
-            write(function.parameters[i].type, fmt::format("argument{}", i));
+            write(function.parameters[i].type, fmt::format("gloam_kernel_argument{}", i));
     return result;
 }
 
 std::string main_begin(std::size_t output_words) {
     return fmt::format(
         "void main() {{\n"
-        "    uint kernel_index = kernel_input();\n"
-        "    if (gl_GlobalInvocationID.x >= kernel_row_length || kernel_index >= kernel_count) return;\n"
-        "    uint output_at = kernel_index * {}u;\n",
+        "    uint gloam_kernel_index = gloam_kernel_input();\n"
+        "    if (gl_GlobalInvocationID.x >= gloam_kernel_row_length || gloam_kernel_index >= "
+        "gloam_kernel_count) return;\n"
+        "    uint gloam_kernel_output_at = gloam_kernel_index * {}u;\n",
         output_words + 1);
 }
 
 std::string main_end(std::size_t output_words) {
-    return fmt::format("    kernel_outputs[output_at + {}u] = kernel_canary ^ kernel_index;\n}}\n",
-                       output_words);
+    return fmt::format(
+        "    gloam_kernel_outputs[gloam_kernel_output_at + {}u] = gloam_kernel_canary ^ "
+        "gloam_kernel_index;\n}}\n",
+        output_words);
 }
 
 }  // namespace gloam::check::internal

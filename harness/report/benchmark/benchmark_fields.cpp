@@ -5,6 +5,12 @@ namespace gloam::report::internal {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+constexpr std::size_t most_samples = 1'000'000;  // of a pixel: far more than anybody takes
+
+}  // namespace
+
 ordered_json to_json(const Configuration& configuration) {
     return {{"scene", configuration.scene},
             {"method", configuration.method},
@@ -14,10 +20,10 @@ ordered_json to_json(const Configuration& configuration) {
 }
 
 Configuration configuration_from(const JsonReader& json) {
-    return {.scene = json.member("scene").text(),
-            .method = json.member("method").text(),
-            .preset = json.member("preset").text(),
-            .samples = static_cast<std::uint32_t>(json.member("samples").count()),
+    return {.scene = json.member("scene").name(),
+            .method = json.member("method").name(),
+            .preset = json.member("preset").name(),
+            .samples = static_cast<std::uint32_t>(json.member("samples").count_up_to(most_samples)),
             .temporal = json.member("temporal").flag()};
 }
 
@@ -53,7 +59,7 @@ ordered_json passes_json(const std::vector<std::pair<std::string, double>>& pass
 std::vector<std::pair<std::string, double>> passes_from(const JsonReader& json) {
     std::vector<std::pair<std::string, double>> passes;
     for (const JsonReader& pass : json.elements())
-        passes.emplace_back(pass.member("pass").text(), pass.member("ms").number());
+        passes.emplace_back(pass.member("pass").name(), pass.member("ms").number());
     return passes;
 }
 

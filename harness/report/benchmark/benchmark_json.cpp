@@ -17,6 +17,7 @@ using internal::number_json;
 using nlohmann::ordered_json;
 
 constexpr std::size_t version = 1;
+constexpr std::size_t largest_setting = 1'000'000'000;  // pixels, frames, rounds, rays
 
 ordered_json growth_json(const Growth& growth) {
     ordered_json points = ordered_json::array();
@@ -40,8 +41,8 @@ std::vector<double> open_from(const JsonReader& json, std::size_t points) {
 }
 
 Growth growth_from(const JsonReader& json) {
-    Growth growth{.of = json.member("of").text(),
-                  .method = json.member("method").text(),
+    Growth growth{.of = json.member("of").name(),
+                  .method = json.member("method").name(),
                   .exponent = json.member("exponent").number()};
     for (const JsonReader& point : json.member("points").elements()) {
         const std::vector<double> pair = point.numbers();
@@ -118,9 +119,11 @@ Benchmark benchmark_from_json(std::string_view text) {
     const ordered_json document = internal::parse_json(text);
     const JsonReader json(document, "");
     if (json.member("benchmark").count() != version) json.member("benchmark").expected("version 1");
-    const auto whole = [&](const char* name) { return static_cast<int>(json.member(name).count()); };
-    Benchmark benchmark{.device = json.member("device").text(),
-                        .driver = json.member("driver").text(),
+    const auto whole = [&](const char* name) {
+        return static_cast<int>(json.member(name).count_up_to(largest_setting));
+    };
+    Benchmark benchmark{.device = json.member("device").name(),
+                        .driver = json.member("driver").name(),
                         .width = static_cast<std::uint32_t>(whole("width")),
                         .height = static_cast<std::uint32_t>(whole("height")),
                         .frames = whole("frames"),
@@ -133,7 +136,7 @@ Benchmark benchmark_from_json(std::string_view text) {
         benchmark.scaling.push_back(growth_from(growth));
     for (const JsonReader& figure : json.member("framework").elements()) {
         benchmark.framework.push_back(
-            {figure.member("name").text(), figure.member("unit").text(), figure.member("value").number()});
+            {figure.member("name").name(), figure.member("unit").name(), figure.member("value").number()});
     }
     return benchmark;
 }

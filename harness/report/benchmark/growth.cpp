@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/text.hpp"
 namespace gloam::report {
 
 double exponent_of(std::span<const std::pair<double, double>> points) {
@@ -33,7 +34,7 @@ std::string growth_plot_name(const std::string& of) {
     std::string name = "scaling-" + of;
     std::erase(name, ',');
     std::ranges::replace(name, ' ', '-');
-    return name;
+    return base::file_name_of(name);
 }
 
 }  // namespace gloam::report

@@ -3,17 +3,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
+#include "base/file_descriptor.hpp"
+#include "base/read_file.hpp"
+#include "base/write_file.hpp"
 #include "report/benchmark/summary.hpp"
 #include "report/internal/benchmark_fields.hpp"
-#include "report/internal/write.hpp"
 
 namespace gloam::report {
 namespace {
@@ -21,6 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using internal::JsonReader;
 using nlohmann::ordered_json;
+
+constexpr std::size_t longest_journal = std::size_t{1} << 30;  // bytes
+constexpr std::size_t most_rounds = 1'000'000;
 
 ordered_json setup_json(const JournalSetup& setup) {
     return {{"benchmark_journal", 1}, {"device", setup.device}, {"driver", setup.driver},
@@ -44,7 +45,7 @@ Visit visit_of(const std::string& line, const std::string& where) {
     const ordered_json document = internal::parse_json(line);
     const JsonReader json(document, where);
     Visit visit{.configuration = internal::configuration_from(json.member("configuration")),
-                .round = static_cast<int>(json.member("round").count())};
+                .round = static_cast<int>(json.member("round").count_up_to(most_rounds))};
     if (!json.member("quality").is_null()) visit.quality = internal::quality_from(json.member("quality"));
     for (const JsonReader& reading : json.member("readings").elements()) {
         visit.readings.push_back({.passes = internal::passes_from(reading.member("passes")),
@@ -53,29 +54,20 @@ Visit visit_of(const std::string& line, const std::string& where) {
     return visit;
 }
 
-std::string text_of(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream.is_open())
-        throw std::runtime_error(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 }  // namespace
 
 Journal::Journal(fs::path path, const JournalSetup& setup, bool resume) : path_(std::move(path)) {
     if (path_.empty()) return;
     std::string kept = setup_json(setup).dump() + "\n";
     if (resume && fs::exists(path_)) {
-        const std::string text = text_of(path_);
+        const std::string text = base::read_file(path_, longest_journal);
         const std::string whole = text.substr(0, text.rfind('\n') + 1);
         if (!whole.empty()) {
             read(whole, setup);
             kept = whole;
         }
     }
-    if (const int error = internal::write_all(internal::part_of(path_), kept))
-        internal::fail_to_write(path_, error);
-    fs::rename(internal::part_of(path_), path_);
+    base::write_file(path_, kept);
 }
 
 void Journal::read(std::string_view text, const JournalSetup& setup) {
@@ -113,12 +105,9 @@ void Journal::add(Visit visit) {
 }
 
 void Journal::append(const std::string& line) const {
-    const int file = open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-    if (file < 0) internal::fail_to_write(path_, errno);
-    const ssize_t count = ::write(file, line.data(), line.size());
-    const int error = count < 0 ? errno : count < static_cast<ssize_t>(line.size()) ? ENOSPC : 0;
-    if (close(file) != 0 && error == 0) internal::fail_to_write(path_, errno);
-    if (error != 0) internal::fail_to_write(path_, error);
+    const base::FileDescriptor file(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
+    if (!file.is_open()) base::fail_to_write(path_, errno);
+    if (const int error = base::write_all(file.get(), line)) base::fail_to_write(path_, error);
 }
 
 Row Journal::row_of(const Configuration& configuration) const {

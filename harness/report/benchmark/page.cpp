@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "base/text.hpp"
 #include "report/benchmark/growth.hpp"
 #include "report/benchmark/pareto.hpp"
 #include "report/benchmark/tables.hpp"
@@ -112,7 +113,7 @@ std::string to_benchmark_page(const Benchmark& benchmark, const std::string& ima
     if (!presets.empty()) text += presets_introduction + presets;
     for (const std::string& scene : scenes) {
         text += fmt::format("\n## `{}`\n\n{}The front:\n\n{}\nEach method at its most exact:\n\n{}", scene,
-                            picture(images, scene), scene_front_table(benchmark, scene),
+                            picture(images, base::file_name_of(scene)), scene_front_table(benchmark, scene),
                             best_table(benchmark, scene));
     }
     text += scaling_section(benchmark, images) + framework_section(benchmark);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/text.hpp"
 #include "report/benchmark/growth.hpp"
 #include "report/benchmark/pareto.hpp"
 
@@ -111,7 +112,7 @@ Plot growth_plot(const Benchmark& benchmark, const std::string& of) {
 std::vector<std::pair<std::string, Plot>> plots_of(const Benchmark& benchmark) {
     std::vector<std::pair<std::string, Plot>> plots;
     for (const std::string& scene : scenes_of(benchmark))
-        plots.emplace_back(scene, error_against_time(benchmark, scene));
+        plots.emplace_back(base::file_name_of(scene), error_against_time(benchmark, scene));
     if (!overall_of(benchmark).empty()) plots.emplace_back("overall", error_against_time(benchmark));
     std::set<std::string> drawn;
     for (const Growth& growth : benchmark.scaling) {

@@ -30,8 +30,11 @@ class JsonReader {
     [[nodiscard]] bool is_null() const { return json_->is_null(); }
     [[nodiscard]] bool is_array() const { return json_->is_array(); }
     [[nodiscard]] std::string text() const;
+    // A text that may stand in tables, titles and messages: one line; or nothing.
+    [[nodiscard]] std::string name() const;
     [[nodiscard]] double number() const;
     [[nodiscard]] std::size_t count() const;
+    [[nodiscard]] std::size_t count_up_to(std::size_t most) const;
     [[nodiscard]] bool flag() const;
     [[nodiscard]] std::vector<double> numbers() const;
     [[nodiscard]] std::vector<std::uint32_t> words() const;
@@ -43,7 +46,8 @@ class JsonReader {
     std::string where_;
 };
 
-// Parses a text; throws std::runtime_error with the line and column of what is no JSON.
+// Parses a text; throws std::runtime_error with the line and column of what is no JSON, or that says which of
+// base::JsonBounds it exceeds.
 [[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
 
 }  // namespace gloam::report::internal

@@ -65,6 +65,51 @@ TEST(BenchmarkJson, HoldsThePartOfOpenTilesWhereItWasCounted) {
     }
 }
 
+// A results file is anybody's: whatever it names is one line, and leads nowhere.
+TEST(BenchmarkJson, NamesAreOneLine) {
+    const auto refusal = [](auto&& change, const char* named) {
+        Benchmark benchmark = everything();
+        change(benchmark);
+        EXPECT_THAT([&] { (void)benchmark_from_json(to_json(benchmark)); },
+                    testing::ThrowsMessage<std::runtime_error>(
+                        testing::AllOf(HasSubstr(named), HasSubstr("expected a name"))));
+    };
+    const std::string bad = "a\nsystem('id')\n";
+    refusal([&](Benchmark& b) { b.device = bad; }, "device");
+    refusal([&](Benchmark& b) { b.driver = bad; }, "driver");
+    refusal([&](Benchmark& b) { b.rows[0].configuration.scene = bad; }, "results[0].scene");
+    refusal([&](Benchmark& b) { b.rows[0].configuration.method = bad; }, "results[0].method");
+    refusal([&](Benchmark& b) { b.rows[1].configuration.preset = bad; }, "results[1].preset");
+    refusal([&](Benchmark& b) { b.scaling[0].of = bad; }, "scaling[0].of");
+    refusal([&](Benchmark& b) { b.scaling[0].method = bad; }, "scaling[0].method");
+}
+
+TEST(BenchmarkJson, PlotsAreNamedSoThatNoneLeadsAway) {
+    Benchmark benchmark = everything();
+    benchmark.rows[0].configuration.scene = "../../evil";
+    benchmark.scaling[0].of = "../x";
+    for (const auto& [name, plot] : plots_of(benchmark)) EXPECT_EQ(name.find('/'), std::string::npos) << name;
+    EXPECT_THAT(to_benchmark_page(benchmark, "images"), testing::Not(HasSubstr("images/../")));
+}
+
+TEST(BenchmarkJson, DepthSizeAndNumbersAreBounded) {
+    const auto refusal = [](const std::string& text, const char* named) {
+        EXPECT_THAT([&] { (void)benchmark_from_json(text); },
+                    testing::ThrowsMessage<std::runtime_error>(HasSubstr(named)));
+    };
+    refusal(std::string(1'000'000, '['), "nested more than 64 deep");
+    refusal(R"({"benchmark": 1e999})", "no JSON");
+    const std::string endless = "{\"" + std::string(100'000, 'x');
+    try {
+        (void)benchmark_from_json(endless);
+    } catch (const std::runtime_error& error) {
+        EXPECT_LT(std::string(error.what()).size(), 400U);  // the parser quotes what it read last
+    }
+    std::string text = to_json(everything());
+    text.replace(text.find("\"width\": 320"), 12, "\"width\": 18446744073709551615");
+    refusal(text, "width: expected a count of at most");
+}
+
 TEST(BenchmarkJson, SaysWhereSomethingElseStands) {
     const std::string text = to_json(everything());
     const auto refusal = [&](const std::string& from, const std::string& to, const char* named) {

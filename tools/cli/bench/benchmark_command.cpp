@@ -35,9 +35,11 @@ void add_what(CLI::App& bench, BenchmarkOptions& options) {
 }
 
 void add_costs(CLI::App& bench, BenchmarkOptions& options) {
-    bench.add_flag("--scaling", options.scaling,
-                   "instead: time against pixels, samples, radius, filter and objects, with exponents");
+    CLI::Option* scaling =
+        bench.add_flag("--scaling", options.scaling,
+                       "instead: time against pixels, samples, radius, filter and objects, with exponents");
     bench.add_option("--scaling-sizes", options.scaling_sizes, "WIDTHxHEIGHT of --scaling, smallest first")
+        ->needs(scaling)
         ->capture_default_str();
     bench.add_flag("--framework", options.framework, "instead: what the shader-test framework itself costs");
 }
@@ -46,10 +48,22 @@ void add_answers(CLI::App& bench, BenchmarkOptions& options) {
     bench.add_option("--budget", options.budget, "name the most exact within this time: 1ms, 40copies");
     bench.add_option("--error", options.error, "name the fastest with at most this RMSE")
         ->check(CLI::PositiveNumber);
-    bench.add_option("--from", options.from, "results of earlier --json as one, instead of measuring");
-    bench.add_option("--compare", options.compare, "two results: what changed from OLD to NEW")->expected(2);
-    bench.add_flag("--fail-if-worse", options.fail_if_worse,
-                   "with --compare: status 1 when something got worse beyond its spread");
+    CLI::Option* from =
+        bench.add_option("--from", options.from, "results of earlier --json as one, instead of measuring");
+    CLI::Option* compare =
+        bench.add_option("--compare", options.compare, "two results: what changed from OLD to NEW")
+            ->expected(2);
+    bench
+        .add_flag("--fail-if-worse", options.fail_if_worse,
+                  "with --compare: status 1 when something got worse beyond its spread")
+        ->needs(compare);
+    compare->excludes(from);
+    // Of what is measured: nothing is, with results at hand.
+    for (const char* measured : {"--scene", "--method", "--preset", "--samples", "--size", "--temporal",
+                                 "--single", "--frames", "--repeat", "--rays", "--scaling", "--framework"}) {
+        from->excludes(bench.get_option(measured));
+        compare->excludes(bench.get_option(measured));
+    }
 }
 
 void add_outputs(CLI::App& bench, BenchmarkOptions& options) {
@@ -62,7 +76,9 @@ void add_outputs(CLI::App& bench, BenchmarkOptions& options) {
     bench.add_option("--json", options.json, "write every number to this file");
     bench.add_option("--csv", options.csv, "a line for each configuration");
     bench.add_option("--out", options.out, "folder for results, plots and the journal");
-    bench.add_flag("--resume", options.resume, "measure only what the journal in --out does not have");
+    bench.add_flag("--resume", options.resume, "measure only what the journal in --out does not have")
+        ->excludes(bench.get_option("--from"))
+        ->excludes(bench.get_option("--compare"));
     add_driver_option(bench);
 }
 

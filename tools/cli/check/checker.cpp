@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/variant.hpp"
 #include "report/row_of.hpp"
@@ -53,8 +54,8 @@ const catalogue::Entry& Checker::entry(const std::string& id) const {
 
 report::DeviceSummary Checker::device() const {
     const gpu::DeviceInfo& info = lab_->device().info();
-    return {.name = info.name,
-            .driver = info.driver,
+    return {.name = base::one_line(info.name),
+            .driver = base::one_line(info.driver),
             .type = info.type,
             .api_version = info.api_version,
             .preserves_signed_zero_inf_nan = info.float32.preserves_signed_zero_inf_nan,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json_bounds.hpp"
 #include "check/describe.hpp"
 #include "check/reproduction.hpp"
 #include "numeric/text.hpp"
@@ -104,6 +105,7 @@ std::string to_line(const HandOver& hand_over) {
 }
 
 HandOver hand_over_from(std::string_view line) {
+    base::require_bounded_json(line);
     const json object = json::parse(line, nullptr, false);
     if (!object.is_object()) throw std::runtime_error("expected a JSON object");
     return {.glsl = object.at("glsl").get<std::string>(),

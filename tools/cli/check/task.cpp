@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json_bounds.hpp"
+#include "base/text.hpp"
+
 namespace gloam::cli {
 namespace {
 
@@ -13,13 +16,14 @@ constexpr auto replace = json::error_handler_t::replace;  // of bytes that are n
 
 // The line as an object with these members.
 json object_from(std::string_view line, std::initializer_list<const char*> members) {
+    constexpr std::size_t longest_quote = 200;
+    const std::string quote = base::shortened(line, longest_quote);
+    base::require_bounded_json(line);
     json object = json::parse(line, nullptr, false);
-    if (!object.is_object()) throw std::runtime_error("expected a JSON object, found " + std::string(line));
+    if (!object.is_object()) throw std::runtime_error("expected a JSON object, found " + quote);
     for (const char* member : members) {
-        if (!object.contains(member)) {
-            throw std::runtime_error("expected the field \"" + std::string(member) + "\" in " +
-                                     std::string(line));
-        }
+        if (!object.contains(member))
+            throw std::runtime_error("expected the field \"" + std::string(member) + "\" in " + quote);
     }
     return object;
 }

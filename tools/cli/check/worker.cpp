@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -81,8 +82,14 @@ std::vector<std::string> worker_command(const CheckerOptions& options) {
     return command;
 }
 
+std::vector<std::string> counting_command(const std::filesystem::path& driver) {
+    std::vector<std::string> command{this_program, subcommand, "--count"};
+    if (!driver.empty()) command.push_back("--driver-alone=" + driver.string());
+    return command;
+}
+
 std::size_t count_devices() {
-    WorkerSession session({this_program, subcommand, "--count"}, time_to_count,
+    WorkerSession session(counting_command({}), time_to_count,
                           [](const std::string& line) { return greeting_from(line).error; });
     try {
         return greeting_from(session.greeting()).devices;
@@ -102,7 +109,14 @@ void add_check_worker(CLI::App& app) {
     command->add_flag("--validation", options->validation);
     auto count = std::make_shared<bool>(false);
     command->add_flag("--count", *count, "only count the devices");
-    command->callback([options, timeout, count] {
+    auto driver = std::make_shared<std::string>();
+    command->add_option("--driver-alone", *driver, "manifest of the only driver to load");
+    command->callback([options, timeout, count, driver] {
+        if (!driver->empty()) {
+            ::setenv("VK_DRIVER_FILES", driver->c_str(), 1);
+            ::setenv("VK_ICD_FILENAMES", driver->c_str(), 1);
+            ::unsetenv("VK_ADD_DRIVER_FILES");
+        }
         if (*count) {
             count_and_tell();
             return;

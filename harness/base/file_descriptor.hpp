@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+namespace gloam::base {
+
+// An open file, closed at the end.
+class FileDescriptor {
+  public:
+    explicit FileDescriptor(int number = -1) : number_(number) {}
+    ~FileDescriptor() { reset(); }
+    FileDescriptor(FileDescriptor&& other) noexcept : number_(other.release()) {}
+    FileDescriptor& operator=(FileDescriptor&& other) noexcept;
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+    [[nodiscard]] int get() const { return number_; }
+    [[nodiscard]] bool is_open() const { return number_ >= 0; }
+    void reset();
+
+  private:
+    int release() { return std::exchange(number_, -1); }
+    int number_;
+};
+
+// The same open file under a number above those of the standard streams, which a child's dup2() would
+// overwrite; closed by exec.
+[[nodiscard]] FileDescriptor beyond_standard(FileDescriptor file);
+
+// Two ends of a connection, each beyond_standard(): a socket and not a pipe, so that writing to a program
+// that has ended is an error and not a signal. Throws std::system_error.
+[[nodiscard]] std::pair<FileDescriptor, FileDescriptor> connected_pair();
+
+// A standard stream that is closed is opened in a way that every use of it fails, so that no other file gets
+// its number. To be called before anything else is opened.
+void reserve_standard_streams();
+
+}  // namespace gloam::base

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "base/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace gloam::base {
+namespace {
+
+bool is_control(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20U || byte == 0x7fU;
+}
+
+bool is_plain(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+}
+
+// FNV-1a.
+std::uint64_t hash_of(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    return hash;
+}
+
+}  // namespace
+
+std::string shortened(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return std::string(text);
+    constexpr std::string_view dots = "...";
+    std::size_t size = most - std::min(most, dots.size());
+    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) --size;
+    return std::string(text.substr(0, size)) + std::string(dots);
+}
+
+std::string one_line(std::string_view text) {
+    while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
+    std::string line(text);
+    std::ranges::replace_if(line, is_control, ' ');
+    return line;
+}
+
+bool is_name(std::string_view text) {
+    constexpr std::size_t longest = 1000;
+    return !text.empty() && text.size() <= longest && std::ranges::none_of(text, is_control);
+}
+
+std::string file_name_of(std::string_view text) {
+    constexpr std::size_t longest = 100;
+    std::string name;
+    for (const char c : text) {
+        const bool stays = is_plain(c) || (c == '.' && !name.empty());
+        name += stays ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    if (name.size() > longest) name = fmt::format("{}-{:016x}", name.substr(0, longest), hash_of(text));
+    return name.empty() ? "unnamed" : name;
+}
+
+}  // namespace gloam::base

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "base/apart.hpp"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <thread>
+#include <vector>
+
+namespace gloam::base {
+namespace apart_test {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr ProcessLimits few{.memory_bytes = std::uint64_t{200} << 20, .cpu = 1s, .patience = 20s};
+
+TEST(Apart, GivesWhatTheWorkReturned) {
+    const std::string much(3'000'000, 'x');
+    EXPECT_EQ(run_apart([&] { return much; }, few), much);
+    EXPECT_EQ(run_apart([] { return std::string(); }, few), "");
+}
+
+TEST(Apart, NothingOfItReachesThisProcess) {
+    int value = 1;
+    EXPECT_EQ(run_apart([&] { return std::to_string(++value); }, few), "2");
+    EXPECT_EQ(value, 1);
+}
+
+TEST(Apart, WhatTheWorkThrowsIsThrown) {
+    EXPECT_THAT([] { (void)run_apart([]() -> std::string { throw std::out_of_range("beyond"); }, few); },
+                ThrowsMessage<WorkError>("beyond"));
+}
+
+TEST(Apart, ACrashIsAnError) {
+    const auto crash = []() -> std::string {
+        std::signal(SIGSEGV, SIG_DFL);
+        std::raise(SIGSEGV);
+        return "";
+    };
+    EXPECT_THAT([&] { (void)run_apart(crash, few); }, ThrowsMessage<LimitError>(HasSubstr("SEGV")));
+    EXPECT_THAT([] { (void)run_apart([]() -> std::string { _exit(0); }, few); },
+                testing::Throws<LimitError>());
+}
+
+TEST(Apart, TimeIsLimited) {
+    const auto spin = []() -> std::string {
+        while (std::clock() < 3600 * CLOCKS_PER_SEC) {
+        }
+        return "";
+    };
+    EXPECT_THAT([&] { (void)run_apart(spin, few); }, ThrowsMessage<LimitError>("takes more than 1 s"));
+    const auto sleep = []() -> std::string {
+        std::this_thread::sleep_for(60s);
+        return "";
+    };
+    EXPECT_THAT([&] { (void)run_apart(sleep, {.cpu = 1s, .patience = 100ms}); },
+                testing::Throws<LimitError>());
+}
+
+TEST(Apart, MemoryIsLimited) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the sanitizer takes all of the address space";
+#endif
+    const auto take = [] {
+        std::vector<char> much(std::size_t{300} << 20, 'x');
+        return std::string(1, much[much.size() / 2]);
+    };
+    EXPECT_THAT([&] { (void)run_apart(take, few); },
+                ThrowsMessage<LimitError>("takes more than 200 MiB of memory"));
+}
+
+TEST(Apart, AnswersManyQuestionsAndEachHasItsOwnLimit) {
+    Apart apart(
+        [count = 0](std::string_view question) mutable {
+            if (question == "throw") throw std::runtime_error("thrown");
+            if (question == "crash") std::_Exit(7);
+            return std::string(question) + std::to_string(++count);
+        },
+        few);
+    EXPECT_EQ(apart.ask("a"), "a1");
+    EXPECT_EQ(apart.ask("b"), "b2");
+    EXPECT_THAT([&] { (void)apart.ask("throw"); }, ThrowsMessage<WorkError>("thrown"));
+    EXPECT_EQ(apart.ask("c"), "c3");  // by the same copy
+    EXPECT_THAT([&] { (void)apart.ask("crash"); }, ThrowsMessage<LimitError>("ended with status 7"));
+    EXPECT_EQ(apart.ask("d"), "d1");  // by a new one
+    const std::string much(1'000'000, 'x');
+    EXPECT_EQ(apart.ask(much), much + "2");
+}
+
+TEST(Apart, WorksFromManyThreads) {
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t) {
+        threads.emplace_back([] {
+            for (int i = 0; i < 20; ++i)
+                EXPECT_EQ(run_apart([i] { return std::string(1000, static_cast<char>('a' + i)); }, few),
+                          std::string(1000, static_cast<char>('a' + i)));
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+}
+
+}  // namespace apart_test
+}  // namespace gloam::base

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What `gloam report`, `bench --from` and `bench --compare` are given. What is read is written and read
+// again.
+#include "fuzz/fuzz.hpp"
+#include "report/benchmark/benchmark_json.hpp"
+#include "report/benchmark/growth.hpp"
+#include "report/check_report.hpp"
+#include "report/internal/plot_layout.hpp"
+
+using namespace gloam;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text = fuzz::text_of(data, size);
+    fuzz::read_or_refuse([&] {
+        const std::string written = report::to_json(report::reports_from_json(text));
+        fuzz::require(report::to_json(report::reports_from_json(written)) == written);
+    });
+    fuzz::read_or_refuse([&] {
+        const report::Benchmark benchmark = report::benchmark_from_json(text);
+        const std::string written = report::to_json(benchmark);
+        fuzz::require(report::to_json(report::benchmark_from_json(written)) == written);
+        (void)report::to_csv(benchmark);
+        for (const report::Growth& growth : benchmark.scaling) {
+            fuzz::require(report::growth_plot_name(growth.of).find('/') == std::string::npos);
+            std::vector<double> values;
+            for (const auto& [x, y] : growth.points) values.push_back(x);
+            (void)report::internal::tics_of(report::internal::range_around(values));
+        }
+    });
+    return 0;
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Files of anybody's, made to hurt: each is one line on standard error and status 2, soon, and leaves
+// nothing.
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "report/benchmark/benchmark_json.hpp"
+#include "report/benchmark_rows.hpp"
+#include "tools/expect.hpp"
+
+namespace gloam::test {
+namespace hostile_files_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class HostileFiles : public testing::Test {
+  protected:
+    [[nodiscard]] fs::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(scratch_.path() / name, std::ios::binary) << text;
+        return scratch_.path() / name;
+    }
+
+    [[nodiscard]] const fs::path& folder() const { return scratch_.path(); }
+
+    // gloam refuses the mesh, within seconds, and writes nothing.
+    void expect_refused(const std::string& name, const std::string& content, const std::string& why) const {
+        const fs::path file = write(name, content);
+        const fs::path out = folder() / "out";
+        const CommandResult result =
+            run_command({"render", file.string(), "--size", "16x9", "--out", out.string()},
+                        {.timeout = std::chrono::seconds(100)});
+        expect_could_not_run(result, file.string());
+        EXPECT_THAT(result.err, HasSubstr(why));
+        EXPECT_FALSE(fs::exists(out));
+    }
+
+  private:
+    TemporaryDirectory scratch_;
+};
+
+std::string repeated(const std::string& text, std::size_t count) {
+    std::string all;
+    all.reserve(text.size() * count);
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+}
+
+std::string ply(const std::string& vertices, const std::string& faces, long vertex_count, long face_count) {
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(vertex_count) +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+           std::to_string(face_count) + "\nproperty list uchar int vertex_indices\nend_header\n" + vertices +
+           faces;
+}
+
+TEST_F(HostileFiles, AnIndexOutOfRange) {
+    expect_refused("a.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 1000000\n", 3, 1), "1000000");
+    expect_refused("b.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 -1\n", 3, 1), "");
+}
+
+TEST_F(HostileFiles, AFaceWithoutCorners) {
+    expect_refused("a.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "0\n3 0 1 2\n", 3, 2), "");
+}
+
+TEST_F(HostileFiles, AFaceOfManyCorners) {
+    constexpr long corners = 300'000;
+    std::string vertices;
+    std::string face = std::to_string(corners);
+    for (long i = 0; i < corners; ++i) {
+        vertices += std::to_string(i) + " " + std::to_string(i * 7919 % 300'007) + " 0\n";
+        face += " " + std::to_string(i);
+    }
+    std::string text = ply(vertices, face + "\n", corners, 1);
+    text.replace(text.find("list uchar"), 10, "list int");
+    expect_refused("a.ply", text, "300000 corners");
+    // What assimp itself does not survive.
+    expect_refused("a.off", "OFF\n" + std::to_string(corners) + " 1 0\n" + vertices + face + "\n",
+                   "its reader ended");
+}
+
+// Every prefix and many single changes of small files: read or refused, never more than that.
+TEST_F(HostileFiles, DamagedMeshes) {
+    const std::vector<std::pair<std::string, std::string>> whole{
+        {"a.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n"},
+        {"a.ply", ply("0 0 0\n1 0 0\n0 1 0\n1 1 0\n", "3 0 1 2\n4 0 1 3 2\n", 4, 2)},
+        {"a.stl",
+         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+         "endfacet\nendsolid a\n"},
+        {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"}};
+    std::minstd_rand random(1);
+    for (const auto& [name, text] : whole) {
+        for (int i = 0; i < 12; ++i) {
+            std::string damaged = text.substr(0, i < 4 ? text.size() * (i + 1) / 5 : text.size());
+            for (int k = 0; k < i - 3; ++k)
+                damaged[random() % damaged.size()] = "-0123456789e. \n"[random() % 15];
+            const fs::path file = write(name, damaged);
+            const fs::path out = folder() / "out";
+            const CommandResult result = run_command(
+                {"render", file.string(), "--size", "16x9", "--samples", "1", "--out", out.string()});
+            EXPECT_TRUE(result.status == 0 || result.status == 2) << result.status << "\n" << damaged;
+            EXPECT_EQ(line_count(result.err), result.status == 0 ? 0 : 1) << result.err;
+        }
+    }
+}
+
+TEST_F(HostileFiles, MeshesThatAreDeeplyNested) {
+    expect_refused("a.gltf", repeated("[", 200'000), "");
+    expect_refused("b.gltf", repeated("{\"a\":", 200'000), "");
+    expect_refused("c.dae", "<?xml version=\"1.0\"?>" + repeated("<a>", 200'000), "");
+}
+
+TEST_F(HostileFiles, MeshesThatPromiseTooMuch) {
+    // A binary glTF whose chunk is to have 4 GiB.
+    const char glb[] = "glTF\x02\0\0\0\x14\0\0\0\xf0\xff\xff\xffJSON";
+    expect_refused("a.glb", std::string(glb, 20), "");
+    expect_refused("b.ply", ply("", "", 2'000'000'000, 2'000'000'000), "");
+    expect_refused("c.off", "OFF\n4000000000 4000000000 0\n", "");
+}
+
+TEST_F(HostileFiles, JsonThatIsDeeplyNested) {
+    const std::string arrays = repeated("[", 1'000'000);
+    const std::string objects = repeated("{\"a\":", 1'000'000);
+    const std::string whole = repeated("[", 1'000'000) + repeated("]", 1'000'000);
+    for (const std::string& text : {arrays, objects, whole}) {
+        const std::string file = write("a.json", text).string();
+        expect_could_not_run(run_command({"report", file}), file);
+        expect_could_not_run(run_command({"bench", "--from", file}), file);
+        expect_could_not_run(run_command({"bench", "--compare", file, file}), file);
+        const fs::path gbuffer = folder() / "gbuffer";
+        fs::create_directories(gbuffer);
+        std::ofstream(gbuffer / "f0000.json") << text;
+        expect_could_not_run(
+            run_command({"render", "--gbuffer", gbuffer.string(), "--out", (folder() / "o").string()}),
+            (gbuffer / "f0000.json").string());
+    }
+}
+
+TEST_F(HostileFiles, NumbersBeyondAllNumbersNameTheFile) {
+    const std::string file = write("a.json", R"({"benchmark": 1e999, "device": {"name": 1e999}})").string();
+    expect_could_not_run(run_command({"report", file}), file);
+    expect_could_not_run(run_command({"bench", "--from", file}), file);
+    expect_could_not_run(run_command({"bench", "--compare", file, file}), file);
+}
+
+TEST_F(HostileFiles, AWrongValueIsNotQuotedWhole) {
+    const std::string long_text(5'000'000, 'x');
+    const fs::path gbuffer = folder() / "gbuffer";
+    fs::create_directories(gbuffer);
+    std::ofstream(gbuffer / "f0000.json")
+        << R"({"camera": {}, "width": ")" + std::string(900'000, 'x') + "\"}";
+    const CommandResult frame =
+        run_command({"render", "--gbuffer", gbuffer.string(), "--out", (folder() / "o").string()});
+    expect_could_not_run(frame, "width");
+    EXPECT_LT(frame.err.size(), 1000U);
+    const std::string file = write("a.json", R"({"benchmark": ")" + long_text + "\"}").string();
+    const CommandResult report = run_command({"bench", "--from", file});
+    expect_could_not_run(report, "benchmark");
+    EXPECT_LT(report.err.size(), 1000U);
+}
+
+TEST_F(HostileFiles, FilesWithoutEnd) {
+    expect_could_not_run(run_command({"report", "/dev/zero"}), "/dev/zero");
+    expect_could_not_run(run_command({"bench", "--from", "/dev/zero"}), "/dev/zero");
+}
+
+// Text in a results file is never a command, nor a way out of --out.
+TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
+    report::Benchmark benchmark = report::make_benchmark(
+        {report::make_row("a", "m", 4, 10, 0.05), report::make_row("b", "n", 8, 30, 0.02, true)});
+    benchmark.scaling = {{.of = "pixels", .method = "m", .points = {{1, 2}, {4, 8}}, .exponent = 1.0}};
+    benchmark.framework = {{"figure", "ms", 1.25}};
+    const auto good = nlohmann::ordered_json::parse(report::to_json(benchmark));
+    const fs::path out = folder() / "deep" / "er" / "out";
+    const fs::path proof = folder() / "proof";
+    const std::string hostile = "x'\nsystem('touch " + proof.string() + "')\n`touch " + proof.string() + "`";
+    const auto run = [&](const nlohmann::ordered_json& results) {
+        const fs::path file = write("results.json", results.dump());
+        const CommandResult result = run_command({"bench", "--from", file.string(), "--out", out.string()});
+        EXPECT_TRUE(result.status == 0 || result.status == 2) << result.err;
+        EXPECT_FALSE(fs::exists(proof)) << results.dump();
+        return result;
+    };
+    EXPECT_EQ(run(good).status, 0);
+    for (const char* place :
+         {"/device", "/driver", "/results/0/scene", "/results/0/method", "/results/0/preset", "/scaling/0/of",
+          "/scaling/0/method", "/framework/0/name"}) {
+        auto bad = good;
+        bad[nlohmann::ordered_json::json_pointer(place)] = hostile;
+        EXPECT_EQ(run(bad).status, 2) << place;
+        bad[nlohmann::ordered_json::json_pointer(place)] = "../../../escaped";
+        run(bad);
+        for (const auto& entry : fs::recursive_directory_iterator(folder())) {
+            if (entry.path().filename().string().find("escaped") == std::string::npos) continue;
+            EXPECT_EQ(entry.path().parent_path(), out) << entry.path();
+        }
+    }
+}
+
+}  // namespace hostile_files_test
+}  // namespace gloam::test
