@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -129,7 +130,7 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
                                                     {"filion", 0.25},
                                                     {"hbao", 0.25},
                                                     {"crytek", 0.625},
-                                                    {"volumetric", 0.625},
+                                                    {"volumetric", 0.5 + 1.0 / (4.0 * std::numbers::pi)},
                                                     {"angle", 1.0 - 0.828708},
                                                     {"alchemy", 0.793515 * sigma},
                                                     {"hsao", 0.25},
