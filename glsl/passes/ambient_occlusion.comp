@@ -75,18 +75,12 @@ layout(push_constant) uniform Parameters {
 #include "gloam/filter/shrink.glsl"
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/radius_cap.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
-#include "gloam/sampling/count_by_distance.glsl"
-#include "gloam/sampling/count_by_radius.glsl"
-#include "gloam/sampling/hash_rotation.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/neighborhood.glsl"
-#include "gloam/temporal/rotation_switch.glsl"
-#include "gloam/temporal/sample_budget.glsl"
 #include "gloam/temporal/smooth_invalidation.glsl"
 #include "gloam/temporal/smoothing.glsl"
 
@@ -112,6 +106,11 @@ layout(binding = 10, r32f) uniform writeonly image2D shown_image;
 // The method: any file of this folder.
 #include "methods/hemisphere.glsl"
 
+// Samples that the method takes where so many are asked for. A method that takes whole slices, rays or pairs defines it.
+#ifndef GLOAM_METHOD_SAMPLES
+#define GLOAM_METHOD_SAMPLES(count, method) (count)
+#endif
+
 const uint CLAMP = 1u;
 const uint CONFIDENCE = 2u;
 
@@ -120,6 +119,7 @@ struct Neighborhood {
     vec3 position;
     vec3 previous;
     vec3 normal;
+    float reach;   // how far what blocks a sample may be, world units
     float change;  // largest, world units
 };
 Neighborhood neighborhood;
@@ -139,13 +139,15 @@ GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
 }
 
+#include "pixel_samples.glsl"
+
 // Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells nothing.
 void probe(ivec2 pixel, float depth) {
     if (gloam_is_background(depth)) return;
     vec3 at = gloam_camera_position(pixel, depth, this_camera());
     vec3 before = imageLoad(previous_position_image, pixel).xyz;
     float reach = min(distance(at, neighborhood.position), distance(before, neighborhood.previous));
-    if (reach > method_settings.range || !gloam_probe_useful(at - neighborhood.position, neighborhood.normal)) return;
+    if (reach > neighborhood.reach || !gloam_probe_useful(at - neighborhood.position, neighborhood.normal)) return;
     neighborhood.change = max(neighborhood.change,
                               gloam_neighborhood_change(at, neighborhood.position, before, neighborhood.previous));
 }
@@ -180,50 +182,33 @@ float weight_after_change(float weight) {
     return gloam_invalidate_confidence(weight, gloam_confidence(change / parameters.radius, parameters.confidence_factor));
 }
 
-// Half-axes of the projected radius, pixels.
-vec2 reach_at(float depth) {
-    return gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
-}
-
-// Radius of influence, world units: smaller where its projection would exceed the cap.
-float radius_at(float depth) {
-    if (!caps_radius) return parameters.radius;
-    vec2 reach = reach_at(depth);
-    float larger = max(reach.x, reach.y);
-    if (!(larger > parameters.radius_cap)) return parameters.radius;
-    vec2 capped = gloam_radius_cap(reach, parameters.radius_cap);
-    return parameters.radius * (max(capped.x, capped.y) / larger);
+Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
+    vec3 previous = imageLoad(previous_position_image, pixel).xyz;
+    return Neighborhood(position, previous, normal, max(radius, method_settings.range), 0.0);
 }
 
 // (sum, count) of `samples` samples.
 vec2 gather(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     GloamCamera camera = this_camera();
-    float convergence = gloam_convergence(before.weight, parameters.weight_max);
-    float angle = gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
-    GloamKernel kernel = GloamKernel(radius_at(depth), parameters.bias, angle, before.index, samples);
+    GloamKernel kernel = kernel_of(pixel, depth, before, samples);
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
-    if (moving_objects) neighborhood = Neighborhood(position, imageLoad(previous_position_image, pixel).xyz, normal, 0.0);
+    if (moving_objects) neighborhood = neighborhood_of(pixel, position, normal, kernel.radius);
     return gloam_method_gather(position, normal, camera, kernel, method_settings);
 }
 
+// How many samples to take: none of what is frozen, and whole units of the method.
 uint samples_for(GloamHistory before, float depth) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     if (parameters.freeze != 0u && parameters.still != 0u && convergence >= 1.0) return 0u;
-    int samples = gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples), int(parameters.samples_converged));
-    if (!fewer_samples) return uint(samples);
-    int least = min(int(parameters.samples_least), samples);
-    if (parameters.samples_distance > 0.0) samples = gloam_count_by_distance(depth, parameters.samples_distance, samples, least);
-    if (parameters.samples_radius > 0.0) {
-        vec2 reach = reach_at(depth);
-        samples = gloam_count_by_radius(max(reach.x, reach.y), parameters.samples_radius, least, samples);
-    }
-    return uint(samples);
+    uint samples = samples_at(before, depth);
+    return samples == 0u ? 0u : GLOAM_METHOD_SAMPLES(samples, method_settings);
 }
 
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = GLOAM_LOAD_HISTORY(history_before, pixel);
     uint samples = samples_for(before, depth);
+    neighborhood.change = 0.0;  // of a pixel that takes no sample nothing is known
     pixel_kinds += samples == 0u && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
     vec2 fresh = vec2(0.0, float(samples));

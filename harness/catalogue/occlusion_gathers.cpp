@@ -217,6 +217,15 @@ void append_pairs(Entries& entries) {
 void append_pair_gather(Entries& entries) {
     using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
     constexpr const char* file = "passes/methods/volumetric.glsl";
+    entries.push_back(equation<unsigned(unsigned)>(
+        {.id = "PAIR-samples",
+         .function = "gloam_paired_samples",
+         .file = file,
+         .title = "samples of whole pairs",
+         .formula = "2 ceil(k / 2)",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_paired_samples),
+        {.domain = {log_integers(100'000)}, .scenarios = depth_scenarios(prototype)}));
     entries.push_back(equation<Gather>(
         {.id = "CS-I-gather",
          .function = "gloam_pair_gather",
@@ -232,7 +241,7 @@ void append_pair_gather(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           gather_methods()}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 4e-5, .backward_ulp = 4},
+         .budget = {.absolute = 1.5e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Gather>(usual_gather),
          .scenarios = depth_scenarios(prototype)}));

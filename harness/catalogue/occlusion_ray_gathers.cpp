@@ -73,6 +73,16 @@ void append_march(Entries& entries) {
 }
 
 void append_rays(Entries& entries) {
+    entries.push_back(equation<unsigned(unsigned, unsigned)>(
+        {.id = "RAY-samples",
+         .function = "gloam_ray_samples",
+         .file = rays,
+         .title = "samples of whole rays",
+         .formula = "n max(floor(k / n), 1)",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_ray_samples),
+        {.domain = {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)},
+         .scenarios = depth_scenarios(depth_prototype)}));
     entries.push_back(equation<Gather>(
         {.id = "RAY-gather",
          .function = "gloam_ray_gather",
@@ -86,7 +96,7 @@ void append_rays(Entries& entries) {
                                                reference::PoissonMethod<T>{}, depth_of<T>(images));
         },
         {.domain = gather_domain(),
-         .budget = {.ulp = 1.5, .backward_ulp = 4},
+         .budget = {.ulp = 0.5, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Gather>(usual_gather),
          .scenarios = depth_scenarios(depth_prototype)}));

@@ -123,6 +123,19 @@ void append_march(Entries& entries) {
          .scenarios = depth_scenarios(depth_prototype)}));
 }
 
+void append_samples(Entries& entries) {
+    entries.push_back(equation<unsigned(unsigned, unsigned)>(
+        {.id = "SLICE-samples",
+         .function = "gloam_slice_samples",
+         .file = file,
+         .title = "samples of whole slices",
+         .formula = "2 n max(floor(k / (2 n)), 1)",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_slice_samples),
+        {.domain = {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)},
+         .scenarios = depth_scenarios(depth_prototype)}));
+}
+
 void append_gather(Entries& entries) {
     using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
     entries.push_back(equation<Gather>(
@@ -140,7 +153,7 @@ void append_gather(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           gather_methods()}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 4e-5, .backward_ulp = 4},
+         .budget = {.absolute = 6e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Gather>(usual_gather),
          .scenarios = depth_scenarios(depth_prototype)}));
@@ -153,6 +166,7 @@ void append_slice_gathers(Entries& entries) {
     append_clearance(entries);
     append_taps(entries);
     append_march(entries);
+    append_samples(entries);
     append_gather(entries);
 }
 

@@ -93,7 +93,22 @@ void append_lines(Entries& entries) {
                        .tied(0, 1, -1.0),
          .budget = {.absolute = 1.2e-7},
          .codomain = {0, 1}}));
-    const Values fraction = uniform(0, 1).and_near({0.35, 0.5, 1.0}).and_special();
+    entries.push_back(equation<float(float, float)>(
+        {.id = "CS-I-ratio",
+         .function = "gloam_line_ratio",
+         .file = volume_file,
+         .title = "where the surface at a tap lies along the chord",
+         .formula = "q* = (h + z_s - z_p) / (2 h)",
+         .source = volume_source},
+        GLOAM_REFERENCE(gloam_line_ratio),
+        {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
+                       .tied(0, 1)
+                       .tied(0, 1, -1.0),
+         .budget = {.ulp = 1.5, .absolute = 2e-7},
+         .promised = make_predicate<float(float, float)>([](double height, double half_height) {
+             return !std::isfinite(height) || !(std::abs(height) > 1e38 * half_height);
+         })}));
+    const Values fraction = uniform(-1, 2).and_near({0.35, 0.5, 1.0}).and_special();
     entries.push_back(equation<glm::vec2(glm::vec2, float, float)>(
         {.id = "CS-I-pair",
          .function = "gloam_line_pair",

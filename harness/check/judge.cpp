@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <limits>
 #include <optional>
 #include <thread>
 
 #include "check/internal/budget_judge.hpp"
+#include "check/internal/edge.hpp"
 #include "check/internal/rules_judge.hpp"
 #include "numeric/float_class.hpp"
 
@@ -72,6 +74,11 @@ class Judge {
         sample.budget_fraction = error.fraction;
         sample.fraction = error.fraction;
         if (permitted_) add_permitted(census, sample);
+        const bool promised = !rules_.promised || rules_.promised(sample.inputs);
+        const bool accurate = promised && sample.budget_fraction <= 1.0;
+        if (rules_.judge_edges && !accurate && internal::is_edge(sample, scalars_) &&
+            !internal::holds_at_edge(rules_, images_, scalars_, sample))
+            sample.fraction = std::numeric_limits<double>::infinity();
         census.add(sample, sample.fraction > 1.0);
     }
 

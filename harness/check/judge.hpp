@@ -41,8 +41,12 @@ struct Rules {
     Budget budget;
     Codomain codomain;
     // Inputs for which the budget is promised; empty: all. Elsewhere (overflow in between, say) only the
-    // codomain is.
+    // codomain is, and what is documented for zero, infinity and NaN.
     std::function<bool(std::span<const Word>)> promised;
+    // Whether the results for zero, infinity and NaN beside values of usual size are those of the reference,
+    // in every verdict: off for a reference that documents none (a function of GLSL itself), and for other
+    // arithmetic than float32.
+    bool judge_edges = true;
     // Whether the device keeps NaN, infinity and signed zero. If not, inputs and references that hold one are
     // only recorded.
     bool judge_nan = true;

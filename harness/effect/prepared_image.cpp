@@ -19,12 +19,16 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
             .least_radius = all.least_radius,
             .orthographic = view.camera.orthographic() ? 1U : 0U,
             .shade_border = all.shade_border,
+            .samples_distance = all.samples_distance,
+            .samples_radius = all.samples_radius,
+            .samples_least = all.samples_least,
+            .radius_cap = all.radius_cap,
             .level = level};
 }
 
 gpu::ComputePipeline preparation_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
                                           const std::string& file, const std::vector<std::string>& defines,
-                                          std::uint32_t layers) {
+                                          std::uint32_t layers, bool reject_taps) {
     using enum gpu::BindingKind;
     const shader::Spirv spirv = library.compile("preparation/" + file, defines);
     return {device,
@@ -32,7 +36,7 @@ gpu::ComputePipeline preparation_pipeline(const gpu::Device& device, const scene
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
                           storage_image},
              .push_constant_bytes = sizeof(PreparationParameters),
-             .constants = {{.id = 0, .bits = layers}}}};
+             .constants = {{.id = 0, .bits = layers}, {.id = 1, .bits = reject_taps ? 1U : 0U}}}};
 }
 
 }  // namespace
@@ -43,6 +47,7 @@ PreparedImage::PreparedImage(const gpu::Device& device, const scene::PassLibrary
 void PreparedImage::take(const View& view, const Settings& settings) {
     precision_ = settings.precision;
     layers_ = settings.layers;
+    reject_taps_ = settings.reject_taps;
     preparation_ = preparation_of(settings, view.extent);
     constants_.clear();
     if (!preparation_) {
@@ -59,11 +64,12 @@ void PreparedImage::take(const View& view, const Settings& settings) {
 }
 
 const gpu::ComputePipeline& PreparedImage::pipeline(const std::string& file) {
-    const std::tuple key(file, precision_, layers_);
+    const std::tuple key(file, precision_, layers_, reject_taps_);
     const auto known = pipelines_.find(key);
     if (known != pipelines_.end()) return known->second;
     const std::vector<std::string> defines = defines_for(precision_, preparation_->format);
-    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, defines, layers_))
+    return pipelines_
+        .emplace(key, preparation_pipeline(*device_, library_, file, defines, layers_, reject_taps_))
         .first->second;
 }
 

@@ -110,6 +110,27 @@ TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
     EXPECT_FALSE(run(lab, check_case).passed());
 }
 
+// What a function documents for zero, infinity and NaN is judged where its accuracy is not promised, in every
+// verdict.
+TEST_F(JudgeTest, TheEdgesHoldWhereNothingElseIsPromised) {
+    if (!lab.device().info().float32.preserves_signed_zero_inf_nan)
+        GTEST_SKIP() << "the device does not keep NaN";
+    for (const auto& [function, right] : {std::pair{"inverse", true}, {"inverse_wrong_at_zero", false}}) {
+        Case check_case{
+            .file = "wrong.glsl",
+            .function = function,
+            .signature = SignatureOf<float(float)>::describe(),
+            .domain = {log_uniform(0.01, 100).and_special()},
+            .reference = make_reference<float(float)>(
+                [](double x) { return x > 0.0 && std::isfinite(x) ? 1.0 / x : 0.0; }),
+            .budget = {.ulp = 2.5},
+            .promised = make_predicate<float(float)>([](float x) { return x >= 0.01F && x <= 100.0F; })};
+        const Result result = run(lab, check_case, {.inputs = 4096});
+        EXPECT_EQ(result.passed(), right) << result;
+        EXPECT_EQ(count(result, InputClass::ordinary).outside, 0U) << function;
+    }
+}
+
 TEST_F(JudgeTest, TheSameSeedGivesTheSameVerdict) {
     const Result a = weight("weight_wrong_constant", {.inputs = 1000, .seed = 3});
     const Result b = weight("weight_wrong_constant", {.inputs = 1000, .seed = 3});

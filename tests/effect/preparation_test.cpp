@@ -109,7 +109,8 @@ TEST_P(Prepared, ABarePlaneIsOpen) {
                 EXPECT_THAT(frame.occlusion, testing::Each(testing::Le(1e-6F)))
                     << extent.width << " x " << extent.height << " tilt " << tilt.x
                     << (orthographic ? " orthographic" : " perspective");
-                EXPECT_EQ(frame.work.samples, 32U * (frame.work.pixels - frame.work.background));
+                EXPECT_EQ(frame.work.samples, (GetParam() == "dual_resolution" ? 24U : 32U) *
+                                                  (frame.work.pixels - frame.work.background));
                 EXPECT_LT(frame.work.background, frame.work.pixels);  // beyond the plane's horizon
             }
         }
@@ -130,6 +131,32 @@ TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
             EXPECT_THAT(follow(effect, view, settings, 2).occlusion, testing::Each(0.0F));
         }
     }
+}
+
+// What decides of a pixel's samples decides of those that are prepared for it.
+TEST_P(Prepared, SettingsOfSamplesReachThePreparation) {
+    const scene::GBuffer view = groove({64, 64});
+    const auto same = [&](const Settings& a, const Settings& b) {
+        return run(view, a).occlusion == run(view, b).occlusion;
+    };
+    Settings fewer = settings_for(GetParam(), 0.5F);
+    fewer.least_radius = 0.0F;
+    fewer.steps = 3;
+    Settings cap = fewer;
+    const float pixels = 0.5F * 64.0F / static_cast<float>(view_height);  // of the radius, in the image
+    cap.radius = 2.0F * fewer.radius;
+    cap.radius_cap = pixels;  // the same radius everywhere, for the view is orthographic
+    EXPECT_TRUE(same(fewer, cap));
+    Settings distance = fewer;
+    distance.samples = distance.samples_converged = 48;
+    distance.samples_least = 24;
+    distance.samples_distance = 1e-3F;  // every pixel lies beyond: 24 everywhere
+    Settings as_many = fewer;
+    as_many.samples = as_many.samples_converged = 24;
+    EXPECT_TRUE(same(as_many, distance));
+    distance.samples_distance = 0.0F;
+    distance.samples_radius = 1e6F;
+    EXPECT_TRUE(same(as_many, distance));
 }
 
 TEST_P(Prepared, RepeatsChangeNothing) {

@@ -63,6 +63,36 @@ TEST_F(SampleSettings, FewerAreTakenFarAway) {
     EXPECT_NEAR(per_pixel(frame_of(settings)), all * 9 / 32, 0.1);
 }
 
+// What is counted, in the weight and in what is told of the work, is what was taken: whole slices, rays,
+// pairs.
+TEST_F(SampleSettings, WhatIsCountedWasTaken) {
+    struct Asked {
+        const char* method;
+        std::uint32_t samples, steps;
+        double taken;
+    };
+    for (const Asked& asked : {Asked{"hbao", 32, 6, 24},
+                               {"hbao", 4, 6, 12},
+                               {"gtao", 32, 3, 30},
+                               {"dual_resolution", 32, 6, 24},
+                               {"separable", 30, 4, 28},
+                               {"unreal", 32, 3, 30},
+                               {"angle", 7, 4, 8},
+                               {"curvature", 30, 4, 28},
+                               {"curvature", 1, 4, 4}}) {
+        Settings settings = plain(asked.method);
+        settings.samples = settings.samples_converged = asked.samples;
+        settings.steps = asked.steps;
+        settings.filter = Filter::none;
+        settings.weight_max = 3.0F * static_cast<float>(asked.taken);
+        EXPECT_EQ(per_pixel(frame_of(settings)), asked.taken) << asked.method << ' ' << asked.samples;
+        // Three frames of them fill the mean, and not sooner: then nothing more is taken.
+        settings.freeze = true;
+        EXPECT_EQ(per_pixel(frame_of(settings, 3)), asked.taken) << asked.method << ' ' << asked.samples;
+        EXPECT_EQ(per_pixel(frame_of(settings, 4)), 0.0) << asked.method << ' ' << asked.samples;
+    }
+}
+
 TEST_F(SampleSettings, FewerAreTakenWhereTheRadiusIsSmall) {
     Settings settings = plain();
     const Frame all = frame_of(settings);

@@ -2,10 +2,12 @@
 // Every method of glsl/passes/methods on scenes whose result is known in closed form.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -129,7 +131,7 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
                                                     {"filion", 0.25},
                                                     {"hbao", 0.25},
                                                     {"crytek", 0.625},
-                                                    {"volumetric", 0.625},
+                                                    {"volumetric", 0.5 + 1.0 / (4.0 * std::numbers::pi)},
                                                     {"angle", 1.0 - 0.828708},
                                                     {"alchemy", 0.793515 * sigma},
                                                     {"hsao", 0.25},
@@ -158,6 +160,48 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
     }
 }
 
+// Samples that a method takes where `count` are asked for, one after the other as the sequence has them:
+// those of whole slices of 2 steps taps, whole rays, pairs and crosses, at least one.
+unsigned samples_taken(const std::string& method, unsigned count, unsigned steps) {
+    const auto whole = [count](unsigned unit) { return std::max(count / unit, 1U) * unit; };
+    if (std::set<std::string>{"hbao", "gtao", "bitmask"}.contains(method)) return whole(2 * steps);
+    if (std::set<std::string>{"poisson", "ssdo", "hsao", "unreal"}.contains(method)) return whole(steps);
+    if (method == "curvature") return whole(4);
+    const std::set<std::string> paired{"volumetric", "tangent_sphere", "angle", "depth_darkening",
+                                       "aksoy_phaneuf_two"};
+    return paired.contains(method) ? count + count % 2 : count;
+}
+
+// TSSAO-4 and -5: frames that follow one another are as one frame of all their samples, no sample is taken
+// twice and none is counted that was not taken.
+TEST_P(Methods, FramesAddUpToOneOfAllTheirSamples) {
+    const Camera camera{glm::vec2(0.5F, -0.5F), glm::ivec2(129, 129), true};
+    const auto image = test::view_of(
+        camera.size,
+        [](glm::ivec2 p) { return static_cast<float>(5.0 - 0.02 * std::max(p.x + p.y / 2 - 96, 0)); },
+        [](glm::ivec2 p) { return p.x > 64 ? glm::normalize(glm::vec3(-1, 0, 1)) : glm::vec3(0, 0, 1); });
+    const Method method{.steps = 6};
+    const auto at = [&](unsigned first, unsigned count) {
+        const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.5F, .first = first, .count = count};
+        return glm::dvec2(
+            gather.with_images(image, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), camera, samples, method}));
+    };
+    // A pattern that depends on how many it has, and means with weights: of them the counts alone add up.
+    const std::set<std::string> otherwise{"sao", "volumetric", "tangent_sphere", "angle", "depth_darkening"};
+    for (const unsigned count : {1U, 3U, 4U, 17U, 32U}) {
+        glm::dvec2 sum(0);
+        for (int frame = 0; frame < 7; ++frame) {
+            const glm::dvec2 one = at(static_cast<unsigned>(sum.y), count);
+            EXPECT_EQ(one.y, samples_taken(GetParam(), count, method.steps)) << count;
+            sum += one;
+        }
+        const glm::dvec2 all = at(0, static_cast<unsigned>(sum.y));
+        EXPECT_EQ(all.y, sum.y) << count;
+        if (otherwise.contains(GetParam())) continue;
+        EXPECT_NEAR(sum.x, all.x, 1e-5 * sum.y) << count;
+    }
+}
+
 TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
     const Camera camera{glm::vec2(1, -1), glm::ivec2(5, 3), false};
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -172,7 +216,7 @@ TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
         EXPECT_EQ(at(glm::vec3(0, 0, -2), glm::vec3(0)), glm::vec2(0));
         EXPECT_EQ(at(glm::vec3(0, 0, -2), glm::vec3(nan)), glm::vec2(0));
         const glm::vec2 alone = at(glm::vec3(0, 0, -2), glm::vec3(0, 0, 1));  // a surface before nothing
-        EXPECT_EQ(alone.y, 16.0F);
+        EXPECT_EQ(alone.y, samples_taken(GetParam(), 16, Method{}.steps));
         EXPECT_GE(alone.x, 0.0F);
         EXPECT_LE(alone.x / alone.y, on_a_plane(GetParam()));
     }

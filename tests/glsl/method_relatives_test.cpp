@@ -234,5 +234,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Reads{"aksoy_phaneuf_two", {"mip_distance"}}),
     [](const auto& info) { return info.param.method; });
 
+// Whatever stands in front of the ball of volumetric obscurance, on one side or all around, is another
+// object: the floor below reads as if it went on under it (CS-3.5: no halo).
+TEST_F(Relatives, WhatStandsInFrontOfTheBallHasNoHalo) {
+    const auto floor = [](double, double) { return dvec3(0, 0, 1); };
+    const Surface beside{[](double x, double) { return x > 0.2 ? 3.0 : 0.0; }, floor};
+    const Surface around{[](double x, double y) { return x * x + y * y > 0.04 ? 3.0 : 0.0; }, floor};
+    EXPECT_NEAR(mean("volumetric", beside, 1.0F, Method{}, 4), 0.5, 1e-6);
+    EXPECT_NEAR(mean("volumetric", around, 1.0F, Method{}, 4), 0.5, 1e-6);
+}
+
 }  // namespace method_relatives_test
 }  // namespace gloam

@@ -73,6 +73,34 @@ TEST_F(Pairs, ChordsAndTheirSolidPart) {
     EXPECT_EQ(q(1.0F, NAN), 0.5F);
 }
 
+TEST_F(Pairs, PlacesOnAChordAreNotClamped) {
+    const auto ratio = volume<float(float, float)>("line_ratio");
+    for (const float h : {0.5F, 1.0F, 3.0F}) {
+        for (const float height : {-7.0F, -1.0F, 0.0F, 0.25F, 1.0F, 5.0F})
+            EXPECT_NEAR(ratio(height, h), (double{h} + double{height}) / (2.0 * double{h}), 1e-6);
+    }
+    EXPECT_EQ(ratio(-infinity, 2.0F), -infinity);  // background
+    EXPECT_EQ(ratio(infinity, 2.0F), infinity);
+    for (const float none : {0.0F, -1.0F, 1e-39F, infinity, NAN}) EXPECT_EQ(ratio(1.0F, none), 0.5F) << none;
+    EXPECT_EQ(ratio(NAN, 2.0F), 0.5F);
+}
+
+// CS-3.5 as published: what lies outside the sphere towards the eye is another object. At half chord 1.
+TEST_F(Pairs, WhatStandsInFrontOfTheBallIsNotBelieved) {
+    const auto ratio = volume<float(float, float)>("line_ratio");
+    const auto pair = volume<vec2(vec2, float, float)>("line_pair");
+    const auto mean = [&](float first, float second) {
+        const vec2 solid = pair(vec2(ratio(first, 1.0F), ratio(second, 1.0F)), 0.35F, 1.0F);
+        return 0.5F * (solid.x + solid.y);
+    };
+    EXPECT_EQ(mean(5.0F, 0.0F), 0.5F);
+    EXPECT_EQ(mean(5.0F, 5.0F), 0.5F);
+    EXPECT_EQ(mean(1.0F, 0.0F), 0.75F);      // on the sphere still
+    EXPECT_EQ(mean(-5.0F, 0.0F), 0.5F);      // far behind
+    EXPECT_EQ(mean(-infinity, 0.5F), 0.5F);  // background
+    EXPECT_EQ(mean(0.5F, -0.25F), 0.5625F);  // both believed: (0.75 + 0.375) / 2
+}
+
 TEST_F(Pairs, DisbelievedLines) {
     const auto pair = volume<vec2(vec2, float, float)>("line_pair");
     EXPECT_EQ(pair(vec2(0.5F, 0.75F), 0.35F, 1.0F), vec2(0.5F, 0.75F));

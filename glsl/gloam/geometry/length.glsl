@@ -9,7 +9,8 @@
 // v: any vector.
 // Returns a length >= 0, in the unit of v; 0 for a vector that is zero, subnormal, infinite or NaN. Error: 4 ulp for lengths from 1e-30 to 1e38.
 float gloam_length(vec3 v) {
-    return max(dot(v, gloam_safe_normalize(v, vec3(0.0))), 0.0);
+    float along = dot(v, gloam_safe_normalize(v, vec3(0.0)));  // NaN for an infinite v, which max() may return or not
+    return along > 0.0 ? along : 0.0;
 }
 
 #endif

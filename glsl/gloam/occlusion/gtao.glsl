@@ -72,7 +72,7 @@ float gloam_gtao_arc_uniform(float horizon, float sine) {
 // side; on the negative side -n.
 // Returns an amount in [0, pi / 2]; 0 for NaN. Error: 8e-7.
 float gloam_gtao_side(float horizon, float angle, vec2 normal) {
-    float c = clamp(horizon, -1.0, 1.0);
+    float c = horizon > -1.0 ? min(horizon, 1.0) : -1.0;  // -1 for NaN: nothing taken
     float s = gloam_sqrt((1.0 - c) * (1.0 + c));
     return gloam_gtao_arc(gloam_gtao_elevation(c, angle), vec2(c, s), normal);
 }

@@ -46,10 +46,18 @@ vec3 gloam_pair_offset(vec3 position, ivec2 at, GloamCamera camera, float radius
     return gloam_is_finite3(offset) ? offset : vec3(0.0);
 }
 
+// Samples that are taken where `count` are asked for: those of whole pairs. What follows in the sequence begins that many samples later.
+// count: k, below 2^32 - 1.
+// Returns the even number that is not below. Error: none.
+uint gloam_paired_samples(uint count) {
+    return count + (count & 1u);
+}
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_paired_samples(count)
+
 // All samples of one pixel in one frame; an odd number is taken as the even one above it. Of further layers each tap takes, one after the other,
 // the one with which the pair blocks most.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns (sum, kernel.count) for gloam_estimator_mean; 0 where no pair tells anything; outside the image the nearest pixel counts.
+// Returns (sum, samples taken), see gloam_paired_samples, for gloam_estimator_mean; 0 where no pair tells anything; outside the image the nearest pixel counts.
 // (0, 0) where there is nothing to gather: background, no normal, no radius. Error: that of the contributions, but for taps within
 // rounding of a pixel's border.
 vec2 gloam_pair_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
@@ -93,7 +101,7 @@ vec2 gloam_pair_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKern
         }
         weighted += most;
     }
-    return gloam_estimator_of_weighted(weighted, kernel.count);
+    return gloam_estimator_of_weighted(weighted, gloam_paired_samples(kernel.count));
 }
 
 #endif

@@ -64,21 +64,32 @@ GloamRay gloam_ray_march(GloamRay ray, vec3 position, vec3 normal, GloamCamera c
     return ray;
 }
 
+// Samples that are taken where `count` are asked for: those of whole rays, of `steps` taps each, at least one. What follows in the sequence
+// begins that many samples later.
+// count: k. steps: GloamMethod::steps.
+// Returns a multiple of max(steps, 1). Error: none.
+uint gloam_ray_samples(uint count, uint steps) {
+    uint taps = max(steps, 1u);
+    return max(count / taps, 1u) * taps;
+}
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_ray_samples(count, method.steps)
+
 // All samples of one pixel in one frame: as many rays of `steps` taps as kernel.count allows, at least one.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns (sum, kernel.count) for gloam_estimator_mean, the mean being that of the rays, weighted. (0, 0) where there is nothing to
+// Returns (sum, samples taken), see gloam_ray_samples, for gloam_estimator_mean, the mean being that of the rays, weighted. (0, 0) where there is nothing to
 // gather: background, no normal, no radius. Error: that of the rays, but for taps within rounding of a pixel's border.
 vec2 gloam_ray_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     if (!gloam_can_gather(position, normal, kernel.radius)) return vec2(0.0);
     mat3 frame = gloam_tangent_frame(normal);
     uint taps = max(method.steps, 1u);
     vec2 weighted = vec2(0.0);
-    for (uint i = 0u; i < max(kernel.count / taps, 1u); ++i) {
+    uint taken = gloam_ray_samples(kernel.count, method.steps);
+    for (uint i = 0u; i < taken / taps; ++i) {
         GloamRay ray = gloam_method_ray(kernel.first / taps + i, frame, kernel, method);
         ray = gloam_ray_march(ray, position, frame[2], camera, kernel, method);
         weighted += gloam_method_ray_end(ray, frame[2], method);
     }
-    return gloam_estimator_of_weighted(weighted, kernel.count);
+    return gloam_estimator_of_weighted(weighted, taken);
 }
 
 #endif

@@ -30,16 +30,28 @@ float gloam_line_occlusion(float height, float half_height) {
     return abs(height) < half_height ? 0.5 + 0.5 * (height / half_height) : 0.5;
 }
 
-// Pair of opposite taps: what lies too far in front of the point is another object, and the partner's complement stands for it.
-// fractions: (q_1, q_2) of gloam_line_occlusion. lowest, highest: what is believed, 0.35 and 1 in the published shader.
+// Where the surface at a tap lies along the chord: q* = (h + z) / (2 h), 0 at the far end, 1 at the near one, not clamped. It is what
+// gloam_line_pair tells another object by: a surface in front of the sphere has q* > 1, where the clamped fraction would say solid.
+// height, half_height: as above.
+// Returns any float; -infinity for background, 1/2 for h that is not positive, subnormal or above 2^126, and for NaN. Error: 2e-7, or 1.5 ULP,
+// up to 1e38.
+float gloam_line_ratio(float height, float half_height) {
+    if (!(half_height >= 1.175494351e-38 && half_height <= 8.507059173e37)) return 0.5;
+    float ratio = 0.5 + 0.5 * (height / half_height);
+    return abs(ratio) >= 0.0 ? ratio : 0.5;
+}
+
+// Pair of opposite taps: what lies in front of the sphere, or far behind the point, is another object, and the partner's complement stands
+// for it.
+// ratios: (q*_1, q*_2) of gloam_line_ratio, not clamped. lowest, highest: what is believed, 0.35 and 1 in the published shader.
 // Returns the two fractions, a disbelieved one replaced by 1 - the other; (0.5, 0.5) if neither is believed. NaN is not believed.
 // Error: 0.5 ULP.
-vec2 gloam_line_pair(vec2 fractions, float lowest, float highest) {
-    bool first = fractions.x >= lowest && fractions.x <= highest;
-    bool second = fractions.y >= lowest && fractions.y <= highest;
-    if (first && second) return fractions;
-    if (first) return vec2(fractions.x, 1.0 - fractions.x);
-    return second ? vec2(1.0 - fractions.y, fractions.y) : vec2(0.5);
+vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
+    bool first = ratios.x >= lowest && ratios.x <= highest;
+    bool second = ratios.y >= lowest && ratios.y <= highest;
+    if (first && second) return ratios;
+    if (first) return vec2(ratios.x, 1.0 - ratios.x);
+    return second ? vec2(1.0 - ratios.y, ratios.y) : vec2(0.5);
 }
 
 // Half the chord, at a tap, of the sphere of half the radius that touches the surface from outside (Szirmay-Kalos et al. 2009): a plane

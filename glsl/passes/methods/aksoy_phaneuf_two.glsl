@@ -20,8 +20,14 @@ float gloam_method_tap_occlusion(vec3 offset, vec3 normal, float depth, GloamKer
     return gloam_contribution_aksoy_phaneuf(offset, normal, kernel.radius, kernel.bias);
 }
 
+// As many at both radii.
+uint gloam_two_radii_samples(uint count) {
+    return count + (count & 1u);
+}
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_two_radii_samples(count)
+
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
-    uint half_count = (kernel.count + 1u) / 2u;
+    uint half_count = gloam_two_radii_samples(kernel.count) / 2u;
     GloamKernel broad = GloamKernel(kernel.radius, kernel.bias, kernel.angle, kernel.first / 2u, half_count);
     GloamKernel fine = broad;
     fine.radius = GLOAM_FINE_SHARE * kernel.radius;
@@ -29,7 +35,7 @@ vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKe
     vec2 near = gloam_tap_gather(position, normal, camera, fine, method);
     if (!(far.y > 0.0)) return vec2(0.0);
     float occlusion = gloam_two_radii_sum(gloam_estimator_mean(near), gloam_estimator_mean(far));
-    return float(kernel.count) * vec2(occlusion, 1.0);
+    return float(2u * half_count) * vec2(occlusion, 1.0);
 }
 
 #endif

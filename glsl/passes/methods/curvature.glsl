@@ -46,6 +46,12 @@ GloamNeighbor gloam_across(vec2 center, vec2 arm, vec3 position, vec3 normal, Gl
     return GloamNeighbor(ahead.offset - behind.offset, ahead.turn - behind.turn);
 }
 
+// Samples that are taken where `count` are asked for: those of whole crosses, at least one.
+uint gloam_cross_samples(uint count) {
+    return max(count / 4u, 1u) * 4u;
+}
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_cross_samples(count)
+
 // Crosses of arms between half the radius and the radius, turned from one to the next.
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     if (!gloam_can_gather(position, normal, kernel.radius)) return vec2(0.0);
@@ -54,7 +60,7 @@ vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKe
     vec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
     float turned = gloam_unit_interval(kernel.angle / 6.283185307);
     vec2 accumulated = vec2(0.0);
-    for (uint i = 0u; i < max(kernel.count / 4u, 1u); ++i) {
+    for (uint i = 0u; i < gloam_cross_samples(kernel.count) / 4u; ++i) {
         uint index = kernel.first / 4u + i + 1u;
         float share = 0.5 + 0.5 * fract(gloam_radical_inverse(index, 3u) + turned);
         vec2 arm = gloam_circle_point(0.25 * fract(gloam_radical_inverse_base2(index) + turned));
@@ -63,7 +69,7 @@ vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         vec2 curvatures = gloam_principal_curvatures(first.offset, second.offset, first.turn, second.turn);
         accumulated += vec2(gloam_occlusion_curvature(curvatures.x, curvatures.y, kernel.radius), 1.0);
     }
-    return gloam_estimator_of_weighted(accumulated, kernel.count);
+    return gloam_estimator_of_weighted(accumulated, gloam_cross_samples(kernel.count));
 }
 
 #endif

@@ -59,14 +59,14 @@ GloamWeightedMean gloam_dual_interpolated(ivec2 pixel, vec3 position, vec3 norma
 
 // All samples of one pixel in one frame; where the small image is taken, those of its pixels.
 // position: of the surface under a pixel's centre, view space, world units. normal: view space, any length.
-// Returns (sum, kernel.count) for gloam_estimator_mean. (0, 0) where there is nothing to gather: background, no normal, no radius.
+// Returns (sum, samples of whole slices) for gloam_estimator_mean. (0, 0) where there is nothing to gather: background, no normal, no radius.
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     if (!gloam_can_gather(position, normal, kernel.radius)) return vec2(0.0);
     ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(position, camera), camera.size);
     if (!gloam_dual_resolution_disagrees(pixel / 2, gloam_half_size(camera.size), method.disagreement)) {
         vec3 n = gloam_safe_normalize(normal, vec3(0.0));
         GloamWeightedMean mean = gloam_dual_interpolated(pixel, position, n, camera, kernel);
-        if (mean.weight >= GLOAM_DUAL_LEAST_WEIGHT) return float(kernel.count) * vec2(gloam_weighted_mean_value(mean, 0.0), 1.0);
+        if (mean.weight >= GLOAM_DUAL_LEAST_WEIGHT) return float(GLOAM_METHOD_SAMPLES(kernel.count, method)) * vec2(gloam_weighted_mean_value(mean, 0.0), 1.0);
     }
     return gloam_full_gather(position, normal, camera, kernel, method);
 }

@@ -44,13 +44,13 @@ float gloam_separable_carried(vec3 position, vec3 normal, GloamCamera camera, Gl
 
 // All samples of one pixel in one frame, the prepared ones counted.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns (sum, kernel.count) for gloam_estimator_mean. (0, 0) where there is nothing to gather: background, no normal, no radius.
+// Returns (sum, samples of both slices) for gloam_estimator_mean. (0, 0) where there is nothing to gather: background, no normal, no radius.
 vec2 gloam_method_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMethod method) {
     if (!gloam_can_gather(position, normal, kernel.radius)) return vec2(0.0);
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     float second = gloam_pair_occlusion(position, n, camera, kernel, method, true);
     float first = gloam_separable_carried(position, n, camera, kernel, method.epsilon);
-    return float(kernel.count) * vec2(gloam_separable_mean(first, second), 1.0);
+    return float(gloam_separable_samples(kernel.count)) * vec2(gloam_separable_mean(first, second), 1.0);
 }
 
 #endif

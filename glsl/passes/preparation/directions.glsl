@@ -13,10 +13,17 @@ uint gloam_pair_steps(GloamKernel kernel) {
     return max(kernel.count / 4u, 1u);
 }
 
+// Samples that are taken where `count` are asked for: both slices' taps.
+uint gloam_separable_samples(uint count) {
+    return 4u * max(count / 4u, 1u);
+}
+#undef GLOAM_METHOD_SAMPLES
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_separable_samples(count)
+
 // The samples of one slice; the directions turn from frame to frame.
 // second: the slice across the first. Half a turn of the kernel is a quarter of one of the slices.
 GloamKernel gloam_pair_kernel(GloamKernel kernel, bool second) {
-    uint frame = kernel.first / max(kernel.count, 1u);
+    uint frame = kernel.first / gloam_separable_samples(kernel.count);
     uint taps = 2u * gloam_pair_steps(kernel);
     return GloamKernel(kernel.radius, kernel.bias, kernel.angle + (second ? 3.141592654 : 0.0), frame * taps, taps);
 }

@@ -18,8 +18,10 @@ ivec2 middle(ivec2 texel) {
     return min((texel << parameters.level) + (1 << (parameters.level - 1)), parameters.size - 1);
 }
 
-GloamKernel kernel_of(ivec2 texel) {
+// depth: of the texel's surface, which need not be that of the pixel.
+GloamKernel texel_kernel(ivec2 texel, float depth) {
     GloamKernel kernel = kernel_at(middle(texel));
+    kernel.radius = radius_at(depth);
     if (kernel.angle != 0.0) kernel.angle = gloam_hash_rotation(texel);
     return kernel;
 }
@@ -34,7 +36,7 @@ void main() {
                                                            GLOAM_PYRAMID_NORMALS)).xyz;
     GloamLevels levels = GloamLevels(0.0, 0.0, 0.0);
     if (gloam_can_gather(position, normal, parameters.radius)) {
-        levels = gloam_mssao_at(position, normal, parameters.level, this_camera(), kernel_of(texel), coarsest);
+        levels = gloam_mssao_at(position, normal, parameters.level, this_camera(), texel_kernel(texel, -position.z), coarsest);
     }
     ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, GLOAM_PYRAMID_RESULTS);
     imageStore(prepared_image, at, vec4(levels.largest, levels.mean, levels.count, 0.0));

@@ -20,7 +20,10 @@
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 0) const int layers = 1;  // of depth that the samples see, 1 to 4
+layout(constant_id = 0) const int layers = 1;               // of depth that the samples see, 1 to 4
+layout(constant_id = 1) const bool reject_taps = false;     // leave out taps further in front than GloamMethod::range (CS-REJ)
+const bool fewer_samples = true;
+const bool caps_radius = true;
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -41,6 +44,10 @@ layout(push_constant) uniform Parameters {
     float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
     uint orthographic;     // 1, or 0 for perspective
     uint shade_border;     // 1: the band has occlusion as well; 0: it is left out
+    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many everywhere
+    float samples_radius;  // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many everywhere
+    uint samples_least;    // of those, at least
+    float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
     int level;             // that the pass writes, 1 for half the resolution, of passes that run once for each
 } parameters;
 
@@ -48,15 +55,12 @@ layout(push_constant) uniform Parameters {
 #include "gloam/geometry/camera.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/method_parameters.glsl"
-#include "gloam/sampling/hash_rotation.glsl"
-#include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/history.glsl"
-#include "gloam/temporal/rotation_switch.glsl"
-#include "gloam/temporal/sample_budget.glsl"
 
 layout(binding = 4, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
 layout(binding = 5, rgba32f) uniform readonly image2D layer_image;
 
+#define GLOAM_REJECTS_TAPS reject_taps
 #define GLOAM_LAYERS layers
 float gloam_fetch_layer(ivec2 pixel, int layer) {
     return imageLoad(layer_image, pixel)[layer - 1];
@@ -66,6 +70,8 @@ GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
 }
 
+#include "../pixel_samples.glsl"
+
 float gloam_fetch_depth(ivec2 pixel) {
     return imageLoad(depth_image, pixel).x;
 }
@@ -73,20 +79,15 @@ float gloam_fetch_depth(ivec2 pixel) {
 // The samples that ambient_occlusion.comp takes at a pixel in this frame.
 GloamKernel kernel_at(ivec2 pixel) {
     // Where there is no geometry nothing may have been written: tiles of background are left out (tiles/select.comp).
-    bool known = !gloam_is_background(gloam_fetch_depth(pixel));
+    float depth = gloam_fetch_depth(pixel);
     GloamHistory before = gloam_history_empty(0.0);
-    if (known) before = GLOAM_LOAD_HISTORY(history_before, pixel);
-    float convergence = gloam_convergence(before.weight, parameters.weight_max);
-    bool rotated = gloam_rotation_enabled(convergence, parameters.c_rot);
-    float angle = rotated ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
-    uint samples = uint(gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples),
-                                           int(parameters.samples_converged)));
-    return GloamKernel(parameters.radius, parameters.bias, angle, before.index, samples);
+    if (!gloam_is_background(depth)) before = GLOAM_LOAD_HISTORY(history_before, pixel);
+    return kernel_of(pixel, depth, before, samples_at(before, depth));
 }
 
 // Whether a surface of that depth is open without a sample, its radius of influence being too small to see.
 bool below_limit(float depth) {
-    vec2 reach = gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
+    vec2 reach = reach_at(depth);
     return max(reach.x, reach.y) < parameters.least_radius;
 }
 

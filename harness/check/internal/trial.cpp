@@ -32,6 +32,7 @@ Trial::Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, c
              .budget = check_case.budget,
              .codomain = check_case.codomain,
              .promised = check_case.promised,
+             .judge_edges = !check_case.only_rules && judgement.format == numeric::float32,
              .judge_nan = lab.device().info().float32.preserves_signed_zero_inf_nan,
              .verdict = judgement.verdict,
              .permitted = check_case.permitted,

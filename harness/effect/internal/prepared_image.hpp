@@ -29,6 +29,10 @@ struct PreparationParameters {
     float least_radius;
     std::uint32_t orthographic;
     std::uint32_t shade_border;
+    float samples_distance;
+    float samples_radius;
+    std::uint32_t samples_least;
+    float radius_cap;
     std::int32_t level;
 };
 
@@ -65,10 +69,11 @@ class PreparedImage {
     scene::PassLibrary library_;
     HistoryPrecision precision_ = HistoryPrecision::float32;
     std::uint32_t layers_ = 1;
+    bool reject_taps_ = false;
     std::optional<Preparation> preparation_;
     std::optional<gpu::Image> image_;
     std::vector<PreparationParameters> constants_;  // for each pass
-    std::map<std::tuple<std::string, HistoryPrecision, std::uint32_t>, gpu::ComputePipeline> pipelines_;
+    std::map<std::tuple<std::string, HistoryPrecision, std::uint32_t, bool>, gpu::ComputePipeline> pipelines_;
 };
 
 }  // namespace gloam::effect

@@ -38,8 +38,9 @@ Pair pair_at(const SeenSurface& seen, const std::array<double, 3>& u) {
             height_over(seen, -seen.reach() * point, -aim)};
 }
 
-double solid_share(double height, double half_chord) {
-    return std::clamp(0.5 + 0.5 * height / half_chord, 0.0, 1.0);
+// Where the surface crosses a chord: 0 at its far end, 1 at its near end, outside both where it misses it.
+double place_on_chord(double height, double half_chord) {
+    return 0.5 + 0.5 * height / half_chord;
 }
 
 // What the tangent sphere's chord at the tap holds (CS-I, last paragraph): the sphere of half the radius on
@@ -50,7 +51,8 @@ glm::dvec2 tangent_chord(const SeenSurface& seen, const glm::dvec3& offset) {
     const double squared = 0.25 - glm::dot(aside, aside);
     if (!(squared > 0.0)) return glm::dvec2(0.0);
     const double half_chord = std::sqrt(squared);
-    return half_chord * glm::dvec2(solid_share(offset.z - center.z, half_chord), 1.0);
+    return half_chord *
+           glm::dvec2(std::clamp(place_on_chord(offset.z - center.z, half_chord), 0.0, 1.0), 1.0);
 }
 
 // The angle between the eye and a sample, lifted to the tangent plane; the eye is on the axis.
@@ -64,17 +66,18 @@ double cosine_to_eye(const glm::dvec3& offset, const glm::dvec3& normal) {
 
 }  // namespace
 
-// CS-3.5: solid shares of chords weighted by the chords. A chord solid by less than 0.35 is another object's;
-// its partner's complement stands for it.
+// CS-3.5: solid shares of chords weighted by the chords. A surface that crosses a chord below 0.35 of it, or
+// lies in front of the ball, is another object's; its partner's complement stands for it.
 Integrand volumetric(const SeenSurface& seen, const Settings&) {
     return [seen](const std::array<double, 3>& u) {
         const Pair pair = pair_at(seen, u);
         const double half_chord = std::sqrt(1.0 - std::min(u[0], 1.0));
         if (half_chord == 0.0) return glm::dvec2(0.0);
-        const double first = solid_share(pair.first, half_chord);
-        const double second = solid_share(pair.second, half_chord);
-        const bool all = (first >= 0.35) == (second >= 0.35);
-        const double sum = all ? (first >= 0.35 ? first + second : 1.0) : 1.0;
+        const double first = place_on_chord(pair.first, half_chord);
+        const double second = place_on_chord(pair.second, half_chord);
+        const auto own = [](double place) { return place >= 0.35 && place <= 1.0; };
+        // One alone and its complement make 1, and so do two halves.
+        const double sum = own(first) && own(second) ? first + second : 1.0;
         return half_chord * glm::dvec2(sum, 2.0);
     };
 }

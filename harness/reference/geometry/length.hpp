@@ -7,7 +7,8 @@ namespace gloam::reference {
 
 template <class T>
 T gloam_length(vec3<T> v) {
-    return max(dot(v, gloam_safe_normalize(v, vec3<T>(T(0), T(0), T(0)))), T(0));
+    const T along = dot(v, gloam_safe_normalize(v, vec3<T>(T(0), T(0), T(0))));
+    return along > T(0) ? along : T(0);
 }
 
 }  // namespace gloam::reference

@@ -49,7 +49,7 @@ T gloam_gtao_arc_uniform(T horizon, T sine) {
 
 template <class T>
 T gloam_gtao_side(T horizon, T angle, vec2<T> normal) {
-    const T c = clamp(horizon, T(-1), T(1));
+    const T c = horizon > T(-1) ? min(horizon, T(1)) : T(-1);
     const T s = gloam_sqrt((T(1) - c) * (T(1) + c));
     return gloam_gtao_arc(gloam_gtao_elevation(c, angle), vec2<T>(c, s), normal);
 }

@@ -33,6 +33,11 @@ vec3<T> gloam_pair_offset(vec3<T> position, glm::ivec2 at, GloamCamera<T> camera
     return gloam_is_finite3(offset) ? offset : vec3<T>(T(0), T(0), T(0));
 }
 
+template <class T>
+unsigned gloam_paired_samples(unsigned count) {
+    return 2U * (count / 2U + count % 2U);
+}
+
 template <class T, class Method, class Fetch>
 vec2<T> gloam_pair_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
                           GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
@@ -57,7 +62,7 @@ vec2<T> gloam_pair_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camer
                                 heights.y * view - aim, view,    n};
         weighted += method.occlusion(pair, kernel, parameters);
     }
-    return gloam_estimator_of_weighted(weighted, kernel.count);
+    return gloam_estimator_of_weighted(weighted, gloam_paired_samples<T>(kernel.count));
 }
 
 }  // namespace gloam::reference

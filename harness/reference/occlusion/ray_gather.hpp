@@ -50,6 +50,12 @@ GloamRay<T> gloam_ray_march(GloamRay<T> ray, vec3<T> position, vec3<T> normal, G
     return ray;
 }
 
+template <class T>
+unsigned gloam_ray_samples(unsigned count, unsigned steps) {
+    const unsigned taps = std::max(steps, 1U);
+    return count < taps ? taps : count - count % taps;
+}
+
 template <class T, class Method, class Fetch>
 vec2<T> gloam_ray_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
                          GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
@@ -63,7 +69,7 @@ vec2<T> gloam_ray_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera
                               fetch_depth);
         weighted += method.end(ray, vec3<T>(frame[2]), parameters);
     }
-    return gloam_estimator_of_weighted(weighted, kernel.count);
+    return gloam_estimator_of_weighted(weighted, gloam_ray_samples<T>(kernel.count, parameters.steps));
 }
 
 }  // namespace gloam::reference

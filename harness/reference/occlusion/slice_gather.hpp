@@ -57,6 +57,12 @@ GloamMarch<T> gloam_slice_march(GloamMarch<T> march, GloamSlice<T> slice, GloamS
     return march;
 }
 
+template <class T>
+unsigned gloam_slice_samples(unsigned count, unsigned steps) {
+    const unsigned taps = 2U * std::max(steps, 1U);
+    return count < taps ? taps : count - count % taps;
+}
+
 template <class T, class Method, class Fetch>
 vec2<T> gloam_slice_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
                            GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
@@ -80,7 +86,7 @@ vec2<T> gloam_slice_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> came
         march = gloam_slice_march(march, slice, point, camera, kernel, parameters, method, fetch_depth);
         accumulated = method.end(accumulated, march, slice, parameters);
     }
-    return gloam_estimator_of_weighted(accumulated, kernel.count);
+    return gloam_estimator_of_weighted(accumulated, gloam_slice_samples<T>(kernel.count, parameters.steps));
 }
 
 }  // namespace gloam::reference

@@ -19,13 +19,21 @@ T gloam_line_occlusion(T height, T half_height) {
     return abs(height) < half_height ? T(0.5) + T(0.5) * (height / half_height) : T(0.5);
 }
 
+// The place of the surface on a line from the far end (0) of the chord to its near end (1).
 template <class T>
-vec2<T> gloam_line_pair(vec2<T> fractions, T lowest, T highest) {
-    const bool first = fractions.x >= lowest && fractions.x <= highest;
-    const bool second = fractions.y >= lowest && fractions.y <= highest;
-    if (first && second) return fractions;
-    if (first) return vec2<T>(fractions.x, T(1) - fractions.x);
-    return second ? vec2<T>(T(1) - fractions.y, fractions.y) : vec2<T>(T(0.5), T(0.5));
+T gloam_line_ratio(T height, T half_height) {
+    if (!(half_height >= float_min<T>() && half_height <= T(0x1p126))) return T(0.5);
+    const T ratio = T(0.5) + T(0.5) * (height / half_height);
+    return abs(ratio) >= T(0) ? ratio : T(0.5);
+}
+
+template <class T>
+vec2<T> gloam_line_pair(vec2<T> ratios, T lowest, T highest) {
+    const bool first = ratios.x >= lowest && ratios.x <= highest;
+    const bool second = ratios.y >= lowest && ratios.y <= highest;
+    if (first && second) return ratios;
+    if (first) return vec2<T>(ratios.x, T(1) - ratios.x);
+    return second ? vec2<T>(T(1) - ratios.y, ratios.y) : vec2<T>(T(0.5), T(0.5));
 }
 
 template <class T>
