@@ -24,6 +24,7 @@
 #include "cli/report.hpp"
 #include "cli/stress.hpp"
 #include "cli/strict_options.hpp"
+#include "cli/versions.hpp"
 
 namespace {
 
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
     CLI::App app("gloam: GLSL ambient occlusion, measured", "gloam");
     app.require_subcommand(0, 1);  // none is said below: an unknown word must be named first
     app.failure_message(CLI::FailureMessage::simple);
+    app.set_version_flag("--version", [] { return gloam::cli::versions(); });
     gloam::cli::add_demo(app, status);
     gloam::cli::add_devices(app);
     gloam::cli::add_list(app);
@@ -78,6 +80,8 @@ int run(int argc, char** argv) {
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
+    } catch (const CLI::CallForVersion& version) {
+        return app.exit(version);
     } catch (const CLI::CallForAllHelp& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {

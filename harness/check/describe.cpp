@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <ostream>
 
 #include "numeric/text.hpp"
@@ -32,20 +33,31 @@ std::string words_text(const std::vector<Scalar>& scalars, const std::vector<Wor
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::string numbers_text(const std::vector<double>& numbers) {
+// An integer as one writes it; the bits of a double of that value tell nobody more.
+std::string number_text(Scalar scalar, double number) {
+    constexpr double exact = 9'007'199'254'740'992.0;
+    const bool whole = std::abs(number) <= exact && number == std::floor(number);
+    return scalar == Scalar::float_ || !whole ? numeric::to_text(number) : fmt::format("{:.0f}", number);
+}
+
+std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<double>& numbers) {
     std::vector<std::string> texts;
-    for (const double number : numbers) texts.push_back(numeric::to_text(number));
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        texts.push_back(number_text(i < scalars.size() ? scalars[i] : Scalar::float_, numbers[i]));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 // The bounds of each output; nothing where there are none.
-std::string permitted_text(const std::vector<numeric::Bounds>& permitted) {
+std::string permitted_text(const std::vector<Scalar>& scalars,
+                           const std::vector<numeric::Bounds>& permitted) {
     if (permitted.empty()) return {};
     std::vector<std::string> texts;
-    for (const numeric::Bounds& bounds : permitted) {
+    for (std::size_t i = 0; i < permitted.size(); ++i) {
+        const numeric::Bounds& bounds = permitted[i];
+        const Scalar scalar = i < scalars.size() ? scalars[i] : Scalar::float_;
         const std::string range = bounds.empty() ? std::string("nothing but NaN")
-                                                 : fmt::format("[{}, {}]", numeric::to_text(bounds.low),
-                                                               numeric::to_text(bounds.high));
+                                                 : fmt::format("[{}, {}]", number_text(scalar, bounds.low),
+                                                               number_text(scalar, bounds.high));
         texts.push_back(bounds.nan && !bounds.empty() ? range + " or NaN" : range);
     }
     return fmt::format("    permitted {}\n", fmt::join(texts, ", "));
@@ -56,8 +68,9 @@ std::string sample_text(const Signature& signature, const Sample& sample) {
         "input {} ({}{}{}): {}\n    got  {}\n    want {}\n{}    error {:.6g} ulp, {:.6g} absolute\n",
         sample.index, name_of(sample.input_class), sample.scenario.empty() ? "" : ", images ",
         sample.scenario, describe_inputs(signature, sample.inputs),
-        words_text(signature.output_scalars(), sample.got), numbers_text(sample.want),
-        permitted_text(sample.permitted), sample.ulp, sample.absolute);
+        words_text(signature.output_scalars(), sample.got),
+        numbers_text(signature.output_scalars(), sample.want),
+        permitted_text(signature.output_scalars(), sample.permitted), sample.ulp, sample.absolute);
 }
 
 }  // namespace

@@ -16,4 +16,9 @@ std::string to_text(double x) {
     return fmt::format("{:.9g} ({:a})", x, x);
 }
 
+std::string to_short_text(double x) {
+    constexpr double most = 1e6;
+    return x > -most && x < most ? fmt::format("{:.2f}", x) : fmt::format("{:.2g}", x);
+}
+
 }  // namespace gloam::numeric

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/text.hpp"
+
 namespace gloam::report {
 namespace {
 
@@ -82,7 +84,7 @@ std::string measured_text(const CheckReport& report, const std::string& equation
     const CheckRow* row = worst_row(report, equation, [](const CheckRow& r) { return !judged_by_rules(r); });
     if (row == nullptr) return "by the rules alone";
     if (row->budget_fraction == 0.0) return "exact";
-    return fmt::format("{:.2f} {}", row->budget_fraction, row->variant);
+    return numeric::to_short_text(row->budget_fraction) + " " + row->variant;
 }
 
 // A function without a documented error is judged by the rules in every variant.

@@ -36,6 +36,7 @@ DeviceSummary read_device(const JsonReader& json) {
 
 CheckReport read_report(const JsonReader& json) {
     CheckReport report{.device = read_device(json.member("device")), .rows = {}};
+    if (json.has("versions")) report.versions = json.member("versions").name();
     for (const JsonReader& row : json.member("results").elements()) {
         report.rows.push_back(internal::read_row(row));
     }
@@ -62,7 +63,10 @@ std::string to_json(const std::vector<CheckReport>& reports) {
     for (const CheckReport& report : reports) {
         ordered_json results = ordered_json::array();
         for (const CheckRow& row : report.rows) results.push_back(internal::row_json(row));
-        all.push_back({{"device", device_json(report.device)}, {"results", results}});
+        ordered_json object{{"device", device_json(report.device)}};
+        if (!report.versions.empty()) object["versions"] = report.versions;
+        object["results"] = std::move(results);
+        all.push_back(std::move(object));
     }
     return (all.size() == 1 ? all.front() : all).dump(2, ' ', false, replace) + "\n";
 }

@@ -58,6 +58,9 @@ std::string to_junit(const std::vector<CheckReport>& reports) {
         xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
                            escaped(report.device.name), report.rows.size(),
                            report.failures() - errors(report), errors(report));
+        if (!report.versions.empty())
+            xml += fmt::format("    <properties><property name=\"versions\" value=\"{}\"/></properties>\n",
+                               escaped(report.versions));
         for (const CheckRow& row : report.rows) xml += test_case(row);
         xml += "  </testsuite>\n";
     }

@@ -33,6 +33,7 @@ struct DeviceSummary {
 struct CheckReport {
     DeviceSummary device;
     std::vector<CheckRow> rows;
+    std::string versions{};  // of gloam and of the compilers; empty: not known
 
     [[nodiscard]] std::size_t failures() const;
 };
@@ -42,10 +43,11 @@ struct CheckReport {
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_line(const CheckRow& row);
 
-// {"device": {...}, "results": [{"equation", "function", "file", "variant", "verdict", "inputs", "outside",
-// "recorded", "unbounded", "differs", "max_ulp", "max_abs", "width_fraction", "budget_fraction", "guarantee",
-// "unbounded_at", "budget", "classes", "worst", "fault", "error", "reason", "seconds", "story"}]}, members as
-// in CheckRow; an array of such objects for several devices. Infinite numbers are the strings "inf" and
+// {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "results": [{"equation", "function", "file",
+// "variant", "verdict", "inputs", "outside", "recorded", "unbounded", "differs", "max_ulp", "max_abs",
+// "width_fraction", "budget_fraction", "guarantee", "unbounded_at", "budget", "classes", "worst", "fault",
+// "error", "reason", "seconds", "story"}]}, members as in CheckRow; an array of such objects for several
+// devices. Infinite numbers are the strings "inf" and
 // "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "numeric/text.hpp"
 #include "report/check_report.hpp"
 
 namespace gloam::report {
@@ -33,7 +34,7 @@ std::string table_line(const CheckRow& row) {
     const double used = row.width_fraction.value_or(row.budget_fraction);
     return fmt::format(line_format, row.equation, row.function, row.variant, row.inputs,
                        fmt::format("{:.3g}", row.max_ulp), fmt::format("{:.2e}", row.max_abs),
-                       fmt::format("{:.2f}", used), row.verdict, verdict);
+                       numeric::to_short_text(used), row.verdict, verdict);
 }
 
 }  // namespace gloam::report

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cctype>
+#include <cmath>
+#include <string_view>
 
 #include "numeric/text.hpp"
 
@@ -17,6 +20,15 @@ std::string allowed_text(const AllowedNumbers& allowed) {
                        allowed.nan ? ", or NaN" : "");
 }
 
+// Whole numbers beyond a few digits as they are: their bits tell nobody more.
+std::string wanted_text(double number) {
+    constexpr double many_digits = 65'536.0;
+    constexpr double exact = 9'007'199'254'740'992.0;
+    const double size = std::abs(number);
+    const bool whole = size >= many_digits && size <= exact && number == std::floor(number);
+    return whole ? fmt::format("{:.0f}", number) : numeric::to_text(number);
+}
+
 std::string input_text(const std::string& title, const WorstInput& input) {
     std::string text = fmt::format("{}\n  input   {}\n", title, input.values);
     if (!input.images.empty()) text += fmt::format("  images  {}\n", input.images);
@@ -24,7 +36,7 @@ std::string input_text(const std::string& title, const WorstInput& input) {
         const std::uint32_t word = input.got_words[i];
         text += fmt::format("  output {}: got 0x{:08x} (as a float {}, as an integer {})", i, word,
                             numeric::to_text(std::bit_cast<float>(word)), std::bit_cast<std::int32_t>(word));
-        if (i < input.want.size()) text += fmt::format(", want {}", numeric::to_text(input.want[i]));
+        if (i < input.want.size()) text += fmt::format(", want {}", wanted_text(input.want[i]));
         if (i < input.allowed.size()) text += fmt::format(", permitted {}", allowed_text(input.allowed[i]));
         text += "\n";
     }
@@ -38,7 +50,8 @@ std::string yes_no(bool flag) {
 }  // namespace
 
 std::string failure_text(const DeviceSummary& device, const CheckRow& row,
-                         const std::optional<WorstInput>& smallest, const std::string& note) {
+                         const std::optional<WorstInput>& smallest, const std::string& note,
+                         const RunAgain& again) {
     std::string text =
         fmt::format("{}: {} of {}, variant {}\n\n", row.equation, row.function, row.file, row.variant);
     text += row.ran() ? row.story + "\n" : fmt::format("{}: {}\n\n", name_of(row.reason), row.error);
@@ -53,12 +66,27 @@ std::string failure_text(const DeviceSummary& device, const CheckRow& row,
         row.budget.text, device.name, device.driver, device.api_version, device.type,
         yes_no(device.preserves_signed_zero_inf_nan), yes_no(device.preserves_denormals),
         yes_no(device.flushes_denormals), yes_no(device.rounds_to_even));
+    if (!again.versions.empty()) text += "Versions: " + again.versions + "\n\n";
     if (!note.empty()) text += note + "\n\n";
+    const std::string command = again.command.empty()
+                                    ? fmt::format("gloam check {} --variant {}", row.equation, row.variant)
+                                    : again.command;
     return text + fmt::format(
-                      "Run it again: gloam check {} --variant {}\n"
+                      "Run it again: {}\n"
                       "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber "
                       "(https://github.com/google/amber)\n",
-                      row.equation, row.variant);
+                      command);
+}
+
+std::string shell_word(const std::string& text) {
+    const auto is_plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+               std::string_view("-_./=,:+").find(c) != std::string_view::npos;
+    };
+    if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
 }
 
 std::string slug(const std::string& text) {

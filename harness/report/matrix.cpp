@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "numeric/text.hpp"
 #include "report/merge.hpp"
 
 namespace gloam::report {
@@ -18,7 +19,7 @@ std::string cell(const CheckRow& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "FAULT";
     if (row.outside > 0) return fmt::format("FAIL {}/{}", row.outside, row.inputs);
-    return fmt::format("ok {:.2f}", fraction_of(row));
+    return "ok " + numeric::to_short_text(fraction_of(row));
 }
 
 std::vector<std::string> variants_of(const CheckReport& report) {

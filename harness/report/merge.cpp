@@ -66,7 +66,8 @@ MergedReports merge(const std::vector<ReportFile>& files) {
             merged.reports, device, [](const CheckReport& report) { return to_json(report.device); });
         const auto index = static_cast<std::size_t>(known - merged.reports.begin());
         if (known == merged.reports.end()) {
-            merged.reports.push_back({.device = file.report.device, .rows = {}});
+            merged.reports.push_back(
+                {.device = file.report.device, .rows = {}, .versions = file.report.versions});
             rows.emplace_back();
         }
         for (const CheckRow& row : file.report.rows) unite(rows[index], row, file, merged.conflicts);

@@ -35,6 +35,29 @@ TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
     EXPECT_THAT(text, Not(HasSubstr("input  ")));
 }
 
+TEST(FailureText, NamesVersionsAndTheWholeCommand) {
+    const std::string text =
+        failure_text(report_of("GPU", {}).device, failing_row(), std::nullopt, "",
+                     {.command = "gloam check EQ-1 --seed 7", .versions = "gloam 1, glslang 2"});
+    EXPECT_THAT(text, HasSubstr("Run it again: gloam check EQ-1 --seed 7\n"));
+    EXPECT_THAT(text, HasSubstr("Versions: gloam 1, glslang 2"));
+}
+
+TEST(FailureText, WholeNumbersAreWrittenAsOneWritesThem) {
+    CheckRow row = failing_row();
+    row.worst->want.assign(row.worst->want.size(), 129'708'002.0);
+    const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "");
+    EXPECT_THAT(text, HasSubstr("want 129708002"));
+    EXPECT_THAT(text, Not(HasSubstr("129708002 (0x1.eecbf88p+26)")));
+}
+
+TEST(ShellWord, IsOneWordForAShell) {
+    EXPECT_EQ(shell_word("HALTON-base2"), "HALTON-base2");
+    EXPECT_EQ(shell_word("llvmpipe (LLVM 15.0.6, 256 bits)"), "'llvmpipe (LLVM 15.0.6, 256 bits)'");
+    EXPECT_EQ(shell_word("it's; $(id)"), "'it'\\''s; $(id)'");
+    EXPECT_EQ(shell_word(""), "''");
+}
+
 TEST(Slug, IsFitForAFolder) {
     EXPECT_EQ(slug("llvmpipe (LLVM 15.0.6, 256 bits)"), "llvmpipe-llvm-15-0-6-256-bits");
     EXPECT_EQ(slug("../../etc/passwd"), "etc-passwd");

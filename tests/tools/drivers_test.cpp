@@ -105,6 +105,16 @@ TEST(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
     }
 }
 
+TEST(Drivers, OneThatEndsTheProcessCostsItselfOnly) {
+    const TemporaryDirectory folder;
+    const std::string manifest = manifest_in(folder, "ends.json", GLOAM_CRASHING_DRIVER);
+    const CommandResult list = run_command(
+        {"devices"}, {.environment = {"VK_ADD_DRIVER_FILES=" + manifest, "GLOAM_TEST_DRIVER_EXITS=1"}});
+    EXPECT_EQ(list.status, 0);
+    EXPECT_THAT(list.out, testing::StartsWith("0: "));
+    EXPECT_THAT(list.err, HasSubstr(manifest + ": its process ended with status 0"));
+}
+
 TEST(Drivers, NoneThatLoadsIsOneLine) {
     const TemporaryDirectory folder;
     const std::string crashing = manifest_in(folder, "crashing.json", GLOAM_CRASHING_DRIVER);

@@ -66,6 +66,37 @@ TEST(Failures, AWrongResultIsHandedOverWhole) {
     }
 }
 
+// What report.txt says to run is complete: as it stands, in a shell, it finds the same to the bit.
+TEST(Failures, RunItAgainReproducesToTheBit) {
+    const Installation installation;
+    installation.replace(shader_file, "5.9604644775390625e-8", "5.9604652e-8");
+    const fs::path failures = installation.file("failures");
+    const fs::path first = installation.file("first.json");
+    EXPECT_EQ(
+        check(installation, failures, {"--seed", "12345", "--variant", "strict", "--json", first.string()})
+            .status,
+        1);
+    ASSERT_EQ(folders(failures).size(), 1U);
+    const std::string report = read_file(folders(failures).front() / "report.txt");
+    for (const char* part : {"Versions: gloam ", "glslang ", "SPIRV-Tools "})
+        EXPECT_THAT(report, HasSubstr(part));
+    const std::string mark = "Run it again: gloam ";
+    const std::size_t begin = report.find(mark) + mark.size();
+    const std::string command = report.substr(begin, report.find('\n', begin) - begin);
+    for (const char* part : {"--variant strict", "--device ", "--inputs 65536", "--seed 12345"})
+        EXPECT_THAT(command, HasSubstr(part));
+    const fs::path second = installation.file("second.json");
+    const CommandResult again = run_program(
+        "/bin/sh", {"-c", installation.program().string() + " " + command + " --json " + second.string()});
+    EXPECT_EQ(again.status, 1) << again.err;
+    EXPECT_THAT(again.out, HasSubstr("run it again: gloam " + command));
+    auto one = nlohmann::json::parse(read_file(first));
+    auto other = nlohmann::json::parse(read_file(second));
+    one["results"][0].erase("seconds");
+    other["results"][0].erase("seconds");
+    EXPECT_EQ(one, other);
+}
+
 TEST(Failures, TheAssemblyInTheAmberScriptIsAModule) {
     const Installation installation;
     installation.replace(shader_file, "5.9604644775390625e-8", "5.9604652e-8");

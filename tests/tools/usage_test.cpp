@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -84,6 +86,24 @@ TEST(List, UnknownKindIsNamedWithThoseThereAre) {
     const CommandResult result = run_command({"list", "no-such-kind"});
     expect_could_not_run(result, "no-such-kind");
     EXPECT_THAT(result.err, HasSubstr("equations"));
+}
+
+TEST(Usage, VersionNamesEverythingThatCompiles) {
+    const CommandResult result = run_command({"--version"});
+    expect_success(result);
+    EXPECT_EQ(line_count(result.out), 1);
+    for (const char* part : {"gloam 0.", "glslang ", "SPIRV-Tools "})
+        EXPECT_THAT(result.out, HasSubstr(part));
+    const TemporaryDirectory folder;
+    const std::string file = (folder.path() / "a.json").string();
+    expect_success(run_command({"check", "gloam_radical_inverse_base2", "--inputs", "64", "--json", file,
+                                "--junit", file + ".xml"}));
+    for (const std::string& name : {file, file + ".xml"}) {
+        std::ifstream stream(name);
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        for (const char* part : {"gloam 0.", "glslang ", "SPIRV-Tools "})
+            EXPECT_THAT(text, HasSubstr(part)) << name;
+    }
 }
 
 // Whatever option is added: an empty text, NaN and a count below zero are no values.

@@ -17,6 +17,7 @@
 #include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
 #include "cli/variant.hpp"
+#include "cli/versions.hpp"
 #include "report/check_report.hpp"
 #include "report/output_file.hpp"
 
@@ -51,7 +52,7 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options) {
 }
 
 void print_device(const report::DeviceSummary& device) {
-    fmt::print("device: {}\n{}\n", report::name_of(device), report::table_header());
+    fmt::print("device: {}\nversions: {}\n{}\n", report::name_of(device), versions(), report::table_header());
     std::fflush(stdout);
 }
 
@@ -60,8 +61,22 @@ void print_row(const report::CheckRow& row) {
     std::fflush(stdout);
 }
 
-void print_failure(const report::CheckRow& row) {
+// What runs this check again, to the bit: the same inputs on the same device.
+std::string command_for(const CheckOptions& options, const report::DeviceSummary& device,
+                        const report::CheckRow& row) {
+    std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}",
+                                      report::shell_word(row.equation), report::shell_word(row.variant),
+                                      report::shell_word(device.name), options.inputs, options.seed);
+    for (const auto& driver : drivers_asked_for())
+        command += " --driver " + report::shell_word(driver.string());
+    return options.validation ? command + " --validation" : command;
+}
+
+void print_failure(const CheckOptions& options, const report::DeviceSummary& device,
+                   const report::CheckRow& row) {
     fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
+    if (row.variant.empty()) return;  // the device itself
+    fmt::print("run it again: {}\n", command_for(options, device, row));
 }
 
 report::CheckReport check_device(const CheckOptions& options, const std::string& device,
@@ -76,8 +91,8 @@ report::CheckReport check_device(const CheckOptions& options, const std::string&
                   .on_row = print_row,
                   .on_failure = {}};
     if (failures.wanted()) {
-        run.on_failure = [&failures](const auto& on, const auto& row, const HandOver& failure) {
-            failures.write(on, row, failure);
+        run.on_failure = [&](const auto& on, const auto& row, const HandOver& failure) {
+            failures.write(on, row, failure, {command_for(options, on, row), versions()});
         };
     }
     try {
@@ -127,10 +142,11 @@ int run_check(const CheckOptions& options) {
     }
     for (const report::CheckReport& report : reports) {
         for (const report::CheckRow& row : report.rows) {
-            if (!row.passed()) print_failure(row);
+            if (!row.passed()) print_failure(options, report.device, row);
         }
     }
     fmt::print("{} checks, {} failed\n", checks, failures);
+    for (report::CheckReport& report : reports) report.versions = versions();
     json.write(report::to_json(reports));
     junit.write(report::to_junit(reports));
     return failures == 0 ? 0 : 1;

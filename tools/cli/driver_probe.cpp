@@ -94,7 +94,7 @@ bool does_not_load(const DriverTrouble& driver) {
     return driver.reason == report::Reason::crash || driver.reason == report::Reason::hang;
 }
 
-std::vector<fs::path>& drivers_asked_for() {
+std::vector<fs::path>& asked_for() {
     static std::vector<fs::path> drivers;
     return drivers;
 }
@@ -124,7 +124,11 @@ std::vector<fs::path> driver_manifests() {
 }
 
 void ask_for_driver(const fs::path& manifest) {
-    drivers_asked_for().push_back(fs::absolute(manifest));
+    asked_for().push_back(fs::absolute(manifest));
+}
+
+const std::vector<fs::path>& drivers_asked_for() {
+    return asked_for();
 }
 
 DriverTrouble probe_driver(const fs::path& manifest) {

@@ -25,6 +25,7 @@ struct LeftOut {
 
 // From now on DriverTrouble says so of this driver.
 void ask_for_driver(const std::filesystem::path& manifest);
+[[nodiscard]] const std::vector<std::filesystem::path>& drivers_asked_for();
 
 // The manifests of the drivers that the Vulkan loader would load, in its order, from what the environment
 // says and from the folders where it looks.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/setting_json.hpp"
+#include "cli/versions.hpp"
 #include "effect/methods.hpp"
 #include "effect/setting_table.hpp"
 
@@ -147,6 +148,7 @@ std::string to_json(const RenderReport& report) {
                         {"driver", report.device.driver},
                         {"type", report.device.type},
                         {"api_version", report.device.api_version}}},
+                      {"versions", versions()},
                       {"source", report.source},
                       {"method", last.settings.method},
                       {"preset", report.preset},

@@ -11,6 +11,7 @@
 #include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/versions.hpp"
 #include "report/output_file.hpp"
 #include "stress/report.hpp"
 #include "stress/run.hpp"
@@ -60,7 +61,7 @@ int run_stress(const StressOptions& options) {
                          .progress = show_progress});
     const auto broken = std::ranges::count_if(rows, [](const stress::Row& row) { return !row.passed(); });
     fmt::print("{} numbers, {} bounds broken\n", rows.size(), broken);
-    json.write(stress::to_json(device, rows));
+    json.write(stress::to_json(device, rows, versions()));
     return broken == 0 ? 0 : 1;
 }
 

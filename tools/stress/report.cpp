@@ -32,7 +32,7 @@ std::string table_line(const Row& row) {
                        verdict);
 }
 
-std::string to_json(const gpu::DeviceInfo& device, const Rows& rows) {
+std::string to_json(const gpu::DeviceInfo& device, const Rows& rows, const std::string& versions) {
     ordered_json all = ordered_json::array();
     for (const Row& row : rows) {
         all.push_back({{"run", row.run},
@@ -42,8 +42,9 @@ std::string to_json(const gpu::DeviceInfo& device, const Rows& rows) {
                        {"bound", row.bound ? number(*row.bound) : ordered_json(nullptr)},
                        {"passed", row.passed()}});
     }
-    const ordered_json document{{"device", {{"name", device.name}, {"driver", device.driver}}},
-                                {"rows", all}};
+    ordered_json document{{"device", {{"name", device.name}, {"driver", device.driver}}}};
+    if (!versions.empty()) document["versions"] = versions;
+    document["rows"] = std::move(all);
     return document.dump(2) + "\n";
 }
 

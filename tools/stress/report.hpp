@@ -15,6 +15,7 @@ namespace gloam::stress {
 
 // {"device": {"name", "driver"}, "rows": [{"run", "varied", "quantity", "measured", "bound", "passed"}]}.
 // bound is null where nothing is promised. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
-[[nodiscard]] std::string to_json(const gpu::DeviceInfo& device, const Rows& rows);
+[[nodiscard]] std::string to_json(const gpu::DeviceInfo& device, const Rows& rows,
+                                  const std::string& versions = {});
 
 }  // namespace gloam::stress

@@ -106,6 +106,7 @@ std::string to_json(const Benchmark& benchmark) {
                       {"results", ordered_json::array()},
                       {"scaling", ordered_json::array()},
                       {"framework", ordered_json::array()}};
+    if (!benchmark.versions.empty()) json["versions"] = benchmark.versions;
     for (const Row& row : benchmark.rows) json["results"].push_back(row_json(row));
     for (const Growth& growth : benchmark.scaling) json["scaling"].push_back(growth_json(growth));
     for (const Figure& figure : benchmark.framework) {
@@ -131,6 +132,7 @@ Benchmark benchmark_from_json(std::string_view text) {
                         .repeat = whole("repeat"),
                         .rays = whole("rays"),
                         .copy_ms = spread_from(json.member("copy_ms"))};
+    if (json.has("versions")) benchmark.versions = json.member("versions").name();
     for (const JsonReader& row : json.member("results").elements()) benchmark.rows.push_back(row_from(row));
     for (const JsonReader& growth : json.member("scaling").elements())
         benchmark.scaling.push_back(growth_from(growth));

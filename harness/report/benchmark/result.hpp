@@ -96,6 +96,7 @@ struct Benchmark {
     std::vector<Row> rows;
     std::vector<Growth> scaling;
     std::vector<Figure> framework;
+    std::string versions{};  // of gloam and of the compilers; empty: not known
 };
 
 }  // namespace gloam::report

@@ -15,6 +15,7 @@
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
+#include "cli/versions.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "report/benchmark/budget.hpp"
 #include "report/benchmark/compare.hpp"
@@ -96,7 +97,9 @@ int run_benchmark(const BenchmarkOptions& options) {
     effect::require_timestamps(device.info());
     BenchmarkFiles files(options);
     files.keep_folder();
-    const int status = report_on(measured(options, device), options, files);
+    report::Benchmark benchmark = measured(options, device);
+    benchmark.versions = versions();
+    const int status = report_on(benchmark, options, files);
     const int messages = validation_status(device);
     return messages == 0 ? status : messages;
 }

@@ -4,8 +4,6 @@
 #include <span>
 #include <string_view>
 
-#include "report/failure_text.hpp"
-
 namespace gloam::cli {
 namespace {
 
@@ -21,12 +19,12 @@ FailureFolders::FailureFolders(std::filesystem::path folder) {
 }
 
 std::filesystem::path FailureFolders::write(const report::DeviceSummary& device, const report::CheckRow& row,
-                                            const HandOver& hand_over) {
+                                            const HandOver& hand_over, const report::RunAgain& again) {
     const std::string name = report::slug(row.equation) + "-" + report::slug(row.variant);
     report::OutputFolder out(folder_->path() / report::slug(report::name_of(device)) / name);
     const std::string note =
         hand_over.error.empty() ? "" : "The shader and a reproduction could not be made: " + hand_over.error;
-    out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note));
+    out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, again));
     if (hand_over.error.empty()) {
         out.write("shader.comp", hand_over.glsl);
         out.write("shader.spvasm", hand_over.assembly);

@@ -6,6 +6,7 @@
 
 #include "cli/check/hand_over.hpp"
 #include "report/check_report.hpp"
+#include "report/failure_text.hpp"
 #include "report/output_folder.hpp"
 
 namespace gloam::cli {
@@ -22,7 +23,7 @@ class FailureFolders {
 
     // Returns the folder that was written; what cannot be had (see HandOver::error) is said in report.txt.
     std::filesystem::path write(const report::DeviceSummary& device, const report::CheckRow& row,
-                                const HandOver& hand_over);
+                                const HandOver& hand_over, const report::RunAgain& again);
 
   private:
     std::optional<report::OutputFolder> folder_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -67,6 +68,17 @@ report::KernelReplay replay_of(const check::Reproduction& all, const catalogue::
     return replay;
 }
 
+std::vector<std::uint32_t> words_of(const json& array) {
+    std::vector<std::uint32_t> words;
+    for (const json& word : array) {
+        if (!word.is_number_unsigned() ||
+            word.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
+            throw std::runtime_error("\"spirv\": expected words of 32 bits");
+        words.push_back(word.get<std::uint32_t>());
+    }
+    return words;
+}
+
 check::Reproduction reproduction_of(const check::Lab& lab, const check::Case& check_case,
                                     const HandOverRequest& request, const check::RunOptions& options) {
     if (!request.ran) return check::reproduce(lab, check_case, options);
@@ -110,7 +122,7 @@ HandOver hand_over_from(std::string_view line) {
     if (!object.is_object()) throw std::runtime_error("expected a JSON object");
     return {.glsl = object.at("glsl").get<std::string>(),
             .assembly = object.at("assembly").get<std::string>(),
-            .spirv = object.at("spirv").get<std::vector<std::uint32_t>>(),
+            .spirv = words_of(object.at("spirv")),
             .amber = object.at("amber").get<std::string>(),
             .smallest = report::row_from_json(object.at("smallest").get<std::string>()).worst,
             .error = object.at("error").get<std::string>()};

@@ -28,6 +28,20 @@ json object_from(std::string_view line, std::initializer_list<const char*> membe
     return object;
 }
 
+// Conversions of the library take any number for any other, out of range too.
+std::uint64_t count_in(const json& object, const char* member) {
+    const json& value = object[member];
+    if (!value.is_number_unsigned())
+        throw std::runtime_error(std::string("\"") + member + "\": expected a count");
+    return value.get<std::uint64_t>();
+}
+
+std::string text_in(const json& object, const char* member) {
+    const json& value = object[member];
+    if (!value.is_string()) throw std::runtime_error(std::string("\"") + member + "\": expected a text");
+    return value.get<std::string>();
+}
+
 }  // namespace
 
 std::string to_line(const CheckTask& task) {
@@ -38,10 +52,10 @@ std::string to_line(const CheckTask& task) {
 
 CheckTask task_from(std::string_view line) {
     const json object = object_from(line, {"equation", "variant", "inputs", "seed"});
-    return {.equation = object["equation"].get<std::string>(),
-            .variant = object["variant"].get<std::string>(),
-            .inputs = object["inputs"].get<std::size_t>(),
-            .seed = object["seed"].get<std::uint64_t>()};
+    return {.equation = text_in(object, "equation"),
+            .variant = text_in(object, "variant"),
+            .inputs = count_in(object, "inputs"),
+            .seed = count_in(object, "seed")};
 }
 
 std::string to_line(const Greeting& greeting) {
@@ -53,9 +67,9 @@ std::string to_line(const Greeting& greeting) {
 
 Greeting greeting_from(std::string_view line) {
     const json object = object_from(line, {"device", "devices", "error"});
-    return {.device = report::device_from_json(object["device"].get<std::string>()),
-            .devices = object["devices"].get<std::size_t>(),
-            .error = object["error"].get<std::string>()};
+    return {.device = report::device_from_json(text_in(object, "device")),
+            .devices = count_in(object, "devices"),
+            .error = text_in(object, "error")};
 }
 
 }  // namespace gloam::cli
