@@ -37,6 +37,7 @@ layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
 layout(constant_id = 8) const bool smooths = true;          // read smoothing
 layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
 layout(constant_id = 12) const bool skip_closed = false;    // end marches that no tap to come can change
+layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -70,6 +71,7 @@ layout(push_constant) uniform Parameters {
     float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
     float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
     float c_filter;        // convergence from which the filter leaves a pixel as it is; infinite: it leaves none
+    float bias_depth;      // the bias is at least this share of the depth
 } parameters;
 
 #include "gloam/filter/shrink.glsl"
@@ -206,7 +208,8 @@ uint samples_for(GloamHistory before, float depth) {
 }
 
 GloamHistory sampled(ivec2 pixel, float depth) {
-    GloamHistory before = GLOAM_LOAD_HISTORY(history_before, pixel);
+    GloamHistory before = gloam_history_empty(depth);
+    if (keeps_history) before = GLOAM_LOAD_HISTORY(history_before, pixel);
     uint samples = samples_for(before, depth);
     neighborhood.change = 0.0;  // of a pixel that takes no sample nothing is known
     pixel_kinds += samples == 0u && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;

@@ -50,7 +50,8 @@ uint samples_at(GloamHistory before, float depth) {
 GloamKernel kernel_of(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     float angle = gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
-    return GloamKernel(radius_at(depth), parameters.bias, angle, before.index, samples);
+    float bias = max(parameters.bias, gloam_is_background(depth) ? 0.0 : parameters.bias_depth * depth);
+    return GloamKernel(radius_at(depth), bias, angle, before.index, samples);
 }
 
 #endif

@@ -90,6 +90,18 @@ void append_hbao_march(Entries& entries) {
                                                       uniform(0, 0.6).and_near({0.0}).and_special()},
                                            .budget = {.absolute = 3e-7},
                                            .codomain = {-1.000001, 1.000001}}));
+    entries.push_back(equation<glm::vec2(float, float)>(
+        {.id = "CS-C-start-slope",
+         .function = "gloam_hbao_start_slope",
+         .file = hbao_file,
+         .title = "where the study's march along a direction starts",
+         .formula = "(sin(atan(tan t + tan bias)), 0)",
+         .source = "Aalund and Baerentzen 2013, CS-C"},
+        GLOAM_REFERENCE(gloam_hbao_start_slope),
+        {.domain = {either(uniform(-4, 4), signed_log_uniform(1e-3, 1e6)).and_special(),
+                    uniform(0, 0.6).and_near({0.0, 1.5707963}).and_special()},
+         .budget = {.absolute = 5e-7},
+         .codomain = {-1, 1}}));
     using Step = glm::vec2(glm::vec2, glm::vec3, float);
     entries.push_back(
         equation<Step>({.id = "CS-C",

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <utility>
+
 #include "effect/internal/method_presets.hpp"
 #include "effect/methods.hpp"
 
@@ -12,8 +14,16 @@ Settings configuration(const char* method, std::uint32_t samples) {
     return settings;
 }
 
-// With the study's blur, one pixel wide at the least.
-Settings studied(Settings settings, int half_width = 2) {
+// The comparative study's: each frame by itself, in its quality configuration without a blur.
+Settings studied(Settings settings) {
+    settings.history = false;
+    settings.filter = Filter::none;
+    return settings;
+}
+
+// In its performance configuration with its blur, one pixel wide at the least.
+Settings blurred(Settings settings, int half_width = 2) {
+    settings = studied(std::move(settings));
     settings.filter = Filter::geometry;
     settings.filter_half_width = half_width;
     return settings;
@@ -69,19 +79,31 @@ Settings issao(const Figure& figure) {
 
 std::vector<Preset> method_presets() {
     return {
-        {"crytek-performance", "the comparative study's: 24 samples", studied(configuration("crytek", 24))},
-        {"crytek-quality", "the study's: 200 samples", studied(configuration("crytek", 200))},
-        {"filion-performance", "the study's: 15 samples", studied(configuration("filion", 15))},
-        {"filion-quality", "the study's: 80 samples", studied(configuration("filion", 80))},
-        {"hbao-performance", "the study's: 8 directions of 6 steps", studied(slices("hbao", 4, 6))},
-        {"hbao-quality", "16 directions of 6 steps", studied(slices("hbao", 8, 6))},
-        {"volumetric-performance", "6 pairs of lines", studied(configuration("volumetric", 12), 1)},
-        {"volumetric-quality", "the study's: 32 pairs of lines", studied(configuration("volumetric", 64), 1)},
-        {"alchemy-performance", "the Alchemy paper's 12 samples, the study's lengths",
-         studied(study_alchemy(12))},
-        {"alchemy-quality", "the study's: 64 samples", studied(study_alchemy(64))},
-        {"angle-performance", "the study's: 6 pairs", studied(configuration("angle", 12))},
-        {"angle-quality", "the study's: 32 pairs", studied(configuration("angle", 64))},
+        {"crytek-performance", "the comparative study's: 24 samples, its blur, no history",
+         blurred(configuration("crytek", 24))},
+        {"crytek-quality", "the study's: 200 samples, no blur, no history",
+         studied(configuration("crytek", 200))},
+        {"filion-performance", "the study's: 15 samples, its blur, no history",
+         blurred(configuration("filion", 15))},
+        {"filion-quality", "the study's: 80 samples, no blur, no history",
+         studied(configuration("filion", 80))},
+        {"hbao-performance", "the study's: 8 directions of 6 steps, its blur, no history",
+         blurred(slices("hbao_study", 4, 6))},
+        {"hbao-quality", "the study's published shader: 8 directions of 6 steps, no blur, no history",
+         studied(slices("hbao_study", 4, 6))},
+        {"volumetric-performance",
+         "the study's: pairs of lines, a blur of one pixel, no history; how many it does not print, 6 here",
+         blurred(configuration("volumetric", 12), 1)},
+        {"volumetric-quality", "the study's: 32 pairs of lines, no blur, no history",
+         studied(configuration("volumetric", 64))},
+        {"alchemy-performance",
+         "the study's lengths and blur, no history; how many samples it does not print, 12 as in the Alchemy "
+         "paper",
+         blurred(study_alchemy(12))},
+        {"alchemy-quality", "the study's: 64 samples, no blur, no history", studied(study_alchemy(64))},
+        {"angle-performance", "the study's: 6 pairs, its blur, no history",
+         blurred(configuration("angle", 12))},
+        {"angle-quality", "the study's: 32 pairs, no blur, no history", studied(configuration("angle", 64))},
         {"sao-performance", "the SAO paper's 9 samples", sao(9)},
         {"sao-quality", "11 samples", sao(11)},
         {"poisson-performance", "Sourimant's least: 8 rays of 4 steps", rays("poisson", 8, 4)},

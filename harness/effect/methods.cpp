@@ -75,7 +75,11 @@ const std::vector<MethodInfo>& methods() {
          volume, "none", nullptr, OpenProof::none, false, "disc"},
         {"angle", "angles between opposite samples, as in Unreal Engine 4 (Mittring 2012)", shape, "none",
          [](Settings& s) { s.angle_bias = 0.08F; }, OpenProof::none, false, "disc"},
-        {"hbao", "horizons above the image plane, all directions alike (Bavoil and Sainz 2008)", uniform,
+        {"hbao",
+         "horizons above the image plane, all directions alike (after Bavoil and Sainz 2008): steps dense "
+         "nearby, what the bias takes off given back",
+         uniform, "quadratic", hbao},
+        {"hbao_study", "the same as the comparative study has it (Aalund and Baerentzen 2013)", uniform,
          "quadratic", hbao},
         {"gtao", "horizon slices, cosine-weighted, divided by their weights (Jimenez et al. 2016)", cosine,
          "linear"},

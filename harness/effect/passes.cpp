@@ -89,7 +89,8 @@ Program program_for(const Settings& settings) {
             .fewer_samples = settings.samples_distance > 0.0F || settings.samples_radius > 0.0F,
             .caps_radius = no_radius_cap > settings.radius_cap,
             .smooths = settings.smoothing > 0.0F,
-            .skip_closed = settings.skip_closed && ends_marches(settings.method)};
+            .skip_closed = settings.skip_closed && ends_marches(settings.method),
+            .keeps_history = settings.history};
 }
 
 FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list) {
@@ -145,7 +146,8 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .samples_least = settings.samples_least,
             .radius_cap = settings.radius_cap,
             .smoothing = settings.smoothing,
-            .c_filter = c_filter(settings)};
+            .c_filter = c_filter(settings),
+            .bias_depth = settings.bias_depth};
 }
 
 MethodParameters method_parameters(const Settings& settings) {
@@ -213,6 +215,7 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
                            {.id = 8, .bits = flag(program.smooths)},
                            {.id = 9, .bits = flag(program.orthographic)},
                            {.id = 12, .bits = flag(program.skip_closed)},
+                           {.id = 14, .bits = flag(program.keeps_history)},
                            {.id = listed_constant, .bits = flag(program.listed)},
                            {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)},
                            open_tiles_each(device)}}};

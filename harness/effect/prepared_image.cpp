@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/prepared_image.hpp"
 
+#include <utility>
+
 namespace gloam::effect {
 namespace {
 
@@ -23,12 +25,13 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
             .samples_radius = all.samples_radius,
             .samples_least = all.samples_least,
             .radius_cap = all.radius_cap,
+            .bias_depth = all.bias_depth,
             .level = level};
 }
 
 gpu::ComputePipeline preparation_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
                                           const std::string& file, const std::vector<std::string>& defines,
-                                          std::uint32_t layers, bool reject_taps) {
+                                          std::vector<gpu::SpecializationConstant> constants) {
     using enum gpu::BindingKind;
     const shader::Spirv spirv = library.compile("preparation/" + file, defines);
     return {device,
@@ -36,7 +39,7 @@ gpu::ComputePipeline preparation_pipeline(const gpu::Device& device, const scene
              .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
                           storage_image},
              .push_constant_bytes = sizeof(PreparationParameters),
-             .constants = {{.id = 0, .bits = layers}, {.id = 1, .bits = reject_taps ? 1U : 0U}}}};
+             .constants = std::move(constants)}};
 }
 
 }  // namespace
@@ -48,6 +51,7 @@ void PreparedImage::take(const View& view, const Settings& settings) {
     precision_ = settings.precision;
     layers_ = settings.layers;
     reject_taps_ = settings.reject_taps;
+    history_ = settings.history;
     preparation_ = preparation_of(settings, view.extent);
     constants_.clear();
     if (!preparation_) {
@@ -64,12 +68,14 @@ void PreparedImage::take(const View& view, const Settings& settings) {
 }
 
 const gpu::ComputePipeline& PreparedImage::pipeline(const std::string& file) {
-    const std::tuple key(file, precision_, layers_, reject_taps_);
+    const std::tuple key(file, precision_, layers_, reject_taps_, history_);
     const auto known = pipelines_.find(key);
     if (known != pipelines_.end()) return known->second;
     const std::vector<std::string> defines = defines_for(precision_, preparation_->format);
-    return pipelines_
-        .emplace(key, preparation_pipeline(*device_, library_, file, defines, layers_, reject_taps_))
+    const std::vector<gpu::SpecializationConstant> constants{{.id = 0, .bits = layers_},
+                                                             {.id = 1, .bits = reject_taps_ ? 1U : 0U},
+                                                             {.id = 2, .bits = history_ ? 1U : 0U}};
+    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, defines, constants))
         .first->second;
 }
 

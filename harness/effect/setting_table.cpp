@@ -77,6 +77,9 @@ void add_estimator(std::vector<Setting>& table) {
     table.push_back(number("radius", "world units", "of influence", &S::radius, positive));
     table.push_back(number("bias", "world units", "differences below it are rounding, not occlusion",
                            &S::bias, not_negative));
+    table.push_back(number("bias_depth", "",
+                           "the bias is at least this share of the depth: 0.002 for depths from halves",
+                           &S::bias_depth, {.most = 1.0}));
     table.push_back(number("range", "world units", "blockers further in front than this are other objects",
                            &S::range, positive));
     table.push_back(number("epsilon", "world units",
@@ -147,6 +150,8 @@ void add_history(std::vector<Setting>& table) {
                            &S::depth_tolerance, {.above_least = true}));
     table.push_back(choice("taps", "texels of the frame before that the history comes from", &S::taps,
                            {"nearest", "bilinear", "validated"}));
+    table.push_back(flag(
+        "history", "off: each frame stands by itself, with the first samples of the sequence", &S::history));
     table.push_back(flag("nearest_index", "off, for comparison: the start of the sequence is interpolated",
                          &S::nearest_index));
     table.push_back(choice("invalidation", "of a history whose neighbourhood has changed", &S::invalidation,

@@ -53,6 +53,8 @@ struct Settings {
     std::string method = "hemisphere";  // how the occlusion of a pixel is estimated: a name of methods()
     float radius = 1.0F;                // of influence, world units, > 0
     float bias = 0.001F;                // world units, >= 0: differences below it are rounding, not occlusion
+    float bias_depth = 0.0F;  // the bias is at least this share of the depth, 0 to 1: for depths that are
+                              // rounded coarsely, 0.002 for those from halves
     float range =
         2.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
     float epsilon = 0.5F;       // disc: distance at which a patch counts fully, world units, > 0
@@ -84,6 +86,7 @@ struct Settings {
     float c_rot = 0.5F;  // kernels are rotated by pixel below this convergence; 0: never, above 1: always
     float c_adaptive = 0.2F;        // the filter leaves pixels of this convergence as they are
     float depth_tolerance = 0.02F;  // relative: another surface beyond it (TSSAO-8), > 0; infinity: no test
+    bool history = true;  // off: each frame stands by itself, with the first samples of the sequence
     HistoryTaps taps = HistoryTaps::validated;
     bool nearest_index = true;  // off, for comparison: the start of the sequence is interpolated
     Invalidation invalidation = Invalidation::confidence;

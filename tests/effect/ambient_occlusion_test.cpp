@@ -184,7 +184,10 @@ TEST_F(Effect, TheMostSamplesAreAllTaken) {
         Settings settings = with_method(settings_for(1.0F), method.name);
         settings.samples = most_samples;
         settings.least_radius = 0.0F;  // in so small an image no radius is a pixel
-        EXPECT_EQ(run(wall({9, 3}, 3.0F), settings).work.samples, 9U * 3U * most_samples);
+        // Of whole slices or rays there may be fewer, by less than one.
+        const std::uint64_t samples = run(wall({9, 3}, 3.0F), settings).work.samples;
+        EXPECT_LE(samples, 9U * 3U * most_samples) << method.name;
+        EXPECT_GT(samples, 9U * 3U * (most_samples - 2U * settings.steps)) << method.name;
     }
 }
 

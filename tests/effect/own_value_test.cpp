@@ -140,7 +140,7 @@ Settings ideal(const std::string& method) {
     settings.bias = 1e-9F;  // what rounding in double may do to a plane
     settings.angle_bias = 0.0F;
     settings.epsilon = method == "sao" ? settings.epsilon : 0.0F;
-    settings.intensity = method == "hbao" || method == "hsao" ? 1.0F : 0.2F;
+    settings.intensity = method == "hbao" || method == "hbao_study" || method == "hsao" ? 1.0F : 0.2F;
     settings.range = 1e6F;
     settings.thickness = 1e6F;
     settings.steps = method == "ssdo" ? 1 : 64;
@@ -203,6 +203,9 @@ TEST(OwnValues, OfSlices) {
     expect_own_value("hbao", "groove", 0.25, 0.003);
     expect_own_value("hbao", "valley", 0.5, 0.003);
     expect_own_value("hbao", "pit", std::sqrt(0.5), 0.003);
+    expect_own_value("hbao_study", "groove", 0.25, 0.003);
+    expect_own_value("hbao_study", "valley", 0.5, 0.003);
+    expect_own_value("hbao_study", "pit", std::sqrt(0.5), 0.003);
     expect_own_value("hsao", "groove", 0.25, 0.003);
     expect_own_value("hsao", "pit", std::sqrt(0.5), 0.003);
 }

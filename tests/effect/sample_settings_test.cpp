@@ -12,6 +12,7 @@
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect {
 namespace sample_settings_test {
@@ -90,6 +91,39 @@ TEST_F(SampleSettings, WhatIsCountedWasTaken) {
         settings.freeze = true;
         EXPECT_EQ(per_pixel(frame_of(settings, 3)), asked.taken) << asked.method << ' ' << asked.samples;
         EXPECT_EQ(per_pixel(frame_of(settings, 4)), 0.0) << asked.method << ' ' << asked.samples;
+    }
+}
+
+// Each frame by itself: the fifth is the first again, and has its samples alone.
+TEST_F(SampleSettings, WithoutAHistoryEachFrameStandsByItself) {
+    for (const char* method : {"hemisphere", "separable"}) {
+        Settings settings = plain(method);
+        settings.filter = Filter::none;
+        settings.samples_converged = settings.samples;
+        const std::vector<float> first = frame_of(settings).occlusion;
+        EXPECT_NE(frame_of(settings, 5).occlusion, first) << method;
+        settings.history = false;
+        EXPECT_EQ(frame_of(settings).occlusion, first) << method;
+        EXPECT_EQ(frame_of(settings, 5).occlusion, first) << method;
+    }
+}
+
+// Halves have 11 bits: at 50 units neighbouring depths are 1/32 apart, 60 times the bias for a radius of 0.5.
+// A plane that is tilted and rounded so is still a plane, once the bias follows the depth.
+TEST_F(SampleSettings, ABiasByDepthHidesTheRoundingOfHalves) {
+    scene::GBuffer view = plane({64, 48}, true, {0.6, -0.3, 1});
+    for (float& depth : view.depth) depth = std::round((depth + 45.0F) * 32.0F) / 32.0F;
+    for (const char* method : {"hemisphere", "gtao", "alchemy", "dual_resolution"}) {
+        Settings settings = with_radius(with_method({}, method), 0.5F);
+        settings.skip_open = false;
+        const auto darkest = [&] {
+            AmbientOcclusion& effect = effect_for(view.extent);
+            effect.begin(view, settings);
+            return std::ranges::max(effect.next().occlusion);
+        };
+        EXPECT_GT(darkest(), 0.01F) << method;
+        settings.bias_depth = 0.002F;
+        EXPECT_EQ(darkest(), 0.0F) << method;
     }
 }
 

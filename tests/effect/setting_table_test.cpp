@@ -130,6 +130,7 @@ const std::map<std::string, Case>& cases() {
         {"method", {"disc"}},
         {"radius", {"0.25"}},
         {"bias", {"0.05"}},
+        {"bias_depth", {"0.02"}},
         {"range", {"0.05"}},
         {"epsilon", {"0.05", {{"method", "disc"}}}},
         {"intensity", {"0.5", {{"method", "alchemy"}}}},
@@ -170,6 +171,7 @@ const std::map<std::string, Case>& cases() {
         {"least_radius", {"12"}},
         {"guard", {"0.1"}},
         {"guard_history", {"off", {{"guard", "0.1"}}}},
+        {"history", {"off"}},
     };
     return all;
 }

@@ -125,6 +125,22 @@ TEST_F(Horizons, HbaoTangents) {
     EXPECT_EQ(start(NAN, 0.3F), vec2(1, 0));
 }
 
+// The study adds tangents: tan h_0 = tan t + tan bias, however steep the plane is.
+TEST_F(Horizons, TheStudysMarchBeginsAtASumOfTangents) {
+    const auto start = hbao<vec2(float, float)>("hbao_start_slope");
+    for (const double degrees : {-60.0, 0.0, 30.0, 60.0, 75.0, 85.0}) {
+        for (const double bias : {0.0, 0.1, 0.3, 0.5}) {
+            const double slope = std::tan(degrees * std::numbers::pi / 180.0);
+            const vec2 from = start(static_cast<float>(slope), static_cast<float>(bias));
+            EXPECT_NEAR(from.x, std::sin(std::atan(slope + std::tan(bias))), 1e-6) << degrees << ' ' << bias;
+            EXPECT_LT(from.x, 1.0F);
+            EXPECT_EQ(from.y, 0.0F);
+        }
+    }
+    for (const float none : {NAN, -0.1F, 1.6F}) EXPECT_EQ(start(0.5F, none), vec2(1, 0)) << none;
+    EXPECT_EQ(start(NAN, 0.3F), vec2(1, 0));
+}
+
 TEST_F(Horizons, HbaoStepsAndResults) {
     const auto size = hbao<vec2(float, float, float, float)>("hbao_step_size");
     EXPECT_EQ(size(60.0F, 100.0F, 6.0F, 0.0F), vec2(10, 6));

@@ -130,6 +130,7 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
                                                     {"bitmask", 0.146447},
                                                     {"filion", 0.25},
                                                     {"hbao", 0.25},
+                                                    {"hbao_study", 0.25},
                                                     {"crytek", 0.625},
                                                     {"volumetric", 0.5 + 1.0 / (4.0 * std::numbers::pi)},
                                                     {"angle", 1.0 - 0.828708},
@@ -142,7 +143,7 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
                                                     {"depth_darkening", 0.170374 * sigma}};
     const auto expected = closed_form.find(GetParam());
     const std::map<std::string, float> epsilons{{"alchemy", 1e-3F}, {"unreal", 0.8F}};
-    const std::set<std::string> full{"hbao", "hsao", "unreal"};
+    const std::set<std::string> full{"hbao", "hbao_study", "hsao", "unreal"};
     const std::set<std::string> rays{"poisson", "ssdo"};
     const auto epsilon = epsilons.find(GetParam());
     const Method method{.epsilon = epsilon == epsilons.end() ? 0.05F : epsilon->second,
@@ -164,7 +165,8 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
 // those of whole slices of 2 steps taps, whole rays, pairs and crosses, at least one.
 unsigned samples_taken(const std::string& method, unsigned count, unsigned steps) {
     const auto whole = [count](unsigned unit) { return std::max(count / unit, 1U) * unit; };
-    if (std::set<std::string>{"hbao", "gtao", "bitmask"}.contains(method)) return whole(2 * steps);
+    if (std::set<std::string>{"hbao", "hbao_study", "gtao", "bitmask"}.contains(method))
+        return whole(2 * steps);
     if (std::set<std::string>{"poisson", "ssdo", "hsao", "unreal"}.contains(method)) return whole(steps);
     if (method == "curvature") return whole(4);
     const std::set<std::string> paired{"volumetric", "tangent_sphere", "angle", "depth_darkening",

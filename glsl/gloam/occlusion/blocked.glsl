@@ -7,7 +7,7 @@
 // Whether the depth buffer blocks a sample point (V of TSSAO-3): the surface at its pixel is nearer to the eye than the sample by more
 // than the bias, and not by more than the range (what is far in front is another object, with open space behind it).
 // sample_depth: eye-linear depth of the sample, world units. buffer_depth: eye-linear depth at its pixel, world units.
-// bias: world units, about 1e-3 of the depth: hides the rounding of positions and depths.
+// bias: world units, no less than the spacing of depths (gather_kernel.glsl): hides the rounding of positions and depths.
 // range: world units, about the kernel radius; infinity switches the check off, a range not above the bias blocks nothing.
 // Returns 1 if bias < sample_depth - buffer_depth <= range, else 0: also for background in the buffer, for a sample at or behind
 // the eye, and for NaN. Error: the difference is that of two depths

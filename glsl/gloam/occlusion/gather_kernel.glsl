@@ -8,7 +8,9 @@
 // The samples that one pixel takes in one frame: points first + 1 ... first + count of a Halton sequence (TSSAO-4).
 struct GloamKernel {
     float radius;  // of influence, world units
-    float bias;    // world units, about 1e-3 of the depth: hides the rounding of positions and depths
+    float bias;    // world units: hides the rounding of positions and depths, so no less than a depth's spacing (2^-23 of it in
+                   // float32, 2^-10 in halves: 0.05 at 50 units); the presets have 1e-3 of the radius, whatever the depth,
+                   // and a share of the depth can be asked for besides (bias_depth)
     float angle;   // rotation of the kernel, radians; 0 once the pixel has converged (TSSAO-ROT)
     uint first;    // j, samples taken before
     uint count;    // k

@@ -45,6 +45,17 @@ vec2 gloam_hbao_start(float tangent, float bias) {
     return vec2(elevation < 1.570796327 ? gloam_sincos(max(elevation, -1.570796327)).y : 1.0, 0.0);
 }
 
+// Where the march starts in the shader of the comparative study (Aalund and Baerentzen 2013; CS-C): the biases are added as tangents,
+// h_0 = atan(tan t + tan bias). Steep planes keep part of the view above them: at t = 75 degrees sin h_0 is 0.971 for a bias of 0.3, where
+// t + bias is beyond the vertical and nothing could block.
+// slope: tan t, of the tangent plane, any float. bias: radians, [0, pi / 2).
+// Returns (sin h_0, 0). (1, 0), which nothing exceeds, for a bias outside and NaN. Error: 5e-7.
+vec2 gloam_hbao_start_slope(float slope, float bias) {
+    if (!(bias >= 0.0 && bias < 1.570796251 && abs(slope) >= 0.0)) return vec2(1.0, 0.0);
+    vec2 turned = gloam_sincos(bias);
+    return vec2(gloam_sine_of_tangent(slope + turned.y / turned.x), 0.0);
+}
+
 // One step of the march: if the sample rises above the horizon, what it adds, weighted by W = 1 - |v|^2 / R^2, and the new horizon.
 // horizon: (sine of the horizon, occlusion so far) of gloam_hbao_start. offset: v = s - p, view space, world units. radius: R, world units.
 // Returns the new pair; the occlusion lies in [0, 2] (1 where the tangent is level). Unchanged for v = 0, |v| >= R, for a sample not above

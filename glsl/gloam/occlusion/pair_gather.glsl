@@ -93,8 +93,9 @@ vec2 gloam_pair_gather(vec3 position, vec3 normal, GloamCamera camera, GloamKern
             vec2 heights = vec2(gloam_height_at(a, aim, view, n), gloam_height_at(b, -aim, view, n));
             GloamPair pair = GloamPair(point * upright, heights, aim + heights.x * view, heights.y * view - aim, view, n);
             vec2 found = gloam_method_pair_occlusion(pair, kernel, method);
-            bool more = most.y > 0.0 ? found.x * most.y > most.x * found.y : found.y > 0.0;
-            if (look > 0 && !more) continue;
+            // As much is taken too: beside a tap that tells nothing its partner cannot tell more either, until both are replaced.
+            bool as_much = most.y > 0.0 ? found.x * most.y >= most.x * found.y : found.y > 0.0;
+            if (look > 0 && !as_much) continue;
             most = found;
             one = a;
             other = b;

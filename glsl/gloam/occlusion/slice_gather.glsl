@@ -59,7 +59,13 @@ struct GloamSlicePoint {
     float jitter;    // share of a step, [0, 1)
 };
 
-// All steps of a slice. They grow towards the radius as the square of their number: horizons are made nearby.
+// Where a step lies, as a share of the radius: as the square of its share of the number, for horizons are made nearby. A method with other steps
+// defines the macro before it includes this file; what ends marches (GLOAM_ENDS_MARCHES) knows squares alone.
+#ifndef GLOAM_SLICE_STEP
+#define GLOAM_SLICE_STEP(share) ((share) * (share))
+#endif
+
+// All steps of a slice, at GLOAM_SLICE_STEP((i + jitter) / steps).
 // Returns the march; outside the image the nearest pixel counts. Background, the point's own pixel and what rises no higher than the bias
 // above the tangent plane do not. Further layers are further steps at the same place.
 GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint point, GloamCamera camera, GloamKernel kernel,
@@ -87,7 +93,8 @@ GloamMarch gloam_slice_march(GloamMarch march, GloamSlice slice, GloamSlicePoint
     for (; i < end && !(GLOAM_ENDS_MARCHES && gloam_method_slice_full(march)); i += by) {
         bool positive = (i & 1u) == 0u;
         float share = (float(i / 2u) + point.jitter) / float(method.steps);
-        ivec2 at = gloam_nearest_pixel(center + (positive ? share * share : -share * share) * reach, camera.size);
+        float step = GLOAM_SLICE_STEP(share);
+        ivec2 at = gloam_nearest_pixel(center + (positive ? step : -step) * reach, camera.size);
         for (int layer = 0; layer < GLOAM_LAYERS; ++layer) {
             float depth = layer == 0 ? gloam_fetch_depth(at) : abs(GLOAM_FURTHER_LAYER(at, layer));
             if (at == pixel || gloam_is_background(depth)) break;

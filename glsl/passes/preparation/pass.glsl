@@ -22,6 +22,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const int layers = 1;               // of depth that the samples see, 1 to 4
 layout(constant_id = 1) const bool reject_taps = false;     // leave out taps further in front than GloamMethod::range (CS-REJ)
+layout(constant_id = 2) const bool keeps_history = true;    // else each frame stands by itself
 const bool fewer_samples = true;
 const bool caps_radius = true;
 
@@ -48,6 +49,7 @@ layout(push_constant) uniform Parameters {
     float samples_radius;  // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many everywhere
     uint samples_least;    // of those, at least
     float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
+    float bias_depth;      // the bias is at least this share of the depth
     int level;             // that the pass writes, 1 for half the resolution, of passes that run once for each
 } parameters;
 
@@ -81,7 +83,7 @@ GloamKernel kernel_at(ivec2 pixel) {
     // Where there is no geometry nothing may have been written: tiles of background are left out (tiles/select.comp).
     float depth = gloam_fetch_depth(pixel);
     GloamHistory before = gloam_history_empty(0.0);
-    if (!gloam_is_background(depth)) before = GLOAM_LOAD_HISTORY(history_before, pixel);
+    if (keeps_history && !gloam_is_background(depth)) before = GLOAM_LOAD_HISTORY(history_before, pixel);
     return kernel_of(pixel, depth, before, samples_at(before, depth));
 }
 

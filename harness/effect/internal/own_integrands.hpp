@@ -29,6 +29,7 @@ namespace gloam::effect::own {
 
 // Slices through the eye, of so many steps to each side as the settings say.
 [[nodiscard]] Integrand hbao(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand hbao_study(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand gtao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand bitmask(const SeenSurface& seen, const Settings& settings);
 

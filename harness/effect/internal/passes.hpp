@@ -51,6 +51,7 @@ struct OcclusionParameters {
     float radius_cap;
     float smoothing;
     float c_filter;
+    float bias_depth;
 };
 
 // GloamMethod, as the pass's buffer holds it.
@@ -122,6 +123,7 @@ struct Program {
     bool caps_radius = false;
     bool smooths = false;
     bool skip_closed = false;
+    bool keeps_history = true;
     bool orthographic = false;
 
     friend auto operator<=>(const Program&, const Program&) = default;

@@ -33,6 +33,7 @@ struct PreparationParameters {
     float samples_radius;
     std::uint32_t samples_least;
     float radius_cap;
+    float bias_depth;
     std::int32_t level;
 };
 
@@ -70,10 +71,12 @@ class PreparedImage {
     HistoryPrecision precision_ = HistoryPrecision::float32;
     std::uint32_t layers_ = 1;
     bool reject_taps_ = false;
+    bool history_ = true;
     std::optional<Preparation> preparation_;
     std::optional<gpu::Image> image_;
     std::vector<PreparationParameters> constants_;  // for each pass
-    std::map<std::tuple<std::string, HistoryPrecision, std::uint32_t, bool>, gpu::ComputePipeline> pipelines_;
+    std::map<std::tuple<std::string, HistoryPrecision, std::uint32_t, bool, bool>, gpu::ComputePipeline>
+        pipelines_;
 };
 
 }  // namespace gloam::effect

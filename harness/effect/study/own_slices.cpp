@@ -42,7 +42,7 @@ struct Step {
 // The samples of one side (+1 or -1) that rise above the tangent plane by more than the bias. What was seen
 // beside the slice is moved into it without changing its height over that plane.
 std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
-                           double jitter) {
+                           double jitter, bool even = false) {
     const glm::dvec3& n = seen.normal();
     const glm::dvec3 aside = glm::cross(slice.along, glm::dvec3(0, 0, 1));
     const double turned = glm::dot(aside, n);
@@ -50,7 +50,8 @@ std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, co
     std::vector<Step> found;
     for (std::uint32_t i = 0; i < settings.steps; ++i) {
         const double share = (i + jitter) / settings.steps;
-        const Seen surface = seen.at(side * share * share * seen.reach() * glm::dvec2(slice.along));
+        const double place = even ? share : share * share;
+        const Seen surface = seen.at(side * place * seen.reach() * glm::dvec2(slice.along));
         if (surface.background || surface.own_pixel) continue;
         if (!(glm::dot(surface.offset, n) > double{settings.bias})) continue;
         const glm::dvec3 offset = surface.offset - glm::dot(surface.offset, aside) * across;
@@ -81,9 +82,9 @@ double cosine_whole(double n) {
     return cosine_measure(n - right_angle, n + right_angle, n);
 }
 
-// HBAO's sum over one side: each rise of the horizon's sine weighted by 1 - |v|^2.
-double hbao_side(const std::vector<Step>& steps, double tangent, double bias) {
-    double horizon = std::sin(std::min(tangent + bias, right_angle));
+// HBAO's sum over one side from an elevation on: each rise of the horizon's sine weighted by 1 - |v|^2.
+double hbao_side(const std::vector<Step>& steps, double start) {
+    double horizon = std::sin(start);
     double occlusion = 0.0;
     for (const Step& step : steps) {
         const double squared = step.length() * step.length();
@@ -132,9 +133,24 @@ Integrand hbao(const SeenSurface& seen, const Settings& s) {
         double occlusion = 0.0;
         for (const double side : {1.0, -1.0}) {
             const double tangent = std::atan2(side * slope, seen.normal().z);
-            occlusion += 0.5 * hbao_side(steps_of(seen, s, slice, side, u[1]), tangent, bias);
+            const double start = std::min(tangent + bias, right_angle);
+            occlusion += 0.5 * hbao_side(steps_of(seen, s, slice, side, u[1]), start);
         }
         return glm::dvec2(std::min(double{s.intensity} * occlusion / (1.0 - std::sin(bias)), 1.0), 1.0);
+    };
+}
+
+// CS-C as the study prints it: tangents added at the start, even steps, nothing given back.
+Integrand hbao_study(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const Slice slice = slice_at(seen, pi * u[0]);
+        const double slope = -glm::dot(glm::dvec2(seen.normal()), glm::dvec2(slice.along));
+        double occlusion = 0.0;
+        for (const double side : {1.0, -1.0}) {
+            const double start = std::atan(side * slope / seen.normal().z + std::tan(double{s.angle_bias}));
+            occlusion += 0.5 * hbao_side(steps_of(seen, s, slice, side, u[1], true), start);
+        }
+        return glm::dvec2(std::min(double{s.intensity} * occlusion, 1.0), 1.0);
     };
 }
 

@@ -25,6 +25,7 @@ const std::vector<OwnValue>& own_values() {
         {"tangent_sphere", own::tangent_sphere},
         {"angle", own::angle},
         {"hbao", own::hbao},
+        {"hbao_study", own::hbao_study},
         {"dual_resolution", own::hbao},  // whose results it takes, or interpolates
         {"gtao", own::gtao},
         {"bitmask", own::bitmask},

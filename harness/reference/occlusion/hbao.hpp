@@ -36,6 +36,14 @@ vec2<T> gloam_hbao_start(T tangent, T bias) {
     return vec2<T>(elevation < T(1.570796327) ? gloam_sincos(max(elevation, T(-1.570796327))).y : T(1), T(0));
 }
 
+// sin(atan(tan t + tan bias)) = x / (1 + x^2)^(1/2).
+template <class T>
+vec2<T> gloam_hbao_start_slope(T slope, T bias) {
+    if (!(bias >= T(0) && bias < T(1.570796251F) && abs(slope) >= T(0))) return vec2<T>(T(1), T(0));
+    const vec2<T> turned = gloam_sincos(bias);
+    return vec2<T>(gloam_sine_of_tangent(slope + turned.y / turned.x), T(0));
+}
+
 template <class T>
 vec2<T> gloam_hbao_step(vec2<T> horizon, vec3<T> offset, T radius) {
     const vec3<T> direction = gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0)));

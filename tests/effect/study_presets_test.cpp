@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The comparative study's configurations (Aalund and Baerentzen 2013) as it prints them.
+#include <gtest/gtest.h>
+
+#include "effect/presets.hpp"
+
+namespace gloam::effect {
+namespace {
+
+struct Printed {
+    const char* preset;
+    const char* method;
+    std::uint32_t samples;
+};
+
+// Samples of its tables and its published shader. A pair has two samples; 8 directions of 6 steps are 48.
+constexpr Printed quality[] = {{"crytek-quality", "crytek", 200},  {"filion-quality", "filion", 80},
+                               {"hbao-quality", "hbao_study", 48}, {"volumetric-quality", "volumetric", 64},
+                               {"alchemy-quality", "alchemy", 64}, {"angle-quality", "angle", 64}};
+constexpr Printed performance[] = {{"crytek-performance", "crytek", 24},
+                                   {"filion-performance", "filion", 15},
+                                   {"hbao-performance", "hbao_study", 48},
+                                   {"angle-performance", "angle", 12}};
+
+void expect_printed(const Printed& printed, Filter filter) {
+    const Settings settings = preset_named(printed.preset).settings;
+    EXPECT_EQ(settings.method, printed.method) << printed.preset;
+    EXPECT_EQ(settings.samples, printed.samples) << printed.preset;
+    EXPECT_EQ(settings.samples_converged, printed.samples) << printed.preset;
+    EXPECT_EQ(settings.filter, filter) << printed.preset;
+    EXPECT_FALSE(settings.history) << printed.preset;
+}
+
+TEST(StudyPresets, QualityHasNoBlurAndNoHistory) {
+    for (const Printed& printed : quality) expect_printed(printed, Filter::none);
+}
+
+TEST(StudyPresets, PerformanceHasItsBlurAndNoHistory) {
+    for (const Printed& printed : performance) expect_printed(printed, Filter::geometry);
+    EXPECT_EQ(preset_named("volumetric-performance").settings.filter_half_width, 1);  // pixels
+}
+
+// 6 steps to each side of 4 slices, a bias of 0.3 radians.
+TEST(StudyPresets, ItsHorizons) {
+    const Settings settings = preset_named("hbao-quality").settings;
+    EXPECT_EQ(settings.steps, 6U);
+    EXPECT_EQ(settings.angle_bias, 0.3F);
+    EXPECT_EQ(settings.intensity, 1.0F);
+}
+
+}  // namespace
+}  // namespace gloam::effect

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <functional>
+
+#include "scene/camera.hpp"
+#include "scene/gbuffer.hpp"
+
+// Views of surfaces whose occlusion is known.
+namespace gloam::effect {
+
+inline constexpr double view_height = 2.0;
+
+// A view of a surface whose depth under a ray (orthographic: at a place of the image plane) is given; y up.
+inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
+                              const std::function<double(glm::dvec2)>& depth) {
+    scene::GBuffer view{.extent = extent};
+    const double aspect = double{static_cast<double>(extent.width)} / extent.height;
+    scene::Camera camera{.view_height = view_height};
+    if (orthographic) camera.projection = scene::Projection::orthographic;
+    view.camera = scene::make_frame(camera, aspect);
+    for (unsigned y = 0; y < extent.height; ++y) {
+        for (unsigned x = 0; x < extent.width; ++x) {
+            const glm::dvec2 ndc(2.0 * (x + 0.5) / extent.width - 1.0, 2.0 * (y + 0.5) / extent.height - 1.0);
+            view.depth.push_back(static_cast<float>(depth(ndc / glm::dvec2(view.camera.p00_p11()))));
+        }
+    }
+    return view;
+}
+
+// The plane through (0, 0, -5).
+inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 normal) {
+    const glm::dvec3 n = glm::normalize(normal);
+    scene::GBuffer view = view_of(extent, orthographic, [&](glm::dvec2 at) {
+        const double along = n.x * at.x + n.y * at.y;
+        return orthographic ? 5.0 + along / n.z : 5.0 * n.z / (n.z - along);
+    });
+    view.normal.assign(view.depth.size(), glm::vec3(n));
+    return view;
+}
+
+// A floor from whose middle line the right half rises by 45 degrees.
+inline scene::GBuffer groove(gpu::Extent extent) {
+    scene::GBuffer view = view_of(extent, true, [](glm::dvec2 at) { return 5.0 - std::max(at.x, 0.0); });
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+    return view;
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Images of exact 0 and 1, sides of 0, vectors that are equal, opposite, parallel or along an axis: what is
+// documented for them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "support/lab.hpp"
+
+namespace gloam {
+namespace {
+
+using glm::ivec2;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+class ExactEnds : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab(FIXTURES);
+
+    static std::vector<vec3> directions() {
+        std::vector<vec3> all{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+        for (int i = 0; i < 500; ++i) {
+            const float a = 0.7F * static_cast<float>(i);
+            all.push_back(glm::normalize(vec3(std::cos(a), std::sin(1.3F * a), std::sin(2.1F * a))));
+        }
+        return all;
+    }
+};
+
+TEST_F(ExactEnds, NeighboursThatAreAllOpenOrAllBlockedAgree) {
+    const check::Kernel<bool(ivec2, ivec2, float)> disagrees(lab, "gloam/filter/dual_resolution.glsl",
+                                                             "gloam_dual_resolution_disagrees");
+    const auto with = [&](auto occlusion) {
+        return disagrees.with_images(
+            {{"gloam_fetch_occlusion", check::make_image<float>(ivec2(5), occlusion)}},
+            {ivec2(2), ivec2(5), 0.05F});
+    };
+    EXPECT_FALSE(with([](ivec2) { return 1.0F; }));
+    EXPECT_FALSE(with([](ivec2) { return 0.0F; }));
+    EXPECT_TRUE(with([](ivec2 p) { return p.x < 2 ? 0.0F : 1.0F; }));
+    EXPECT_TRUE(with([](ivec2 p) { return p == ivec2(1) ? 1.0001F : 1.0F; }));
+    EXPECT_TRUE(with([](ivec2 p) { return p == ivec2(1) ? -1e-6F : 0.0F; }));
+}
+
+struct History {
+    float occlusion;
+    float weight;
+    unsigned index;
+    float depth;
+};
+
+// Four texels of occlusion 1 and weight 100 are that at every position between them.
+TEST_F(ExactEnds, AHistoryThatIsAllBlockedIsKeptEverywhere) {
+    const check::Kernel<History(vec2, ivec2, float, float)> reprojected(
+        lab, "gloam/temporal/reprojected_history.glsl", "gloam_reprojected_history");
+    for (const float occlusion : {0.0F, 1.0F}) {
+        const check::ImageSet images{
+            {"gloam_fetch_history", check::make_image<vec4>(ivec2(40, 30), [&](ivec2) {
+                 return vec4(occlusion, 100.0F, 7.0F, 5.0F);
+             })}};
+        std::vector<check::Kernel<History(vec2, ivec2, float, float)>::Inputs> inputs;
+        for (int i = 0; i < 4000; ++i) {
+            const double u = std::fmod(0.6180339887 * i, 1.0);
+            const double v = std::fmod(0.7548776662 * i, 1.0);
+            inputs.emplace_back(vec2(u, v), ivec2(40, 30), 5.0F, 0.02F);
+        }
+        for (const History& history : reprojected(inputs, images)) {
+            EXPECT_NEAR(history.occlusion, occlusion, 1e-6);
+            EXPECT_NEAR(history.weight, 100.0, 1e-4);
+            EXPECT_EQ(history.index, 7U);
+        }
+        for (const ivec2 none : {ivec2(0, 30), ivec2(40, 0), ivec2(0)}) {
+            EXPECT_EQ(reprojected.with_images(images, {vec2(0.5F), none, 5.0F, 0.02F}).weight, 0.0F);
+        }
+    }
+}
+
+// A sample straight towards the eye, or straight away from it: a cosine in [-1, 1] whatever was rounded.
+TEST_F(ExactEnds, CosinesOfEqualAndOppositeVectors) {
+    const check::Kernel<float(vec3, vec3, vec3)> cosine(lab, "gloam/occlusion/angle_based.glsl",
+                                                        "gloam_lifted_cosine");
+    for (const vec3 view : directions()) {
+        for (const float length : {0.1F, 1.0F, 3.0F}) {
+            const float towards = cosine(length * view, view, view);
+            EXPECT_LE(towards, 1.0F);
+            EXPECT_NEAR(towards, 1.0, 1e-6);
+            EXPECT_EQ(cosine(-length * view, view, view), 0.0F);  // along -n
+            const float away = cosine(length * view, view, -view);
+            EXPECT_GE(away, -1.0F);
+            EXPECT_NEAR(away, -1.0, 1e-6);
+        }
+    }
+}
+
+// Changes that do not span a plane have no curvature.
+TEST_F(ExactEnds, ParallelStepsHaveNoCurvature) {
+    const check::Kernel<vec2(vec3, vec3, vec3, vec3)> curvatures(lab, "gloam/geometry/curvature.glsl",
+                                                                 "gloam_principal_curvatures");
+    const vec3 turn(0.01F, 0.002F, 0.0F);
+    for (const vec3 along : directions()) {
+        for (const float factor : {1.0F, -1.0F, 0.5F, 3.0F, 0.0F}) {
+            EXPECT_EQ(curvatures(0.01F * along, factor * 0.01F * along, turn, -turn), vec2(0)) << factor;
+            EXPECT_EQ(curvatures(factor * 0.01F * along, 0.01F * along, turn, turn), vec2(0)) << factor;
+        }
+    }
+}
+
+TEST_F(ExactEnds, LengthsOfVectorsThatHaveNone) {
+    const check::Kernel<float(vec3)> length(lab, "gloam/geometry/length.glsl", "gloam_length");
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (const float none : {0.0F, 1e-40F, infinity, -infinity, NAN}) {
+        EXPECT_EQ(length(vec3(none)), 0.0F) << none;
+        EXPECT_EQ(length(vec3(none, none, 0)), 0.0F) << none;
+        const bool finite = std::isfinite(none);
+        EXPECT_NEAR(length(vec3(1, none, 2)), finite ? std::sqrt(5.0) : 0.0, 1e-6) << none;
+    }
+    for (const vec3 direction : directions()) EXPECT_NEAR(length(3.0F * direction), 3.0, 2e-6);
+}
+
+// No taps take negative amounts, and nothing that is not finite counts.
+TEST_F(ExactEnds, ObscuranceOfBadArguments) {
+    const check::Kernel<float(vec3, vec3, float, float)> alchemy(lab, "gloam/occlusion/alchemy.glsl",
+                                                                 "gloam_contribution_alchemy");
+    const vec3 up(0, 0, 1);
+    EXPECT_NEAR(alchemy(up, up, 0.0F, 0.0F), 1.0, 1e-6);
+    EXPECT_EQ(alchemy(up, up, 0.0F, -0.5F), 0.0F);
+    EXPECT_EQ(alchemy(up, up, NAN, 0.1F), 0.0F);
+    EXPECT_EQ(alchemy(up, -up, 0.0F, 0.1F), 0.0F);
+    EXPECT_EQ(alchemy(vec3(0), up, -1.0F, 0.0F), 0.0F);
+    EXPECT_EQ(alchemy(vec3(0, 0, 1e-19F), up, 0.0F, 0.0F), 0.0F);
+}
+
+TEST_F(ExactEnds, NeighboursOnAndBesideThePlane) {
+    const check::Kernel<float(vec3, vec3, float, float)> weight(lab, "gloam/occlusion/separable.glsl",
+                                                                "gloam_separable_weight");
+    const vec3 up(0, 0, 1);
+    EXPECT_EQ(weight(vec3(0), up, 1.0F, 0.0F), 1.0F);
+    EXPECT_GT(weight(vec3(0.5F, 0, 0.125F), up, 1.0F, 0.125F), 0.8F);
+    EXPECT_GT(weight(vec3(0.5F, 0, -0.125F), up, 1.0F, 0.125F), 0.8F);
+    EXPECT_EQ(weight(vec3(0.5F, 0, 0.126F), up, 1.0F, 0.125F), 0.0F);
+    EXPECT_EQ(weight(vec3(0.5F, 0, -0.126F), up, 1.0F, 0.125F), 0.0F);
+    EXPECT_EQ(weight(vec3(NAN, 0, 0), up, 1.0F, 1.0F), 0.0F);
+    EXPECT_EQ(weight(vec3(0), up, 1.0F, NAN), 0.0F);
+}
+
+}  // namespace
+}  // namespace gloam

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Depth layers behind what the eye sees, in the loops over points, taps, pairs and slices.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "gathers.hpp"
+#include "support/lab.hpp"
+
+namespace gloam {
+namespace {
+
+using test::Camera;
+using test::Gather;
+using test::Method;
+using test::Samples;
+
+class FurtherLayers : public testing::TestWithParam<const char*> {
+  protected:
+    check::Lab lab = test::make_lab(FIXTURES);
+    check::Kernel<Gather> gather{lab, std::string("layered/") + GetParam() + ".glsl", "gloam_method_gather"};
+
+    // The mean of 256 samples at the middle of a floor at depth 5.
+    [[nodiscard]] double mean(const test::Depths& first, const test::Depths& second) const {
+        const Camera camera{glm::vec2(0.5F, -0.5F), glm::ivec2(65), true};
+        check::ImageSet images = test::view_of(camera.size, first);
+        images.insert_or_assign("gloam_fetch_second", check::make_image<float>(camera.size, second));
+        const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.0F, .first = 0, .count = 256};
+        const Method method{.range = 1.5F, .steps = 16};
+        const glm::vec2 sum =
+            gather.with_images(images, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), camera, samples, method});
+        return static_cast<double>(sum.x / sum.y);
+    }
+};
+
+// A tunnel whose sides rise beside the point; a fence hangs in front of them, too far to block anything.
+float tunnel(glm::ivec2 p) {
+    return std::abs(p.x - 32) > 4 ? 4.6F : 5.0F;
+}
+float fenced(glm::ivec2 p) {
+    return std::abs(p.x - 32) > 4 ? 1.0F : 5.0F;
+}
+float nothing(glm::ivec2) {
+    return 0.0F;
+}
+
+// What the first layer hides blocks as if it were seen (CS-LAYERS).
+TEST_P(FurtherLayers, ASecondLayerBlocksWhatTheFirstDoesNotShow) {
+    const double seen = mean(tunnel, nothing);
+    const double hidden = mean(fenced, nothing);
+    ASSERT_GT(seen, hidden + 0.05);
+    EXPECT_NEAR(mean(fenced, tunnel), seen, 1e-6);
+}
+
+// A layer that blocks less, or is not there, takes nothing away.
+TEST_P(FurtherLayers, TheOneThatBlocksMostCounts) {
+    const double seen = mean(tunnel, nothing);
+    EXPECT_EQ(mean(tunnel, tunnel), seen);
+    EXPECT_EQ(mean(tunnel, [](glm::ivec2) { return 7.0F; }), seen);
+}
+
+INSTANTIATE_TEST_SUITE_P(Loops, FurtherLayers, testing::Values("hemisphere", "alchemy", "gtao", "volumetric"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace gloam
