@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cmake -D PROGRAM=file -D OUTPUT=file -D ENVIRONMENT=list -P list_suites.cmake
+# cmake -D PROGRAM=file -D PREFIX=name -D OUTPUT=file -D ENVIRONMENT=list -P list_suites.cmake
 # Writes for ctest one test for each suite of a GoogleTest program, so that its tests share a process and its device. A suite
 # of many tests becomes several, so that every core has something to do.
 set(most_tests 48)
@@ -29,7 +29,7 @@ function(add_suite NAME COUNT)
   math(EXPR shards "(${COUNT} + ${most_tests} - 1) / ${most_tests}")
   foreach(number RANGE 1 ${shards})
     math(EXPR index "${number} - 1")
-    set(name "${NAME}")
+    set(name "${PREFIX}.${NAME}")
     if(shards GREATER 1)
       string(APPEND name "/${number}of${shards}")
     endif()

@@ -98,9 +98,10 @@ function(gloam_test NAME)
   gloam_compile_together(${NAME} ${TEST_TOGETHER})
   gloam_precompile(${NAME} gloam_test_headers)
   set(environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
+  string(REGEX REPLACE "_tests$" "" prefix ${NAME})
   set(listing "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_suites.cmake")
   add_custom_command(TARGET ${NAME} POST_BUILD BYPRODUCTS ${listing} VERBATIM
-    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${NAME}> -D OUTPUT=${listing} -D "ENVIRONMENT=${environment}"
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${NAME}> -D PREFIX=${prefix} -D OUTPUT=${listing} -D "ENVIRONMENT=${environment}"
       -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_tests.cmake")
   file(WRITE "${file}" "if(EXISTS [==[${listing}]==])\n  include([==[${listing}]==])\nelse()\n  add_test(${NAME}_NOT_BUILT ${NAME}_NOT_BUILT)\nendif()\n")

@@ -5,8 +5,8 @@
 
 #include "base/json_bounds.hpp"
 #include "base/text.hpp"
-#include "report/internal/json_fields.hpp"
 #include "numeric/constants.hpp"
+#include "report/internal/json_fields.hpp"
 
 namespace gloam::report::internal {
 namespace {

@@ -46,7 +46,8 @@ double number(const json& object, const char* key) {
 std::uint32_t side(const json& object, const char* key) {
     const double value = number(object, key);
     if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value))) {
-        fail_to_read(std::string("\"") + key + "\": expected whole pixels from 1 to 65536" + found(object[key]));
+        fail_to_read(std::string("\"") + key + "\": expected whole pixels from 1 to 65536" +
+                     found(object[key]));
     }
     return static_cast<std::uint32_t>(value);
 }
@@ -94,10 +95,12 @@ void require_symmetric(const glm::mat4& projection, gpu::Extent extent) {
     const bool skewed = projection[0][1] != 0.0F || projection[1][0] != 0.0F;
     const bool shape = projection[0][0] != 0.0F && projection[1][1] != 0.0F && !skewed;
     const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F;
-    if (!shape || !kind) fail_to_read("\"camera\": expected a perspective or orthographic projection without skew");
+    if (!shape || !kind)
+        fail_to_read("\"camera\": expected a perspective or orthographic projection without skew");
     if (std::abs(offset.x) * static_cast<float>(extent.width) > 2.0F ||
         std::abs(offset.y) * static_cast<float>(extent.height) > 2.0F) {
-        fail_to_read("\"camera\": the projection is off centre by more than a pixel, expected a symmetric one");
+        fail_to_read(
+            "\"camera\": the projection is off centre by more than a pixel, expected a symmetric one");
     }
 }
 
@@ -131,13 +134,14 @@ gpu::Extent border_of(const json& root, gpu::Extent extent) {
         return {border[0].get<std::uint32_t>(), border[1].get<std::uint32_t>()};
     }
     fail_to_read("\"border\": expected two whole numbers of pixels that leave a frame of at least one" +
-         found(border));
+                 found(border));
 }
 
 FrameDescription parse(const std::string& text) {
     base::require_bounded_json(text);
     const json root = json::parse(text);
-    if (!root.is_object() || !is_given(root, "camera")) fail_to_read("expected an object with \"camera\" in it");
+    if (!root.is_object() || !is_given(root, "camera"))
+        fail_to_read("expected an object with \"camera\" in it");
     FrameDescription frame{.extent = {side(root, "width"), side(root, "height")}};
     frame.camera = camera_of(root["camera"], frame.extent);
     frame.border = border_of(root, frame.extent);

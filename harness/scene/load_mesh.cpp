@@ -57,22 +57,23 @@ void check_faces(const fs::path& file, const aiMesh& mesh) {
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
         if (face.mNumIndices < 1 || face.mNumIndices > most_corners || face.mIndices == nullptr)
-            fail_to_load(file,
-                 fmt::format("face {} has {} corners, expected 1 to {}", i, face.mNumIndices, most_corners));
+            fail_to_load(file, fmt::format("face {} has {} corners, expected 1 to {}", i, face.mNumIndices,
+                                           most_corners));
         for (unsigned k = 0; k < face.mNumIndices; ++k) {
             if (face.mIndices[k] >= mesh.mNumVertices)
                 fail_to_load(file, fmt::format("face {} has the vertex {}, but there are {} vertices", i,
-                                       face.mIndices[k], mesh.mNumVertices));
+                                               face.mIndices[k], mesh.mNumVertices));
         }
     }
 }
 
 void check_node(const fs::path& file, const aiScene& scene, const aiNode& node, int depth) {
-    if (depth > deepest_node) fail_to_load(file, fmt::format("its parts are nested more than {} deep", deepest_node));
+    if (depth > deepest_node)
+        fail_to_load(file, fmt::format("its parts are nested more than {} deep", deepest_node));
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (node.mMeshes[i] >= scene.mNumMeshes)
             fail_to_load(file, fmt::format("a part has the mesh {}, but there are {} meshes", node.mMeshes[i],
-                                   scene.mNumMeshes));
+                                           scene.mNumMeshes));
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i) check_node(file, scene, *node.mChildren[i], depth + 1);
 }
@@ -81,7 +82,8 @@ void check_finite(const fs::path& file, const aiMesh& mesh) {
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
         const glm::vec3 p = to_vec3(mesh.mVertices[i]);
         if (is_finite(p)) continue;
-        fail_to_load(file, fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z));
+        fail_to_load(file,
+                     fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z));
     }
 }
 
@@ -108,7 +110,8 @@ void check_scene(const fs::path& file, const aiScene& scene) {
     if (scene.mNumMeshes == 0 || scene.mRootNode == nullptr) fail_to_load(file, "has no triangle");
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[i];
-        if (mesh.mNumVertices > 0 && mesh.mVertices == nullptr) fail_to_load(file, "has vertices without positions");
+        if (mesh.mNumVertices > 0 && mesh.mVertices == nullptr)
+            fail_to_load(file, "has vertices without positions");
         check_finite(file, mesh);
         check_faces(file, mesh);
     }

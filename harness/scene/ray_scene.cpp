@@ -49,7 +49,7 @@ void check(const std::vector<glm::vec3>& positions, const std::vector<std::uint3
 }
 
 EmbreeOwned<RTCGeometry> make_geometry(RTCDevice device, const std::vector<glm::vec3>& positions,
-                                 const std::vector<std::uint32_t>& indices) {
+                                       const std::vector<std::uint32_t>& indices) {
     EmbreeOwned<RTCGeometry> geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     if (!geometry) fail(device);
     const auto fill = [&](RTCBufferType type, RTCFormat format, const void* data, std::size_t count) {
