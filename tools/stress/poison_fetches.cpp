@@ -99,10 +99,11 @@ std::vector<Gather::Inputs> gather_inputs(float bad, unsigned steps) {
     return inputs;
 }
 
-// (sum, count) of a gather, of at most 33 samples, of which gloam_estimator_mean makes an occlusion:
-// obscurance has no bound of its own, and a radius near the largest float takes its sum to infinity.
+// (sum, count) of a gather of 33 samples, or of the 34 of whole pairs, of which gloam_estimator_mean makes an
+// occlusion: obscurance has no bound of its own, and a radius near the largest float takes its sum to
+// infinity.
 bool good_sum(glm::vec2 sum) {
-    return sum.x >= 0.0F && sum.y >= 0.0F && sum.y <= 33.0F;
+    return sum.x >= 0.0F && sum.y >= 0.0F && sum.y <= 34.0F;
 }
 
 Count gathers(const check::Lab& lab, const effect::MethodInfo& method) {

@@ -52,7 +52,6 @@ vec3 gloam_pair_offset(vec3 position, ivec2 at, GloamCamera camera, float radius
 uint gloam_paired_samples(uint count) {
     return count + (count & 1u);
 }
-#define GLOAM_METHOD_SAMPLES(count, method) gloam_paired_samples(count)
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it. Of further layers each tap takes, one after the other,
 // the one with which the pair blocks most.

@@ -72,7 +72,6 @@ uint gloam_ray_samples(uint count, uint steps) {
     uint taps = max(steps, 1u);
     return max(count / taps, 1u) * taps;
 }
-#define GLOAM_METHOD_SAMPLES(count, method) gloam_ray_samples(count, method.steps)
 
 // All samples of one pixel in one frame: as many rays of `steps` taps as kernel.count allows, at least one.
 // position: of the surface, view space, world units. normal: view space, any length.

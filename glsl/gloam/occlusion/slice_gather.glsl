@@ -118,7 +118,6 @@ uint gloam_slice_samples(uint count, uint steps) {
     uint taps = 2u * max(steps, 1u);
     return max(count / taps, 1u) * taps;
 }
-#define GLOAM_METHOD_SAMPLES(count, method) gloam_slice_samples(count, method.steps)
 
 // All samples of one pixel in one frame: as many slices of 2 steps taps as kernel.count allows, at least one.
 // position: of the surface, view space, world units. normal: view space, any length.

@@ -6,6 +6,8 @@
 #include "gloam/occlusion/angle_based.glsl"
 #include "gloam/occlusion/pair_gather.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_paired_samples(count)
+
 // Angles between opposite samples, as in Unreal Engine 4 (Mittring 2012; CS-P). Neither cosine-weighted nor uniform.
 // Reads range (samples nearer to the eye than that are other objects) and angle_bias, here taken off the cosines.
 

@@ -6,6 +6,8 @@
 #include "gloam/occlusion/slice_gather.glsl"
 #include "gloam/occlusion/visibility_bitmask.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_slice_samples(count, method.steps)
+
 // Visibility bitmask (Therrien et al. 2023): samples cover sectors of a slice between their front and their back, so that light passes
 // behind thin things. Sectors are equal shares of the cosine-weighted half plane. Each slice takes only samples up to a random distance,
 // uniform up to the radius: in the mean that is the linear falloff.

@@ -5,6 +5,8 @@
 #include "gloam/filter/gaussian.glsl"
 #include "gloam/occlusion/pair_gather.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_paired_samples(count)
+
 // Depth darkening (Luft, Colditz and Deussen 2006; CS-R) by samples: the unsharp mask of the depth, lambda max(D - G * D, 0), G a Gaussian
 // whose deviation is half the radius, cut off at the radius. It darkens what lies behind its surroundings; it is no occlusion. Depths are
 // those of opposite pairs, along the view vector: a plane is not darkened at any tilt, up to the border of the image.

@@ -7,6 +7,8 @@
 #include "gloam/occlusion/gtao.glsl"
 #include "gloam/occlusion/slice_gather.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_slice_samples(count, method.steps)
+
 // Horizon slices weighted by the cosine and divided by their own weights (GTAO, Jimenez et al. 2016). A sample loses weight with its distance
 // as the linear falloff has it. Reads steps.
 

@@ -5,6 +5,8 @@
 #include "gloam/occlusion/hbao.glsl"
 #include "gloam/occlusion/slice_gather.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_slice_samples(count, method.steps)
+
 // Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): horizons above the image plane, every direction of the hemisphere
 // alike, each rise of the horizon weighted by 1 - |v|^2 / R^2. What the bias takes off is given back.
 // Reads angle_bias, intensity (contrast) and steps.

@@ -8,6 +8,8 @@
 #include "gloam/occlusion/hbao.glsl"
 #include "gloam/occlusion/slice_gather.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_slice_samples(count, method.steps)
+
 // Horizon-based ambient occlusion as the comparative study has it (Aalund and Baerentzen 2013, after Bavoil and Sainz 2008; CS-C): each march
 // begins at tan t + tan bias, in even steps up to the radius; what the bias takes off is not given back. A floor seen at a slant keeps what
 // stands on it, where hbao.glsl adds angles and sees nothing from 72 degrees on.

@@ -8,6 +8,8 @@
 #include "gloam/sampling/circle.glsl"
 #include "gloam/sampling/radical_inverse.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_ray_samples(count, method.steps)
+
 // Horizon-split ambient occlusion (Dimitrov, Bavoil and Sainz 2008; CS-C2), the precursor of hbao: the same horizons from rays that are marched
 // in eye space, parallel to the image, in steps of one length; each step is projected. Two rays, opposite, are one slice. With the same taps
 // the result is that of hbao, up to intensities that take a single slice beyond 1.

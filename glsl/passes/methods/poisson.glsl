@@ -9,6 +9,8 @@
 #include "gloam/sampling/radical_inverse.glsl"
 #include "gloam/sampling/rotation.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_ray_samples(count, method.steps)
+
 // Poisson rays (Sourimant et al. 2011; CS-J): points of a Poisson disc lifted to the half ball are cosine-weighted directions, each of which is
 // marched until something blocks it within the radius. No falloff. Once through the disc, the next round is turned by another angle.
 // Reads range (what is further in front of a step is another object) and steps.

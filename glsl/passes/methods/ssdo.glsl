@@ -9,6 +9,8 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/shading/directional_occlusion.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_ray_samples(count, method.steps)
+
 // The direct half of directional occlusion (Ritschel, Grosch and Seidel 2009; CS-D) under light of 1 from everywhere: what of it does not
 // arrive. One point of uniform distance along each of the directions, which are uniform and count 2 w . n: the cosine-weighted occlusion
 // with the linear falloff, for a scene that is solid behind what the eye sees. With more steps than 1 the nearest blocker of that many points

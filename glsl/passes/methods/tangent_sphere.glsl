@@ -6,6 +6,8 @@
 #include "gloam/occlusion/volumetric.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_paired_samples(count)
+
 // Volumetric obscurance of the ball of half the radius that touches the surface from outside (Szirmay-Kalos et al. 2009): a plane leaves
 // it empty. Chords lie along the view vector: along the axis of a perspective view, a floor that is seen from a camera which looks up would
 // lie before its own ball.

@@ -7,6 +7,8 @@
 #include "gloam/sampling/circle.glsl"
 #include "gloam/sampling/radical_inverse.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_ray_samples(count, method.steps)
+
 // The later shader of Unreal Engine 4 (CS-P): along both sides of mirrored directions of the image the largest sat(epsilon (v . n) / (v . v)) of
 // the steps; a side leaves (1 - occ)^2 open, of which the mean is taken. What is near counts more than what stands high: along the
 // line of a groove its rising side is blocked but in the line's own direction.

@@ -5,6 +5,8 @@
 #include "gloam/occlusion/pair_gather.glsl"
 #include "gloam/occlusion/volumetric.glsl"
 
+#define GLOAM_METHOD_SAMPLES(count, method) gloam_paired_samples(count)
+
 // Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid share of a ball around the point. A plane reads 1/2, which
 // the remap's a = 0.5 undoes. What lies in front of the ball, or so far behind that it leaves less than 0.35 of its chord solid, is another
 // object's and counts by its opposite: what stands in front has no halo, but a one-sided groove of angle b reads 1/2 + sin(2 b) / (4 pi), 0.580
