@@ -45,10 +45,10 @@ base::ProcessLimits limits_for(const fs::path& file) {
     const std::uint64_t bytes = fs::is_regular_file(file, none) ? fs::file_size(file, none) : 0;
     constexpr std::uint64_t memory = std::uint64_t{1} << 30;
     constexpr std::uint64_t memory_for_byte = 64;
-    const auto cpu = std::chrono::seconds(10 + (bytes >> 20));
+    const auto cpu = std::chrono::seconds(3 + 2 * (bytes >> 20));
     return {.memory_bytes = memory + memory_for_byte * bytes,
             .cpu = cpu,
-            .patience = 6 * cpu,
+            .patience = 20 * cpu,
             .output_bytes = memory + memory_for_byte * bytes};
 }
 
