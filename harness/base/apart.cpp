@@ -131,6 +131,8 @@ Apart::Apart(Work work, const ProcessLimits& limits) : work_(std::move(work)), l
 Apart::~Apart() = default;
 
 std::string Apart::ask(std::string_view question) {
+    // Two processes would mix their questions on one connection.
+    if (copy_ && !copy_->child.is_ours()) copy_.reset();
     if (!copy_) copy_ = std::make_unique<Copy>(*this);
     std::string answer;
     const auto deadline = Clock::now() + limits_.patience;

@@ -37,22 +37,27 @@ void limit(__rlimit_resource resource, rlim_t value, rlim_t more = 0) {
 }  // namespace
 
 ChildProcess::ChildProcess(const std::string& what, const std::function<void()>& work) {
-    const pid_t parent = getpid();
+    parent_ = getpid();
     id_ = fork();
     if (id_ < 0) throw std::system_error(errno, std::generic_category(), "cannot " + what);
     if (id_ != 0) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);  // it was over before that took effect
+    if (getppid() != parent_) _exit(1);  // it was over before that took effect
     work();
     _exit(1);
 }
 
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : id_(std::exchange(other.id_, -1)), parent_(other.parent_) {}
 
 ChildProcess::~ChildProcess() {
-    if (id_ <= 0) return;
+    if (id_ <= 0 || !is_ours()) return;
     kill();
     (void)wait();
+}
+
+bool ChildProcess::is_ours() const {
+    return parent_ == getpid();
 }
 
 void ChildProcess::kill() const {

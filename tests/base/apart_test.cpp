@@ -2,6 +2,8 @@
 #include "base/apart.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -89,6 +91,23 @@ TEST(Apart, AnswersManyQuestionsAndEachHasItsOwnLimit) {
     EXPECT_EQ(apart.ask("d"), "d1");  // by a new one
     const std::string much(1'000'000, 'x');
     EXPECT_EQ(apart.ask(much), much + "2");
+}
+
+// The copy that answers belongs to the process that made it: a forked one makes its own.
+TEST(Apart, WorksInAForkedProcess) {
+    Apart apart([](std::string_view question) { return std::string(question) + "!"; }, few);
+    EXPECT_EQ(apart.ask("first"), "first!");
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    const std::string question = child == 0 ? "child" : "parent";
+    bool right = true;
+    for (int i = 0; i < 200; ++i) right = apart.ask(question) == question + "!" && right;
+    if (child == 0) _exit(right ? 0 : 1);
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(right);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(apart.ask("last"), "last!");  // the end of the other process did not end the copy
 }
 
 TEST(Apart, WorksFromManyThreads) {

@@ -23,6 +23,10 @@ class ChildProcess {
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
+    // Whether this process made it: a process that was forked later has a copy of this object, but not the
+    // child.
+    [[nodiscard]] bool is_ours() const;
+
     void kill() const;
 
     // Waits for its end; what waitpid() gives.
@@ -32,6 +36,7 @@ class ChildProcess {
 
   private:
     pid_t id_ = -1;
+    pid_t parent_ = -1;
 };
 
 // The limits of memory and processor time, from now on. Allocates nothing.
