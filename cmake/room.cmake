@@ -83,19 +83,16 @@ function(gloam_room NAME)
   target_compile_features(${target} ${scope} cxx_std_20)
 endfunction()
 
-# gloam_test(NAME SOURCES file... USES room... LIBRARIES target... [SWIFTSHADER filter] [TOGETHER count])
+# gloam_test(NAME SOURCES file... USES room... LIBRARIES target... [SWIFTSHADER filter])
 # A GoogleTest program, its suites found by ctest (list_suites.cmake). Those of the filter run once more, as one test, on a
-# browser's SwiftShader where there is one. So many sources (5) are compiled as one: each has a namespace with the name of its file.
+# browser's SwiftShader where there is one. Five sources are compiled as one: each has a namespace with the name of its file.
 function(gloam_test NAME)
-  cmake_parse_arguments(TEST "" "SWIFTSHADER;TOGETHER" "SOURCES;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "" "SWIFTSHADER" "SOURCES;USES;LIBRARIES" ${ARGN})
   list(TRANSFORM TEST_USES PREPEND gloam_)
   add_executable(${NAME} ${TEST_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${TEST_USES} ${TEST_LIBRARIES} gloam_glsl gloam_warnings GTest::gmock)
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  if(NOT TEST_TOGETHER)
-    set(TEST_TOGETHER 5)
-  endif()
-  gloam_compile_together(${NAME} ${TEST_TOGETHER})
+  gloam_compile_together(${NAME} 5)
   gloam_precompile(${NAME} gloam_test_headers)
   set(environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
   string(REGEX REPLACE "_tests$" "" prefix ${NAME})
