@@ -19,7 +19,19 @@ install(TARGETS gloam_shader_test gloam_glsl ${package_targets} EXPORT gloam-tar
 install(EXPORT gloam-targets NAMESPACE gloam:: DESTINATION ${package_cmake_dir})
 
 # Public headers, as <gloam/ROOM/FILE.hpp>: what lies in a room itself. Its folder internal/ stays at home.
-set(header_stage ${CMAKE_BINARY_DIR}/package/include)
+set(header_stage ${PROJECT_BINARY_DIR}/package/include)
+if(NOT PROJECT_IS_TOP_LEVEL)
+  # A project that takes gloam in includes them by the same names, without an installation.
+  set(rooms ${package_rooms})
+  set(source ${PROJECT_SOURCE_DIR}/harness)
+  set(stage ${header_stage})
+  include(cmake/stage_headers.cmake)
+  foreach(room ${package_rooms})
+    file(GLOB headers CONFIGURE_DEPENDS ${source}/${room}/*.hpp)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers})
+  endforeach()
+  target_include_directories(gloam_shader_test INTERFACE $<BUILD_INTERFACE:${header_stage}>)
+endif()
 install(CODE "
   set(rooms ${package_rooms})
   set(source \"${PROJECT_SOURCE_DIR}/harness\")
@@ -31,12 +43,9 @@ install(DIRECTORY glsl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/glsl)
 install(DIRECTORY tools/stress/shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/stress)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
-if(TARGET gloam)
-  install(TARGETS gloam RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
 
-configure_package_config_file(cmake/gloam-config.cmake.in ${CMAKE_BINARY_DIR}/gloam-config.cmake
+configure_package_config_file(cmake/gloam-config.cmake.in ${PROJECT_BINARY_DIR}/gloam-config.cmake
   INSTALL_DESTINATION ${package_cmake_dir})
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/gloam-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/gloam-config.cmake ${CMAKE_BINARY_DIR}/gloam-config-version.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gloam-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gloam-config.cmake ${PROJECT_BINARY_DIR}/gloam-config-version.cmake
   DESTINATION ${package_cmake_dir})

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# cmake -D PROGRAM=file -D PREFIX=name -D OUTPUT=file -D ENVIRONMENT=list -P list_suites.cmake
+# cmake -D PROGRAM=file -D PREFIX=name -D OUTPUT=file -D ENVIRONMENT=list -D SEEN=folder -P list_suites.cmake
 # Writes for ctest one test for each suite of a GoogleTest program, so that its tests share a process and its device. A suite
-# of many tests becomes several, so that every core has something to do.
+# of many tests becomes several, so that every core has something to do. SEEN gets a file for each, which lists the shaders
+# that its tests read (tools/test --seeing; a / in a name is a comma there).
 set(most_tests 48)
 
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing RESULT_VARIABLE status)
@@ -13,7 +14,8 @@ string(REPLACE "\n" ";" lines "${listing}")
 set(script)
 
 function(add_group NAME FILTER SHARDS INDEX)
-  set(variables "${ENVIRONMENT}")
+  string(REPLACE "/" "," seen "${NAME}")
+  set(variables "${ENVIRONMENT}" "GLOAM_DEPENDENCIES_OUTPUT=${SEEN}/${seen}")
   if(SHARDS GREATER 1)
     list(APPEND variables GTEST_TOTAL_SHARDS=${SHARDS} GTEST_SHARD_INDEX=${INDEX})
   endif()

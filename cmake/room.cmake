@@ -36,8 +36,8 @@ endfunction()
 # same flags, because GCC takes precompiled headers under their own level of optimisation only.
 function(gloam_precompiled NAME)
   cmake_parse_arguments(PRE "" "" "FLAGS;HEADERS;LIBRARIES" ${ARGN})
-  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${NAME}.cpp CONTENT "")
-  add_library(${NAME} STATIC ${CMAKE_BINARY_DIR}/${NAME}.cpp)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${NAME}.cpp CONTENT "")
+  add_library(${NAME} STATIC ${PROJECT_BINARY_DIR}/${NAME}.cpp)
   target_link_libraries(${NAME} PRIVATE fmt::fmt glm::glm gloam_warnings ${PRE_LIBRARIES})
   target_compile_options(${NAME} PRIVATE ${PRE_FLAGS})
   target_precompile_headers(${NAME} PRIVATE <fmt/format.h> <glm/glm.hpp>
@@ -99,7 +99,7 @@ function(gloam_test NAME)
   set(listing "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_suites.cmake")
   add_custom_command(TARGET ${NAME} POST_BUILD BYPRODUCTS ${listing} VERBATIM
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${NAME}> -D PREFIX=${prefix} -D OUTPUT=${listing} -D "ENVIRONMENT=${environment}"
-      -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)
+      -D SEEN=${CMAKE_BINARY_DIR}/seen -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_tests.cmake")
   file(WRITE "${file}" "if(EXISTS [==[${listing}]==])\n  include([==[${listing}]==])\nelse()\n  add_test(${NAME}_NOT_BUILT ${NAME}_NOT_BUILT)\nendif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${file}")

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "shader/internal/dependencies.hpp"
 #include "shader/internal/lines.hpp"
 
 namespace gloam::shader {
@@ -69,6 +70,7 @@ std::string read_text(const Path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (!stream) throw std::runtime_error(file.string() + ": cannot read the file");
+    internal::note_dependency(file);
     return text;
 }
 

@@ -222,7 +222,7 @@ def spdx(source):
     """Every source says its licence in its first line (the second after #!); a test's fixtures may be odd on purpose."""
     if "fixtures" in source.path.parts:
         return
-    named = source.path.name in ("CMakeLists.txt", "packages.txt") or source.has_shebang()
+    named = source.path.name in ("CMakeLists.txt", "packages.txt", "packages-tests.txt") or source.has_shebang()
     if source.path.suffix not in CODE and not named:
         return
     first = source.lines[1:2] if source.has_shebang() else source.lines[:1]

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 SHARDING = {"GTEST_TOTAL_SHARDS", "GTEST_SHARD_INDEX"}  # of a suite that is several tests for ctest
-EXPECTED = {"GLOAM_CACHE_DIR", "LSAN_OPTIONS", "RC_PARAMS"}
+EXPECTED = {"GLOAM_CACHE_DIR", "GLOAM_DEPENDENCIES_OUTPUT", "LSAN_OPTIONS", "RC_PARAMS"}
 
 
 def environment(test):

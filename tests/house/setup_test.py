@@ -29,13 +29,15 @@ PRETENDED = {
 class Machine:
     """A folder that plays a machine: its packages, its programs, and a copy of tools/setup with a list of its own."""
 
-    def __init__(self, folder, wanted=("g++", "libfmt-dev"), installed=(), offered=("g++", "libfmt-dev"), without=()):
+    def __init__(self, folder, wanted=("g++", "libfmt-dev"), installed=(), offered=("g++", "libfmt-dev"), without=(),
+                 tests=()):
         self.folder = Path(folder)
         self.folder.chmod(0o777)
         for name in ("bin", "tools"):
             (self.folder / name).mkdir()
         shutil.copy(SETUP, self.folder / "tools" / "setup")
         self.write("tools/packages.txt", ["# the list", *(f"{name}   # why" for name in wanted)])
+        self.write("tools/packages-tests.txt", ["# the tests' list", *(f"{name} # why" for name in tests)])
         self.write("installed", installed)
         self.write("offered", offered)
         self.write("snaps", ())
@@ -54,9 +56,9 @@ class Machine:
     def log(self):
         return (self.folder / "log").read_text(encoding="utf-8").splitlines()
 
-    def setup(self, **options):
+    def setup(self, *arguments, **options):
         environment = {"PATH": str(self.folder / "bin"), "MACHINE": str(self.folder)}
-        return subprocess.run([self.folder / "tools" / "setup"], env=environment, capture_output=True, text=True, check=False,
+        return subprocess.run([self.folder / "tools" / "setup", *arguments], env=environment, capture_output=True, text=True, check=False,
                               **options)
 
 
@@ -93,6 +95,18 @@ class Setup(unittest.TestCase):
         self.assertTrue(machine.log()[1].endswith("install --no-install-recommends libfmt-dev"), machine.log())
         again = machine.setup()
         self.assertEqual((again.returncode, again.stderr, len(machine.log())), (0, "", 2))
+
+    def test_the_program_needs_less_than_its_tests(self):
+        machine = self.machine(tests=("clang-format", "browser?"), offered=("g++", "libfmt-dev", "clang-format", "browser"))
+        program = machine.setup("program")
+        self.assertEqual((program.returncode, program.stderr), (0, "tools/setup: installing g++ libfmt-dev\n"))
+        tests = machine.setup()
+        self.assertEqual((tests.returncode, tests.stderr),
+                         (0, "tools/setup: installing clang-format\ntools/setup: installing browser\n"))
+        self.assertEqual((machine.setup().stderr, machine.setup("program").stderr), ("", ""))
+
+    def test_an_unknown_list(self):
+        self.assert_one_line(self.machine().setup("everything"), "'everything'", "expected program or nothing")
 
     def test_installs_with_sudo(self):
         machine = self.machine(installed=("g++",))

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <optional>
+
 #include "support.hpp"
 
 namespace gloam::shader {
@@ -35,6 +38,22 @@ TEST(Include, UnreadableTextIsNamed) {
     };
     EXPECT_THAT(read(dir.path() / "none.glsl"), HasSubstr((dir.path() / "none.glsl").string()));
     EXPECT_THAT(read(dir.path()), AllOf(HasSubstr(dir.path().string()), HasSubstr("folder")));
+}
+
+TEST(Include, FilesThatWereReadAreListedOnceEach) {
+    const TempDir dir;
+    const auto file = dir.write("a.glsl", "");
+    const char* before = std::getenv("GLOAM_DEPENDENCIES_OUTPUT");
+    const std::optional<std::string> kept = before ? std::optional<std::string>(before) : std::nullopt;
+    const auto list = dir.path() / "list";
+    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", list.c_str(), 1);
+    static_cast<void>(read_text(file));
+    static_cast<void>(read_text(dir.path() / "." / "a.glsl"));
+    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", (dir.path() / "none" / "list").c_str(), 1);
+    EXPECT_EQ(read_text(file), "") << "a list that cannot be written stops nothing";
+    if (kept) ::setenv("GLOAM_DEPENDENCIES_OUTPUT", kept->c_str(), 1);
+    if (!kept) ::unsetenv("GLOAM_DEPENDENCIES_OUTPUT");
+    EXPECT_EQ(read_text(list), std::filesystem::canonical(file).string() + "\n");
 }
 
 TEST(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# Another project takes gloam's tree in with add_subdirectory: it gets the framework alone, without the packages that only the
+# program needs, without its tests, without its warnings; and its test compiles against the headers by their installed names.
+set(work "${WORK}/embedded")
+file(REMOVE_RECURSE "${work}")
+file(MAKE_DIRECTORY "${work}")
+
+# run(WHAT command...): stops the test when the command fails; its output is in `output`.
+function(run WHAT)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${WHAT}: exit status ${status}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+set(without)
+foreach(package embree assimp OpenEXR CLI11 rapidcheck benchmark)
+  list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+run("configure" "${CMAKE_COMMAND}" -G Ninja -S "${CONSUMER}" -B "${work}" "-DGLOAM_SOURCE=${SOURCE}"
+  "-DCMAKE_CXX_COMPILER=${COMPILER}" -DCMAKE_BUILD_TYPE=Debug ${without})
+run("list targets" "${CMAKE_COMMAND}" --build "${work}" --target help)
+if(output MATCHES "gloam_(catalogue|effect|scene|report):|bin/gloam|_tests:")
+  message(FATAL_ERROR "expected the framework alone, got:\n${output}")
+endif()
+if(NOT output MATCHES "gloam_check:")
+  message(FATAL_ERROR "expected the framework among the targets, got:\n${output}")
+endif()
+run("compile" "${CMAKE_COMMAND}" --build "${work}" --target CMakeFiles/consumer_test.dir/shader_test.cpp.o)
+
+file(READ "${work}/compile_commands.json" commands)
+if(commands MATCHES "-Werror")
+  message(FATAL_ERROR "a project that uses gloam must not stop at warnings in gloam's sources")
+endif()
