@@ -49,8 +49,10 @@ struct DeviceOptions {
     std::string
         device;  // index, or part of the name in any case; empty: the first GPU, else the first CPU device
     Validation validation = Validation::off;
-    std::filesystem::path cache_directory;      // where compiled pipelines are kept; empty: nowhere
-    std::chrono::milliseconds timeout{60'000};  // longest wait for one submission; positive
+    std::filesystem::path cache_directory;  // where compiled pipelines are kept; empty: nowhere
+    // Longest wait for one submission, positive; longer where the driver computes on a processor that others
+    // use, too (base::Patience).
+    std::chrono::milliseconds timeout{60'000};
     // On: a shader that reaches past its buffers harms nothing. Off: that is undefined, as in engines that
     // leave it off; only for shaders that do not.
     bool robust_buffer_access = true;

@@ -72,7 +72,7 @@ TEST_F(TimeoutTest, ThrowsAndRecoversWhenTheWorkIsDone) {
     const auto message = message_of_hang(device(), pipeline, buffer, groups);
     EXPECT_NE(message.find("within 0.2 s"), std::string::npos) << message;
     EXPECT_GE(Clock::now() - start, timeout);
-    EXPECT_LT(Clock::now() - start, timeout + 1s);
+    EXPECT_LT(Clock::now() - start, 20 * timeout + 1s);  // with the least share of a core
 
     expect_error<std::runtime_error>([&] { Commands(device()).submit(); }, {"still runs", "timed out"});
     Image* refused = nullptr;

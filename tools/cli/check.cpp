@@ -8,14 +8,17 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "catalogue/catalogue.hpp"
+#include "cli/check/check_journal.hpp"
 #include "cli/check/failure_folders.hpp"
 #include "cli/check/run_device.hpp"
 #include "cli/check/shard.hpp"
 #include "cli/check/worker.hpp"
 #include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
+#include "cli/progress.hpp"
 #include "cli/variant.hpp"
 #include "cli/versions.hpp"
 #include "report/check_report.hpp"
@@ -79,32 +82,81 @@ void print_failure(const CheckOptions& options, const report::DeviceSummary& dev
     fmt::print("run it again: {}\n", command_for(options, device, row));
 }
 
-report::CheckReport check_device(const CheckOptions& options, const std::string& device,
-                                 const std::vector<CheckTask>& tasks, FailureFolders& failures) {
-    const auto timeout = std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
-    DeviceRun run{.checker = {.device = device, .validation = options.validation, .timeout = timeout},
-                  .tasks = tasks,
-                  .timeout = timeout,
-                  .jobs = options.jobs,
-                  .in_process = options.in_process,
-                  .on_device = print_device,
-                  .on_row = print_row,
-                  .on_failure = {}};
-    if (failures.wanted()) {
-        run.on_failure = [&](const auto& on, const auto& row, const HandOver& failure) {
-            failures.write(on, row, failure, {command_for(options, on, row), versions()});
-        };
+// Prints rows as they come, keeps them in the journal, and shows how far the run is.
+class CheckRun {
+  public:
+    CheckRun(const CheckOptions& options, std::size_t devices)
+        : options_(options),
+          tasks_(tasks_of(options)),
+          journal_(options.json.empty() ? "" : options.json.string() + ".journal",
+                   {.versions = versions(),
+                    .inputs = options.inputs,
+                    .seed = options.seed,
+                    .validation = options.validation},
+                   options.resume),
+          failures_(options.failures),
+          progress_("checks", tasks_.size() * devices) {}
+
+    report::CheckReport on_device(const std::string& device) {
+        const auto timeout = std::chrono::milliseconds(std::max(1L, std::lround(options_.timeout * 1000.0)));
+        DeviceRun run{.checker = {.device = device, .validation = options_.validation, .timeout = timeout},
+                      .tasks = tasks_,
+                      .timeout = timeout,
+                      .jobs = options_.jobs,
+                      .in_process = options_.in_process,
+                      .known = [this](const auto& on, const CheckTask& task) { return known(on, task); },
+                      .on_device = [this](const auto& on) { begin(on); },
+                      .on_row = [this](const auto& on, const auto& row) { take(on, row); },
+                      .on_failure = {}};
+        if (failures_.wanted()) {
+            run.on_failure = [this](const auto& on, const auto& row, const HandOver& failure) {
+                failures_.write(on, row, failure, {command_for(options_, on, row), versions()});
+            };
+        }
+        try {
+            return run_on_device(run);
+        } catch (const DeviceRefused& refused) {
+            if (options_.device != "all") throw;
+            report::CheckReport report{
+                .device = {.name = "device " + device},
+                .rows = {device_row(report::Reason::error, refused.what(), tasks_.size())}};
+            print_row(report.rows.front());
+            return report;
+        }
     }
-    try {
-        return run_on_device(run);
-    } catch (const DeviceRefused& refused) {
-        if (options.device != "all") throw;
-        report::CheckReport report{.device = {.name = "device " + device},
-                                   .rows = {device_row(report::Reason::error, refused.what(), tasks.size())}};
-        print_row(report.rows.front());
-        return report;
+
+    // The results are kept elsewhere now.
+    void end() { journal_.remove(); }
+
+  private:
+    // A failure is run again where it is to be made ready to report.
+    [[nodiscard]] std::optional<report::CheckRow> known(const report::DeviceSummary& on,
+                                                        const CheckTask& task) const {
+        std::optional<report::CheckRow> row = journal_.known(on, task);
+        if (row && !row->passed() && failures_.wanted()) return std::nullopt;
+        return row;
     }
-}
+
+    void begin(const report::DeviceSummary& on) {
+        progress_.wipe();
+        print_device(on);
+        progress_.show();
+    }
+
+    void take(const report::DeviceSummary& on, const report::CheckRow& row) {
+        const bool is_known = journal_.add(on, row);
+        progress_.wipe();
+        print_row(row);
+        progress_.step(is_known);
+        progress_.show();
+    }
+
+    const CheckOptions& options_;
+    std::vector<CheckTask> tasks_;
+    CheckJournal journal_;
+    FailureFolders failures_;
+    ProgressLine progress_;
+};
 
 }  // namespace
 
@@ -128,15 +180,16 @@ std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& opti
 }
 
 int run_check(const CheckOptions& options) {
-    const std::vector<CheckTask> tasks = tasks_of(options);
     const report::OutputFile json(options.json);
     const report::OutputFile junit(options.junit);
-    FailureFolders failed(options.failures);
-    std::vector<report::CheckReport> reports = reports_of_bad_drivers(options, tasks.size());
+    const std::size_t checks_of_one = tasks_of(options).size();
+    std::vector<report::CheckReport> reports = reports_of_bad_drivers(options, checks_of_one);
+    const std::vector<std::string> devices = devices_to_check(options.device);
     std::size_t failures = reports.size();
     std::size_t checks = reports.size();
-    for (const std::string& device : devices_to_check(options.device)) {
-        reports.push_back(check_device(options, device, tasks, failed));
+    CheckRun run(options, devices.size());
+    for (const std::string& device : devices) {
+        reports.push_back(run.on_device(device));
         failures += reports.back().failures();
         checks += reports.back().rows.size();
     }
@@ -149,6 +202,7 @@ int run_check(const CheckOptions& options) {
     for (report::CheckReport& report : reports) report.versions = versions();
     json.write(report::to_json(reports));
     junit.write(report::to_junit(reports));
+    run.end();
     return failures == 0 ? 0 : 1;
 }
 
@@ -183,7 +237,10 @@ void add_check(CLI::App& app, int& status) {
         ->add_flag("--in-process", options->in_process,
                    "no worker processes, for a debugger: a driver that crashes then ends the whole run")
         ->excludes(jobs);
-    command->add_option("--json", options->json, "write the results to this file");
+    CLI::Option* json = command->add_option(
+        "--json", options->json,
+        "write the results to this file; until the run has ended, FILE.journal keeps those there are");
+    command->add_flag("--resume", options->resume, "run only what FILE.journal does not have")->needs(json);
     command->add_option("--junit", options->junit, "write the results as JUnit XML");
     command->add_option("--failures", options->failures,
                         "folder that receives each failure ready to report: the smallest input found, the "

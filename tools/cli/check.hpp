@@ -23,6 +23,7 @@ struct CheckOptions {
     std::size_t jobs = 1;    // worker processes
     bool in_process = false;
     std::filesystem::path json;
+    bool resume = false;  // go on from the journal beside `json`
     std::filesystem::path junit;
     std::filesystem::path failures;  // folder for what failed, ready to report
 };

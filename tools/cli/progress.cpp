@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -22,6 +23,40 @@ std::function<void(double)> progress_bar(std::string what) {
         if (percent >= 100) fmt::print(stderr, "\r\033[K");
         std::fflush(stderr);
     };
+}
+
+std::string rough_duration(std::chrono::duration<double> duration) {
+    constexpr double minute = 60.0;
+    constexpr double hour = 60.0 * minute;
+    const double seconds = duration.count();
+    if (seconds < 1.5 * minute) return fmt::format("about {:.0f} s", std::ceil(seconds));
+    if (seconds < 1.5 * hour) return fmt::format("about {:.0f} min", seconds / minute);
+    return fmt::format("about {:.0f} h", seconds / hour);
+}
+
+ProgressLine::ProgressLine(std::string what, std::size_t total)
+    : what_(std::move(what)), total_(total), watched_(on_terminal()) {}
+
+void ProgressLine::step(bool free) {
+    ++done_;
+    if (!free) ++timed_;
+}
+
+void ProgressLine::show() const {
+    if (!watched_ || done_ >= total_) return;
+    fmt::print(stderr, "{} [{}/{}]", what_, done_, total_);
+    const std::chrono::duration<double> spent = Clock::now() - begin_;
+    if (timed_ > 0) {
+        const double steps_left = static_cast<double>(total_ - done_);
+        fmt::print(stderr, ", {} left", rough_duration(spent * (steps_left / static_cast<double>(timed_))));
+    }
+    std::fflush(stderr);
+}
+
+void ProgressLine::wipe() const {
+    if (!watched_) return;
+    fmt::print(stderr, "\r\033[K");
+    std::fflush(stderr);
 }
 
 }  // namespace gloam::cli

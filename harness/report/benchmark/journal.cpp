@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "report/benchmark/journal.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <stdexcept>
 
-#include "base/file_descriptor.hpp"
-#include "base/read_file.hpp"
-#include "base/write_file.hpp"
 #include "report/benchmark/summary.hpp"
 #include "report/internal/benchmark_fields.hpp"
 
@@ -20,7 +15,6 @@ namespace fs = std::filesystem;
 using internal::JsonReader;
 using nlohmann::ordered_json;
 
-constexpr std::size_t longest_journal = std::size_t{1} << 30;  // bytes
 constexpr std::size_t most_rounds = 1'000'000;
 
 ordered_json setup_json(const JournalSetup& setup) {
@@ -38,7 +32,7 @@ std::string line_of(const Visit& visit) {
         json["readings"].push_back({{"copy_ms", internal::number_json(reading.copy_ms)},
                                     {"passes", internal::passes_json(reading.passes)}});
     }
-    return json.dump() + "\n";
+    return json.dump();
 }
 
 Visit visit_of(const std::string& line, const std::string& where) {
@@ -56,40 +50,17 @@ Visit visit_of(const std::string& line, const std::string& where) {
 
 }  // namespace
 
-Journal::Journal(fs::path path, const JournalSetup& setup, bool resume) : path_(std::move(path)) {
-    if (path_.empty()) return;
-    std::string kept = setup_json(setup).dump() + "\n";
-    if (resume && fs::exists(path_)) {
-        const std::string text = base::read_file(path_, longest_journal);
-        const std::string whole = text.substr(0, text.rfind('\n') + 1);
-        if (!whole.empty()) {
-            read(whole, setup);
-            kept = whole;
-        }
-    }
-    base::write_file(path_, kept);
-}
-
-void Journal::read(std::string_view text, const JournalSetup& setup) {
-    const std::string name = path_.string();
-    const std::string expected = setup_json(setup).dump();
-    std::size_t number = 0;
-    for (std::size_t at = 0; at < text.size(); ++number) {
-        const std::size_t end = text.find('\n', at);
-        const std::string line(text.substr(at, end - at));
-        at = end + 1;
-        if (number > 0) {
-            Visit visit;
-            try {
-                visit = visit_of(line, "");
-            } catch (const std::runtime_error& error) {
-                throw std::runtime_error(fmt::format("{}, line {}: {}", name, number + 1, error.what()));
-            }
+Journal::Journal(fs::path path, const JournalSetup& setup, bool resume)
+    : file_(std::move(path), setup_json(setup).dump(), resume) {
+    std::size_t number = 1;
+    for (const std::string& line : file_.lines()) {
+        ++number;
+        try {
+            Visit visit = visit_of(line, "");
             visits_[visit.configuration][visit.round] = std::move(visit);
-        } else if (line != expected) {
+        } catch (const std::runtime_error& error) {
             throw std::runtime_error(
-                fmt::format("{}: cannot resume what was measured otherwise: expected {}, found {}", name,
-                            expected, line));
+                fmt::format("{}, line {}: {}", file_.path().string(), number, error.what()));
         }
     }
 }
@@ -100,14 +71,8 @@ bool Journal::has(const Configuration& configuration, int round) const {
 }
 
 void Journal::add(Visit visit) {
-    if (!path_.empty()) append(line_of(visit));
+    file_.add(line_of(visit));
     visits_[visit.configuration][visit.round] = std::move(visit);
-}
-
-void Journal::append(const std::string& line) const {
-    const base::FileDescriptor file(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
-    if (!file.is_open()) base::fail_to_write(path_, errno);
-    if (const int error = base::write_all(file.get(), line)) base::fail_to_write(path_, error);
 }
 
 Row Journal::row_of(const Configuration& configuration) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "report/benchmark/result.hpp"
+#include "report/line_journal.hpp"
 
 namespace gloam::report {
 
@@ -53,10 +54,7 @@ class Journal {
     [[nodiscard]] Spread copies() const;
 
   private:
-    void read(std::string_view text, const JournalSetup& setup);
-    void append(const std::string& line) const;
-
-    std::filesystem::path path_;
+    LineJournal file_;
     std::map<Configuration, std::map<int, Visit>> visits_;
 };
 

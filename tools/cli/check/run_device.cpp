@@ -30,10 +30,15 @@ bool is_unusable_after(Reason reason) {
 class Board {
   public:
     Board(const DeviceRun& run, const report::DeviceSummary& device)
-        : run_(run), device_(device), rows_(run.tasks.size()) {}
+        : run_(run), device_(device), rows_(run.tasks.size()) {
+        if (!run.known) return;
+        for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = run.known(device, run.tasks[i]);
+        tell_next();
+    }
 
     std::optional<std::size_t> take() {
         const std::scoped_lock lock(mutex_);
+        while (taken_ < rows_.size() && rows_[taken_]) ++taken_;  // known before
         if (given_up_ || trouble_ || taken_ == rows_.size()) return std::nullopt;
         return taken_++;
     }
@@ -41,15 +46,19 @@ class Board {
     void put(std::size_t task, CheckRow row) {
         const std::scoped_lock lock(mutex_);
         rows_[task] = std::move(row);
-        while (told_ < rows_.size() && rows_[told_]) tell(*rows_[told_++]);
+        try {
+            tell_next();
+        } catch (...) {
+            keep_trouble();
+        }
     }
 
     void hand_over(const CheckRow& row, const HandOver& failure) {
         const std::scoped_lock lock(mutex_);
         try {
             run_.on_failure(device_, row, failure);
-        } catch (...) {  // thrown again by finish(): here may be another thread
-            if (!trouble_) trouble_ = std::current_exception();
+        } catch (...) {
+            keep_trouble();
         }
     }
 
@@ -59,7 +68,7 @@ class Board {
         if (!given_up_) given_up_ = {.line = {}, .reason = reason, .error = error};
     }
 
-    // All rows, once nobody works any more. Throws what on_failure threw.
+    // All rows, once nobody works any more. Throws what on_row and on_failure threw.
     std::vector<CheckRow> finish() {
         if (trouble_) std::rethrow_exception(trouble_);
         std::vector<CheckRow> all;
@@ -77,7 +86,16 @@ class Board {
 
   private:
     void tell(const CheckRow& row) const {
-        if (run_.on_row) run_.on_row(row);
+        if (run_.on_row) run_.on_row(device_, row);
+    }
+
+    void tell_next() {
+        while (told_ < rows_.size() && rows_[told_]) tell(*rows_[told_++]);
+    }
+
+    // For finish() to throw again: here may be another thread.
+    void keep_trouble() {
+        if (!trouble_) trouble_ = std::current_exception();
     }
 
     const DeviceRun& run_;
@@ -149,7 +167,7 @@ void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
         if (none.reason == Reason::error) throw DeviceRefused(none.what());
         report.device.name = run.checker.device.empty() ? "default" : run.checker.device;
         report.rows.push_back(device_row(none.reason, none.what(), run.tasks.size()));
-        if (run.on_row) run.on_row(report.rows.back());
+        if (run.on_row) run.on_row(report.device, report.rows.back());
         return;
     }
     if (run.on_device) run.on_device(report.device);
@@ -177,10 +195,11 @@ void run_here(const DeviceRun& run, report::CheckReport& report) {
     report.device = checker->device();
     if (run.on_device) run.on_device(report.device);
     for (const CheckTask& task : run.tasks) {
-        report.rows.push_back(checker->run(task));
+        const auto known = run.known ? run.known(report.device, task) : std::nullopt;
+        report.rows.push_back(known ? *known : checker->run(task));
         const CheckRow& row = report.rows.back();
-        if (run.on_row) run.on_row(row);
-        if (row.passed() || !run.on_failure) continue;
+        if (run.on_row) run.on_row(report.device, row);
+        if (known || row.passed() || !run.on_failure) continue;
         run.on_failure(report.device, row, checker->hand_over(request_for(task, row)));
     }
 }

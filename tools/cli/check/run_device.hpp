@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,9 +22,11 @@ struct DeviceRun {
     std::chrono::milliseconds timeout{120'000};  // for each check
     std::size_t jobs = 1;                        // worker processes
     bool in_process = false;                     // no workers: a driver that crashes takes all with it
+    // The row of a task that need not run again; empty: every task runs.
+    std::function<std::optional<report::CheckRow>(const report::DeviceSummary&, const CheckTask&)> known;
     // Called in the order of the tasks, never from two threads at once.
     std::function<void(const report::DeviceSummary&)> on_device;
-    std::function<void(const report::CheckRow&)> on_row;
+    std::function<void(const report::DeviceSummary&, const report::CheckRow&)> on_row;
     // Called for each row that failed, in any order, never from two threads at once; empty: not wanted.
     std::function<void(const report::DeviceSummary&, const report::CheckRow&, const HandOver&)> on_failure;
 };

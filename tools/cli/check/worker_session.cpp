@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/patience.hpp"
+
 namespace gloam::cli {
 namespace {
 
@@ -35,7 +37,11 @@ Answer WorkerSession::ask(const std::string& question) {
 
 Answer WorkerSession::listen() {
     Answer answer;
-    switch (process_->receive(answer.line, WorkerProcess::Clock::now() + timeout_)) {
+    base::Patience patience(timeout_, [this] { return base::processor_time_of(process_->id()); });
+    auto heard = process_->receive(answer.line, patience.next_look());
+    while (heard == WorkerProcess::Heard::silence && !patience.is_over())
+        heard = process_->receive(answer.line, patience.next_look());
+    switch (heard) {
         case WorkerProcess::Heard::line:
             return answer;
         case WorkerProcess::Heard::end:

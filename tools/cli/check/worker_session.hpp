@@ -33,7 +33,8 @@ class NoWorker : public std::runtime_error {
 // it is asked anything. For use from one thread.
 class WorkerSession {
   public:
-    // `timeout`: longest wait for the greeting and for each answer. `refusal` says why a greeting is one;
+    // `timeout`: longest wait for the greeting and for each answer; more where the worker computes and others
+    // keep the processor from it (base::Patience). `refusal` says why a greeting is one;
     // empty for a welcome.
     WorkerSession(std::vector<std::string> command, std::chrono::milliseconds timeout,
                   std::function<std::string(const std::string& greeting)> refusal = {})
