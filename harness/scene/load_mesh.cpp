@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/text.hpp"
+#include "scene/crease_normals.hpp"
 #include "scene/mesh.hpp"
 
 namespace gloam::scene {
@@ -87,8 +88,8 @@ void check_finite(const fs::path& file, const aiMesh& mesh) {
     }
 }
 
-// What assimp could not give a normal (vertices of degenerate triangles only) gets one of its triangles', or
-// up.
+// What has no usable normal (vertices of triangles without area, and what a file gives that is none) gets one
+// of its triangles', or up.
 void mend_normals(Mesh& mesh) {
     const auto usable = [](const glm::vec3& n) { return is_finite(n) && glm::dot(n, n) > 1e-12F; };
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -130,12 +131,12 @@ Mesh load_mesh(const fs::path& file) {
     if (scene == nullptr) fail_to_load(file, reason_of(importer));
     check_scene(file, *scene);
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
-                                         aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
-                                         aiProcess_SortByPType);
+                                         aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
     Mesh mesh;
     for (unsigned i = 0; scene != nullptr && i < scene->mNumMeshes; ++i) {
         check_finite(file, *scene->mMeshes[i]);  // transformed
-        append(mesh, convert(*scene->mMeshes[i]));
+        const Mesh part = convert(*scene->mMeshes[i]);
+        append(mesh, scene->mMeshes[i]->HasNormals() ? part : with_crease_normals(part, crease_degrees));
     }
     if (mesh.triangle_count() == 0) fail_to_load(file, "has no triangle");
     mend_normals(mesh);

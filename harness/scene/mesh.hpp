@@ -40,8 +40,11 @@ void append(Mesh& mesh, const Mesh& other);
 // The mesh scaled about the origin, then moved.
 [[nodiscard]] Mesh placed(Mesh mesh, double scale, const glm::dvec3& translation);
 
-// Reads any file that assimp reads, all its meshes in one, with smooth normals where it has none. Lines and
-// points are left out. Throws std::runtime_error that names the file: unreadable, without a triangle, with a
+// Faces that meet at a larger angle than this, in degrees, have an edge between them, not a smooth surface.
+inline constexpr float crease_degrees = 45.0F;
+
+// Reads any file that assimp reads, all its meshes in one. A mesh without normals gets those of its faces,
+// averaged where the angle between faces is at most crease_degrees. Lines and points are left out. Throws std::runtime_error that names the file: unreadable, without a triangle, with a
 // vertex that is NaN or infinite, or a face without corners, with too many, or of vertices that are not
 // there. For files that one trusts: a malformed one can still crash assimp, or keep it busy. Others:
 // mesh_reader.hpp.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/mesh.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
 
 #include "scene/support.hpp"
@@ -26,16 +29,75 @@ TEST(LoadMesh, PolygonsBecomeTriangles) {
     EXPECT_EQ(mesh.positions.size(), 4U);  // the diagonal's ends are shared
 }
 
-// A roof of two faces at a right angle: the ridge's normals are the mean, the eaves' their face's.
-TEST(LoadMesh, SmoothNormals) {
+// A roof of two faces whose slopes meet at twice the angle whose tangent is `slope`.
+std::string roof(double slope) {
+    return fmt::format("v 0 {0} 0\nv 0 {0} 1\nv -1 0 0\nv -1 0 1\nv 1 0 0\nv 1 0 1\nf 3 4 2 1\nf 1 2 6 5\n",
+                       slope);
+}
+
+// At 23 degrees: the ridge's normals are the mean, the eaves' their face's.
+TEST(LoadMesh, SmoothNormalsWhereFacesMeetAtASmallAngle) {
     const Folder folder;
-    const Mesh mesh = load_mesh(folder.write(
-        "a.obj", "v 0 1 0\nv 0 1 1\nv -1 0 0\nv -1 0 1\nv 1 0 0\nv 1 0 1\ns 1\nf 3 4 2 1\nf 1 2 6 5\n"));
+    constexpr float slope = 0.2F;
+    const Mesh mesh = load_mesh(folder.write("a.obj", roof(slope)));
     EXPECT_EQ(mesh.triangle_count(), 4U);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const float x = mesh.positions[i].x;
-        const auto want = glm::normalize(glm::vec3(x, 1, 0));
+        const auto want = glm::normalize(glm::vec3(x * slope, 1, 0));
         EXPECT_LT(glm::distance(mesh.normals[i], want), 1e-6F) << x;
+    }
+}
+
+// At 90 degrees: each face keeps its own, so that the ridge is an edge.
+TEST(LoadMesh, FacesThatMeetAtALargeAngleKeepTheirOwnNormals) {
+    const Folder folder;
+    const Mesh mesh = load_mesh(folder.write("a.obj", roof(1.0)));
+    EXPECT_EQ(mesh.positions.size(), 8U);
+    for (const glm::vec3& normal : mesh.normals) EXPECT_NEAR(std::abs(normal.x), std::sqrt(0.5F), 1e-6F);
+}
+
+// The corners of a cube, and its faces from outside, in the formats whose faces share their vertices.
+struct CubeFile {
+    const char* name;
+    const char* head;
+    const char* vertex;
+    const char* face;
+    int first;
+};
+
+std::string cube(const CubeFile& format) {
+    std::string text = format.head;
+    for (int corner = 0; corner < 8; ++corner)
+        text += fmt::format("{} {} {} {}\n", format.vertex, corner & 1, corner >> 1 & 1, corner >> 2);
+    constexpr std::array<std::array<int, 4>, 6> faces{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    for (const auto& f : faces) {
+        text += fmt::format("{} {} {} {} {}\n", format.face, f[0] + format.first, f[1] + format.first,
+                            f[2] + format.first, f[3] + format.first);
+    }
+    return text;
+}
+
+TEST(LoadMesh, ACubeHasFlatFacesInEveryFormat) {
+    constexpr std::array<CubeFile, 3> formats{
+        {{"a.obj", "", "v", "f", 1},
+         {"a.off", "OFF\n8 6 0\n", "", "4", 0},
+         {"a.ply",
+          "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+          "element face 6\nproperty list uchar int vertex_indices\nend_header\n",
+          "", "4", 0}}};
+    for (const CubeFile& format : formats) {
+        const Folder folder;
+        const Mesh mesh = load_mesh(folder.write(format.name, cube(format)));
+        EXPECT_EQ(mesh.triangle_count(), 12U) << format.name;
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const std::uint32_t* corner = &mesh.indices[i];
+            const glm::vec3 origin = mesh.positions[corner[0]];
+            const glm::vec3 face = glm::normalize(
+                glm::cross(mesh.positions[corner[1]] - origin, mesh.positions[corner[2]] - origin));
+            for (int k = 0; k < 3; ++k)
+                EXPECT_LT(glm::distance(mesh.normals[corner[k]], face), 1e-6F) << format.name << " " << i;
+        }
     }
 }
 
