@@ -44,10 +44,10 @@ void append(Mesh& mesh, const Mesh& other);
 inline constexpr float crease_degrees = 45.0F;
 
 // Reads any file that assimp reads, all its meshes in one. A mesh without normals gets those of its faces,
-// averaged where the angle between faces is at most crease_degrees. Lines and points are left out. Throws std::runtime_error that names the file: unreadable, without a triangle, with a
-// vertex that is NaN or infinite, or a face without corners, with too many, or of vertices that are not
-// there. For files that one trusts: a malformed one can still crash assimp, or keep it busy. Others:
-// mesh_reader.hpp.
+// averaged where the angle between faces is at most crease_degrees. Lines and points are left out. Throws
+// std::runtime_error that names the file: unreadable, without a triangle, with a vertex that is NaN or
+// infinite, or a face without corners, with too many, or of vertices that are not there. For files that one
+// trusts: a malformed one can still crash assimp, or keep it busy. Others: mesh_reader.hpp.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
 
 }  // namespace gloam::scene
