@@ -113,6 +113,20 @@ TEST_P(Filters, NothingLeaksOverAnEdge) {
     for (std::size_t i = 0; i < result.size(); ++i) ASSERT_NEAR(result[i], field.occlusion[i], 1e-4) << i;
 }
 
+// Whatever stands for background, and however near the surfaces beside it are: nothing reaches it, and it
+// reaches nothing.
+TEST_P(Filters, BackgroundKeepsItsValueAndLendsItToNobody) {
+    for (const float background : {0.0F, -1.0F, inf, std::numeric_limits<float>::quiet_NaN()}) {
+        Field field = random_field({19, 11}, 0.0F);
+        for (std::size_t i = 0; i < field.depth.size(); ++i) {
+            const bool surface = i % 5 != 0;
+            field.depth[i] = surface ? 0.01F : background;
+            field.occlusion[i] = surface ? 0.25F : 0.75F;
+        }
+        EXPECT_EQ(filtered(field), field.occlusion) << background;
+    }
+}
+
 TEST_P(Filters, WithoutNeighboursItIsNotThere) {
     const Field field = random_field({19, 11}, 0.1F);
     EXPECT_EQ(filtered(field, 0), field.occlusion);
