@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// The pass that moves the history, alone: what it brings to a pixel whose point was between four texels.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "effect/internal/passes.hpp"
+#include "gpu/buffer.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/compute.hpp"
+#include "on_device.hpp"
+
+namespace gloam::effect {
+namespace reprojection_pass_test {
+
+constexpr glm::ivec2 size(16, 8);
+constexpr float depth_of_all = 2.0F;
+constexpr glm::vec2 shift(0.25F, 0.125F);  // texels: fractions that are exact in floats
+
+struct Texel {
+    float occlusion = 0.0F;
+    float weight = 0.0F;
+    float index = 0.0F;
+    float depth = depth_of_all;
+
+    friend bool operator==(const Texel&, const Texel&) = default;
+};
+
+using Texels = std::vector<Texel>;
+
+std::size_t at(int x, int y) {
+    return static_cast<std::size_t>(y * size.x + x);
+}
+
+// Different everywhere, so that a texel that was mistaken for another shows.
+Texels different() {
+    Texels texels;
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            const auto i = static_cast<float>(at(x, y));
+            texels.push_back(
+                {.occlusion = i / 128.0F, .weight = 1.0F + i, .index = static_cast<float>(3 * x + 64 * y)});
+        }
+    }
+    return texels;
+}
+
+class ReprojectionPass : public OnDevice<testing::Test> {
+  protected:
+    // The history of a wall that a parallel camera has moved along by `shift`.
+    [[nodiscard]] Texels moved(const Texels& before, ReprojectionProgram program,
+                               float tolerance = 0.1F) const {
+        program.orthographic = true;
+        program.previous_orthographic = true;
+        const gpu::Extent extent{static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
+        using enum gpu::Format;
+        gpu::Image depth(device_, extent, r32f);
+        const gpu::Image positions(device_, extent, rgba32f);
+        gpu::Image previous(device_, extent, rgba32f);
+        const gpu::Image history(device_, extent, rgba32f);
+        const gpu::Buffer no_list(device_, 128);
+        depth.upload(std::vector<float>(before.size(), depth_of_all));
+        std::vector<float> words;
+        for (const Texel& t : before) words.insert(words.end(), {t.occlusion, t.weight, t.index, t.depth});
+        previous.upload(words);
+        const glm::vec2 p00_p11(1.0F, -1.0F);
+        const glm::vec2 step = 2.0F * shift / (glm::vec2(size) * p00_p11);  // view space
+        const ReprojectionParameters parameters{
+            .previous_from_current = glm::translate(glm::mat4(1.0F), {step.x, step.y, 0.0F}),
+            .p00_p11 = p00_p11,
+            .previous_p00_p11 = p00_p11,
+            .size = size,
+            .tolerance = tolerance};
+        const gpu::ComputePipeline pass = reproject(device_, passes_, program);
+        gpu::Commands commands(device_);
+        commands.dispatch(pass, std::vector<gpu::Resource>{depth, positions, previous, history, no_list},
+                          {2, 1, 1}, std::as_bytes(std::span(&parameters, 1)));
+        commands.submit();
+        const std::vector<float> got = history.download();
+        Texels after;
+        for (std::size_t i = 0; i < got.size(); i += 4)
+            after.push_back({got[i], got[i + 1], got[i + 2], got[i + 3]});
+        return after;
+    }
+
+    // The bilinear mean of a member at the place between (x, y) and its three neighbours.
+    [[nodiscard]] static double mean_at(const Texels& texels, int x, int y, float Texel::*member) {
+        const double u = double{shift.x};
+        const double v = double{shift.y};
+        const auto value = [&](int i, int j) { return double{texels[at(x + i, y + j)].*member}; };
+        return (1 - v) * ((1 - u) * value(0, 0) + u * value(1, 0)) +
+               v * ((1 - u) * value(0, 1) + u * value(1, 1));
+    }
+};
+
+TEST_F(ReprojectionPass, InterpolatesOcclusionAndWeightAndTakesTheIndexOfTheNearest) {
+    const Texels before = different();
+    const Texels after = moved(before, {});
+    for (int y = 0; y + 1 < size.y; ++y) {
+        for (int x = 0; x + 1 < size.x; ++x) {
+            const Texel& got = after[at(x, y)];
+            EXPECT_NEAR(got.occlusion, mean_at(before, x, y, &Texel::occlusion), 1e-5) << x << ", " << y;
+            EXPECT_NEAR(got.weight, mean_at(before, x, y, &Texel::weight), 1e-3) << x << ", " << y;
+            EXPECT_EQ(got.index, before[at(x, y)].index) << x << ", " << y;
+        }
+    }
+}
+
+TEST_F(ReprojectionPass, AnInterpolatedIndexIsTheMeanOfFourWithoutItsFraction) {
+    const Texels before = different();
+    const Texels after = moved(before, {.nearest_index = false});
+    for (int y = 0; y + 1 < size.y; ++y)
+        for (int x = 0; x + 1 < size.x; ++x)
+            EXPECT_EQ(after[at(x, y)].index, std::floor(mean_at(before, x, y, &Texel::index)))
+                << x << ", " << y;
+}
+
+TEST_F(ReprojectionPass, AtTheEdgeOfTheImageTheLastTexelStandsForThoseBeyond) {
+    Texels before = different();
+    const Texels after = moved(before, {.nearest_index = false});
+    // The last column that lies inside: its right neighbours are itself.
+    for (int y = 0; y + 1 < size.y; ++y) {
+        const Texel& own = before[at(size.x - 1, y)];
+        const Texel& below = before[at(size.x - 1, y + 1)];
+        const double index = double{own.index} + double{shift.y} * (double{below.index} - double{own.index});
+        EXPECT_EQ(after[at(size.x - 1, y)].index, std::floor(index)) << y;
+    }
+}
+
+TEST_F(ReprojectionPass, TheNearestTexelAloneIsCopied) {
+    const Texels before = different();
+    EXPECT_EQ(moved(before, {.taps = HistoryTaps::nearest}), before);
+}
+
+// Bilinear without a test of its own where the nearest texel passes; nothing where it does not.
+TEST_F(ReprojectionPass, BilinearTapsAreValidWhereTheNearestIs) {
+    Texels before = different();
+    for (int y = 0; y < size.y; ++y) before[at(5, y)].depth = 10.0F * depth_of_all;
+    const Texels after = moved(before, {.taps = HistoryTaps::bilinear});
+    for (int y = 0; y + 1 < size.y; ++y) {
+        EXPECT_EQ(after[at(5, y)].weight, 0.0F) << y;
+        EXPECT_NEAR(after[at(4, y)].weight, mean_at(before, 4, y, &Texel::weight), 1e-3) << y;
+    }
+}
+
+TEST_F(ReprojectionPass, ValidatedTapsLeaveOutAnotherSurface) {
+    Texels before = different();
+    for (int y = 0; y < size.y; ++y) before[at(5, y)].depth = 10.0F * depth_of_all;
+    const Texels after = moved(before, {});
+    for (int y = 0; y + 1 < size.y; ++y) {
+        const double v = double{shift.y};
+        const double left =
+            (1 - v) * double{before[at(4, y)].weight} + v * double{before[at(4, y + 1)].weight};
+        const double right =
+            (1 - v) * double{before[at(6, y)].weight} + v * double{before[at(6, y + 1)].weight};
+        EXPECT_NEAR(after[at(4, y)].weight, left, 1e-3) << y;
+        EXPECT_NEAR(after[at(5, y)].weight, right, 1e-3) << y;
+    }
+}
+
+TEST_F(ReprojectionPass, AFieldThatIsTheSameEverywhereStaysSo) {
+    const Texel everywhere{.occlusion = 0.3F, .weight = 7.0F, .index = 41.0F};
+    const Texels before(static_cast<std::size_t>(size.x * size.y), everywhere);
+    for (const bool nearest : {true, false}) {
+        for (const Texel& got : moved(before, {.nearest_index = nearest})) {
+            EXPECT_NEAR(got.occlusion, everywhere.occlusion, 1e-6);
+            EXPECT_EQ(got.index, everywhere.index);
+        }
+    }
+}
+
+}  // namespace reprojection_pass_test
+}  // namespace gloam::effect
