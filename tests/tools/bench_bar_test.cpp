@@ -28,6 +28,7 @@ TEST(BenchBar, HoldsARunAgainstSingleFrames) {
     EXPECT_THAT(result.out, HasSubstr("| moving |"));
     EXPECT_EQ(read_file(page), "before\n<!-- begin bar -->\n\n" + result.out + "\n<!-- end bar -->\nafter\n");
     const json document = json::parse(read_file(file));
+    EXPECT_THAT(document.at("versions"), HasSubstr("gloam"));
     ASSERT_EQ(document.at("scenes").size(), 1U);
     const json& row = document.at("scenes").at(0);
     EXPECT_EQ(row.at("readings"), 4U);  // two frames are scored, twice

@@ -46,6 +46,7 @@ TEST(BenchMethods, WritesTablesPicturesAndNumbers) {
     EXPECT_THAT(read_file(out / "corner-volumetric.png"), HasSubstr("PNG"));
     EXPECT_THAT(read_file(out / "corner-truth.png"), HasSubstr("PNG"));
     const json document = json::parse(read_file(file));
+    EXPECT_THAT(document.at("versions"), HasSubstr("gloam"));
     EXPECT_GE(document.at("depth_against_geometry").at("corner").at("rmse"), 0.0);
     ASSERT_EQ(document.at("configurations").size(), 4U);  // both and their presets
     for (const json& row : document.at("configurations")) {

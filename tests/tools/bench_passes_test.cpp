@@ -18,6 +18,7 @@ TEST(BenchPasses, PrintsATableAndWritesEveryNumber) {
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr("| fresh | "));
     const json document = json::parse(read_file(file));
+    EXPECT_THAT(document.at("versions"), HasSubstr("gloam"));
     EXPECT_GT(document.at("copy_ms"), 0.0);
     bool reprojected = false;
     for (const json& state : document.at("cases")) {

@@ -18,6 +18,7 @@ TEST(BenchSkips, PrintsATableAndWritesEveryNumber) {
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr("| sky | mostly sky"));
     const json document = json::parse(read_file(file));
+    EXPECT_THAT(document.at("versions"), HasSubstr("gloam"));
     ASSERT_EQ(document.at("cases").size(), 7U);
     for (const json& row : document.at("cases")) {
         for (const char* time : {"copy_ms", "without_ms", "with_ms", "background_ms", "open_ms", "closed_ms",

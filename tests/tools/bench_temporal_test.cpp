@@ -23,6 +23,7 @@ TEST(BenchTemporal, WritesWhatItMeasured) {
     EXPECT_THAT(read_file(out / "moving-convergence.svg"), HasSubstr("<svg"));
     EXPECT_THAT(read_file(out / "moving-full-ao.png"), HasSubstr("PNG"));
     const json document = json::parse(read_file(file));
+    EXPECT_THAT(document.at("versions"), HasSubstr("gloam"));
     const json& scene = document.at("scenes").at(0);
     EXPECT_EQ(scene.at("still").size(), 4U);
     EXPECT_EQ(scene.at("scored_frames"), json({0, 2, 4}));

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/versions.hpp"
 #include "report/benchmark/summary.hpp"
 
 namespace gloam::cli {
@@ -113,11 +114,17 @@ std::string to_text(const BarReport& report, const BenchBarOptions& options) {
 }
 
 std::string to_json(const BarReport& report, const BenchBarOptions& options) {
-    ordered_json document{{"device", report.device.name},   {"driver", report.device.driver},
-                          {"width", report.extent.width},   {"height", report.extent.height},
-                          {"frames", options.frames},       {"rounds", options.rounds},
-                          {"rays", options.rays},           {"candidate", candidate_of(options)},
-                          {"exact", options.exact},         {"fast", options.fast},
+    ordered_json document{{"versions", versions()},
+                          {"device", report.device.name},
+                          {"driver", report.device.driver},
+                          {"width", report.extent.width},
+                          {"height", report.extent.height},
+                          {"frames", options.frames},
+                          {"rounds", options.rounds},
+                          {"rays", options.rays},
+                          {"candidate", candidate_of(options)},
+                          {"exact", options.exact},
+                          {"fast", options.fast},
                           {"scenes", ordered_json::array()}};
     for (const BarRow& row : report.rows) document["scenes"].push_back(json_of(row));
     return document.dump(2) + "\n";

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/versions.hpp"
 #include "effect/study/own_value.hpp"
 
 namespace gloam::cli {
@@ -232,9 +233,10 @@ std::string to_json(const MethodsReport& report) {
     json depth = json::object();
     for (std::size_t i = 0; i < report.depth.size(); ++i)
         depth[report.scenes[i]] = errors_json(report.depth[i].raw);
-    return json{{"device", report.device.name}, {"depth_against_geometry", depth},
-                {"width", report.extent.width}, {"height", report.extent.height},
-                {"view_pixels", report.pixels}, {"configurations", rows}}
+    return json{{"versions", versions()},          {"device", report.device.name},
+                {"depth_against_geometry", depth}, {"width", report.extent.width},
+                {"height", report.extent.height},  {"view_pixels", report.pixels},
+                {"configurations", rows}}
                .dump(2) +
            "\n";
 }

@@ -12,6 +12,7 @@
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
+#include "cli/versions.hpp"
 #include "effect/study/pass_study.hpp"
 #include "report/output_file.hpp"
 
@@ -60,12 +61,11 @@ int run_bench_passes(const BenchPassesOptions& options) {
     const effect::PassStudy study = effect::study_passes(device, passes, extent, options.rounds);
     fmt::print("{}, {} x {} pixels, a copy takes {:.3f} ms\n\n{}", device.info().name, extent.width,
                extent.height, study.copy_ms, pass_table(study));
-    const ordered_json document{{"device", device.info().name},
-                                {"width", extent.width},
-                                {"height", extent.height},
-                                {"copy_ms", study.copy_ms},
-                                {"history_copies", costs_json(study.history_copies, "precision")},
-                                {"cases", pass_json(study)}};
+    const ordered_json document{
+        {"versions", versions()},   {"device", device.info().name},
+        {"width", extent.width},    {"height", extent.height},
+        {"copy_ms", study.copy_ms}, {"history_copies", costs_json(study.history_copies, "precision")},
+        {"cases", pass_json(study)}};
     json.write(document.dump(2) + "\n");
     return validation_status(device);
 }

@@ -13,6 +13,7 @@
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
+#include "cli/versions.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "effect/study/skip_cases.hpp"
 #include "effect/study/skip_shares.hpp"
@@ -159,7 +160,10 @@ int run_bench_skips(const BenchSkipsOptions& options) {
     }
     fmt::print("{}, {} x {} pixels\n\n{}\n{}", device.info().name, extent.width, extent.height,
                table_of(rows), table_of(share_rows));
-    ordered_json document{{"device", device.info().name}, {"width", extent.width}, {"height", extent.height}};
+    ordered_json document{{"versions", versions()},
+                          {"device", device.info().name},
+                          {"width", extent.width},
+                          {"height", extent.height}};
     document["cases"] = ordered_json::array();
     for (const Row& row : rows) document["cases"].push_back(json_of(row));
     document["shares"] = ordered_json::array();

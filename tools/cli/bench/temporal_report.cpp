@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench/temporal_report.hpp"
+#include "cli/versions.hpp"
 
 #include <fmt/format.h>
 
@@ -196,7 +197,7 @@ std::string to_json(const std::vector<TemporalReport>& reports) {
                           {"same_view", scores_json(report.motion.still)}});
     }
     const std::string device = reports.empty() ? "" : reports.front().device.name;
-    return json{{"device", device}, {"scenes", scenes}}.dump(2) + "\n";
+    return json{{"versions", versions()}, {"device", device}, {"scenes", scenes}}.dump(2) + "\n";
 }
 
 }  // namespace gloam::cli
