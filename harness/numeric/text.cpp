@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace gloam::numeric {
@@ -13,6 +14,8 @@ std::string to_text(float x) {
 }
 
 std::string to_text(double x) {
+    // Versions of fmt write the hexadecimal 0 differently.
+    if (x == 0.0) return std::signbit(x) ? "-0 (-0x0p+0)" : "0 (0x0p+0)";
     return fmt::format("{:.9g} ({:a})", x, x);
 }
 

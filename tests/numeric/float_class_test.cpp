@@ -26,6 +26,8 @@ TEST(Text, ShowsDecimalAndBits) {
     EXPECT_EQ(to_text(0.1F), "0.1 (0x3dcccccd)");
     EXPECT_EQ(to_text(-0.0F), "-0 (0x80000000)");
     EXPECT_EQ(to_text(0.1), "0.1 (0x1.999999999999ap-4)");
+    EXPECT_EQ(to_text(0.0), "0 (0x0p+0)");
+    EXPECT_EQ(to_text(-0.0), "-0 (-0x0p+0)");
     EXPECT_EQ(to_short_text(0.678), "0.68");
     EXPECT_EQ(to_short_text(1.5e41), "1.5e+41");  // once 44 digits
     EXPECT_EQ(to_short_text(-1.0 / 0.0), "-inf");

@@ -75,9 +75,8 @@ TEST_F(HostileFiles, AFaceOfManyCorners) {
     std::string text = ply(vertices, face + "\n", corners, 1);
     text.replace(text.find("list uchar"), 10, "list int");
     expect_refused("a.ply", text, "300000 corners");
-    // What assimp itself does not survive.
-    expect_refused("a.off", "OFF\n" + std::to_string(corners) + " 1 0\n" + vertices + face + "\n",
-                   "its reader ended");
+    // What the assimp of Debian 12 does not survive, and that of Debian 13 leaves out.
+    expect_refused("a.off", "OFF\n" + std::to_string(corners) + " 1 0\n" + vertices + face + "\n", "");
 }
 
 // Every prefix and many single changes of small files: read or refused, never more than that.
