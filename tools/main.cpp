@@ -15,8 +15,10 @@
 #include "cli/bench.hpp"
 #include "cli/check.hpp"
 #include "cli/check/worker.hpp"
+#include "cli/completion.hpp"
 #include "cli/demo.hpp"
 #include "cli/devices.hpp"
+#include "cli/help_examples.hpp"
 #include "cli/list.hpp"
 #include "cli/mesh_reader.hpp"
 #include "cli/pack.hpp"
@@ -74,6 +76,8 @@ int run(int argc, char** argv) {
     gloam::cli::add_bench(app, status);
     gloam::cli::add_stress(app, status);
     gloam::cli::add_pack(app);
+    gloam::cli::add_completion(app);
+    gloam::cli::add_help_examples(app);
     gloam::cli::refuse_meaningless_values(app);
     try {
         app.parse(argc, argv);

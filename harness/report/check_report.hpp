@@ -38,10 +38,15 @@ struct CheckReport {
     [[nodiscard]] std::size_t failures() const;
 };
 
-// Column titles, and one line for each row: ID, function, variant, inputs, worst ULP, worst absolute error,
-// how much of what is allowed that used, by what it was judged ("budget" or "rules"), verdict.
+// "ok", the number of inputs outside what is allowed ("3 outside"), or why the check did not run ("hang").
+[[nodiscard]] std::string verdict_of(const CheckRow& row);
+
+// Column titles, and one line for each row: ID, function, variant, inputs, worst ULP, worst absolute error as
+// a part of what is allowed, by what it was judged ("budget" or "rules"), verdict_of() at the end. The legend
+// explains the titles in a few lines.
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_line(const CheckRow& row);
+[[nodiscard]] std::string table_legend();
 
 // {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "results": [{"equation", "function", "file",
 // "variant", "verdict", "inputs", "outside", "recorded", "unbounded", "differs", "max_ulp", "max_abs",

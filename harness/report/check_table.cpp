@@ -9,7 +9,8 @@
 namespace gloam::report {
 namespace {
 
-constexpr std::string_view line_format = "{:<28} {:<38} {:<14} {:>9} {:>10} {:>10} {:>8}  {:<7} {}";
+// As wide as the longest ID, function and variant.
+constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>10} {:>10}  {:<9} {}";
 
 }  // namespace
 
@@ -20,21 +21,33 @@ std::size_t CheckReport::failures() const {
 
 std::string table_header() {
     return fmt::format(line_format, "equation", "function", "variant", "inputs", "worst ulp", "worst abs",
-                       "used", "by", "verdict");
+                       "of allowed", "judged by", "verdict");
+}
+
+std::string table_legend() {
+    return "worst ulp, worst abs: largest error, in units in the last place and absolute\n"
+           "of allowed: the largest error as a fraction of what is allowed; more than 1 fails\n"
+           "judged by: rules = what Vulkan's precision rules permit, budget = the accuracy that the function "
+           "documents\n";
+}
+
+std::string verdict_of(const CheckRow& row) {
+    if (!row.ran()) return row.reason == Reason::error ? "could not run" : std::string(name_of(row.reason));
+    std::string verdict = row.passed() ? "ok" : fmt::format("{} outside", row.outside);
+    if (!row.fault.empty()) verdict += ", reads outside its image";
+    if (row.differs > 0) verdict += fmt::format(", {} differ from run time", row.differs);
+    return verdict;
 }
 
 std::string table_line(const CheckRow& row) {
     if (!row.ran()) {
         return fmt::format(line_format, row.equation, row.function, row.variant, "-", "-", "-", "-",
-                           row.verdict, row.reason == Reason::error ? "could not run" : name_of(row.reason));
+                           row.verdict, verdict_of(row));
     }
-    std::string verdict = row.passed() ? "ok" : fmt::format("{} outside", row.outside);
-    if (!row.fault.empty()) verdict += ", reads outside its image";
-    if (row.differs > 0) verdict += fmt::format(", {} differ from run time", row.differs);
     const double used = row.width_fraction.value_or(row.budget_fraction);
     return fmt::format(line_format, row.equation, row.function, row.variant, row.inputs,
                        fmt::format("{:.3g}", row.max_ulp), fmt::format("{:.2e}", row.max_abs),
-                       numeric::to_short_text(used), row.verdict, verdict);
+                       numeric::to_short_text(used), row.verdict, verdict_of(row));
 }
 
 }  // namespace gloam::report

@@ -74,18 +74,40 @@ std::string to_rgb_png(std::span<const std::uint8_t> rgb, std::uint32_t width, s
     return compressed(rgb, width, height, 3);
 }
 
-std::string to_heat_png(std::span<const float> errors, std::uint32_t width, std::uint32_t height,
-                        double full) {
+RgbBytes visibility_rgb(std::span<const float> occlusion) {
+    RgbBytes rgb;
+    rgb.reserve(3 * occlusion.size());
+    for (const float value : occlusion) rgb.insert(rgb.end(), 3, visibility_byte(value));
+    return rgb;
+}
+
+RgbBytes heat_rgb(std::span<const float> errors, double full) {
     if (!(full > 0.0)) throw std::invalid_argument("heat map: expected a scale > 0");
     constexpr std::uint8_t unknown = 96;
-    std::vector<std::uint8_t> rgb;
+    RgbBytes rgb;
     rgb.reserve(3 * errors.size());
     for (const float error : errors) {
         const Color color =
             std::isnan(error) ? Color{unknown, unknown, unknown} : heat_color(std::abs(double{error}) / full);
         rgb.insert(rgb.end(), color.begin(), color.end());
     }
-    return to_rgb_png(rgb, width, height);
+    return rgb;
+}
+
+RgbBytes srgb_of(std::span<const float> linear) {
+    RgbBytes rgb;
+    rgb.reserve(linear.size());
+    for (const float value : linear) {
+        const float v = value > 0.0F ? std::fmin(value, 1.0F) : 0.0F;
+        const float coded = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1.0F / 2.4F) - 0.055F;
+        rgb.push_back(static_cast<std::uint8_t>(std::lround(255.0F * coded)));
+    }
+    return rgb;
+}
+
+std::string to_heat_png(std::span<const float> errors, std::uint32_t width, std::uint32_t height,
+                        double full) {
+    return to_rgb_png(heat_rgb(errors, full), width, height);
 }
 
 std::string to_visibility_png(std::span<const float> occlusion, std::uint32_t width, std::uint32_t height) {

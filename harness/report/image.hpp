@@ -4,8 +4,22 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace gloam::report {
+
+// Three bytes for each pixel, as to_rgb_png() takes them.
+using RgbBytes = std::vector<std::uint8_t>;
+
+// Visibility, 1 - occlusion, in grey: see to_visibility_png().
+[[nodiscard]] RgbBytes visibility_rgb(std::span<const float> occlusion);
+
+// Magnitudes of errors as a heat map: see to_heat_png(). Throws std::invalid_argument for a scale not > 0.
+[[nodiscard]] RgbBytes heat_rgb(std::span<const float> errors, double full);
+
+// Linear red, green and blue in [0, 1], three for each pixel, as sRGB (IEC 61966-2-1); beyond: the nearer
+// end, NaN: 0.
+[[nodiscard]] RgbBytes srgb_of(std::span<const float> linear);
 
 // Images as the bytes of a file. `width` and `height` in pixels, rows from the top; all throw
 // std::invalid_argument when the number of texels is not what the size asks for.

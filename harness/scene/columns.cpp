@@ -106,6 +106,7 @@ Scene make_columns() {
         return camera;
     };
     scene.ao_radius = 0.5;
+    scene.lamp = glm::dvec3(-1.8, 4.6, -2.5);
     return scene;
 }
 

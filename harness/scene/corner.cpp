@@ -57,6 +57,7 @@ Scene make_corner() {
                     .far = 40.0,
                     .reversed_z = true};
     scene.ao_radius = 1.0;
+    scene.lamp = glm::dvec3(2.2, 3.4, 3.0);
     return scene;
 }
 

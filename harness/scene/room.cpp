@@ -117,6 +117,7 @@ Scene make_room() {
         return camera;
     };
     scene.ao_radius = 0.3;
+    scene.lamp = glm::dvec3(-0.6, 2.1, 0.3);
     return scene;
 }
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "scene/internal/built_in_scenes.hpp"
-#include "scene/primitives.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -70,33 +67,6 @@ Mesh view_space_mesh(const Scene& scene, int frame) {
     add(scene.mesh, glm::dmat4(1.0));
     for (const MovingObject& object : scene.objects) add(object.mesh, object.transform(frame));
     return all;
-}
-
-Scene mesh_on_ground(Mesh mesh, std::string name) {
-    const Bounds bounds = bounds_of(mesh);
-    const glm::dvec3 size = bounds.high - bounds.low;
-    const double largest = std::max({size.x, size.y, size.z});
-    if (!(largest > 0.0)) throw std::invalid_argument("mesh " + name + ": all its vertices are one point");
-    // What lies flat has no height to speak of: its longest side becomes 1.
-    const double scale = 1.0 / (size.y > 1e-3 * largest ? size.y : largest);
-    const glm::dvec3 foot{0.5 * (bounds.low.x + bounds.high.x), bounds.low.y,
-                          0.5 * (bounds.low.z + bounds.high.z)};
-    Scene scene{.name = std::move(name), .mesh = placed(std::move(mesh), scale, -scale * foot)};
-    // The sphere around the mesh fills the height of the view; images wider than high show more at the sides.
-    const double radius = 0.5 * scale * glm::length(size);
-    append(scene.mesh, make_parallelogram({-20 * radius, 0, 20 * radius}, {40 * radius, 0, 0},
-                                          {0, 0, -40 * radius}, 0.5 * radius));
-    constexpr double fovy_rad = 0.7;
-    const double distance = radius / std::sin(0.5 * fovy_rad);
-    const glm::dvec3 center{0, 0.5 * scale * size.y, 0};
-    scene.camera = {.eye = center + distance * glm::normalize(glm::dvec3(0.35, 0.42, 1.0)),
-                    .target = center,
-                    .fovy_rad = fovy_rad,
-                    .near = 0.05 * distance,
-                    .far = 50.0 * distance,
-                    .reversed_z = true};
-    scene.ao_radius = 0.2;
-    return scene;
 }
 
 }  // namespace gloam::scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,7 @@ struct Scene {
     double ao_radius = 0.5;                          // world units
     std::vector<MovingObject> objects{};             // drawn after the mesh
     std::function<Camera(int frame)> camera_path{};  // empty: `camera` stands still
+    std::optional<glm::dvec3> lamp{};  // world position of the light of an interior; empty: the sun
 };
 
 // The camera of a frame.
@@ -50,10 +52,5 @@ struct SceneInfo {
 
 // A built-in scene by name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] Scene make_scene(std::string_view name);
-
-// A mesh scaled to a height of 1 (where it has next to none, to a longest side of 1) and stood on the ground
-// plane y = 0, with a camera that sees all of it in images at least as wide as high. Throws
-// std::invalid_argument for a mesh without extent.
-[[nodiscard]] Scene mesh_on_ground(Mesh mesh, std::string name);
 
 }  // namespace gloam::scene

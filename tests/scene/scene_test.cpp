@@ -71,58 +71,5 @@ TEST(Scenes, TheCornerIsExact) {
         ASSERT_TRUE(p.x == 0.0F || p.y == 0.0F || p.z == 0.0F);
 }
 
-// All of the mesh is inside the view, for several shapes of image.
-void expect_seen(const Scene& scene, std::size_t vertices) {
-    for (const double aspect : {1.0, 1.5, 2.5}) {
-        const CameraFrame frame = make_frame(scene.camera, aspect);
-        const glm::dmat4 clip_of = glm::dmat4(frame.proj_vk) * glm::dmat4(frame.view);
-        for (std::size_t i = 0; i < vertices; ++i) {
-            const glm::dvec4 clip = clip_of * glm::dvec4(glm::dvec3(scene.mesh.positions[i]), 1.0);
-            ASSERT_LE(std::abs(clip.x), clip.w);
-            ASSERT_LE(std::abs(clip.y), clip.w);
-            ASSERT_GT(clip.z, 0.0);
-            ASSERT_LT(clip.z, clip.w);
-        }
-    }
-}
-
-TEST(MeshOnGround, HasHeightOneAndIsSeen) {
-    // Tall, wide, far from the origin, tiny, huge.
-    for (const auto& [low, high] :
-         std::vector<std::pair<glm::dvec3, glm::dvec3>>{{{0, 0, 0}, {1, 10, 1}},
-                                                        {{0, 0, 0}, {10, 1, 3}},
-                                                        {{99, 98, 97}, {101, 103, 101}},
-                                                        {{0, 0, 0}, {1e-6, 2e-6, 1e-6}},
-                                                        {{-1e9, -1e9, 0}, {1e9, 1e9, 1e9}}}) {
-        const Mesh box = make_box(low, high, 1e10);
-        const Scene scene = mesh_on_ground(box, "box");
-        expect_sound(scene.mesh);
-        Mesh placed_box = scene.mesh;
-        placed_box.positions.resize(box.positions.size());
-        const Bounds bounds = bounds_of(placed_box);
-        EXPECT_NEAR(bounds.low.y, 0.0, 1e-5);
-        EXPECT_NEAR(bounds.high.y, 1.0, 1e-5);
-        EXPECT_NEAR(bounds.low.x, -bounds.high.x, 1e-4);
-        expect_seen(scene, box.positions.size());
-        // The ground.
-        for (std::size_t i = box.positions.size(); i < scene.mesh.positions.size(); ++i)
-            ASSERT_EQ(scene.mesh.positions[i].y, 0.0F);
-    }
-}
-
-TEST(MeshOnGround, AFlatMeshIsScaledByItsLongestSide) {
-    const Mesh sheet = make_parallelogram({0, 3, 0}, {0, 0, 4}, {2, 0, 0}, 10.0);
-    const Scene scene = mesh_on_ground(sheet, "sheet");
-    Mesh placed_sheet = scene.mesh;
-    placed_sheet.positions.resize(sheet.positions.size());
-    EXPECT_NEAR(bounds_of(placed_sheet).high.z, 0.5, 1e-6);
-    expect_seen(scene, sheet.positions.size());
-}
-
-TEST(MeshOnGround, WithoutExtent) {
-    const Mesh point{.positions = {3, {1, 1, 1}}, .normals = {3, {0, 1, 0}}, .indices = {0, 1, 2}};
-    expect_error<std::invalid_argument>([&] { (void)mesh_on_ground(point, "dot"); }, {"dot"});
-}
-
 }  // namespace scene_test
 }  // namespace gloam::scene::test

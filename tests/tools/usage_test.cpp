@@ -15,7 +15,7 @@ TEST(Usage, HelpNamesEveryCommand) {
     const CommandResult result = run_command({"--help"});
     expect_success(result);
     for (const char* command :
-         {"demo", "devices", "list", "check", "report", "render", "bench", "stress", "pack"}) {
+         {"demo", "devices", "list", "check", "report", "render", "bench", "stress", "pack", "completion"}) {
         EXPECT_THAT(result.out, HasSubstr(command));
         const CommandResult help = run_command({command, "--help"});
         expect_success(help);

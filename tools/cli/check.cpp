@@ -19,8 +19,10 @@
 #include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
 #include "cli/progress.hpp"
+#include "cli/terminal.hpp"
 #include "cli/variant.hpp"
 #include "cli/versions.hpp"
+#include "report/check_page.hpp"
 #include "report/check_report.hpp"
 #include "report/output_file.hpp"
 
@@ -60,7 +62,10 @@ void print_device(const report::DeviceSummary& device) {
 }
 
 void print_row(const report::CheckRow& row) {
-    fmt::print("{}\n", report::table_line(row));
+    std::string line = report::table_line(row);
+    const std::string verdict = report::verdict_of(row);
+    line.resize(line.size() - verdict.size());
+    fmt::print("{}{}\n", line, colored(verdict, row.passed() ? Ink::good : Ink::bad));
     std::fflush(stdout);
 }
 
@@ -95,7 +100,7 @@ class CheckRun {
                     .validation = options.validation},
                    options.resume),
           failures_(options.failures),
-          progress_("checks", tasks_.size() * devices) {}
+          progress_("checks", tasks_.size() * devices, options.progress) {}
 
     report::CheckReport on_device(const std::string& device) {
         const auto timeout = std::chrono::milliseconds(std::max(1L, std::lround(options_.timeout * 1000.0)));
@@ -120,7 +125,7 @@ class CheckRun {
             report::CheckReport report{
                 .device = {.name = "device " + device},
                 .rows = {device_row(report::Reason::error, refused.what(), tasks_.size())}};
-            print_row(report.rows.front());
+            if (options_.rows) print_row(report.rows.front());
             return report;
         }
     }
@@ -139,14 +144,14 @@ class CheckRun {
 
     void begin(const report::DeviceSummary& on) {
         progress_.wipe();
-        print_device(on);
+        if (options_.rows) print_device(on);
         progress_.show();
     }
 
     void take(const report::DeviceSummary& on, const report::CheckRow& row) {
         const bool is_known = journal_.add(on, row);
         progress_.wipe();
-        print_row(row);
+        if (options_.rows) print_row(row);
         progress_.step(is_known);
         progress_.show();
     }
@@ -157,8 +162,6 @@ class CheckRun {
     FailureFolders failures_;
     ProgressLine progress_;
 };
-
-}  // namespace
 
 // A driver that does not even load costs itself alone: its row, where it was to be checked, and a line.
 std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& options, std::size_t checks) {
@@ -173,38 +176,68 @@ std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& opti
         }
         reports.push_back(
             {.device = {.name = name}, .rows = {device_row(driver.reason, driver.error, checks)}});
+        if (!options.rows) continue;
         print_device(reports.back().device);
         print_row(reports.back().rows.front());
     }
     return reports;
 }
 
-int run_check(const CheckOptions& options) {
+}  // namespace
+
+CheckOutcome check(const CheckOptions& options) {
     const report::OutputFile json(options.json);
     const report::OutputFile junit(options.junit);
-    const std::size_t checks_of_one = tasks_of(options).size();
-    std::vector<report::CheckReport> reports = reports_of_bad_drivers(options, checks_of_one);
+    const report::OutputFile html(options.html);
+    CheckOutcome outcome{.reports = reports_of_bad_drivers(options, tasks_of(options).size())};
     const std::vector<std::string> devices = devices_to_check(options.device);
-    std::size_t failures = reports.size();
-    std::size_t checks = reports.size();
     CheckRun run(options, devices.size());
-    for (const std::string& device : devices) {
-        reports.push_back(run.on_device(device));
-        failures += reports.back().failures();
-        checks += reports.back().rows.size();
+    for (const std::string& device : devices) outcome.reports.push_back(run.on_device(device));
+    for (report::CheckReport& report : outcome.reports) {
+        report.versions = versions();
+        outcome.checks += report.rows.size();
+        outcome.failures += report.failures();
     }
-    for (const report::CheckReport& report : reports) {
+    json.write(report::to_json(outcome.reports));
+    junit.write(report::to_junit(outcome.reports));
+    html.write(report::to_check_page(outcome.reports));
+    run.end();
+    return outcome;
+}
+
+int run_check(const CheckOptions& options) {
+    const CheckOutcome outcome = check(options);
+    for (const report::CheckReport& report : outcome.reports) {
         for (const report::CheckRow& row : report.rows) {
             if (!row.passed()) print_failure(options, report.device, row);
         }
     }
-    fmt::print("{} checks, {} failed\n", checks, failures);
-    for (report::CheckReport& report : reports) report.versions = versions();
-    json.write(report::to_json(reports));
-    junit.write(report::to_junit(reports));
-    run.end();
-    return failures == 0 ? 0 : 1;
+    if (options.rows) fmt::print("\n{}", report::table_legend());
+    const std::string count = fmt::format("{} checks, {} failed", outcome.checks, outcome.failures);
+    fmt::print("{}\n", colored(count, outcome.failures == 0 ? Ink::good : Ink::bad));
+    return outcome.failures == 0 ? 0 : 1;
 }
+
+namespace {
+
+// What is written, and what is printed.
+void add_file_options(CLI::App& command, CheckOptions& options) {
+    CLI::Option* json = command.add_option(
+        "--json", options.json,
+        "write the results to this file; until the run has ended, FILE.journal keeps those there are");
+    command.add_flag("--resume", options.resume, "run only what FILE.journal does not have")->needs(json);
+    command.add_option("--junit", options.junit, "write the results as JUnit XML");
+    command.add_option("--html", options.html,
+                       "write the results as a page: sortable, filterable, in one file");
+    command.add_flag_callback(
+        "--quiet", [&options] { options.rows = options.progress = false; },
+        "print the failures and the count alone");
+    command.add_option("--failures", options.failures,
+                       "folder that receives each failure ready to report: the smallest input found, the "
+                       "shader, an AmberScript");
+}
+
+}  // namespace
 
 void add_check(CLI::App& app, int& status) {
     auto options = std::make_shared<CheckOptions>();
@@ -237,14 +270,7 @@ void add_check(CLI::App& app, int& status) {
         ->add_flag("--in-process", options->in_process,
                    "no worker processes, for a debugger: a driver that crashes then ends the whole run")
         ->excludes(jobs);
-    CLI::Option* json = command->add_option(
-        "--json", options->json,
-        "write the results to this file; until the run has ended, FILE.journal keeps those there are");
-    command->add_flag("--resume", options->resume, "run only what FILE.journal does not have")->needs(json);
-    command->add_option("--junit", options->junit, "write the results as JUnit XML");
-    command->add_option("--failures", options->failures,
-                        "folder that receives each failure ready to report: the smallest input found, the "
-                        "shader, an AmberScript");
+    add_file_options(*command, *options);
     add_driver_option(*command);
     command->callback([options, &status] { status = run_check(*options); });
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "report/check_report.hpp"
+
 namespace gloam::cli {
 
 // What `gloam check` was asked.
@@ -26,9 +28,22 @@ struct CheckOptions {
     bool resume = false;  // go on from the journal beside `json`
     std::filesystem::path junit;
     std::filesystem::path failures;  // folder for what failed, ready to report
+    std::filesystem::path html;      // page of the results; empty: none
+    bool rows = true;                // print the device and a line for each check
+    bool progress = true;            // on a terminal
 };
 
-// Runs the checks, prints a line for each and the story of each failure. Returns the exit status: 0 or 1.
+// The results of every device.
+struct CheckOutcome {
+    std::vector<report::CheckReport> reports;
+    std::size_t checks = 0;
+    std::size_t failures = 0;
+};
+
+// Runs the checks and writes the files that the options name.
+[[nodiscard]] CheckOutcome check(const CheckOptions& options);
+
+// check(), and prints the story of each failure. Returns the exit status: 0 or 1.
 [[nodiscard]] int run_check(const CheckOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

@@ -7,10 +7,17 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/check.hpp"
 #include "cli/drivers.hpp"
+#include "cli/open_device.hpp"
 #include "cli/render.hpp"
+#include "cli/render_gallery.hpp"
+#include "cli/renderer.hpp"
+#include "cli/terminal.hpp"
+#include "report/check_page.hpp"
+#include "report/page.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -20,46 +27,135 @@ namespace fs = std::filesystem;
 // Debian's glmark2-data.
 constexpr const char* bunny = "/usr/share/glmark2/models/bunny.obj";
 constexpr std::size_t few_inputs = 4096;
+constexpr std::size_t most_named = 3;  // failures
 
 struct DemoOptions {
     std::string device;
     fs::path out = "gloam-demo";
+    bool quiet = false;
 };
 
-int render(const DemoOptions& demo, const std::string& source, const std::string& name) {
-    fmt::print("\n");
-    RenderOptions options{.source = source, .frames = 8, .size = "480x270", .device = demo.device};
-    options.out = demo.out / name;
-    const int status = run_render(options);
+// A scene of the demo, rendered.
+struct Shown {
+    std::string name;
+    std::string what;
+    Rendered run;
+};
+
+// Flushed: what follows takes its time.
+void say(const DemoOptions& demo, const std::string& line) {
+    if (demo.quiet) return;
+    fmt::print("{}\n", line);
     std::fflush(stdout);
-    return status;
+}
+
+RenderOptions options_for(const DemoOptions& demo, const std::string& source) {
+    RenderOptions options{.source = source, .frames = 8, .size = "480x270", .device = demo.device};
+    options.trace_truth = true;
+    options.truth_rays = 128;
+    options.quiet = demo.quiet;
+    return options;
+}
+
+std::vector<Shown> render_scenes(const DemoOptions& demo, RenderBench& bench) {
+    std::error_code none;
+    const bool has_bunny = fs::is_regular_file(bunny, none);
+    std::vector<Shown> scenes{
+        {has_bunny ? "bunny" : "knot", "a mesh on a plane, in the sun", {}},
+        {"columns", "a hall of columns, lit by a lamp", {}},
+        {"moving", "a rolling ball and a turning box, followed with their history", {}}};
+    for (Shown& scene : scenes) {
+        const RenderOptions options = options_for(demo, scene.name == "bunny" ? bunny : scene.name);
+        const RenderInput input = open_input(options);
+        bench.forget_light();
+        scene.run = render(options, input, bench, {});
+    }
+    return scenes;
+}
+
+report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out) {
+    report::Page page("gloam demo");
+    page.paragraph(
+        "Ambient occlusion, rendered on " + scenes.front().run.report.device.name +
+        ". Move each slider: light without ambient occlusion to its left, with it to its right. The "
+        "error is the root mean square error against occlusion traced with rays.");
+    for (const Shown& scene : scenes) {
+        page.heading(scene.name + ": " + scene.what);
+        add_pictures(page, out, scene.name + "_", scene.run);
+    }
+    return page;
+}
+
+void add_check(report::Page& page, const CheckOutcome& outcome) {
+    page.heading("The check");
+    page.paragraph(
+        fmt::format("Every equation of the library ran on this device with {} inputs, and each result "
+                    "was compared with the equation in double precision: {} checks, {} failed.",
+                    few_inputs, outcome.checks, outcome.failures));
+    page.table(report::check_table(outcome.reports));
+}
+
+std::string pictures_line(const std::vector<Shown>& scenes) {
+    const RenderReport& first = scenes.front().run.report;
+    return fmt::format(
+        "pictures  {} scenes of {} x {} pixels: a frame of the {} takes {:.3g} ms, its occlusion is {:.3f} "
+        "off "
+        "the truth",
+        scenes.size(), first.frames.back().extent.width, first.frames.back().extent.height, first.source,
+        frame_ms(first), frame_error(first).value_or(0.0));
+}
+
+std::string check_line(const CheckOutcome& outcome) {
+    if (outcome.failures == 0) {
+        return fmt::format("check     {} equations, {} inputs each: {}", outcome.checks, few_inputs,
+                           colored("all are as exact as they document", Ink::good));
+    }
+    std::string names;
+    std::size_t named = 0;
+    for (const report::CheckReport& report : outcome.reports) {
+        for (const report::CheckRow& row : report.rows) {
+            if (row.passed() || ++named > most_named) continue;
+            names += (names.empty() ? "" : ", ") + row.function;
+        }
+    }
+    if (named > most_named) names += ", ...";
+    return fmt::format("check     {} equations, {} inputs each: {}", outcome.checks, few_inputs,
+                       colored(fmt::format("{} failed ({})", outcome.failures, names), Ink::bad));
 }
 
 // The pictures come first: the check takes longer than all of them.
 int run_demo(const DemoOptions& demo) {
-    int status = 0;
-    std::error_code none;
-    if (fs::is_regular_file(bunny, none)) {
-        status = render(demo, bunny, "bunny");
-    } else {
-        fmt::print("no bunny: {} is missing (package glmark2-data)\n", bunny);
-    }
-    status = std::max(status, render(demo, "columns", "columns"));
-    status = std::max(status, render(demo, "moving", "moving"));
-    status = std::max(status, render(demo, "corner", "corner"));
-    fmt::print("\npictures: {}\n\n", fs::absolute(demo.out).string());
-    std::fflush(stdout);
-    return std::max(status, run_check({.device = demo.device, .inputs = few_inputs}));
+    report::OutputFolder out(demo.out);
+    RenderBench bench({.device = demo.device});
+    say(demo, "device    " + bench.device.info().name);
+    const std::vector<Shown> scenes = render_scenes(demo, bench);
+    out.write("sheet.png", sheet_of({scenes.front().run}));
+    report::Page page = page_of(scenes, out);
+    out.write("index.html", page.html());
+    out.keep();
+    say(demo, pictures_line(scenes));
+    const CheckOutcome outcome =
+        check({.device = demo.device, .inputs = few_inputs, .rows = false, .progress = !demo.quiet});
+    add_check(page, outcome);
+    out.write("index.html", page.html());
+    out.keep();
+    say(demo, check_line(outcome));
+    const fs::path folder = fs::absolute(demo.out);
+    say(demo, "look at   " + (folder / "index.html").string() + " (sliders, and the check's table)");
+    say(demo, "          " + (folder / "sheet.png").string() + " (one picture)");
+    say(demo, "next      gloam check --help, gloam render --help");
+    return std::max(validation_status(bench.device), outcome.failures == 0 ? 0 : 1);
 }
 
 }  // namespace
 
 void add_demo(CLI::App& app, int& status) {
     auto options = std::make_shared<DemoOptions>();
-    CLI::App* command = app.add_subcommand(
-        "demo", "render four scenes, say where the pictures are, check the default device");
+    CLI::App* command =
+        app.add_subcommand("demo", "render three scenes, check the default device, make a page of both");
     command->add_option("--device", options->device, "name or index of the device (gloam devices)");
-    command->add_option("--out", options->out, "folder for the pictures")->capture_default_str();
+    command->add_option("--out", options->out, "folder for the page and its pictures")->capture_default_str();
+    command->add_flag("--quiet", options->quiet, "print nothing but errors");
     add_driver_option(*command);
     command->callback([options, &status] { status = run_demo(*options); });
 }

@@ -34,8 +34,8 @@ std::string rough_duration(std::chrono::duration<double> duration) {
     return fmt::format("about {:.0f} h", seconds / hour);
 }
 
-ProgressLine::ProgressLine(std::string what, std::size_t total)
-    : what_(std::move(what)), total_(total), watched_(on_terminal()) {}
+ProgressLine::ProgressLine(std::string what, std::size_t total, bool watched)
+    : what_(std::move(what)), total_(total), watched_(watched && on_terminal()) {}
 
 void ProgressLine::step(bool free) {
     ++done_;

@@ -19,7 +19,8 @@ namespace gloam::cli {
 // standard output shows: wipe() it before output is written, show() it after. Nothing where nobody watches.
 class ProgressLine {
   public:
-    ProgressLine(std::string what, std::size_t total);
+    // watched: whether it is wanted at all.
+    ProgressLine(std::string what, std::size_t total, bool watched = true);
     ~ProgressLine() { wipe(); }
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;

@@ -3,216 +3,62 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/drivers.hpp"
-#include "cli/environment.hpp"
+#include "cli/names.hpp"
 #include "cli/open_device.hpp"
-#include "cli/progress.hpp"
-#include "cli/render_directions.hpp"
-#include "cli/render_files.hpp"
-#include "cli/render_history.hpp"
-#include "cli/render_input.hpp"
-#include "cli/render_report.hpp"
+#include "cli/render_gallery.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/render_truth.hpp"
-#include "report/output_folder.hpp"
-#include "scene/frame_link.hpp"
-#include "scene/guard_band.hpp"
-#include "scene/read_gbuffer.hpp"
+#include "cli/renderer.hpp"
 
 namespace gloam::cli {
 namespace {
 
-// depth: the truth of the depth buffer, compared with that of the geometry.
-TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {
-    const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
-    double squares = 0.0;
-    for (const float error : best.standard_error) squares += double{error} * double{error};
-    TruthReport report{.rays = best.rays, .pixels = best.pixels, .unmatched = best.unmatched};
-    report.standard_error = std::sqrt(squares / static_cast<double>(std::max<std::uint64_t>(1, best.pixels)));
-    if (traced.geometry) report.depth = effect::errors_of(depth, truth);
-    return report;
-}
-
-// Over the pixels with geometry.
-double mean_convergence(const effect::Frame& frame, const scene::GBuffer& view) {
-    double sum = 0.0;
-    for (const float value : frame.convergence) sum += double{value};
-    const auto surface = std::ranges::count_if(view.depth, [](float d) { return std::isfinite(d); });
-    return surface == 0 ? 0.0 : sum / static_cast<double>(surface);
-}
-
-HistoryReport history_of(const effect::Frame& frame, const scene::GBuffer& view) {
-    double surface = 0.0;
-    double kept = 0.0;
-    double samples = 0.0;
-    for (std::size_t i = 0; i < frame.kept.size(); ++i) {
-        if (!std::isfinite(view.depth[i])) continue;
-        surface += 1.0;
-        kept += frame.kept[i] > 0.0F ? 1.0 : 0.0;
-        samples += double{frame.kept[i]};
-    }
-    return {.kept = kept / std::max(surface, 1.0), .samples = samples / std::max(kept, 1.0)};
-}
-
-// The work of one call.
-class Renderer {
-  public:
-    explicit Renderer(const RenderOptions& options)
-        : options_(options),
-          input_(open_input(options)),
-          truth_(options, input_),
-          out_(checked_out(options)),
-          device_(open_device(options.device, options.validation)),
-          passes_(glsl_directory(), cache_directory()),
-          progress_(progress_bar(input_.name + ": frames")) {
-        if (options.light) environment_ = environment_named(*options.light);
-        if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
-        report_ = {.source = input_.name,
-                   .preset = options.preset,
-                   .truth = truth_.name(),
-                   .device = device_.info(),
-                   .repeat = options.repeat};
-    }
-
-    int run() {
-        for (const int number : input_.views) render_view(number);
-        out_.write("render.json", to_json(report_));
-        if (gbuffer_out_) gbuffer_out_->keep();
-        out_.keep();
-        fmt::print("{}pictures: {}\n", to_text(report_), (out_.path() / "*_ao.png").string());
-        return validation_status(device_);
-    }
-
-  private:
-    // Names in the options are looked at before the folder is made.
-    static std::filesystem::path checked_out(const RenderOptions& options) {
-        (void)settings_for(options, 1.0);
-        return options.out;
-    }
-
-    void render_view(int number) {
-        scene::GBuffer wide = input_.load(device_, passes_, number);  // with its guard band
-        const effect::Settings settings = settings_for(options_, wide.ao_radius);
-        const std::string cut = cut_before(number, wide, settings);
-        if (cut.empty()) link(wide, before_->view);
-        const scene::GBuffer view = scene::cropped(wide);
-        const ViewTruth truth = truth_at(number, view, settings);
-        if (gbuffer_out_) write_gbuffer(*gbuffer_out_, number, wide);
-        if (!effect_ || before_->view.extent != wide.extent) effect_.emplace(device_, passes_, wide.extent);
-        cut.empty() ? effect_->advance(wide) : effect_->begin(wide, settings);
-        for (int i = 0; i < input_.frames_per_view; ++i) {
-            const ViewLink linked = i > 0 ? ViewLink::same : cut.empty() ? ViewLink::follows : ViewLink::cut;
-            const effect::Frame frame = effect_->next(options_.repeat);
-            write_images(out_, number + i, frame);
-            history_.advance(view, linked, double{settings.radius}, frame.filtered);
-            FrameReport entry = entry_of(number + i, settings, frame, view);
-            if (i == 0) entry.history.cut = cut;
-            compare(entry, view, frame, truth, i + 1 == input_.frames_per_view);
-            report_.frames.push_back(std::move(entry));
-            progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
-        }
-        write_directions(number + input_.frames_per_view - 1, wide, settings);
-        before_ = Before{number, settings.radius, std::move(wide)};
-    }
-
-    // What is asked for beside the occlusion, of the view alone.
-    void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings) {
-        if (!options_.bent_normals && !environment_) return;
-        if (!directional_) directional_.emplace(device_, passes_);
-        if (options_.bent_normals)
-            write_bent_normals(out_, number, directional_->bent_normals(wide, settings));
-        if (environment_) write_light(out_, number, directional_->light(wide, settings, *environment_));
-    }
-
-    // Why the view has no history; empty: it has.
-    [[nodiscard]] std::string cut_before(int number, const scene::GBuffer& view,
-                                         const effect::Settings& settings) const {
-        if (!before_) return "the first frame";
-        if (number != before_->number + 1) return "frames are missing before it";
-        if (settings.radius != before_->radius) return "the radius has changed";
-        return cut_between(before_->view, view);
-    }
-
-    // Empty where nothing is known, or it is not asked for in this view.
-    [[nodiscard]] ViewTruth truth_at(int number, const scene::GBuffer& view,
-                                     const effect::Settings& settings) {
-        if (number != input_.views.back() && !truth_.every_view()) return {};
-        ViewTruth truth = truth_.of(view, input_.first_frame + number, double{settings.radius});
-        if (truth.traced) {
-            const bool only = input_.views.size() == 1 || !truth_.every_view();
-            write_truth(out_, only ? "" : scene::frame_prefix(number) + "_", view.extent, *truth.traced);
-        }
-        return truth;
-    }
-
-    [[nodiscard]] FrameReport entry_of(int number, const effect::Settings& settings,
-                                       const effect::Frame& frame, const scene::GBuffer& view) const {
-        FrameReport entry{.number = number,
-                          .extent = frame.extent,
-                          .settings = settings,
-                          .times = frame.times,
-                          .work = frame.work,
-                          .mean_convergence = mean_convergence(frame, view),
-                          .history = history_of(frame, view),
-                          .flicker = history_.flicker()};
-        const bool follows = input_.frames_per_view == 1;
-        if (input_.scene) entry.scene_frame = input_.first_frame + (follows ? number : 0);
-        return entry;
-    }
-
-    void compare(FrameReport& entry, const scene::GBuffer& view, const effect::Frame& frame,
-                 const ViewTruth& truth, bool last) {
-        if (truth.truth.empty()) return;
-        entry.errors = {effect::errors_of(frame.occlusion, truth.truth),
-                        effect::errors_of(frame.filtered, truth.truth)};
-        if (truth.traced) {
-            const effect::Truth depth = effect::truth_from(view, truth.traced->depth.occlusion);
-            entry.truth = report_of(*truth.traced, truth.truth, depth);
-            if (truth.traced->geometry)
-                entry.errors->filtered_depth = effect::errors_of(frame.filtered, depth);
-        }
-        if (history_.flicker() && history_.classes()) {
-            entry.errors->by_class =
-                effect::class_errors_of(frame.filtered, truth.truth, *history_.classes());
-        }
-        if (!last) return;
-        entry.errors->metrics = effect::metrics_of(frame.filtered, truth.truth, view.extent);
-        write_error(out_, entry.number, frame, truth.truth);
-    }
-
-    [[nodiscard]] std::size_t frame_count() const {
-        return input_.views.size() * static_cast<std::size_t>(input_.frames_per_view);
-    }
-
-    // The view before, with its guard band.
-    struct Before {
-        int number;
-        float radius;
-        scene::GBuffer view;
-    };
-
-    const RenderOptions& options_;
-    RenderInput input_;
-    TruthSource truth_;
-    report::OutputFolder out_;
-    std::optional<report::OutputFolder> gbuffer_out_;
-    gpu::Device device_;
-    scene::PassLibrary passes_;
-    std::optional<effect::AmbientOcclusion> effect_;
-    std::optional<effect::Directional> directional_;
-    std::optional<scene::Environment> environment_;
-    std::optional<Before> before_;
-    RenderHistory history_;
-    std::function<void(double)> progress_;
-    RenderReport report_;
+// A run of one method.
+struct Run {
+    RenderOptions options;
+    RenderInput input;
+    std::string prefix;  // of its files
 };
+
+// One for each method that was asked for, all names in them looked at.
+std::vector<Run> runs_of(const RenderOptions& options) {
+    std::vector<std::string> methods = options.methods;
+    if (methods.empty()) methods.push_back(options.method);
+    if (methods.size() == 1 && methods.front() == "all") {
+        methods.clear();
+        for (const Named& method : method_names()) methods.push_back(method.name);
+    }
+    if (methods.size() > 1 && !options.write_gbuffer.empty())
+        throw std::invalid_argument("--write-gbuffer goes with one method");
+    std::vector<Run> runs;
+    for (const std::string& method : methods) {
+        Run run{.options = options, .input = {}, .prefix = methods.size() > 1 ? method + "_" : ""};
+        run.options.method = method;
+        (void)settings_for(run.options, 1.0);
+        run.input = open_input(run.options, runs.empty() ? nullptr : &runs.front().input);
+        (void)TruthSource(run.options, run.input);
+        runs.push_back(std::move(run));
+    }
+    return runs;
+}
+
+void print_comparison(const std::vector<Rendered>& rendered) {
+    const RenderReport& first = rendered.front().report;
+    fmt::print("{} on {}\n{:<16} {:>9} {:>8}\n", first.source, first.device.name, "method", "ms/frame",
+               "error");
+    for (const Rendered& run : rendered) {
+        const auto error = frame_error(run.report);
+        fmt::print("{:<16} {:>9.3f} {:>8}\n", run.report.frames.back().settings.method, frame_ms(run.report),
+                   error ? fmt::format("{:.4f}", *error) : "-");
+    }
+    if (!first.truth.empty()) fmt::print("error: root mean square, against the {}\n", first.truth);
+}
 
 void add_view_options(CLI::App& command, RenderOptions& options) {
     command.add_option("source", options.source,
@@ -230,10 +76,35 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
     command.add_flag("--still", options.still, "hold the scene at --frame and accumulate frames there");
     command.add_option("--write-gbuffer", options.write_gbuffer, "folder for the G-buffers that were shaded");
     command.add_option("--out", options.out, "folder for pictures and render.json")->capture_default_str();
+    command.add_option("--gallery", options.gallery,
+                       "folder for index.html: the pictures behind before/after sliders, times and errors");
+    command.add_flag("--quiet", options.quiet, "print nothing but errors");
+}
+
+void add_mesh_options(CLI::App& command, MeshOptions& mesh) {
+    command.add_option("--up", mesh.up, "the file's axis that points up: x, y, z, -x, -y or -z")
+        ->capture_default_str();
+    command.add_flag("--no-ground", mesh.no_ground, "no plane under the mesh");
+    CLI::Option* orbit = command.add_option(
+        "--orbit", mesh.orbit,
+        "AZIMUTH,ELEVATION: where the eye is around the mesh, degrees; as near as all of it is seen");
+    command
+        .add_option("--eye", mesh.eye,
+                    "X,Y,Z: where the eye is, in mesh heights from the middle of the mesh's foot; y is up")
+        ->excludes(orbit);
+    command.add_option("--look-at", mesh.look_at,
+                       "X,Y,Z: where the eye looks, likewise (default: the middle of the mesh)");
+    command.add_option("--turntable", mesh.turntable, "frames of one full turn around the mesh")
+        ->check(CLI::Range(1, 9999));
 }
 
 void add_effect_options(CLI::App& command, RenderOptions& options) {
-    command.add_option("--method", options.method, "gloam list methods (default: the preset's)");
+    command
+        .add_option("--method", options.methods,
+                    "gloam list methods, or all; several, separated by commas, are compared on one sheet "
+                    "(default: the preset's)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command.add_option("--preset", options.preset, "gloam list presets")->capture_default_str();
     command
         .add_option("--samples", options.samples,
@@ -295,7 +166,26 @@ void take_scene_from_truth(RenderOptions& options) {
 }  // namespace
 
 int run_render(const RenderOptions& options) {
-    return Renderer(options).run();
+    std::vector<Run> runs = runs_of(options);
+    report::OutputFolder out(options.out);
+    std::optional<report::OutputFolder> gallery;
+    if (!options.gallery.empty()) gallery.emplace(options.gallery);
+    RenderBench bench(options);
+    std::vector<Rendered> rendered;
+    for (const Run& run : runs) {
+        rendered.push_back(render(run.options, run.input, bench, {&out, run.prefix}));
+        if (runs.size() == 1 && !options.quiet) fmt::print("{}", to_text(rendered.front().report));
+    }
+    out.write("sheet.png", sheet_of(rendered));
+    if (gallery) write_gallery(*gallery, rendered);
+    out.keep();
+    if (gallery) gallery->keep();
+    if (!options.quiet) {
+        if (runs.size() > 1) print_comparison(rendered);
+        fmt::print("pictures: {}\n", (out.path() / "sheet.png").string());
+        if (gallery) fmt::print("page: {}\n", (gallery->path() / "index.html").string());
+    }
+    return validation_status(bench.device);
 }
 
 void add_render(CLI::App& app, int& status) {
@@ -303,6 +193,7 @@ void add_render(CLI::App& app, int& status) {
     CLI::App* command =
         app.add_subcommand("render", "ambient occlusion of a scene, a mesh or an engine's G-buffer");
     add_view_options(*command, *options);
+    add_mesh_options(*command, options->mesh);
     add_effect_options(*command, *options);
     add_truth_options(*command, *options);
     command->add_option("--repeat", options->repeat, "runs of each frame, of which times are the median")

@@ -11,11 +11,25 @@
 
 namespace gloam::cli {
 
+// How a mesh is stood and looked at, as the command line has it: see scene::MeshView.
+struct MeshOptions {
+    std::string eye;      // "X,Y,Z"; empty: as near as it can be
+    std::string look_at;  // likewise; empty: the middle of the mesh
+    std::string orbit;    // "AZIMUTH,ELEVATION"; empty: the default
+    std::string up = "y";
+    bool no_ground = false;
+    int turntable = 0;
+
+    [[nodiscard]] bool given() const {
+        return !eye.empty() || !look_at.empty() || !orbit.empty() || up != "y" || no_ground || turntable > 0;
+    }
+};
+
 // What `gloam render` was asked.
 struct RenderOptions {
     std::string source;             // a scene's name or a mesh file; empty with gbuffer
     std::filesystem::path gbuffer;  // folder of an engine's frames
-    std::string method;             // empty: the preset's
+    std::string method;             // of one run; empty: the preset's
     std::string preset = "paper";
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;
@@ -40,6 +54,10 @@ struct RenderOptions {
     double truth_thickness = std::numeric_limits<double>::infinity();  // world units
     std::filesystem::path write_gbuffer;                               // folder
     std::filesystem::path out = "gloam-out";
+    MeshOptions mesh;
+    std::vector<std::string> methods;  // several: each is run, and a sheet compares them; "all"
+    std::filesystem::path gallery;     // folder for a page of the pictures; empty: none
+    bool quiet = false;
 };
 
 // Renders, writes the images and render.json, then prints what it did. Returns the exit status: 0, or 1 when

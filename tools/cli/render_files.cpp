@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <string>
 
 #include "report/image.hpp"
@@ -45,19 +44,10 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
     folder.write(prefix + ".json", scene::frame_json(view, number));
 }
 
-void write_images(report::OutputFolder& folder, int number, const effect::Frame& frame) {
-    const std::string prefix = scene::frame_prefix(number);
+void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame) {
     const auto [width, height] = frame.extent;
-    folder.write(prefix + "_ao.pfm", report::to_pfm(frame.filtered, width, height, 1));
-    folder.write(prefix + "_ao.png", report::to_visibility_png(frame.filtered, width, height));
-}
-
-void write_error(report::OutputFolder& folder, int number, const effect::Frame& frame,
-                 const effect::Truth& truth) {
-    std::vector<float> errors;
-    for (std::size_t i = 0; i < truth.size(); ++i) errors.push_back(std::abs(frame.filtered[i] - truth[i]));
-    folder.write(scene::frame_prefix(number) + "_error.png",
-                 report::to_heat_png(errors, frame.extent.width, frame.extent.height, 0.25));
+    folder.write(stem + "_ao.pfm", report::to_pfm(frame.filtered, width, height, 1));
+    folder.write(stem + "_ao.png", report::to_visibility_png(frame.filtered, width, height));
 }
 
 }  // namespace gloam::cli

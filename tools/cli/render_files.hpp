@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/errors.hpp"
 #include "report/output_folder.hpp"
 #include "scene/gbuffer.hpp"
 
@@ -17,11 +17,7 @@ namespace gloam::cli {
 // rounding of the files.
 void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffer& view);
 
-// fNNNN_ao.pfm and .png, of the filtered image.
-void write_images(report::OutputFolder& folder, int number, const effect::Frame& frame);
-
-// fNNNN_error.png: the magnitude of the error; an error of 0.25 is as bright as the scale goes.
-void write_error(report::OutputFolder& folder, int number, const effect::Frame& frame,
-                 const effect::Truth& truth);
+// STEM_ao.pfm and .png, of the filtered image.
+void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame);
 
 }  // namespace gloam::cli

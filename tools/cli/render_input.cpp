@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -15,6 +17,7 @@
 #include "scene/corner.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/mesh_reader.hpp"
+#include "scene/mesh_scene.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
 
@@ -36,15 +39,67 @@ std::string scene_list() {
     return names;
 }
 
-scene::Scene load_scene(const std::string& source) {
-    if (is_scene(source)) return scene::make_scene(source);
+// The numbers of "0.5,1,2.25", as many as are asked for.
+std::vector<double> parse_numbers(const char* option, const std::string& text, std::size_t count,
+                                  const char* expected) {
+    std::vector<double> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (numbers.size() < count) {
+        double number = 0.0;
+        const auto [rest, error] = std::from_chars(at, end, number);
+        if (error != std::errc{} || !std::isfinite(number)) break;
+        numbers.push_back(number);
+        at = rest;
+        if (at == end || *at != ',') break;
+        ++at;
+    }
+    if (numbers.size() == count && at == end) return numbers;
+    throw std::invalid_argument(fmt::format("{} {}: expected {}", option, text, expected));
+}
+
+std::optional<glm::dvec3> parse_point(const char* option, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    const auto numbers = parse_numbers(option, text, 3, "X,Y,Z in mesh heights, such as 0.5,1,2");
+    return glm::dvec3(numbers[0], numbers[1], numbers[2]);
+}
+
+scene::MeshView mesh_view(const MeshOptions& mesh, gpu::Extent extent) {
+    scene::MeshView view{.ground = !mesh.no_ground, .turntable = mesh.turntable};
+    const auto up = scene::axis_named(mesh.up);
+    if (!up) throw std::invalid_argument(fmt::format("--up {}: expected x, y, z, -x, -y or -z", mesh.up));
+    view.up = *up;
+    if (!mesh.orbit.empty()) {
+        const auto angles =
+            parse_numbers("--orbit", mesh.orbit, 2, "AZIMUTH,ELEVATION in degrees, such as 30,20");
+        view.azimuth_deg = angles[0];
+        view.elevation_deg = angles[1];
+    }
+    view.eye = parse_point("--eye", mesh.eye);
+    view.look_at = parse_point("--look-at", mesh.look_at);
+    view.aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
+    return view;
+}
+
+scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
+    const std::string& source = options.source;
+    const scene::MeshView view = mesh_view(options.mesh, extent);
+    if (is_scene(source)) {
+        if (options.mesh.given())
+            throw std::invalid_argument(
+                fmt::format("\"{}\" has a camera of its own: --eye, --look-at, --orbit, --up, --no-ground "
+                            "and --turntable go "
+                            "with a mesh file",
+                            source));
+        return scene::make_scene(source);
+    }
     std::error_code none;
     if (!fs::is_regular_file(source, none)) {
         throw std::invalid_argument(
             fmt::format("\"{}\" is neither a scene ({}) nor a mesh file", source, scene_list()));
     }
-    return scene::mesh_on_ground(scene::read_mesh(source, mesh_reader_command()),
-                                 fs::path(source).stem().string());
+    return scene::mesh_scene(scene::read_mesh(source, mesh_reader_command()),
+                             fs::path(source).stem().string(), view);
 }
 
 // "640x360".
@@ -70,10 +125,12 @@ void require_allowed(gpu::Extent extent, gpu::Extent wide, const gpu::DeviceInfo
                     extent.height, device.name, device.max_image_size));
 }
 
-RenderInput from_scene(const RenderOptions& options) {
+RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
     const gpu::Extent extent = parse_size(options.size);
-    const auto scene = std::make_shared<const scene::Scene>(load_scene(options.source));
-    const int frames = options.frames.value_or(1);
+    const auto scene = like != nullptr && like->scene
+                           ? like->scene
+                           : std::make_shared<const scene::Scene>(load_scene(options, extent));
+    const int frames = options.frames.value_or(std::max(1, options.mesh.turntable));
     const bool moves = scene->camera_path || !scene->objects.empty();
     const bool follows = moves && !options.still && frames > 1;
     RenderInput input{.name = scene->name,
@@ -88,12 +145,12 @@ RenderInput from_scene(const RenderOptions& options) {
     // Where only the camera moves, its matrices tell everything.
     const bool motion = follows && !scene->objects.empty();
     input.load = [scene, extent, wide, guard, motion, layers = static_cast<int>(settings.layers),
-                  color = options.light.has_value(), first = options.frame](
-                     const gpu::Device& device, const scene::PassLibrary& passes, int view) {
+                  first = options.frame](const gpu::Device& device, const scene::PassLibrary& passes,
+                                         int view) {
         require_allowed(extent, wide, device.info());
         return scene::rasterize(
             device, passes, *scene, extent,
-            {.frame = first + view, .motion = motion, .color = color, .layers = layers, .guard = guard});
+            {.frame = first + view, .motion = motion, .color = true, .layers = layers, .guard = guard});
     };
     if (options.source == "corner") {
         input.truth = scene::corner_occlusion_at;
@@ -105,6 +162,9 @@ RenderInput from_scene(const RenderOptions& options) {
 RenderInput from_gbuffer(const RenderOptions& options) {
     if (options.still) throw std::invalid_argument("--still goes with a scene, not with --gbuffer");
     if (options.frame != 0) throw std::invalid_argument("--frame goes with a scene, not with --gbuffer");
+    if (options.mesh.given())
+        throw std::invalid_argument(
+            "--eye, --look-at, --orbit, --up, --no-ground and --turntable go with a mesh file");
     if (!options.source.empty()) {
         throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two",
                                                 options.source, options.gbuffer.string()));
@@ -128,13 +188,13 @@ RenderInput from_gbuffer(const RenderOptions& options) {
 
 }  // namespace
 
-RenderInput open_input(const RenderOptions& options) {
+RenderInput open_input(const RenderOptions& options, const RenderInput* like) {
     if (!options.gbuffer.empty()) return from_gbuffer(options);
     if (options.source.empty()) {
         throw std::invalid_argument(
             fmt::format("nothing to render: give a scene ({}), a mesh file or --gbuffer DIR", scene_list()));
     }
-    return from_scene(options);
+    return from_scene(options, like);
 }
 
 }  // namespace gloam::cli

@@ -30,6 +30,7 @@ struct RenderInput {
 
 // Checks the names and files that the options give, as far as that needs no device. Throws
 // std::invalid_argument or std::runtime_error with one line that names what is wrong.
-[[nodiscard]] RenderInput open_input(const RenderOptions& options);
+// `like`: an input of the same source, whose scene is taken instead of read again; null: none.
+[[nodiscard]] RenderInput open_input(const RenderOptions& options, const RenderInput* like = nullptr);
 
 }  // namespace gloam::cli

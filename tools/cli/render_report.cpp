@@ -123,8 +123,8 @@ ordered_json frame_json(const FrameReport& frame) {
 }
 
 std::string errors_line(const char* what, const effect::Errors& e) {
-    return fmt::format("{:<10} rmse {:.5f}, mean {:.5f}, 99 % below {:.5f}, max {:.5f}, bias {:+.5f}\n", what,
-                       e.rmse, e.mean, e.percentile_99, e.max, e.bias);
+    return fmt::format("  {:<25} rmse {:.5f}, mean {:.5f}, 99 % below {:.5f}, max {:.5f}, bias {:+.5f}\n",
+                       what, e.rmse, e.mean, e.percentile_99, e.max, e.bias);
 }
 
 std::string work_lines(const FrameReport& frame) {
@@ -177,15 +177,18 @@ std::string to_text(const RenderReport& report) {
                             100.0 * last.history.kept, last.history.samples);
     }
     if (!last.errors) return text;
-    text += fmt::format("against {}, {} pixels compared:\n", report.truth, last.errors->raw.compared);
-    text += errors_line("  raw", last.errors->raw);
-    if (filters(s)) text += errors_line("  filtered", last.errors->filtered);
-    if (last.errors->filtered_depth) text += errors_line("  (D)", *last.errors->filtered_depth);
+    text += fmt::format("error against {}, {} pixels compared (rmse: root mean square error):\n",
+                        report.truth, last.errors->raw.compared);
+    text += errors_line("before the filter", last.errors->raw);
+    if (filters(s)) text += errors_line("after the filter", last.errors->filtered);
+    if (last.errors->filtered_depth)
+        text += errors_line("against the depth buffer's", *last.errors->filtered_depth);
     if (last.errors->metrics) {
         const effect::Metrics& m = *last.errors->metrics;
         text += fmt::format(
-            "  SSIM {:.4f}; best remap ({:.3f} (v {:+.3f}))^{:.3f}: rmse {:.5f}, SSIM {:.4f}\n", m.similarity,
-            m.remap.b, m.remap.a, m.remap.c, m.after_remap.rmse, m.similarity_after_remap);
+            "  SSIM (structural similarity, 1: the same) {:.4f}; best remap ({:.3f} (v {:+.3f}))^{:.3f}: "
+            "rmse {:.5f}, SSIM {:.4f}\n",
+            m.similarity, m.remap.b, m.remap.a, m.remap.c, m.after_remap.rmse, m.similarity_after_remap);
     }
     if (last.truth) {
         text += fmt::format("  truth: {} rays a pixel, standard error {:.5f}\n", last.truth->rays,

@@ -11,6 +11,7 @@
 
 #include "cli/read_text.hpp"
 #include "report/accuracy.hpp"
+#include "report/check_page.hpp"
 #include "report/matrix.hpp"
 #include "report/merge.hpp"
 #include "report/output_file.hpp"
@@ -21,6 +22,7 @@ namespace {
 struct ReportOptions {
     std::vector<std::string> files;
     std::filesystem::path json;
+    std::filesystem::path html;
     bool markdown = false;
     bool accuracy = false;
 };
@@ -48,11 +50,13 @@ std::string page_of(const report::MergedReports& merged, const ReportOptions& op
 
 int run_report(const ReportOptions& options) {
     const report::OutputFile json(options.json);
+    const report::OutputFile html(options.html);
     const report::MergedReports merged = report::merge(read_reports(options.files));
     fmt::print("{}", page_of(merged, options));
     for (const std::string& conflict : merged.conflicts)
         fmt::print("\n{}{}\n", options.markdown || options.accuracy ? "- " : "", conflict);
     json.write(report::to_json(merged.reports));
+    html.write(report::to_check_page(merged.reports, merged.conflicts));
     std::size_t failures = 0;
     for (const report::CheckReport& report : merged.reports) failures += report.failures();
     return failures == 0 ? 0 : 1;
@@ -71,6 +75,8 @@ void add_report(CLI::App& app, int& status) {
                    "a Markdown page of the accuracy of each equation: documented, guaranteed, measured")
         ->excludes("--markdown");
     command->add_option("--json", options->json, "write the merged results to this file");
+    command->add_option("--html", options->html,
+                        "write the merged results as a page: sortable, filterable, in one file");
     command->callback([options, &status] { status = run_report(*options); });
 }
 

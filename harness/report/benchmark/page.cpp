@@ -15,54 +15,47 @@ namespace {
 
 constexpr const char* benchmark_introduction = R"(# Time against error
 
-Which method, with how many samples, takes how long and comes how near to the truth. `gloam bench` measures it on any device and
-writes this page; other devices rank methods otherwise, so measure on yours. The repository's is made by
-
-    tools/run bench --method all --preset fast balanced reference paper moving gtao-performance gtao-quality \
-      --scene columns moving room grass --size 192x108 --samples 4 16 64 --repeat 8 --out results
-    tools/run bench --scaling --method hemisphere alchemy gtao sao --repeat 3 --json scaling.json
-    tools/run bench --framework --json framework.json
-    tools/run bench --from results/results.json scaling.json framework.json --report docs/benchmark.md
-
-With `--resume` the first goes on where it was interrupted. Results can be asked and compared:
-
-    tools/run bench --from results/results.json --budget 40copies --error 0.05
-    tools/run bench --compare OLD.json NEW.json
+Which method, with how many samples, takes how long and comes how near to the truth. `gloam bench --report FILE` wrote
+this page. How to measure on your device, and how to ask the results, is in docs/benchmark.md; other devices rank
+methods otherwise.
 
 )";
 
 constexpr const char* explanation = R"(
-- **Configurations** are METHOD/SAMPLES/MODE, or PRESET/SAMPLES/MODE. *Single* is one frame of the method with the settings of the preset
-  `paper`, the filter included; *temporal* the settings of the preset `moving` over the frames of a moving camera. SAMPLES is what is
-  asked for in each pixel and frame; *samples taken* is what the passes counted.
-- **Time** is the device's, by its own clock. Configurations are visited in rounds, each once a round, so that drift falls on all alike;
-  told are medians. A **copy** is the time of a pass that reads one R32F texel and writes one for each pixel (`glsl/passes/copy.comp`),
-  measured beside every frame: a frame's time is divided by the copies' of that moment. *Gather* is the pass that takes the samples.
-- **Error** is the root mean square error against the traced truth: (G) of the geometry, (D) of the depth buffer ([truth.md](truth.md)); raw is
-  before the filter. It is the mean over the scored frames, the same frames for all. SSIM is of the last of them, against (G). *Flicker*
-  is the mean change from frame to frame at the same points.
+- **Configurations** are METHOD/SAMPLES/MODE, or PRESET/SAMPLES/MODE. *Single* is one frame of the method with the
+  settings of the preset `paper`, the filter included. *Temporal* is the settings of the preset `moving` over the
+  frames of a moving camera. SAMPLES is what is asked for in each pixel and frame; *samples taken* is what the passes
+  counted.
+- **Time** is the device's, by its own clock, as a median. Configurations are visited in rounds, each once a round, so
+  that drift falls on all alike. A **copy** is the time of a pass that reads one R32F texel and writes one for each
+  pixel (`glsl/passes/copy.comp`). It is measured beside every frame: a frame's time is divided by the copies' of that
+  moment. *Gather* is the pass that takes the samples.
+- **Error** is the root mean square error against the traced truth: (G) of the geometry, (D) of the depth buffer.
+  *Raw* is before the filter. It is the mean over the scored frames, the same frames for all. SSIM (structural
+  similarity, 1 where two images are the same) is of the last of them, against (G). *Flicker* is the mean change from
+  frame to frame at the same points.
 - **Memory** is of all images and buffers that the passes are given, G-buffer included.
-- **The front** (Pareto): nothing else is both as fast and as near to the truth. *Over all scenes* times are geometric means, and errors
-  geometric means of the ratio to the least that any configuration has in the scene.
+- **The front** (Pareto): nothing else is both as fast and as near to the truth. *Over all scenes*, times are
+  geometric means, and errors are geometric means of the ratio to the least that any configuration has in the scene.
 )";
 
 constexpr const char* scaling_introduction = R"(
 ## Scaling
 
-Time of all passes of a single frame while one thing grows: time ~ value^exponent, least squares on logarithmic axes. *Pixels* grow at
-the same radius in pixels and with every tile sampled, so that a pixel is the same work at every size: this is what the criterion judges.
-*Pixels, open tiles left out* are the same with the settings as they are by default: the radius shrinks in the world as pixels grow, so
-that less lies within reach, and the bias with it, down to what depths are rounded to, so that another part of the tiles, told with the
-times, can be proven open and takes no samples.
+Time of all passes of a single frame while one thing grows: time ~ value^exponent, least squares on logarithmic axes.
+*Pixels* grow at the same radius in pixels and with every tile sampled, so that a pixel is the same work at every
+size: this is what the criterion judges. *Pixels, open tiles left out* is the same with the settings as they are by
+default. The radius then shrinks in the world as pixels grow, so that less lies within reach, and the bias with it,
+down to what depths are rounded to. So another part of the tiles, listed with the times, can be proven open and takes
+no samples.
 
 )";
 
 constexpr const char* presets_introduction = R"(
 ## The presets
 
-Measured as they are. `fast`, `balanced` and `reference` are points of the front of temporal runs: for a time, a middle and an error. `paper`
-and `moving` are the TSSAO paper's settings, and those with a shorter memory ([temporal.md](temporal.md), which holds `fast` against single
-frames as well).
+Measured as they are. `fast`, `balanced` and `reference` are points of the front of temporal runs: for a time, a
+middle and an error. `paper` is the settings of Mattausch et al. 2010, and `moving` those with a shorter memory.
 
 )";
 
@@ -96,8 +89,7 @@ std::string framework_section(const Benchmark& benchmark) {
     return "\n## The framework\n\nInputs uploaded, one dispatch, every canary checked, outputs downloaded. "
            "*Of a copy*: "
            "the rate as a fraction of that of a bare dispatch that copies the same bytes, in turn. The rest "
-           "of what the "
-           "framework costs: [benchmarks.md](benchmarks.md).\n\n" +
+           "of what the framework costs is in docs/benchmark.md.\n\n" +
            framework_table(benchmark);
 }
 

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "report/check_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "numeric/text.hpp"
+
+namespace gloam::report {
+namespace {
+
+constexpr std::size_t longest_value = 400;   // bytes of a cell
+constexpr std::size_t longest_story = 8000;  // bytes of a failure
+constexpr std::size_t most_stories = 100;
+constexpr int device_column = 3;  // where there are several devices
+
+std::vector<PageColumn> columns(bool several_devices) {
+    std::vector<PageColumn> all{
+        {.title = "verdict",
+         .meaning = "ok, the number of inputs outside what is allowed, or why it did not run"},
+        {.title = "equation"},
+        {.title = "function"},
+        {.title = "variant", .meaning = "how the shader was compiled", .filter = true},
+        {.title = "judged by",
+         .meaning =
+             "rules: what Vulkan's precision rules permit. budget: the accuracy that the function documents",
+         .filter = true},
+        {.title = "inputs", .numeric = true},
+        {.title = "worst ULP",
+         .meaning = "largest error in units in the last place of the printed equation in double precision",
+         .numeric = true},
+        {.title = "worst absolute", .numeric = true},
+        {.title = "of allowed",
+         .meaning = "the largest error as a fraction of what is allowed; more than 1 fails",
+         .numeric = true},
+        {.title = "worst input", .meaning = "the input with the largest error"}};
+    if (several_devices) all.insert(all.begin() + device_column, {.title = "device", .filter = true});
+    return all;
+}
+
+PageCell number(double value, std::string text) {
+    return {.text = std::move(text), .value = value};
+}
+
+PageCell verdict_cell(const CheckRow& row) {
+    return {.text = verdict_of(row), .tone = row.passed() ? Tone::good : Tone::bad};
+}
+
+// Without the device.
+std::vector<PageCell> cells_of(const CheckRow& row) {
+    std::vector<PageCell> cells{
+        verdict_cell(row), {row.equation}, {row.function}, {row.variant}, {row.verdict}};
+    if (!row.ran()) {
+        cells.insert(cells.end(), 4, {"-"});
+        cells.push_back({base::shortened(row.error, longest_value)});
+        return cells;
+    }
+    const double used = row.width_fraction.value_or(row.budget_fraction);
+    cells.push_back(number(static_cast<double>(row.inputs), fmt::format("{}", row.inputs)));
+    cells.push_back(number(row.max_ulp, fmt::format("{:.3g}", row.max_ulp)));
+    cells.push_back(number(row.max_abs, fmt::format("{:.2e}", row.max_abs)));
+    cells.push_back(number(used, numeric::to_short_text(used)));
+    cells.push_back({row.worst ? base::shortened(row.worst->values, longest_value) : "-"});
+    return cells;
+}
+
+PageTable device_table(const std::vector<CheckReport>& reports) {
+    PageTable table{.columns = {{.title = "device"},
+                                {.title = "Vulkan"},
+                                {.title = "checks", .numeric = true},
+                                {.title = "failed", .numeric = true},
+                                {.title = "made by", .meaning = "versions of gloam and of the compilers"}},
+                    .rows = {}};
+    for (const CheckReport& report : reports) {
+        const std::size_t failures = report.failures();
+        PageCell failed = number(static_cast<double>(failures), fmt::format("{}", failures));
+        failed.tone = failures == 0 ? Tone::good : Tone::bad;
+        table.rows.push_back(
+            {{name_of(report.device)},
+             {report.device.api_version},
+             number(static_cast<double>(report.rows.size()), fmt::format("{}", report.rows.size())),
+             failed,
+             {report.versions}});
+    }
+    return table;
+}
+
+void add_stories(Page& page, const std::vector<CheckReport>& reports) {
+    std::size_t told = 0;
+    for (const CheckReport& report : reports) {
+        for (const CheckRow& row : report.rows) {
+            if (row.passed()) continue;
+            if (told == 0) page.heading("Failures");
+            if (++told > most_stories) continue;
+            page.preformatted(fmt::format("{} {} on {}: {}", row.equation, row.variant,
+                                          name_of(report.device),
+                                          base::shortened(row.ran() ? row.story : row.error, longest_story)));
+        }
+    }
+    if (told > most_stories) page.paragraph(fmt::format("{} more are in the table.", told - most_stories));
+}
+
+}  // namespace
+
+PageTable check_table(const std::vector<CheckReport>& reports) {
+    const bool several = reports.size() > 1;
+    PageTable table{.columns = columns(several), .rows = {}};
+    for (const bool passed : {false, true}) {
+        for (const CheckReport& report : reports) {
+            for (const CheckRow& row : report.rows) {
+                if (row.passed() != passed) continue;
+                table.rows.push_back(cells_of(row));
+                std::vector<PageCell>& cells = table.rows.back();
+                if (several) cells.insert(cells.begin() + device_column, {name_of(report.device)});
+            }
+        }
+    }
+    return table;
+}
+
+std::string to_check_page(const std::vector<CheckReport>& reports, const std::vector<std::string>& notes) {
+    std::size_t checks = 0;
+    std::size_t failures = 0;
+    for (const CheckReport& report : reports) {
+        checks += report.rows.size();
+        failures += report.failures();
+    }
+    Page page(failures == 0 ? fmt::format("gloam check: all {} checks passed", checks)
+                            : fmt::format("gloam check: {} of {} checks failed", failures, checks));
+    for (const std::string& note : notes) page.paragraph(note);
+    page.heading("Devices");
+    page.table(device_table(reports));
+    add_stories(page, reports);
+    page.heading("Checks");
+    page.table(check_table(reports));
+    return page.html();
+}
+
+}  // namespace gloam::report

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/check_report.hpp"
+#include "report/page.hpp"
+
+namespace gloam::report {
+
+// Every check of every device, failures first: a row each, with what it found and its worst input. The device
+// has a column where there are several.
+[[nodiscard]] PageTable check_table(const std::vector<CheckReport>& reports);
+
+// The results of `gloam check` as one HTML page: the devices with how many checks failed, the story of each
+// failure, and check_table(). `notes`: paragraphs below the title, conflicts between merged files say.
+[[nodiscard]] std::string to_check_page(const std::vector<CheckReport>& reports,
+                                        const std::vector<std::string>& notes = {});
+
+}  // namespace gloam::report

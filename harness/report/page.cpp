@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "report/page_assets.hpp"
+
+namespace gloam::report {
+namespace {
+
+// The hash that the content security policy names the script by: base64 of the bytes, given in hexadecimal.
+std::string base64_of_hex(std::string_view hex) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    std::uint32_t bits = 0;
+    int held = 0;
+    for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
+        unsigned byte = 0;
+        (void)std::from_chars(&hex[i], &hex[i] + 2, byte, 16);
+        bits = bits << 8U | byte;
+        for (held += 8; held >= 6; held -= 6) text += digits[bits >> (held - 6) & 63U];
+    }
+    if (held > 0) text += digits[bits << (6 - held) & 63U];
+    while (text.size() % 4 != 0) text += '=';
+    return text;
+}
+
+// The path of a URL: what has a meaning in one is written as %XX.
+std::string url_of(std::string_view file) {
+    constexpr std::string_view plain = "-_.~/";
+    std::string url;
+    for (const char c : file) {
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (letter || plain.find(c) != std::string_view::npos)
+            url += c;
+        else
+            url += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return url;
+}
+
+std::string image(const PagePicture& picture, const char* style = "") {
+    return fmt::format("<img{} src=\"{}\" alt=\"{}\">", style, url_of(picture.file),
+                       escaped_html(picture.caption));
+}
+
+const char* class_of(Tone tone) {
+    return tone == Tone::good ? "good" : tone == Tone::bad ? "bad" : "";
+}
+
+std::string cell_html(const PageColumn& column, const PageCell& cell) {
+    std::string style = column.numeric ? "number" : "";
+    if (cell.tone != Tone::plain) style += std::string(style.empty() ? "" : " ") + class_of(cell.tone);
+    std::string html = "<td";
+    if (!style.empty()) html += fmt::format(" class=\"{}\"", style);
+    if (cell.value && !std::isnan(*cell.value))
+        html += std::isinf(*cell.value)
+                    ? (*cell.value > 0 ? " data-value=\"Infinity\"" : " data-value=\"-Infinity\"")
+                    : fmt::format(" data-value=\"{}\"", *cell.value);
+    return html + ">" + escaped_html(cell.text) + "</td>";
+}
+
+// A list of the different texts of a column.
+std::string choice_html(const PageTable& table, std::size_t column) {
+    std::set<std::string> texts;
+    for (const auto& row : table.rows) texts.insert(row[column].text);
+    if (texts.size() < 2) return {};
+    std::string html = fmt::format("<label>{} <select data-column=\"{}\"><option value=\"\">all</option>",
+                                   escaped_html(table.columns[column].title), column);
+    for (const std::string& text : texts) html += fmt::format("<option>{}</option>", escaped_html(text));
+    return html + "</select></label>\n";
+}
+
+std::string meanings_html(const PageTable& table) {
+    std::string html;
+    for (const PageColumn& column : table.columns) {
+        if (column.meaning.empty()) continue;
+        html +=
+            fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped_html(column.title), escaped_html(column.meaning));
+    }
+    return html.empty() ? html : "<dl>\n" + html + "</dl>\n";
+}
+
+std::string head_html(const PageTable& table) {
+    std::string html = "<thead><tr>";
+    for (const PageColumn& column : table.columns)
+        html += fmt::format("<th scope=\"col\"{}><button type=\"button\">{}</button></th>",
+                            column.numeric ? " class=\"number\"" : "", escaped_html(column.title));
+    return html + "</tr></thead>\n";
+}
+
+}  // namespace
+
+std::string escaped_html(std::string_view text) {
+    std::string html;
+    html.reserve(text.size());
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '&')
+            html += "&amp;";
+        else if (c == '<')
+            html += "&lt;";
+        else if (c == '>')
+            html += "&gt;";
+        else if (c == '"')
+            html += "&quot;";
+        else if (c == '\'')
+            html += "&#39;";
+        else if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7F)
+            html += "\xEF\xBF\xBD";
+        else
+            html += c;
+    }
+    return html;
+}
+
+Page::Page(std::string_view title) : title_(title) {
+    body_ = fmt::format("<h1>{}</h1>\n", escaped_html(title));
+}
+
+void Page::heading(std::string_view text) {
+    body_ += fmt::format("<h2>{}</h2>\n", escaped_html(text));
+}
+
+void Page::paragraph(std::string_view text) {
+    body_ += fmt::format("<p>{}</p>\n", escaped_html(text));
+}
+
+void Page::preformatted(std::string_view text) {
+    body_ += fmt::format("<pre>{}</pre>\n", escaped_html(text));
+}
+
+void Page::compare(const PagePicture& before, const PagePicture& after, std::string_view caption) {
+    body_ += fmt::format(
+        "<figure class=\"compare\">\n<div class=\"pair\">{}{}</div>\n"
+        "<input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"from {} to {}\">\n"
+        "<div class=\"sides\"><span>{}</span><span>{}</span></div>\n<figcaption>{}</figcaption>\n</figure>\n",
+        image(before), image(after, " class=\"after\""), escaped_html(before.caption),
+        escaped_html(after.caption), escaped_html(before.caption), escaped_html(after.caption),
+        escaped_html(caption));
+}
+
+void Page::pictures(const std::vector<PagePicture>& pictures) {
+    body_ += "<div class=\"grid\">\n";
+    for (const PagePicture& picture : pictures)
+        body_ += fmt::format("<figure><a href=\"{}\">{}</a><figcaption>{}</figcaption></figure>\n",
+                             url_of(picture.file), image(picture), escaped_html(picture.caption));
+    body_ += "</div>\n";
+}
+
+void Page::turntable(const std::vector<PagePicture>& pictures, std::string_view caption) {
+    if (pictures.empty()) return;
+    body_ += "<figure class=\"turn\">\n";
+    for (const PagePicture& picture : pictures) body_ += image(picture) + "\n";
+    body_ += fmt::format(
+        "<input type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"picture\">\n"
+        "<figcaption>{}</figcaption>\n</figure>\n",
+        pictures.size() - 1, escaped_html(caption));
+}
+
+void Page::table(const PageTable& table) {
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        if (table.rows[i].size() == table.columns.size()) continue;
+        throw std::invalid_argument(fmt::format("page: row {} of a table has {} cells, expected {}", i,
+                                                table.rows[i].size(), table.columns.size()));
+    }
+    body_ += "<section class=\"table\">\n" + meanings_html(table) +
+             "<div class=\"filter\"><label>Find <input type=\"search\"></label>\n";
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        if (table.columns[i].filter) body_ += choice_html(table, i);
+    }
+    body_ += "<output></output></div>\n<div class=\"wide\"><table>\n" + head_html(table) + "<tbody>\n";
+    for (const auto& row : table.rows) {
+        body_ += "<tr>";
+        for (std::size_t i = 0; i < row.size(); ++i) body_ += cell_html(table.columns[i], row[i]);
+        body_ += "</tr>\n";
+    }
+    body_ += "</tbody>\n</table></div>\n</section>\n";
+}
+
+std::string Page::html() const {
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' file:; "
+        "style-src 'unsafe-inline'; script-src 'sha256-{}'\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
+        "<style>\n{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
+        base64_of_hex(internal::page_script_sha256), escaped_html(title_), internal::page_style, body_,
+        internal::page_script);
+}
+
+}  // namespace gloam::report

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "scene/lighting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "scene/depth_field.hpp"
+#include "scene/internal/parallel.hpp"
+#include "scene/internal/ray_scene.hpp"
+#include "scene/pixel_positions.hpp"
+
+namespace gloam::scene {
+namespace {
+
+const glm::dvec3 to_sun = glm::normalize(glm::dvec3(-0.55, 0.75, 0.45));  // world
+constexpr double sun_radius = 0.03;                                       // of its disc, radians
+constexpr double lamp_radius = 0.15;                                      // of its ball, world units
+constexpr glm::dvec3 sun_color{0.60, 0.55, 0.46};
+constexpr glm::dvec3 sky_above{0.50, 0.55, 0.62};
+constexpr glm::dvec3 sky_horizon{0.62, 0.67, 0.73};
+constexpr glm::dvec3 sky_below{0.40, 0.37, 0.33};  // light from the ground
+
+double largest(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+// What lights one view; positions and directions in view space.
+struct Lamp {
+    glm::dvec3 position{0};  // of a lamp
+    glm::dvec3 to_sun{0};    // of the sun
+    bool sun = true;
+
+    // Unit, towards the middle of the light.
+    [[nodiscard]] glm::dvec3 from(const glm::dvec3& point) const {
+        return sun ? to_sun : glm::normalize(position - point);
+    }
+    // Of the disc that it shows, radians.
+    [[nodiscard]] double radius_from(const glm::dvec3& point) const {
+        return sun ? sun_radius : lamp_radius / std::max(glm::distance(position, point), lamp_radius);
+    }
+    [[nodiscard]] double distance_from(const glm::dvec3& point) const {
+        return sun ? std::numeric_limits<double>::infinity() : glm::distance(position, point);
+    }
+};
+
+Lamp lamp_of(const GBuffer& view, const Scene* scene, int frame) {
+    const glm::dmat3 rotation(view.camera.view);
+    if (scene == nullptr || !scene->lamp) return {.to_sun = glm::normalize(rotation * to_sun)};
+    return {.position = rotation * (*scene->lamp - camera_at(*scene, frame).eye), .sun = false};
+}
+
+// Jorge Jimenez's interleaved gradient noise: turns the pattern of rays from pixel to pixel.
+double turn_of(std::size_t pixel, std::uint32_t width) {
+    const auto x = static_cast<double>(pixel % width);
+    const auto y = static_cast<double>(pixel / width);
+    const double inner = 0.06711056 * x + 0.00583715 * y;
+    const double noise = 52.9829189 * (inner - std::floor(inner));
+    return noise - std::floor(noise);
+}
+
+// Part of the light's disc that is seen from a point, in [0, 1]; directions are a spiral over the disc.
+double lit_part(const RayScene& blockers, const Lamp& lamp, const glm::dvec3& origin, double clearance,
+                int rays, double turn) {
+    const glm::dvec3 middle = lamp.from(origin);
+    const glm::dvec3 aside = std::abs(middle.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(aside, middle));
+    const glm::dvec3 up = glm::cross(middle, right);
+    const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    const auto far = static_cast<float>(lamp.distance_from(origin));
+    int open = 0;
+    for (int i = 0; i < rays; ++i) {
+        const double radius = lamp.radius_from(origin) * std::sqrt((i + 0.5) / rays);
+        const double angle = golden * i + 2.0 * std::numbers::pi * turn;
+        const glm::dvec3 direction =
+            glm::normalize(middle + radius * (std::cos(angle) * right + std::sin(angle) * up));
+        if (!blockers.first_hit(origin, direction, static_cast<float>(clearance), far)) ++open;
+    }
+    return static_cast<double>(open) / rays;
+}
+
+// The light of pixels, each on its own.
+class Lighting {
+  public:
+    Lighting(const GBuffer& view, const Scene* scene, const LightingOptions& options)
+        : view_(view),
+          positions_(view),
+          normals_(view.normal),
+          lamp_(lamp_of(view, scene, options.frame)),
+          world_from_view_(glm::transpose(glm::dmat3(view.camera.view))),
+          rays_(options.rays) {
+        if (normals_.empty() && std::ranges::any_of(view.depth, is_surface))
+            normals_ = depth_field(view).normals;
+        if (scene == nullptr) return;
+        Mesh mesh = view_space_mesh(*scene, options.frame);
+        blockers_.emplace(std::move(mesh.positions), std::move(mesh.indices));
+    }
+
+    void light(std::size_t pixel, SplitLight& light) const {
+        const double depth = view_.depth[pixel];
+        if (!is_surface(view_.depth[pixel])) {
+            light.direct[pixel] = sky(world_from_view_ * glm::normalize(positions_.at(pixel, 1.0)));
+            return;
+        }
+        const glm::dvec3 albedo = view_.color.empty() ? default_color : view_.color[pixel];
+        const glm::dvec3 normal = normals_[pixel];
+        const double height = (world_from_view_ * normal).y;
+        light.ambient[pixel] = albedo * glm::mix(sky_below, sky_above, 0.5 + 0.5 * height);
+        light.direct[pixel] = albedo * sun_color * direct(pixel, positions_.at(pixel, depth), normal);
+    }
+
+  private:
+    static glm::dvec3 sky(const glm::dvec3& direction) {
+        return glm::mix(sky_horizon, sky_above, std::sqrt(std::clamp(direction.y, 0.0, 1.0)));
+    }
+
+    [[nodiscard]] double direct(std::size_t pixel, const glm::dvec3& point, const glm::dvec3& normal) const {
+        const double cosine = glm::dot(normal, lamp_.from(point));
+        if (!(cosine > 0.0)) return 0.0;
+        if (!blockers_) return cosine;
+        const double clearance = 1e-4 * largest(point);  // far above the rounding of a depth
+        return cosine * lit_part(*blockers_, lamp_, point + clearance * normal, clearance, rays_,
+                                 turn_of(pixel, view_.extent.width));
+    }
+
+    const GBuffer& view_;
+    PixelPositions positions_;
+    std::vector<glm::vec3> normals_;
+    Lamp lamp_;
+    glm::dmat3 world_from_view_;
+    int rays_;
+    std::optional<RayScene> blockers_;
+};
+
+void require(std::size_t found, std::size_t expected, const char* what) {
+    if (found == expected) return;
+    throw std::invalid_argument("lighting: " + std::to_string(found) + " " + what + ", expected " +
+                                std::to_string(expected));
+}
+
+}  // namespace
+
+SplitLight light_of(const GBuffer& view, const Scene* scene, const LightingOptions& options) {
+    const std::size_t pixels = std::size_t{view.extent.width} * view.extent.height;
+    require(view.depth.size(), pixels, "depths");
+    if (!view.normal.empty()) require(view.normal.size(), pixels, "normals");
+    if (!view.color.empty()) require(view.color.size(), pixels, "colours");
+    if (options.rays < 1) throw std::invalid_argument("lighting: expected one ray at least");
+    SplitLight light{.ambient = std::vector<glm::vec3>(pixels, glm::vec3(0)),
+                     .direct = std::vector<glm::vec3>(pixels, glm::vec3(0))};
+    const Lighting lighting(view, scene, options);
+    for_each_index(
+        view.extent.height, options.threads,
+        [&](std::size_t row) {
+            for (std::size_t x = 0; x < view.extent.width; ++x)
+                lighting.light(row * view.extent.width + x, light);
+        },
+        options.progress);
+    return light;
+}
+
+std::vector<glm::vec3> shaded(const SplitLight& light, std::span<const float> occlusion) {
+    require(light.direct.size(), light.ambient.size(), "pixels with direct light");
+    if (!occlusion.empty()) require(occlusion.size(), light.ambient.size(), "occlusions");
+    std::vector<glm::vec3> image = light.direct;
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] += light.ambient[i] * (occlusion.empty() ? 1.0F : 1.0F - occlusion[i]);
+    return image;
+}
+
+}  // namespace gloam::scene

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// The snippets of docs/testing.md. tests/house/guides.py compares the two.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "support/lab.hpp"
+
+namespace gloam::check {
+namespace guide_test {
+
+Lab guide_lab() {
+    return test::make_lab(std::string(FIXTURES) + "/guide");
+}
+
+TEST(Guide, ManyInputsAgainstAReference) {
+    const Lab lab = guide_lab();
+    // Begin: compare
+    const auto reinhard = [](double x) { return x / (1.0 + x); };
+    const Result result = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard,
+                                                {log_uniform(1e-6, 1e6)}, {.ulp = 4});
+    EXPECT_TRUE(result.passed()) << result;
+    // End
+}
+
+TEST(Guide, OneCall) {
+    const Lab lab = guide_lab();
+    // Begin: call
+    const Kernel<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
+    EXPECT_EQ(tone(0.0F), 0.0F);
+    EXPECT_EQ(tone(1.0F), 0.5F);
+    // End
+}
+
+TEST(Guide, Domains) {
+    const Lab lab = guide_lab();
+    const auto reinhard = [](double x) { return x / (1.0 + x); };
+    // Begin: domain
+    const Domain domain{log_uniform(1e-6, 1e6).and_near({1.0}).and_value(0.0F)};
+    const Result result = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard, domain,
+                                                {.ulp = 4, .absolute = 1e-30}, {.inputs = 4096, .seed = 7});
+    EXPECT_TRUE(result.passed()) << result;
+    // End
+}
+
+// Begin: struct
+struct Lamp {
+    glm::vec3 color;
+    float power;
+};
+
+TEST(Guide, StructsAndOutParameters) {
+    const Lab lab = guide_lab();
+    const Kernel<glm::vec3(Lamp, float, Out<float>)> radiance(lab, "lamp.glsl", "lamp_radiance");
+    const auto [color, falloff] = radiance(Lamp{{1, 2, 4}, 8.0F}, 1.0F);
+    EXPECT_EQ(color, glm::vec3(4, 8, 16));
+    EXPECT_EQ(falloff, 0.5F);
+}
+// End
+
+TEST(Guide, Images) {
+    const Lab lab = guide_lab();
+    // Begin: image
+    const Kernel<float(glm::ivec2)> slope(lab, "slope.glsl", "slope_x");
+    const auto ramp = [](glm::ivec2 pixel) { return 3.0F * static_cast<float>(pixel.x); };
+    const ImageSet images{{"fetch_height", make_image<float>({5, 5}, ramp, Border::clamp)}};
+    EXPECT_EQ(slope.with_images(images, {glm::ivec2(2, 2)}), 3.0F);
+    EXPECT_EQ(slope.with_images(images, {glm::ivec2(0, 2)}), 1.5F);  // the edge, clamped
+    // End
+}
+
+TEST(Guide, Properties) {
+    const Lab lab = guide_lab();
+    const Kernel<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
+    // Begin: property
+    std::vector<std::tuple<float>> inputs;
+    for (int i = 0; i < 10'000; ++i) inputs.emplace_back(0.01F * static_cast<float>(i));
+    const std::vector<float> values = tone(inputs);  // one dispatch for all
+    EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+    EXPECT_LT(values.back(), 1.0F);
+    // End
+}
+
+// The snippets of docs/copy-a-shader.md: near = 1, reversed, infinite far plane, so p22 = 0 and p32 = 1.
+TEST(Guide, AnEnginesDepthAndLight) {
+    const Lab lab = guide_lab();
+    const Kernel<float(float, float, float)> depth(lab, "engine.glsl", "engine_depth");
+    EXPECT_EQ(depth(0.25F, 0.0F, 1.0F), 4.0F);
+    EXPECT_EQ(depth(0.0F, 0.0F, 1.0F), INFINITY);
+    const Kernel<glm::vec3(glm::vec3, glm::vec3, float)> light(lab, "engine.glsl", "engine_light");
+    EXPECT_EQ(light(glm::vec3(4), glm::vec3(1), 0.75F), glm::vec3(2));
+}
+
+// What the guide says of a budget that is too narrow.
+TEST(Guide, ANarrowBudgetFailsAndSaysWhere) {
+    const Lab lab = guide_lab();
+    const auto other = [](double x) { return x / (1.0 + 1.001 * x); };
+    const Result result =
+        compare<float(float)>(lab, "tone.glsl", "tone_reinhard", other, {log_uniform(1e-6, 1e6)}, {.ulp = 4});
+    EXPECT_FALSE(result.passed());
+    std::ostringstream text;
+    text << result;
+    EXPECT_THAT(text.str(), testing::HasSubstr("tone_reinhard"));
+}
+
+}  // namespace guide_test
+}  // namespace gloam::check

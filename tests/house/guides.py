@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""guides.py ROOT GLOAM: runs the guides.
+
+Reads the fenced blocks of docs/testing.md, judge-a-driver.md and copy-a-shader.md, in their order. Fails when one of
+them does not do what the page says. A block's first line says what it is:
+
+    ```sh           commands, run one after the other in a scratch folder; each must exit with 0
+    ```sh WHY       commands that another test runs, or that would take too long here; WHY is one of WHY_NOT_RUN
+    ```text         what the commands above printed: every line, in its order; "..." stands for any lines
+    ```glsl NAME    the file tests/check/fixtures/guide/NAME, which is compiled by the tests
+    ```cpp          lines of tests/check/guide_test.cpp
+    ```cpp consumer    lines of the test in tests/house/package/consumer
+    ```cmake consumer  lines of its CMakeLists.txt; others may stand between them
+
+Also: every source that docs/equations.md cites by author and year is in docs/bibliography.md.
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+GUIDES = ("testing.md", "judge-a-driver.md", "copy-a-shader.md")
+WHY_NOT_RUN = {
+    "package": "tests/house/package does the same",
+    "long": "takes minutes",
+    "ci": "installs packages",
+}
+BLOCK = re.compile(r"^```(\S*) ?(\S*)\n(.*?)^```$", re.S | re.M)
+CITED = re.compile(r"([A-Z][\w-]+(?:, [A-Z][\w-]+)*(?: and [A-Z][\w-]+)?(?: et al\.)? \d{4})")
+SECONDS = 300  # for the commands of a block
+
+
+def squeezed(text):
+    """The lines of a text without their indentation and without empty ones."""
+    return "\n".join(line.strip() for line in text.splitlines() if line.strip())
+
+
+def holds(file, block):
+    return squeezed(block) in squeezed(file.read_text(encoding="utf-8"))
+
+
+class Guide:
+    """One page, run in a folder of its own."""
+
+    def __init__(self, root, name, gloam, folder):
+        self.root = root
+        self.name = name
+        self.folder = folder
+        self.environment = dict(os.environ, PATH=f"{gloam.parent}:{os.environ['PATH']}")
+        self.printed = ""
+        self.failures = []
+
+    def fail(self, what):
+        self.failures.append(f"docs/{self.name}: {what}")
+
+    def run(self, commands):
+        done = subprocess.run(["bash", "-e", "-c", commands], cwd=self.folder, env=self.environment, text=True,
+                              capture_output=True, timeout=SECONDS, check=False)
+        self.printed = done.stdout
+        if done.returncode != 0:
+            self.fail(f"exit status {done.returncode}:\n{commands}{done.stdout[-2000:]}{done.stderr[-2000:]}")
+
+    def expect_printed(self, block):
+        lines = iter(self.printed.splitlines())
+        for expected in block.splitlines():
+            if expected != "..." and not any(line.rstrip() == expected for line in lines):
+                self.fail(f"the commands did not print, in this order: {expected}\nbut:\n{self.printed[:3000]}")
+                return
+
+    def expect_in(self, file, block):
+        if not holds(self.root / file, block):
+            self.fail(f"{file} does not hold this block:\n{block}")
+
+    def block(self, kind, argument, text):
+        if kind == "sh":
+            if not argument:
+                self.run(text)
+            elif argument not in WHY_NOT_RUN:
+                self.fail(f"a block is not run because of \"{argument}\", which is no reason")
+        elif kind == "text":
+            self.expect_printed(text)
+        elif kind == "glsl":
+            self.expect_in(f"tests/check/fixtures/guide/{argument}", text)
+        elif kind == "cpp":
+            self.expect_in("tests/house/package/consumer/shader_test.cpp" if argument else "tests/check/guide_test.cpp",
+                           text)
+        elif kind == "cmake":
+            file = self.root / "tests/house/package/consumer/CMakeLists.txt"
+            lines = iter(squeezed(file.read_text(encoding="utf-8")).splitlines())
+            if not all(line in lines for line in squeezed(text).splitlines()):
+                self.fail(f"the project's CMakeLists.txt does not hold these lines in this order:\n{text}")
+        else:
+            self.fail(f"a block of an unknown kind: \"{kind}\"")
+
+
+def run_guide(root, name, gloam):
+    text = (root / "docs" / name).read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        guide = Guide(root, name, gloam, folder)
+        for kind, argument, block in BLOCK.findall(text):
+            guide.block(kind, argument, block)
+        if len(BLOCK.findall(text)) * 2 != len(re.findall(r"^```", text, re.M)):
+            guide.fail("fences that do not pair up")
+        if re.search(r"^    (gloam|tools/run|cmake) ", text, re.M):
+            guide.fail("a command outside a fenced block: nothing would run it")
+    return guide.failures
+
+
+def uncited(root):
+    known = (root / "docs" / "bibliography.md").read_text(encoding="utf-8")
+    cited = set()
+    for source in re.findall(r"Source: (.*)", (root / "docs" / "equations.md").read_text(encoding="utf-8")):
+        cited.update(re.sub(r"^(?:AO|GTAO|SSDO), ", "", name) for name in CITED.findall(source))
+    return [f"docs/bibliography.md does not have {name}" for name in sorted(cited) if name not in known]
+
+
+def main():
+    root, gloam = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+    failures = [failure for name in GUIDES for failure in run_guide(root, name, gloam)] + uncited(root)
+    print("\n".join(failures))
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

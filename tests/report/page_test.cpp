@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "report/page.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "report/check_page.hpp"
+#include "report/rows.hpp"
+
+namespace gloam::report {
+namespace page_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* hostile = "</script><script>alert(1)</script>\" onload='x' &amp; \x01";
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+TEST(Page, EscapesEveryCharacterThatMeansSomething) {
+    EXPECT_EQ(escaped_html("a<b>&\"'\n\x7f"), "a&lt;b&gt;&amp;&quot;&#39;\n\xEF\xBF\xBD");
+    EXPECT_EQ(escaped_html("\xC3\xA9"), "\xC3\xA9");
+}
+
+// Whatever a foreign text holds, the page has its own script and no other, and no attribute beside its own.
+TEST(Page, ForeignTextsStayText) {
+    Page page(hostile);
+    page.heading(hostile);
+    page.paragraph(hostile);
+    page.preformatted(hostile);
+    page.compare({hostile, hostile}, {hostile, hostile}, hostile);
+    page.pictures({{hostile, hostile}});
+    page.turntable({{hostile, hostile}, {"../../x:y", "b"}}, hostile);
+    page.table({.columns = {{.title = hostile, .meaning = hostile, .filter = true}},
+                .rows = {{{hostile}}, {{"other"}}}});
+    const std::string html = page.html();
+    EXPECT_EQ(count_of(html, "<script"), 1U);
+    EXPECT_EQ(count_of(html, "</script>"), 1U);
+    EXPECT_THAT(html, Not(HasSubstr("alert(1)<")));
+    EXPECT_THAT(html, Not(HasSubstr("onload='")));
+    EXPECT_THAT(html, Not(HasSubstr("\x01")));
+    EXPECT_THAT(html, HasSubstr("src=\"../../x%3Ay\""));  // no scheme of a URL
+}
+
+TEST(Page, NeedsNoNetworkAndLetsItsOwnScriptRunAlone) {
+    Page page("p");
+    const std::string html = page.html();
+    EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+    EXPECT_THAT(html, HasSubstr("script-src 'sha256-"));
+    EXPECT_THAT(html, Not(HasSubstr("http://")));
+    EXPECT_THAT(html, Not(HasSubstr("https://")));
+    const std::size_t at = html.find("'sha256-") + 8;
+    EXPECT_EQ(html.find('\'', at) - at, 44U);  // 32 bytes in base64
+    EXPECT_EQ(html[at + 43], '=');
+}
+
+TEST(Page, NumbersAreSortedByTheirValue) {
+    Page page("p");
+    page.table({.columns = {{.title = "n", .numeric = true}},
+                .rows = {{{"10", 10.0}},
+                         {{"inf", std::numeric_limits<double>::infinity(), Tone::bad}},
+                         {{"nan", std::numeric_limits<double>::quiet_NaN()}},
+                         {{"-"}}}});
+    const std::string html = page.html();
+    EXPECT_THAT(html, HasSubstr("<td class=\"number\" data-value=\"10\">10</td>"));
+    EXPECT_THAT(html, HasSubstr("<td class=\"number bad\" data-value=\"Infinity\">inf</td>"));
+    EXPECT_THAT(html, HasSubstr("<td class=\"number\">nan</td>"));
+    EXPECT_THAT(html, HasSubstr("<td class=\"number\">-</td>"));
+}
+
+TEST(Page, ARowWithoutItsCellsIsRefused) {
+    Page page("p");
+    EXPECT_THROW(page.table({.columns = {{.title = "a"}, {.title = "b"}}, .rows = {{{"1"}}}}),
+                 std::invalid_argument);
+}
+
+TEST(CheckPage, FailuresComeFirstAndEveryRowIsThere) {
+    CheckRow crashed = passing_row("EQ-9");
+    crashed.error = hostile;
+    crashed.reason = Reason::crash;
+    const std::vector<CheckReport> reports{report_of("A", {passing_row("EQ-1"), failing_row()}),
+                                           report_of(hostile, {crashed})};
+    const PageTable table = check_table(reports);
+    ASSERT_EQ(table.rows.size(), 3U);
+    EXPECT_EQ(table.rows[0][0].text, verdict_of(failing_row()));
+    EXPECT_EQ(table.rows[0][0].tone, Tone::bad);
+    EXPECT_EQ(table.rows[1][0].text, "crash");
+    EXPECT_EQ(table.rows[2][0].text, "ok");
+    EXPECT_EQ(table.rows[0].back().text, failing_row().worst->values);
+    const std::string html = to_check_page(reports, {"a note <of> ours"});
+    EXPECT_EQ(count_of(html, "<script"), 1U);
+    EXPECT_THAT(html, HasSubstr("<title>gloam check: 2 of 3 checks failed</title>"));
+    EXPECT_THAT(html, HasSubstr("a note &lt;of&gt; ours"));
+    EXPECT_THAT(html, HasSubstr("line &lt;two&gt;"));  // the story
+    EXPECT_THAT(to_check_page({report_of("A", {passing_row("EQ-1")})}), HasSubstr("all 1 checks passed"));
+}
+
+TEST(CheckPage, ALongValueIsCutAndManyStoriesAreCounted) {
+    CheckRow row = failing_row();
+    row.worst->values = std::string(100'000, 'x');
+    const std::vector<CheckReport> reports{report_of("A", std::vector<CheckRow>(150, row))};
+    const std::string html = to_check_page(reports);
+    EXPECT_LT(html.size(), 400'000U);
+    EXPECT_EQ(count_of(html, "<pre>"), 100U);
+    EXPECT_THAT(html, HasSubstr("50 more are in the table."));
+}
+
+}  // namespace page_test
+}  // namespace gloam::report

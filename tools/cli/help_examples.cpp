@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "cli/help_examples.hpp"
+
+#include <map>
+#include <string>
+
+namespace gloam::cli {
+namespace {
+
+// By command; the program itself has the empty name.
+const std::map<std::string, std::string>& examples() {
+    static const std::map<std::string, std::string> table{
+        {"",
+         "  gloam demo                                  pictures, a check, a page\n"
+         "  gloam check --device all --html check.html  every equation on every driver\n"
+         "  gloam render mesh.obj --gallery page        a mesh in light, with sliders\n"
+         "  gloam COMMAND --help                        the options of a command\n"},
+        {"demo", "  gloam demo --out first-look\n"},
+        {"devices", "  gloam devices --json\n"},
+        {"list",
+         "  gloam list methods\n"
+         "  gloam list settings --json\n"},
+        {"check",
+         "  gloam check                                          every equation on the default device\n"
+         "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
+         "  gloam check --device all --variant all --html r.html every driver, every compiler setting\n"
+         "  gloam check --quiet --junit results.xml              for continuous integration\n"
+         "  gloam check --failures failures                      each failure ready to report\n"},
+        {"report",
+         "  gloam report a.json b.json\n"
+         "  gloam report a.json b.json --html all.html\n"},
+        {"render",
+         "  gloam render mesh.obj --frames 8\n"
+         "  gloam render mesh.obj --up z --orbit 40,25 --turntable 24 --gallery page\n"
+         "  gloam render columns --method all --truth\n"
+         "  gloam render --gbuffer FOLDER --radius 0.5\n"},
+        {"bench",
+         "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"
+         "  gloam bench --from results.json --error 0.05\n"},
+        {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"},
+        {"completion", "  source <(gloam completion bash)\n"}};
+    return table;
+}
+
+void add_footer(CLI::App& command, const std::string& name) {
+    const auto found = examples().find(name);
+    if (found != examples().end()) command.footer("Examples:\n" + found->second);
+}
+
+}  // namespace
+
+void add_help_examples(CLI::App& app) {
+    add_footer(app, "");
+    for (CLI::App* command : app.get_subcommands(nullptr)) add_footer(*command, command->get_name());
+}
+
+}  // namespace gloam::cli

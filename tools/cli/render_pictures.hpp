@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/render_report.hpp"
+#include "effect/errors.hpp"
+#include "report/image.hpp"
+#include "report/output_folder.hpp"
+#include "scene/lighting.hpp"
+
+namespace gloam::cli {
+
+// What one looks at of a frame, in 8-bit colour.
+struct Pictures {
+    std::string name;  // of its files, without what follows _
+    gpu::Extent extent;
+    report::RgbBytes plain;       // lit, without occlusion
+    report::RgbBytes shaded;      // lit, with occlusion
+    report::RgbBytes visibility;  // white where open
+    report::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
+};
+
+// One run of one method: what is reported of it, and the pictures of its last frame; those of all its frames
+// where a turntable turns.
+struct Rendered {
+    RenderReport report;
+    std::vector<Pictures> pictures;
+};
+
+// An error of this size is as bright as the heat map goes.
+inline constexpr double brightest_error = 0.25;
+
+// occlusion: a value for each pixel of the light; truth: the same, or empty.
+[[nodiscard]] Pictures pictures_of(std::string name, gpu::Extent extent, const scene::SplitLight& light,
+                                   const std::vector<float>& occlusion, const effect::Truth& truth);
+
+// NAME_plain.png, NAME_shaded.png, NAME_error.png where there is one.
+void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
+
+// Sum of the passes of the last frame, ms; NaN where the device has no clock.
+[[nodiscard]] double frame_ms(const RenderReport& report);
+
+// Root mean square error of the last frame's filtered image; nullopt without a truth.
+[[nodiscard]] std::optional<double> frame_error(const RenderReport& report);
+
+// "gtao, 3.2 ms, error 0.031": for captions.
+[[nodiscard]] std::string caption_of(const RenderReport& report);
+
+// PNG. Of one run: lit without and with occlusion, the occlusion alone, and its error where the truth is
+// known. Of several: the occlusion of each, with its name, time and error. Throws std::invalid_argument for
+// none.
+[[nodiscard]] std::string sheet_of(const std::vector<Rendered>& runs);
+
+}  // namespace gloam::cli

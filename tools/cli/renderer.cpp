@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "cli/renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "cli/environment.hpp"
+#include "cli/open_device.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_directions.hpp"
+#include "cli/render_files.hpp"
+#include "cli/render_history.hpp"
+#include "cli/render_settings.hpp"
+#include "cli/render_truth.hpp"
+#include "scene/frame_link.hpp"
+#include "scene/guard_band.hpp"
+#include "scene/read_gbuffer.hpp"
+
+namespace gloam::cli {
+namespace {
+
+// depth: the truth of the depth buffer, compared with that of the geometry.
+TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {
+    const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
+    double squares = 0.0;
+    for (const float error : best.standard_error) squares += double{error} * double{error};
+    TruthReport report{.rays = best.rays, .pixels = best.pixels, .unmatched = best.unmatched};
+    report.standard_error = std::sqrt(squares / static_cast<double>(std::max<std::uint64_t>(1, best.pixels)));
+    if (traced.geometry) report.depth = effect::errors_of(depth, truth);
+    return report;
+}
+
+// Over the pixels with geometry.
+double mean_convergence(const effect::Frame& frame, const scene::GBuffer& view) {
+    double sum = 0.0;
+    for (const float value : frame.convergence) sum += double{value};
+    const auto surface = std::ranges::count_if(view.depth, [](float d) { return std::isfinite(d); });
+    return surface == 0 ? 0.0 : sum / static_cast<double>(surface);
+}
+
+HistoryReport history_of(const effect::Frame& frame, const scene::GBuffer& view) {
+    double surface = 0.0;
+    double kept = 0.0;
+    double samples = 0.0;
+    for (std::size_t i = 0; i < frame.kept.size(); ++i) {
+        if (!std::isfinite(view.depth[i])) continue;
+        surface += 1.0;
+        kept += frame.kept[i] > 0.0F ? 1.0 : 0.0;
+        samples += double{frame.kept[i]};
+    }
+    return {.kept = kept / std::max(surface, 1.0), .samples = samples / std::max(kept, 1.0)};
+}
+
+// The work of one call.
+class Renderer {
+  public:
+    Renderer(const RenderOptions& options, const RenderInput& input, RenderBench& bench,
+             const RenderOutput& output)
+        : options_(options),
+          input_(input),
+          bench_(bench),
+          output_(output),
+          truth_(options, input_),
+          progress_(options.quiet ? [](double) {} : progress_bar(input_.name + ": frames")) {
+        if (options.light) environment_ = environment_named(*options.light);
+        if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
+        report_ = {.source = input_.name,
+                   .preset = options.preset,
+                   .truth = truth_.name(),
+                   .device = bench_.device.info(),
+                   .repeat = options.repeat};
+    }
+
+    Rendered run() {
+        for (const int number : input_.views) render_view(number);
+        if (output_.folder != nullptr)
+            output_.folder->write(output_.prefix + "render.json", to_json(report_));
+        if (gbuffer_out_) gbuffer_out_->keep();
+        return {std::move(report_), std::move(pictures_)};
+    }
+
+  private:
+    void render_view(int number) {
+        scene::GBuffer wide = input_.load(bench_.device, bench_.passes, number);  // with its guard band
+        const effect::Settings settings = settings_for(options_, wide.ao_radius);
+        const std::string cut = cut_before(number, wide, settings);
+        if (cut.empty()) link(wide, before_->view);
+        const scene::GBuffer view = scene::cropped(wide);
+        const ViewTruth truth = truth_at(number, view, settings);
+        if (gbuffer_out_) write_gbuffer(*gbuffer_out_, number, wide);
+        if (!effect_ || before_->view.extent != wide.extent)
+            effect_.emplace(bench_.device, bench_.passes, wide.extent);
+        cut.empty() ? effect_->advance(wide) : effect_->begin(wide, settings);
+        for (int i = 0; i < input_.frames_per_view; ++i) {
+            const ViewLink linked = i > 0 ? ViewLink::same : cut.empty() ? ViewLink::follows : ViewLink::cut;
+            const effect::Frame frame = effect_->next(options_.repeat);
+            if (output_.folder != nullptr) write_images(*output_.folder, stem(number + i), frame);
+            history_.advance(view, linked, double{settings.radius}, frame.filtered);
+            FrameReport entry = entry_of(number + i, settings, frame, view);
+            if (i == 0) entry.history.cut = cut;
+            const bool last = i + 1 == input_.frames_per_view;
+            compare(entry, view, frame, truth, last);
+            if (last && (options_.mesh.turntable > 0 || number == input_.views.back()))
+                show(number, number + i, view, frame, truth);
+            report_.frames.push_back(std::move(entry));
+            progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
+        }
+        write_directions(number + input_.frames_per_view - 1, wide, settings);
+        before_ = Before{number, settings.radius, std::move(wide)};
+    }
+
+    // What is asked for beside the occlusion, of the view alone.
+    void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings) {
+        if (output_.folder == nullptr || (!options_.bent_normals && !environment_)) return;
+        if (!directional_) directional_.emplace(bench_.device, bench_.passes);
+        if (options_.bent_normals)
+            write_bent_normals(*output_.folder, stem(number), directional_->bent_normals(wide, settings));
+        if (environment_)
+            write_light(*output_.folder, stem(number), directional_->light(wide, settings, *environment_));
+    }
+
+    // Why the view has no history; empty: it has.
+    [[nodiscard]] std::string cut_before(int number, const scene::GBuffer& view,
+                                         const effect::Settings& settings) const {
+        if (!before_) return "the first frame";
+        if (number != before_->number + 1) return "frames are missing before it";
+        if (settings.radius != before_->radius) return "the radius has changed";
+        return cut_between(before_->view, view);
+    }
+
+    // Empty where nothing is known, or it is not asked for in this view.
+    [[nodiscard]] ViewTruth truth_at(int number, const scene::GBuffer& view,
+                                     const effect::Settings& settings) {
+        if (number != input_.views.back() && !truth_.every_view()) return {};
+        ViewTruth truth = truth_.of(view, input_.first_frame + number, double{settings.radius});
+        if (truth.traced && output_.folder != nullptr) {
+            const bool only = input_.views.size() == 1 || !truth_.every_view();
+            write_truth(*output_.folder, output_.prefix + (only ? "" : scene::frame_prefix(number) + "_"),
+                        view.extent, *truth.traced);
+        }
+        return truth;
+    }
+
+    [[nodiscard]] FrameReport entry_of(int number, const effect::Settings& settings,
+                                       const effect::Frame& frame, const scene::GBuffer& view) const {
+        FrameReport entry{.number = number,
+                          .extent = frame.extent,
+                          .settings = settings,
+                          .times = frame.times,
+                          .work = frame.work,
+                          .mean_convergence = mean_convergence(frame, view),
+                          .history = history_of(frame, view),
+                          .flicker = history_.flicker()};
+        const bool follows = input_.frames_per_view == 1;
+        if (input_.scene) entry.scene_frame = input_.first_frame + (follows ? number : 0);
+        return entry;
+    }
+
+    void compare(FrameReport& entry, const scene::GBuffer& view, const effect::Frame& frame,
+                 const ViewTruth& truth, bool last) {
+        if (truth.truth.empty()) return;
+        entry.errors = {effect::errors_of(frame.occlusion, truth.truth),
+                        effect::errors_of(frame.filtered, truth.truth)};
+        if (truth.traced) {
+            const effect::Truth depth = effect::truth_from(view, truth.traced->depth.occlusion);
+            entry.truth = report_of(*truth.traced, truth.truth, depth);
+            if (truth.traced->geometry)
+                entry.errors->filtered_depth = effect::errors_of(frame.filtered, depth);
+        }
+        if (history_.flicker() && history_.classes()) {
+            entry.errors->by_class =
+                effect::class_errors_of(frame.filtered, truth.truth, *history_.classes());
+        }
+        if (!last) return;
+        entry.errors->metrics = effect::metrics_of(frame.filtered, truth.truth, view.extent);
+    }
+
+    // The pictures of a view's last frame.
+    void show(int view_number, int frame_number, const scene::GBuffer& view, const effect::Frame& frame,
+              const ViewTruth& truth) {
+        const scene::SplitLight& light = bench_.light_of(input_, view_number, view, !options_.quiet);
+        pictures_.push_back(
+            pictures_of(stem(frame_number), frame.extent, light, frame.filtered, truth.truth));
+        if (output_.folder != nullptr) write_pictures(*output_.folder, pictures_.back());
+    }
+
+    [[nodiscard]] std::string stem(int number) const { return output_.prefix + scene::frame_prefix(number); }
+
+    [[nodiscard]] std::size_t frame_count() const {
+        return input_.views.size() * static_cast<std::size_t>(input_.frames_per_view);
+    }
+
+    // The view before, with its guard band.
+    struct Before {
+        int number;
+        float radius;
+        scene::GBuffer view;
+    };
+
+    const RenderOptions& options_;
+    const RenderInput& input_;
+    RenderBench& bench_;
+    const RenderOutput& output_;
+    TruthSource truth_;
+    std::optional<report::OutputFolder> gbuffer_out_;
+    std::optional<effect::AmbientOcclusion> effect_;
+    std::optional<effect::Directional> directional_;
+    std::optional<scene::Environment> environment_;
+    std::optional<Before> before_;
+    RenderHistory history_;
+    std::function<void(double)> progress_;
+    RenderReport report_;
+    std::vector<Pictures> pictures_;
+};
+
+}  // namespace
+
+RenderBench::RenderBench(const RenderOptions& options)
+    : device(open_device(options.device, options.validation)), passes(glsl_directory(), cache_directory()) {}
+
+const scene::SplitLight& RenderBench::light_of(const RenderInput& input, int number,
+                                               const scene::GBuffer& view, bool watched) {
+    if (lit_ == number) return light_;
+    scene::LightingOptions options{.frame = input.first_frame + number};
+    if (watched) options.progress = progress_bar(input.name + ": light");
+    light_ = scene::light_of(view, input.scene.get(), options);
+    lit_ = number;
+    return light_;
+}
+
+Rendered render(const RenderOptions& options, const RenderInput& input, RenderBench& bench,
+                const RenderOutput& output) {
+    return Renderer(options, input, bench, output).run();
+}
+
+}  // namespace gloam::cli

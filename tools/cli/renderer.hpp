@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/render.hpp"
+#include "cli/render_input.hpp"
+#include "cli/render_pictures.hpp"
+#include "gpu/device.hpp"
+#include "report/output_folder.hpp"
+#include "scene/lighting.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::cli {
+
+// What the runs of several methods on one input share: the device, the passes, and the light of the view
+// rendered last, which no method changes.
+class RenderBench {
+  public:
+    // Opens the device that the options name.
+    explicit RenderBench(const RenderOptions& options);
+
+    // The light of a view of that number.
+    [[nodiscard]] const scene::SplitLight& light_of(const RenderInput& input, int number,
+                                                    const scene::GBuffer& view, bool watched);
+
+    // The next view is of another input.
+    void forget_light() { lit_.reset(); }
+
+    gpu::Device device;
+    scene::PassLibrary passes;
+
+  private:
+    std::optional<int> lit_;
+    scene::SplitLight light_;
+};
+
+// Where the files of a run go: into `folder` under names that begin with `prefix`.
+struct RenderOutput {
+    report::OutputFolder* folder = nullptr;  // null: nothing is written
+    std::string prefix = {};
+};
+
+// Renders the views of an input with one method and writes their files, PREFIXrender.json among them.
+[[nodiscard]] Rendered render(const RenderOptions& options, const RenderInput& input, RenderBench& bench,
+                              const RenderOutput& output);
+
+}  // namespace gloam::cli
