@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "cli/mesh_reader.hpp"
 #include "cli/names.hpp"
 #include "cli/render_settings.hpp"
+#include "cli/view_size.hpp"
 #include "scene/corner.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/mesh_reader.hpp"
@@ -45,21 +45,6 @@ scene::Scene load_scene(const std::string& source) {
     }
     return scene::mesh_on_ground(scene::read_mesh(source, mesh_reader_command()),
                                  fs::path(source).stem().string());
-}
-
-// "640x360".
-gpu::Extent parse_size(const std::string& text) {
-    gpu::Extent extent;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, extent.width);
-    bool good = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-    if (good) {
-        const auto height = std::from_chars(width.ptr + 1, end, extent.height);
-        good = height.ec == std::errc{} && height.ptr == end;
-    }
-    if (good && extent.width > 0 && extent.height > 0) return extent;
-    throw std::invalid_argument(
-        fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each 1 or more, such as 640x360", text));
 }
 
 // wide: with its guard band.
