@@ -21,7 +21,7 @@
 #include "cli/help_examples.hpp"
 #include "cli/list.hpp"
 #include "cli/mesh_reader.hpp"
-#include "cli/pack.hpp"
+#include "cli/pack/pack.hpp"
 #include "cli/render.hpp"
 #include "cli/report.hpp"
 #include "cli/stress.hpp"

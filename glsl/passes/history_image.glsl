@@ -29,8 +29,8 @@ GloamHistory history_from_texel(uvec4 texel) {
 #define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) gloam_packed_texel(packed_in(imageLoad(image, pixel)))
 
 uvec4 texel_from_history(GloamHistory history) {
-    GloamPackedHistory packed = gloam_history_encode(history);
-    return uvec4(packed.occlusion, packed.weight, packed.index, packed.depth);
+    GloamPackedHistory texel = gloam_history_encode(history);
+    return uvec4(texel.occlusion, texel.weight, texel.index, texel.depth);
 }
 #else
 #ifdef GLOAM_HISTORY

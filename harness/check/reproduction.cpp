@@ -10,7 +10,7 @@
 #include "check/constant_kernel.hpp"
 #include "check/internal/trial.hpp"
 #include "check/shrink.hpp"
-#include "shader/include.hpp"
+#include "shader/pack.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::check {
@@ -86,7 +86,7 @@ Reproduction without_verdict(const Lab& lab, const Case& check_case, const std::
     const Constants constants = lab.options().variant.constants;
     const shader::Source text{.name = "kernel of " + check_case.function,
                               .text = code_of(source, constants, inputs)};
-    Reproduction all{.glsl = shader::flatten(text, lab.options().include_roots),
+    Reproduction all{.glsl = shader::pack({text}, {}, lab.options().include_roots),
                      .spirv = lab.compile(text),
                      .scenario = scenario,
                      .inputs = std::move(inputs),

@@ -68,7 +68,7 @@ HistoryTexels history_in(const gpu::Image& image) {
     HistoryTexels history{.occlusion = channel(texels, 0), .samples = channel(texels, 1)};
     if (image.format() != rgba16ui) return history;
     // As GloamPackedHistory has them.
-    for (float& value : history.occlusion) value /= 32768.0F;
+    for (float& value : history.occlusion) value *= packed_occlusion_unit;
     for (float& value : history.samples) value /= 16.0F;
     return history;
 }

@@ -50,16 +50,14 @@ bool is_cpu(const gpu::Device& device) {
 }
 
 // How ambient_occlusion.comp counts: the buffers of counts are memory of the CPU.
-std::uint32_t counting_on(const gpu::Device& device) {
-    constexpr std::uint32_t count_each = 1;
-    constexpr std::uint32_t count_group = 2;
-    return is_cpu(device) ? count_each : count_group;
+Counting counting_on(const gpu::Device& device) {
+    return is_cpu(device) ? Counting::each_invocation : Counting::each_group;
 }
 
 // Open tiles that a group takes. A CPU runs its invocations one after the other: the fewer, the less what
 // each costs by itself.
-gpu::SpecializationConstant open_tiles_each(const gpu::Device& device) {
-    return {.id = open_tiles_constant, .bits = is_cpu(device) ? 8U : 1U};
+std::uint32_t open_tiles_each_on(const gpu::Device& device) {
+    return is_cpu(device) ? 8U : 1U;
 }
 
 // Convergence from which the filter leaves a pixel as it is; infinite where it leaves none so.
@@ -184,124 +182,137 @@ RemapParameters remap_parameters(const View& view, const Settings& settings) {
     return {vector_of_size(view.extent), settings.remap_a, settings.remap_b, settings.remap_c};
 }
 
-gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::PassLibrary& library) {
-    const shader::Spirv spirv = library.compile("normals_from_depth.comp");
+PassSource normals_source() {
+    return {.file = "normals_from_depth.comp"};
+}
+
+PassSource occlusion_source(const Program& program, Counting counts, std::uint32_t open_tiles_each) {
+    std::vector<std::string> defines = defines_for(program.precision, prepared_format(program.method));
+    if (program.sample_table) defines.emplace_back("GLOAM_SAMPLE_TABLE 11");
+    return {.file = "ambient_occlusion.comp",
+            .defines = std::move(defines),
+            .replaced = {{method_include("hemisphere"), method_include(program.method)}},
+            .constants = {{.id = 0, .bits = static_cast<std::uint32_t>(counts)},
+                          {.id = 1, .bits = flag(program.moving_objects)},
+                          {.id = 2, .bits = program.layers},
+                          {.id = 3, .bits = flag(program.reject_taps)},
+                          {.id = 4, .bits = flag(program.shows)},
+                          {.id = 5, .bits = program.table_size},
+                          {.id = 6, .bits = flag(program.fewer_samples)},
+                          {.id = 7, .bits = flag(program.caps_radius)},
+                          {.id = 8, .bits = flag(program.smooths)},
+                          {.id = 9, .bits = flag(program.orthographic)},
+                          {.id = 12, .bits = flag(program.skip_closed)},
+                          {.id = 14, .bits = flag(program.keeps_history)},
+                          {.id = listed_constant, .bits = flag(program.listed)},
+                          {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)},
+                          {.id = open_tiles_constant, .bits = open_tiles_each}}};
+}
+
+PassSource reprojection_source(const ReprojectionProgram& program) {
+    return {.file = "reproject.comp",
+            .defines = defines_for(program.precision),
+            .constants = {{.id = 0, .bits = flag(program.moving_objects)},
+                          {.id = 1, .bits = static_cast<std::uint32_t>(program.taps)},
+                          {.id = 2, .bits = flag(program.nearest_index)},
+                          {.id = 3, .bits = flag(program.orthographic)},
+                          {.id = 4, .bits = flag(program.previous_orthographic)},
+                          {.id = listed_constant, .bits = flag(program.listed)}}};
+}
+
+PassSource filter_source(const FilterProgram& program) {
+    PassSource source{.file = "spatial_filter.comp",
+                      .defines = defines_for(program.precision),
+                      .replaced = {{filter_include(Filter::convergence), filter_include(program.filter)}},
+                      .constants = constants_of(program.list)};
+    source.defines.push_back(fmt::format("GLOAM_HALF_WIDTH {}", program.half_width));
+    source.constants.push_back({.id = 0, .bits = flag(program.along_y)});
+    source.constants.push_back({.id = 1, .bits = flag(program.orthographic)});
+    return source;
+}
+
+PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list) {
+    return {.file = "remap.comp",
+            .defines = history ? defines_for(*history) : std::vector<std::string>{"GLOAM_SOURCE r32f"},
+            .constants = constants_of(list)};
+}
+
+PassSource selection_source(std::uint32_t open_tiles_each) {
+    return {.file = "tiles/select.comp", .constants = {{.id = open_tiles_constant, .bits = open_tiles_each}}};
+}
+
+gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
+                                 const PassSource& source, std::vector<gpu::BindingKind> bindings,
+                                 std::size_t push_constant_bytes) {
+    const shader::Spirv spirv = library.compile(source.file, source.defines, source.replaced);
     return {device,
             {.spirv = spirv,
-             .bindings = {storage_image, storage_image},
-             .push_constant_bytes = sizeof(NormalParameters)}};
+             .bindings = std::move(bindings),
+             .push_constant_bytes = static_cast<std::uint32_t>(push_constant_bytes),
+             .constants = source.constants}};
+}
+
+gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::PassLibrary& library) {
+    return pipeline_of(device, library, normals_source(), {storage_image, storage_image},
+                       sizeof(NormalParameters));
 }
 
 gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::PassLibrary& library,
                                        const Program& program) {
-    std::vector<std::string> defines = defines_for(program.precision, prepared_format(program.method));
-    if (program.sample_table) defines.emplace_back("GLOAM_SAMPLE_TABLE 11");
-    const shader::Spirv spirv = library.compile(
-        "ambient_occlusion.comp", defines, {{method_include("hemisphere"), method_include(program.method)}});
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
-                          storage_image, storage_buffer, storage_image, storage_image, storage_buffer,
-                          storage_image, storage_image},
-             .push_constant_bytes = sizeof(OcclusionParameters),
-             .constants = {{.id = 0, .bits = counting_on(device)},
-                           {.id = 1, .bits = flag(program.moving_objects)},
-                           {.id = 2, .bits = program.layers},
-                           {.id = 3, .bits = flag(program.reject_taps)},
-                           {.id = 4, .bits = flag(program.shows)},
-                           {.id = 5, .bits = program.table_size},
-                           {.id = 6, .bits = flag(program.fewer_samples)},
-                           {.id = 7, .bits = flag(program.caps_radius)},
-                           {.id = 8, .bits = flag(program.smooths)},
-                           {.id = 9, .bits = flag(program.orthographic)},
-                           {.id = 12, .bits = flag(program.skip_closed)},
-                           {.id = 14, .bits = flag(program.keeps_history)},
-                           {.id = listed_constant, .bits = flag(program.listed)},
-                           {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)},
-                           open_tiles_each(device)}}};
+    return pipeline_of(
+        device, library, occlusion_source(program, counting_on(device), open_tiles_each_on(device)),
+        {storage_image, storage_image, storage_image, storage_image, storage_buffer, storage_image,
+         storage_buffer, storage_image, storage_image, storage_buffer, storage_image, storage_image},
+        sizeof(OcclusionParameters));
 }
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
                                const ReprojectionProgram& program) {
-    const shader::Spirv spirv = library.compile("reproject.comp", defines_for(program.precision));
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer},
-             .push_constant_bytes = sizeof(ReprojectionParameters),
-             .constants = {{.id = 0, .bits = flag(program.moving_objects)},
-                           {.id = 1, .bits = static_cast<std::uint32_t>(program.taps)},
-                           {.id = 2, .bits = flag(program.nearest_index)},
-                           {.id = 3, .bits = flag(program.orthographic)},
-                           {.id = 4, .bits = flag(program.previous_orthographic)},
-                           {.id = listed_constant, .bits = flag(program.listed)}}}};
+    return pipeline_of(device, library, reprojection_source(program),
+                       {storage_image, storage_image, storage_image, storage_image, storage_buffer},
+                       sizeof(ReprojectionParameters));
 }
 
 gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::PassLibrary& library,
                                     const FilterProgram& program) {
-    std::vector<std::string> defines = defines_for(program.precision);
-    defines.push_back(fmt::format("GLOAM_HALF_WIDTH {}", program.half_width));
-    const shader::Spirv spirv =
-        library.compile("spatial_filter.comp", defines,
-                        {{filter_include(Filter::convergence), filter_include(program.filter)}});
-    std::vector<gpu::SpecializationConstant> constants = constants_of(program.list);
-    constants.push_back({.id = 0, .bits = flag(program.along_y)});
-    constants.push_back({.id = 1, .bits = flag(program.orthographic)});
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
-                          storage_image},
-             .push_constant_bytes = sizeof(FilterParameters),
-             .constants = std::move(constants)}};
+    return pipeline_of(
+        device, library, filter_source(program),
+        {storage_image, storage_image, storage_image, storage_image, storage_buffer, storage_image},
+        sizeof(FilterParameters));
 }
 
 gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
                            std::optional<HistoryPrecision> history, std::optional<TileLists> list) {
-    const shader::Spirv spirv = library.compile(
-        "remap.comp", history ? defines_for(*history) : std::vector<std::string>{"GLOAM_SOURCE r32f"});
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_buffer},
-             .push_constant_bytes = sizeof(RemapParameters),
-             .constants = constants_of(list)}};
+    return pipeline_of(device, library, remap_source(history, list),
+                       {storage_image, storage_image, storage_image, storage_buffer},
+                       sizeof(RemapParameters));
 }
 
 gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
-    const shader::Spirv spirv = library.compile("tiles/select.comp");
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer},
-             .push_constant_bytes = sizeof(SelectParameters),
-             .constants = {open_tiles_each(device)}}};
+    return pipeline_of(device, library, selection_source(open_tiles_each_on(device)),
+                       {storage_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer},
+                       sizeof(SelectParameters));
 }
 
 gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
-    const shader::Spirv spirv = library.compile("tiles/bound.comp");
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_image, storage_buffer},
-             .push_constant_bytes = sizeof(BoundParameters)}};
+    return pipeline_of(device, library, {.file = "tiles/bound.comp"}, {storage_image, storage_buffer},
+                       sizeof(BoundParameters));
 }
 
 gpu::ComputePipeline merge_bounds(const gpu::Device& device, const scene::PassLibrary& library) {
-    const shader::Spirv spirv = library.compile("tiles/merge_bounds.comp");
-    return {device,
-            {.spirv = spirv, .bindings = {storage_buffer}, .push_constant_bytes = sizeof(MergeParameters)}};
+    return pipeline_of(device, library, {.file = "tiles/merge_bounds.comp"}, {storage_buffer},
+                       sizeof(MergeParameters));
 }
 
 gpu::ComputePipeline open_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
-    const shader::Spirv spirv = library.compile("tiles/open.comp");
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_buffer, storage_buffer},
-             .push_constant_bytes = sizeof(OpenParameters)}};
+    return pipeline_of(device, library, {.file = "tiles/open.comp"},
+                       {storage_image, storage_image, storage_buffer, storage_buffer},
+                       sizeof(OpenParameters));
 }
 
 gpu::ComputePipeline select_filtered_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
-    const shader::Spirv spirv = library.compile("tiles/select_filtered.comp");
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_buffer, storage_buffer},
-             .push_constant_bytes = sizeof(SelectFilteredParameters)}};
+    return pipeline_of(device, library, {.file = "tiles/select_filtered.comp"},
+                       {storage_buffer, storage_buffer}, sizeof(SelectFilteredParameters));
 }
 
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 namespace gloam::effect {
-namespace {
 
 PreparationParameters preparation_parameters(const View& view, const Settings& settings, int level) {
     const OcclusionParameters all = occlusion_parameters(view, settings);
@@ -29,29 +28,27 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
             .level = level};
 }
 
-gpu::ComputePipeline preparation_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
-                                          const std::string& file, const std::vector<std::string>& defines,
-                                          std::vector<gpu::SpecializationConstant> constants) {
-    using enum gpu::BindingKind;
-    const shader::Spirv spirv = library.compile("preparation/" + file, defines);
-    return {device,
-            {.spirv = spirv,
-             .bindings = {storage_image, storage_image, storage_image, storage_image, storage_buffer,
-                          storage_image},
-             .push_constant_bytes = sizeof(PreparationParameters),
-             .constants = std::move(constants)}};
+PreparationProgram preparation_program_for(const Settings& settings) {
+    return {.precision = settings.precision,
+            .layers = settings.layers,
+            .reject_taps = settings.reject_taps,
+            .keeps_history = settings.history};
 }
 
-}  // namespace
+PassSource preparation_source(const std::string& file, const PreparationProgram& program,
+                              gpu::Format format) {
+    return {.file = "preparation/" + file,
+            .defines = defines_for(program.precision, format),
+            .constants = {{.id = 0, .bits = program.layers},
+                          {.id = 1, .bits = program.reject_taps ? 1U : 0U},
+                          {.id = 2, .bits = program.keeps_history ? 1U : 0U}}};
+}
 
 PreparedImage::PreparedImage(const gpu::Device& device, const scene::PassLibrary& library)
     : device_(&device), library_(library) {}
 
 void PreparedImage::take(const View& view, const Settings& settings) {
-    precision_ = settings.precision;
-    layers_ = settings.layers;
-    reject_taps_ = settings.reject_taps;
-    history_ = settings.history;
+    program_ = preparation_program_for(settings);
     preparation_ = preparation_of(settings, view.extent);
     constants_.clear();
     if (!preparation_) {
@@ -68,14 +65,16 @@ void PreparedImage::take(const View& view, const Settings& settings) {
 }
 
 const gpu::ComputePipeline& PreparedImage::pipeline(const std::string& file) {
-    const std::tuple key(file, precision_, layers_, reject_taps_, history_);
+    const std::pair key(file, program_);
     const auto known = pipelines_.find(key);
     if (known != pipelines_.end()) return known->second;
-    const std::vector<std::string> defines = defines_for(precision_, preparation_->format);
-    const std::vector<gpu::SpecializationConstant> constants{{.id = 0, .bits = layers_},
-                                                             {.id = 1, .bits = reject_taps_ ? 1U : 0U},
-                                                             {.id = 2, .bits = history_ ? 1U : 0U}};
-    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, defines, constants))
+    using enum gpu::BindingKind;
+    return pipelines_
+        .emplace(key,
+                 pipeline_of(*device_, library_, preparation_source(file, program_, preparation_->format),
+                             {storage_image, storage_image, storage_image, storage_image, storage_buffer,
+                              storage_image},
+                             sizeof(PreparationParameters)))
         .first->second;
 }
 

@@ -9,23 +9,31 @@ namespace gloam::effect {
 namespace {
 
 constexpr std::uint32_t columns = 256;             // SAMPLE_TABLE_COLUMNS of samples/table.glsl
-constexpr std::uint32_t group_size = 64;           // of sample_table.comp
 constexpr std::uint32_t most_tabulated = 131'072;  // 2 MiB
 
 std::uint32_t most_of_frame(const Settings& settings) {
     return std::max(settings.samples, settings.samples_converged);
 }
 
+}  // namespace
+
 // A frame starts below the size of the table and goes on to its own end.
-std::uint32_t last_of(const Settings& settings) {
+std::uint32_t last_tabulated(const Settings& settings) {
     return settings.table_size - 1 + most_of_frame(settings);
 }
 
-}  // namespace
+gpu::Extent sample_table_extent(const Settings& settings) {
+    return {columns, last_tabulated(settings) / columns + 1};
+}
+
+PassSource sample_table_source(const std::string& samples) {
+    return {.file = "sample_table.comp",
+            .replaced = {{"samples/hemisphere_cosine.glsl", "samples/" + samples + ".glsl"}}};
+}
 
 bool tabulates_samples(const Settings& settings) {
     return settings.sample_table && !method_named(settings.method).samples.empty() &&
-           last_of(settings) < most_tabulated;
+           last_tabulated(settings) < most_tabulated;
 }
 
 SampleTable::SampleTable(const gpu::Device& device, const scene::PassLibrary& library)
@@ -37,7 +45,7 @@ void SampleTable::take(const Settings& settings) {
     used_ = tabulates_samples(settings);
     if (!used_) return;
     const std::string& samples = method_named(settings.method).samples;
-    const gpu::Extent extent{columns, last_of(settings) / columns + 1};
+    const gpu::Extent extent = sample_table_extent(settings);
     const bool fits = image_ && image_->extent().height >= extent.height;
     if (!fits) image_.emplace(*device_, extent, gpu::Format::rgba32f);
     if (!fits || samples != samples_) filled_ = 0;
@@ -56,13 +64,9 @@ void SampleTable::advance() {
 const gpu::ComputePipeline& SampleTable::pipeline() {
     const auto known = pipelines_.find(samples_);
     if (known != pipelines_.end()) return known->second;
-    const shader::Spirv spirv = library_.compile(
-        "sample_table.comp", {}, {{"samples/hemisphere_cosine.glsl", "samples/" + samples_ + ".glsl"}});
     return pipelines_
-        .emplace(samples_,
-                 gpu::ComputePipeline(*device_, {.spirv = spirv,
-                                                 .bindings = {gpu::BindingKind::storage_image},
-                                                 .push_constant_bytes = sizeof(SampleTableParameters)}))
+        .emplace(samples_, pipeline_of(*device_, library_, sample_table_source(samples_),
+                                       {gpu::BindingKind::storage_image}, sizeof(SampleTableParameters)))
         .first->second;
 }
 
@@ -74,7 +78,7 @@ void SampleTable::append_step(std::vector<Step>& steps) {
                      .pipeline = &pipeline(),
                      .resources = {*image_},
                      .parameters = bytes_of(range_),
-                     .groups = {(count + group_size - 1) / group_size, 1, 1}});
+                     .groups = {(count + sample_table_group - 1) / sample_table_group, 1, 1}});
 }
 
 }  // namespace gloam::effect

@@ -2,7 +2,8 @@
 #include "effect/internal/tiles.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <span>
 
 #include "effect/internal/passes.hpp"
 
@@ -49,9 +50,15 @@ void Tiles::forget() {
 
 void Tiles::clear() {
     std::ranges::fill(after_.as<TileState>(), TileState{});
-    const auto lists = lists_.as<TileList>().first(header_lists);
-    std::ranges::fill(lists, TileList{.layers = 1});
+    std::ranges::copy(empty_lists(), lists_.bytes().begin());
+}
+
+std::vector<std::byte> empty_lists() {
+    std::array<TileList, header_lists> lists{};
+    for (TileList& list : lists) list.layers = 1;
     lists.back() = {};
+    const auto bytes = std::as_bytes(std::span(lists));
+    return {bytes.begin(), bytes.end()};
 }
 
 SelectedTiles Tiles::counts() const {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "shader/include.hpp"
+#include "shader/pack.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -16,15 +17,19 @@ shader::Stage stage_of(const std::filesystem::path& file) {
     throw std::invalid_argument("pass " + file.string() + ": expected the suffix .comp, .vert or .frag");
 }
 
+std::string lines_of(const std::vector<std::string>& defines) {
+    std::string lines;
+    for (const std::string& name : defines) lines += "#define " + name + "\n";
+    return lines;
+}
+
 // Behind the #version line, which must stay the first.
 std::string with_defines(const std::string& text, const std::vector<std::string>& defines) {
     if (defines.empty()) return text;
     const std::size_t version = text.find("#version");
     const std::size_t end = version == std::string::npos ? std::string::npos : text.find('\n', version);
     if (end == std::string::npos) throw std::invalid_argument("a pass without a #version line");
-    std::string lines;
-    for (const std::string& name : defines) lines += "#define " + name + "\n";
-    return text.substr(0, end + 1) + lines + text.substr(end + 1);
+    return text.substr(0, end + 1) + lines_of(defines) + text.substr(end + 1);
 }
 
 std::string with_include(std::string text, const PassLibrary::Replacement& replacement) {
@@ -55,8 +60,10 @@ shader::Source PassLibrary::source(const std::string& name, const std::vector<st
 }
 
 std::string PassLibrary::text(const std::string& name, const std::vector<std::string>& defines,
-                              const std::vector<Replacement>& replacements) const {
-    return shader::flatten(source(name, defines, replacements), {glsl_});
+                              const std::vector<Replacement>& replacements,
+                              const std::map<std::uint32_t, std::uint32_t>& constants) const {
+    return shader::pack({{.name = "defines", .text = lines_of(defines)}, source(name, {}, replacements)},
+                        {.stage = stage_of(name), .constants = constants}, {glsl_});
 }
 
 shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,9 +35,11 @@ class PassLibrary {
     [[nodiscard]] shader::Spirv compile(const std::string& name, const std::vector<std::string>& defines = {},
                                         const std::vector<Replacement>& replacements = {}) const;
 
-    // The text that compile() compiles, without an #include. Throws like it, but for what does not compile.
+    // The same pass as one text without #include and #if, its constants set (shader::pack()). Throws like
+    // compile().
     [[nodiscard]] std::string text(const std::string& name, const std::vector<std::string>& defines = {},
-                                   const std::vector<Replacement>& replacements = {}) const;
+                                   const std::vector<Replacement>& replacements = {},
+                                   const std::map<std::uint32_t, std::uint32_t>& constants = {}) const;
 
   private:
     [[nodiscard]] shader::Source source(const std::string& name, const std::vector<std::string>& defines,

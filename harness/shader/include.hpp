@@ -29,14 +29,4 @@ struct IncludedFile {
                                                         const std::vector<std::filesystem::path>& roots,
                                                         const std::filesystem::path& from = {});
 
-// One self-contained text of the given files and all they include: dependencies first, each file once,
-// include directives and include guards removed, comments kept, SPDX and #extension lines once at the top. No
-// #version line. Throws std::runtime_error for a missing file, an include cycle, and an #include under a
-// condition other than the guard (its place in one text would depend on the condition).
-[[nodiscard]] std::string flatten(const std::vector<std::filesystem::path>& files,
-                                  const std::vector<std::filesystem::path>& roots);
-
-// The same of one text: it stays what it is, its #version line first, with all that it includes in it.
-[[nodiscard]] std::string flatten(const Source& source, const std::vector<std::filesystem::path>& roots);
-
 }  // namespace gloam::shader

@@ -33,7 +33,25 @@ const Entry& entry_of(Language language) {
                                 ": not one of 450, 330, 300es, 310es");
 }
 
+// The pieces keep their own line numbers; the last may end without a newline, in a comment.
+void check_pieces(const Entry& entry, Stage stage, std::vector<Source> pieces, bool add_main,
+                  const std::vector<std::filesystem::path>& include_roots) {
+    const std::string name = pieces.back().name;
+    const std::string local_size = stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
+    if (add_main) pieces.push_back({"main", "\n" + local_size + "void main() {}\n"});
+    internal::Parse parse(stage, entry.client, name, std::move(pieces), include_roots);
+    static_cast<void>(parse.link(internal::Unreached::dropped));
+}
+
 }  // namespace
+
+namespace internal {
+
+Client client_of(Language language) {
+    return entry_of(language).client;
+}
+
+}  // namespace internal
 
 std::optional<Language> language_from(std::string_view name) {
     for (const Entry& entry : entries)
@@ -50,15 +68,18 @@ std::string preamble(Language language) {
     return "#version " + std::string(entry.version) + "\n" + (entry.es ? es_precisions : "");
 }
 
+Stage usual_stage(Language language) {
+    return entry_of(language).stage;
+}
+
+void check_program(const Source& text, bool add_main, Language language, Stage stage) {
+    check_pieces(entry_of(language), stage, {text}, add_main, {});
+}
+
 void check_compiles(const Source& body, Language language,
                     const std::vector<std::filesystem::path>& include_roots) {
     const Entry& entry = entry_of(language);
-    const std::string local_size = entry.stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
-    // The body keeps its own line numbers; it may end without a newline, in a comment.
-    std::vector<Source> pieces{
-        {"preamble", preamble(language)}, body, {"main", "\n" + local_size + "void main() {}\n"}};
-    internal::Parse parse(entry.stage, entry.client, body.name, std::move(pieces), include_roots);
-    static_cast<void>(parse.link(internal::Unreached::dropped));
+    check_pieces(entry, entry.stage, {{"preamble", preamble(language)}, body}, true, include_roots);
 }
 
 }  // namespace gloam::shader

@@ -1,19 +1,32 @@
 // SPDX-License-Identifier: MIT
-// The front end of the framework, as far as it is ours: lines, directives, includes, one text of many.
+// The front end of the framework, as far as it is ours: lines, directives, includes, declarations.
 // (glslang runs apart from the process, see harness/shader/internal/compiler_process.hpp.)
 #include "fuzz/fuzz.hpp"
 #include "shader/include.hpp"
+#include "shader/internal/lines.hpp"
+#include "shader/internal/outline.hpp"
 
 using namespace gloam;
+
+namespace {
+
+// Every line of a text, whatever its conditions.
+shader::internal::ActiveText all_active(const std::string& text) {
+    shader::internal::ActiveText active;
+    active.given = 1;
+    shader::internal::TextFile& file = active.files.emplace_back("text", text);
+    file.lines = shader::internal::split_lines(file.text);
+    for (std::size_t i = 0; i < file.lines.size(); ++i) active.lines.push_back({0, i});
+    return active;
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(fuzz::text_of(data, size));
     const auto& file = fuzz::file_of(text, ".glsl");
     const std::vector<std::filesystem::path> roots{file.parent_path()};
     fuzz::read_or_refuse([&] { (void)shader::include_closure(text, roots, file.parent_path()); });
-    fuzz::read_or_refuse([&] {
-        const std::string once = shader::flatten(std::vector<std::filesystem::path>{file}, roots);
-        (void)shader::flatten({.name = "once", .text = once}, roots);
-    });
+    fuzz::read_or_refuse([&] { (void)shader::internal::outline(all_active(text)); });
     return 0;
 }

@@ -2,8 +2,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "effect/methods.hpp"
-#include "shader/compile.hpp"
 #include "tools/expect.hpp"
 
 namespace gloam::test {
@@ -52,51 +50,47 @@ TEST(Pack, TakesOnesOwnFile) {
 // As docs/integration.md shows it: the engine defines what the library asks for.
 TEST(Pack, AnEnginesOwnImagesServeThePrototypes) {
     const std::string folder = GLOAM_TOOLS_FIXTURES;
-    const CommandResult vulkan = run_command({"pack", folder + "/engine_vulkan.glsl"});
+    const auto packed = [&](const char* file, const char* version) {
+        return run_command(
+            {"pack", folder + file, "--function", "gloam_normal_from_depth", "--version", version});
+    };
+    const CommandResult vulkan = packed("/engine_vulkan.glsl", "450");
     expect_success(vulkan);
     EXPECT_THAT(vulkan.out, HasSubstr("vec3 gloam_normal_from_depth("));
-    for (const char* version : {"330", "300es", "310es"}) {
-        expect_success(run_command({"pack", folder + "/engine_gl.glsl", "--version", version}));
-    }
+    for (const char* version : {"330", "300es", "310es"}) expect_success(packed("/engine_gl.glsl", version));
 }
 
-// What the front end makes of the packed text is what it makes of the pass in the library, to the word: so is
-// the module after the optimiser, and every image.
-TEST(Pack, AWholePassIsThePassItself) {
-    const std::string pass = GLOAM_GLSL_DIR "/passes/ambient_occlusion.comp";
-    const std::string include = "methods/hemisphere.glsl";
-    const std::string text = read(pass);
-    const std::size_t at = text.find(include);
-    ASSERT_NE(at, std::string::npos);
-    for (const effect::MethodInfo& method : effect::methods()) {
-        const CommandResult result = run_command({"pack", "--method", method.name});
-        expect_success(result);
-        EXPECT_THAT(result.out, Not(HasSubstr("#include"))) << method.name;
-        const std::string other = "methods/" + method.name + ".glsl";
-        EXPECT_EQ(
-            shader::compile({.name = "packed", .text = result.out}, {}),
-            shader::compile({.name = pass, .text = std::string(text).replace(at, include.size(), other)},
-                            {.include_roots = {GLOAM_GLSL_DIR}}))
-            << method.name;
-    }
-}
-
-TEST(Pack, APresetBringsItsSettings) {
-    const CommandResult result = run_command({"pack", "--preset", "gtao-quality"});
+TEST(Pack, OneFunctionAlone) {
+    const CommandResult result = run_command({"pack", halton, "--function", "gloam_halton_2d"});
     expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("gloam_gtao_add"));
-    EXPECT_THAT(result.out, HasSubstr("//   steps = 3\n"));
-    const CommandResult other = run_command({"pack", "--method", "disc", "--preset", "balanced"});
-    EXPECT_THAT(other.out, HasSubstr("//   samples = 8\n"));
-    EXPECT_THAT(other.out, HasSubstr("//   method = disc\n"));
+    EXPECT_THAT(result.out, HasSubstr("vec2 gloam_halton_2d("));
+    EXPECT_THAT(result.out, Not(HasSubstr("gloam_halton_3d")));
+    expect_could_not_run(run_command({"pack", halton, "--function", "gloam_halton_4d"}), "gloam_halton_4d");
+}
+
+// A whole shader, its stage told by its name.
+TEST(Pack, AShaderWithAMain) {
+    for (const char* name : {"reproject.comp", "gbuffer.vert", "gbuffer.frag", "tiles/select.comp"}) {
+        const CommandResult result = run_command({"pack", std::string(GLOAM_GLSL_DIR "/passes/") + name});
+        expect_success(result);
+        EXPECT_THAT(result.out, HasSubstr("void main()")) << name;
+        EXPECT_THAT(result.out, Not(HasSubstr("#if"))) << name;
+    }
+}
+
+TEST(Pack, CountsLines) {
+    const CommandResult result = run_command({"pack", "--lines", halton, "gloam/temporal/history.glsl"});
+    expect_success(result);
+    EXPECT_THAT(result.out,
+                StartsWith("| file | lines of code |\n| --- | --- |\n| `gloam/sampling/halton.glsl` | "));
+    EXPECT_EQ(line_count(result.out), 4);
 }
 
 TEST(Pack, BadInputIsNamed) {
-    expect_could_not_run(run_command({"pack"}), "--method");
-    expect_could_not_run(run_command({"pack", "--method", "magic"}), "magic");
-    expect_could_not_run(run_command({"pack", "--preset", "magic"}), "magic");
-    expect_could_not_run(run_command({"pack", halton, "--method", "disc"}), "give no files");
-    expect_could_not_run(run_command({"pack", "--method", "disc", "--version", "330"}), "330");
+    expect_could_not_run(run_command({"pack"}), "--effect");
+    expect_could_not_run(run_command({"pack", "--method", "disc"}), "--effect");
+    expect_could_not_run(run_command({"pack", GLOAM_GLSL_DIR "/passes/reproject.comp", "--version", "300es"}),
+                         "reproject.comp");
     expect_could_not_run(run_command({"pack", "gloam/no/such.glsl"}), "gloam/no/such.glsl");
     expect_could_not_run(run_command({"pack", halton, "--version", "110"}), "110");
     expect_could_not_run(run_command({"pack", halton, "--out", "/no/such/folder/file"}),
@@ -125,6 +119,34 @@ TEST(Pack, AVersionThatIsNoneIsNamed) {
     const std::filesystem::path own = folder.path() / "own.glsl";
     std::ofstream(own) << "#version banana\nfloat own() { return 1.0; }\n";
     expect_could_not_run(run_command({"pack", own.string()}), own.string() + ":1: #version banana");
+}
+
+// An include of an include, and so on: as deep as a folder allows.
+TEST(Pack, ManyIncludesDeep) {
+    const TemporaryDirectory folder;
+    const auto name = [](int i) { return "i" + std::to_string(i) + ".glsl"; };
+    constexpr int depth = 300;
+    for (int i = 0; i < depth; ++i)
+        std::ofstream(folder.path() / name(i))
+            << "#include \"" << name(i + 1) << "\"\nfloat f" << i << "() { return f" << i + 1 << "(); }\n";
+    std::ofstream(folder.path() / name(depth)) << "float f" << depth << "() { return 1.0; }\n";
+    const CommandResult result = run_command({"pack", (folder.path() / name(0)).string()});
+    expect_success(result);
+    EXPECT_THAT(result.out, HasSubstr("float f300()"));
+}
+
+// Each file includes the next one twice: 2^40 lines.
+TEST(Pack, IncludesThatDoubleAreStopped) {
+    const TemporaryDirectory folder;
+    for (int i = 0; i < 40; ++i) {
+        const std::string next = "#include \"i" + std::to_string(i + 1) + ".glsl\"\n";
+        std::ofstream(folder.path() / ("i" + std::to_string(i) + ".glsl")) << next << next;
+    }
+    std::ofstream(folder.path() / "i40.glsl") << "// nothing\n";
+    const std::string first = (folder.path() / "i0.glsl").string();
+    const CommandResult result = run_command({"pack", first});
+    expect_could_not_run(result, first);
+    EXPECT_THAT(result.err, HasSubstr("takes more than"));
 }
 
 // Each macro is twice the one before: 2^40 additions, 7 GB on the way there.

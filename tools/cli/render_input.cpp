@@ -14,6 +14,7 @@
 #include "cli/mesh_reader.hpp"
 #include "cli/names.hpp"
 #include "cli/render_settings.hpp"
+#include "cli/view_size.hpp"
 #include "scene/corner.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/mesh_reader.hpp"
@@ -100,21 +101,6 @@ scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
     }
     return scene::mesh_scene(scene::read_mesh(source, mesh_reader_command()),
                              fs::path(source).stem().string(), view);
-}
-
-// "640x360".
-gpu::Extent parse_size(const std::string& text) {
-    gpu::Extent extent;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, extent.width);
-    bool good = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-    if (good) {
-        const auto height = std::from_chars(width.ptr + 1, end, extent.height);
-        good = height.ec == std::errc{} && height.ptr == end;
-    }
-    if (good && extent.width > 0 && extent.height > 0) return extent;
-    throw std::invalid_argument(
-        fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each 1 or more, such as 640x360", text));
 }
 
 // wide: with its guard band.

@@ -53,17 +53,17 @@ GloamPackedHistory gloam_history_encode(GloamHistory h) {
 }
 
 // The texel that 64 bits stand for, as gloam_history_pack gives it but not sanitized: for gloam_history_unpack, and what reads through it.
-// packed: members are taken modulo 65536. Returns (occlusion, weight, index, depth). Error: none.
-vec4 gloam_packed_texel(GloamPackedHistory packed) {
+// texel: members are taken modulo 65536. Returns (occlusion, weight, index, depth). Error: none.
+vec4 gloam_packed_texel(GloamPackedHistory texel) {
     const uint mask = 0xFFFFu;
-    return vec4(float(packed.occlusion & mask) * (1.0 / 32768.0), float(packed.weight & mask) * (1.0 / 16.0), float(packed.index & mask),
-                gloam_depth_from_code(packed.depth & mask));
+    return vec4(float(texel.occlusion & mask) * (1.0 / 32768.0), float(texel.weight & mask) * (1.0 / 16.0), float(texel.index & mask),
+                gloam_depth_from_code(texel.depth & mask));
 }
 
 // The history of 64 bits, sanitized; whatever they hold, the result is usable. Zeros are the empty history of background.
-// packed: members are taken modulo 65536. Error: none.
-GloamHistory gloam_history_decode(GloamPackedHistory packed) {
-    return gloam_history_unpack(gloam_packed_texel(packed));
+// texel: members are taken modulo 65536. Error: none.
+GloamHistory gloam_history_decode(GloamPackedHistory texel) {
+    return gloam_history_unpack(gloam_packed_texel(texel));
 }
 
 #endif

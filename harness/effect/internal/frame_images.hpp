@@ -22,6 +22,9 @@ namespace gloam::effect {
 // Of the images that hold a history.
 [[nodiscard]] gpu::Format format_of(HistoryPrecision precision);
 
+// Occlusion of 1 in a packed history, as GloamPackedHistory has it.
+constexpr float packed_occlusion_unit = 1.0F / 32768.0F;
+
 // What a history image holds for each pixel.
 struct HistoryTexels {
     std::vector<float> occlusion;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "effect/internal/tiles.hpp"
+#include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "gpu/compute.hpp"
 #include "scene/camera.hpp"
@@ -164,6 +165,25 @@ struct FilterProgram {
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
 // And one that reads or writes a prepared image of that format.
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision, gpu::Format prepared);
+
+// How passes count the work of their tiles (tiles/tally.glsl).
+enum class Counting : std::uint32_t { none, each_invocation, each_group };
+
+// What the passes are compiled from. `counts`: of the device that they run on. `open_tiles_each`: open tiles
+// that a group takes.
+[[nodiscard]] PassSource normals_source();
+[[nodiscard]] PassSource occlusion_source(const Program& program, Counting counts,
+                                          std::uint32_t open_tiles_each);
+[[nodiscard]] PassSource reprojection_source(const ReprojectionProgram& program);
+[[nodiscard]] PassSource filter_source(const FilterProgram& program);
+[[nodiscard]] PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list);
+[[nodiscard]] PassSource selection_source(std::uint32_t open_tiles_each);
+
+// A pipeline of it with these bindings.
+[[nodiscard]] gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
+                                               const PassSource& source,
+                                               std::vector<gpu::BindingKind> bindings,
+                                               std::size_t push_constant_bytes);
 
 // The pipelines of glsl/passes.
 [[nodiscard]] gpu::ComputePipeline normals_from_depth(const gpu::Device& device,

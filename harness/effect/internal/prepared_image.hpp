@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "effect/internal/passes.hpp"
@@ -37,6 +37,25 @@ struct PreparationParameters {
     std::int32_t level;
 };
 
+[[nodiscard]] PreparationParameters preparation_parameters(const View& view, const Settings& settings,
+                                                           int level);
+
+// What a preparation pass is compiled for.
+struct PreparationProgram {
+    HistoryPrecision precision = HistoryPrecision::float32;
+    std::uint32_t layers = 1;
+    bool reject_taps = false;
+    bool keeps_history = true;
+
+    friend auto operator<=>(const PreparationProgram&, const PreparationProgram&) = default;
+};
+
+[[nodiscard]] PreparationProgram preparation_program_for(const Settings& settings);
+
+// Of a file of glsl/passes/preparation and the format of its image.
+[[nodiscard]] PassSource preparation_source(const std::string& file, const PreparationProgram& program,
+                                            gpu::Format format);
+
 // The image that a method's preparation passes write, with what they need. Nothing is allocated or compiled
 // for a method that prepares nothing.
 class PreparedImage {
@@ -68,15 +87,11 @@ class PreparedImage {
 
     const gpu::Device* device_;
     scene::PassLibrary library_;
-    HistoryPrecision precision_ = HistoryPrecision::float32;
-    std::uint32_t layers_ = 1;
-    bool reject_taps_ = false;
-    bool history_ = true;
+    PreparationProgram program_;
     std::optional<Preparation> preparation_;
     std::optional<gpu::Image> image_;
     std::vector<PreparationParameters> constants_;  // for each pass
-    std::map<std::tuple<std::string, HistoryPrecision, std::uint32_t, bool, bool>, gpu::ComputePipeline>
-        pipelines_;
+    std::map<std::pair<std::string, PreparationProgram>, gpu::ComputePipeline> pipelines_;
 };
 
 }  // namespace gloam::effect

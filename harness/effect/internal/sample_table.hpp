@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/settings.hpp"
 #include "gpu/image.hpp"
@@ -19,6 +20,15 @@ struct SampleTableParameters {
     std::uint32_t first;
     std::uint32_t last;
 };
+
+constexpr std::uint32_t sample_table_group = 64;  // samples of a group of the pass
+
+// The last sample that a table of these settings has to hold, and the size of its image.
+[[nodiscard]] std::uint32_t last_tabulated(const Settings& settings);
+[[nodiscard]] gpu::Extent sample_table_extent(const Settings& settings);
+
+// Of a file of glsl/passes/samples.
+[[nodiscard]] PassSource sample_table_source(const std::string& samples);
 
 // What all pixels share of their samples, computed once each, on the device, as far as the frames get.
 // Nothing is allocated or compiled before a method shares something.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "effect/settings.hpp"
 #include "gpu/buffer.hpp"
@@ -133,6 +135,9 @@ class Tiles {
     gpu::Buffer open_;
     gpu::Buffer bounds_;
 };
+
+// The beginning of the buffer of lists before a frame: every list empty.
+[[nodiscard]] std::vector<std::byte> empty_lists();
 
 // Levels of the pyramid of bounds, as glsl/passes/tiles/bounds.glsl has it: of tiles, and twice of 4 x 4.
 constexpr std::uint32_t bound_levels = 3;

@@ -52,23 +52,28 @@ void set_client(glslang::TShader& shader, EShLanguage language) {
 
 }  // namespace
 
+Strings::Strings(const std::vector<Source>& pieces) {
+    for (const Source& piece : pieces) {
+        texts_.push_back(piece.text.c_str());
+        lengths_.push_back(static_cast<int>(piece.text.size()));
+        names_.push_back(piece.name.c_str());
+    }
+}
+
+void Strings::give_to(glslang::TShader& shader) const {
+    shader.setStringsWithLengthsAndNames(texts_.data(), lengths_.data(), names_.data(),
+                                         static_cast<int>(texts_.size()));
+}
+
 Parse::Parse(Stage stage, Client client, std::string name, std::vector<Source> pieces,
              const std::vector<std::filesystem::path>& roots)
     : language_(language_of(stage)),
       messages_(messages_of(client)),
       name_(std::move(name)),
       pieces_(std::move(pieces)),
+      strings_(pieces_),
       shader_(language_) {
-    std::vector<const char*> texts;
-    std::vector<int> lengths;
-    std::vector<const char*> names;
-    for (const Source& piece : pieces_) {
-        texts.push_back(piece.text.c_str());
-        lengths.push_back(static_cast<int>(piece.text.size()));
-        names.push_back(piece.name.c_str());
-    }
-    shader_.setStringsWithLengthsAndNames(texts.data(), lengths.data(), names.data(),
-                                          static_cast<int>(texts.size()));
+    strings_.give_to(shader_);
     shader_.setPreamble(preamble);
     if (client == Client::vulkan) set_client(shader_, language_);
     Includer includer(roots);
@@ -86,19 +91,22 @@ const glslang::TIntermediate& Parse::link(Unreached unreached) {
 }
 
 std::string preprocessed(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots) {
+    Includer includer(roots);
+    return preprocessed(std::vector<Source>{source}, stage, Client::vulkan, includer);
+}
+
+std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client client,
+                         glslang::TShader::Includer& includer) {
     const EShLanguage language = language_of(stage);
     glslang::TShader shader(language);
-    const char* const text = source.text.c_str();
-    const char* const name = source.name.c_str();
-    const int length = static_cast<int>(source.text.size());
-    shader.setStringsWithLengthsAndNames(&text, &length, &name, 1);
+    const Strings strings(pieces);
+    strings.give_to(shader);
     shader.setPreamble(preamble);
-    set_client(shader, language);
-    Includer includer(roots);
+    if (client == Client::vulkan) set_client(shader, language);
     std::string result;
     if (!shader.preprocess(GetDefaultResources(), version_when_missing, ENoProfile, false, false,
-                           messages_of(Client::vulkan), &result, includer))
-        throw CompileError(error_lines(shader.getInfoLog(), source.name));
+                           messages_of(client), &result, includer))
+        throw CompileError(error_lines(shader.getInfoLog(), pieces.front().name));
     // The preamble is printed, too, before the line that must be the first.
     return result.substr(std::min(result.find("#version"), result.size()));
 }

@@ -8,14 +8,28 @@
 #include <vector>
 
 #include "shader/compile.hpp"
+#include "shader/language.hpp"
 
 namespace gloam::shader::internal {
 
 // The rules of which client the text is held to: SPIR-V for Vulkan 1.2, or those of the language alone.
 enum class Client { vulkan, none };
+[[nodiscard]] Client client_of(Language language);
 
 // What becomes of functions that main does not reach.
 enum class Unreached { dropped, kept };
+
+// Texts as glslang takes them, which must outlive it.
+class Strings {
+  public:
+    explicit Strings(const std::vector<Source>& pieces);
+    void give_to(glslang::TShader& shader) const;
+
+  private:
+    std::vector<const char*> texts_;
+    std::vector<int> lengths_;
+    std::vector<const char*> names_;
+};
 
 // A text parsed by glslang; several pieces are read as one, each with its own name and line numbers.
 // The syntax tree lives as long as this object.
@@ -36,6 +50,7 @@ class Parse {
     EShMessages messages_;
     std::string name_;
     std::vector<Source> pieces_;
+    Strings strings_;
     glslang::TShader shader_;
     glslang::TProgram program_;  // after the shader: must be destroyed first
 };
@@ -43,6 +58,10 @@ class Parse {
 // The text with its includes and macros replaced and its comments gone. Throws CompileError.
 [[nodiscard]] std::string preprocessed(const Source& source, Stage stage,
                                        const std::vector<std::filesystem::path>& roots);
+
+// The same of several texts that are read as one, held to the rules of the client.
+[[nodiscard]] std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client client,
+                                       glslang::TShader::Includer& includer);
 
 // The text for Vulkan as glslang translates it: no optimisation, not validated. Throws CompileError.
 [[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,

@@ -37,6 +37,7 @@ Result* Includer::open(const char* name, const Path& from) {
             std::any_of(open_.begin(), open_.end(), [&](const auto& o) { return o->path == path; });
         if (again) return fail("include cycle: " + chain_to(path));
         std::string text = read_text(path);
+        if (reading_) text = reading_(path, std::move(text));
         return hold(std::move(path), std::move(text));
     } catch (const std::exception& error) {
         return fail(error.what());

@@ -4,6 +4,7 @@
 #include <glslang/Public/ShaderLang.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,11 +12,14 @@
 
 namespace gloam::shader::internal {
 
-// Serves #include from files. The name that it gives an include is its path, which error messages then carry.
+// Serves #include from files. The name that it gives an include is its path, which error messages then carry;
+// what the compiler is to read of the file may be another text.
 // glslang is built without exceptions: nothing may be thrown through it, so failures become messages.
 class Includer final : public glslang::TShader::Includer {
   public:
-    explicit Includer(const std::vector<std::filesystem::path>& roots) : roots_(roots) {}
+    using Reading = std::function<std::string(const std::filesystem::path&, std::string text)>;
+    explicit Includer(const std::vector<std::filesystem::path>& roots, Reading reading = {})
+        : roots_(roots), reading_(std::move(reading)) {}
 
     IncludeResult* includeLocal(const char* name, const char* includer, std::size_t depth) override;
     IncludeResult* includeSystem(const char* name, const char* includer, std::size_t depth) override;
@@ -34,6 +38,7 @@ class Includer final : public glslang::TShader::Includer {
     [[nodiscard]] std::string chain_to(const std::filesystem::path& path) const;
 
     const std::vector<std::filesystem::path>& roots_;
+    Reading reading_;
     std::vector<std::unique_ptr<Open>> open_;
     std::optional<std::string> local_failure_;
 };

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+#include "effect/plan.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "effect/internal/frame_images.hpp"
+#include "effect/internal/passes.hpp"
+#include "effect/internal/prepared_image.hpp"
+#include "effect/internal/sample_table.hpp"
+#include "effect/internal/tiles.hpp"
+#include "effect/methods.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using Origin = PlannedImage::Origin;
+
+// A frame as one of the two sees it that are compared for what is the view's.
+struct Moment {
+    View view;
+    View previous;
+    bool odd = false;    // of the frames that exchange the histories
+    bool still = false;  // nothing has moved since the last frame
+};
+
+scene::CameraFrame camera_of(const PlanOptions& options, double fovy) {
+    scene::Camera camera{.fovy_rad = fovy, .view_height = fovy};
+    if (options.orthographic) camera.projection = scene::Projection::orthographic;
+    scene::Camera previous = camera;
+    previous.eye = {fovy, 0.5 * fovy, 2.0 * fovy};
+    const double aspect = static_cast<double>(options.view.width) / static_cast<double>(options.view.height);
+    return scene::make_frame(camera, aspect, previous);
+}
+
+std::vector<std::byte> copy_of(std::span<const std::byte> bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+template <class Parameters>
+std::vector<std::byte> bytes_of_parameters(const Parameters& parameters) {
+    return copy_of(std::as_bytes(std::span(&parameters, 1)));
+}
+
+constexpr std::array<std::uint32_t, 2> a_tile{tile_side, tile_side};
+constexpr std::array<std::uint32_t, 2> tiles_of_filter{tile_side * filter_tiles, tile_side};
+constexpr std::array<std::uint32_t, 2> tile_of_tiles{tile_side * tile_side, tile_side* tile_side};
+
+std::array<std::int32_t, 2> pair_of(gpu::Extent extent) {
+    return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height)};
+}
+
+class Planner {
+  public:
+    Planner(const Settings& settings, const PlanOptions& options, const Moment& moment)
+        : settings_(settings),
+          options_(options),
+          moment_(moment),
+          preparation_(preparation_of(settings, moment.view.extent)),
+          table_(tabulates_samples(settings)) {}
+
+    Plan run() {
+        images();
+        buffers();
+        passes();
+        plan_.exchanged = {{"history_before", "history_after"}};
+        if (options_.tiles) plan_.exchanged.push_back({"tile_states_before", "tile_states_after"});
+        return std::move(plan_);
+    }
+
+  private:
+    void image(const char* name, gpu::Format format, Origin origin, const char* meaning) {
+        plan_.images.push_back({.name = name,
+                                .meaning = meaning,
+                                .format = format,
+                                .origin = origin,
+                                .extent = moment_.view.extent});
+    }
+
+    void fixed_image(const char* name, gpu::Format format, gpu::Extent extent, const char* meaning) {
+        image(name, format, Origin::frame, meaning);
+        plan_.images.back().extent = extent;
+        plan_.images.back().divisor = 0;
+    }
+
+    void images() {
+        using enum gpu::Format;
+        const gpu::Format history = format_of(settings_.precision);
+        image("depth", r32f, Origin::engine, "eye-linear depth, world units; background 0 or not finite");
+        image("normal", rgba32f, options_.normals ? Origin::engine : Origin::frame,
+              "view-space unit normals that face the eye, in xyz");
+        if (options_.moving_objects) {
+            image("previous_position", rgba32f, Origin::engine,
+                  "where each surface point was, in the view space of the frame before, in xyz");
+        }
+        if (settings_.layers > 1)
+            image("layers", rgba32f, Origin::engine, "depth layers 1 to 3 behind the first in xyz");
+        image("history_before", history, Origin::history, "the history of the frame before");
+        if (settings_.history)
+            image("history_reprojected", history, Origin::frame, "the same at the pixels of this frame");
+        image("history_after", history, Origin::frame, "the history of this frame");
+        if (filters(settings_)) {
+            image("half_filtered", r32f, Origin::frame, "the occlusion filtered along x");
+            image("filtered", r32f, Origin::frame, "and along y");
+        }
+        if (remaps(settings_)) image("mapped", r32f, Origin::frame, "what is shown of the occlusion");
+        if (remaps(settings_) && filters(settings_))
+            image("filtered_mapped", r32f, Origin::frame, "what is shown of the filtered occlusion");
+        if (preparation_) prepared_image();
+        if (table_) {
+            fixed_image("sample_table", rgba32f, sample_table_extent(settings_),
+                        "what all pixels share of their samples");
+            plan_.images.back().origin = Origin::once;
+        }
+        result();
+    }
+
+    void prepared_image() {
+        const gpu::Extent extent = preparation_->image;
+        fixed_image("prepared", preparation_->format, extent, "what the method's preparation passes write");
+        for (std::uint32_t divisor = 1; divisor <= 2; ++divisor) {
+            const gpu::Extent view = moment_.view.extent;
+            if (extent ==
+                gpu::Extent{(view.width + divisor - 1) / divisor, (view.height + divisor - 1) / divisor})
+                plan_.images.back().divisor = divisor;
+        }
+    }
+
+    void result() {
+        plan_.result = remaps(settings_)    ? (filters(settings_) ? "filtered_mapped" : "mapped")
+                       : filters(settings_) ? "filtered"
+                                            : "history_after";
+        const bool packed =
+            plan_.result == "history_after" && settings_.precision == HistoryPrecision::packed;
+        if (packed) plan_.result_unit = packed_occlusion_unit;
+    }
+
+    void buffers() {
+        plan_.buffers.push_back({.name = "method",
+                                 .meaning = "the method's settings",
+                                 .bytes = sizeof(MethodParameters),
+                                 .contents = bytes_of_parameters(method_parameters(settings_))});
+        if (!options_.tiles) {
+            plan_.buffers.push_back({.name = nothing_buffer,
+                                     .meaning = "for bindings that these settings do not read",
+                                     .bytes = 256});
+            return;
+        }
+        const auto [columns, rows, layers] = groups_for(moment_.view.extent);
+        const std::size_t tiles = std::size_t{columns} * rows;
+        const auto of_tiles = [&](const char* name, const char* meaning, std::size_t bytes) {
+            plan_.buffers.push_back(
+                {.name = name, .meaning = meaning, .bytes = bytes * tiles, .bytes_a_tile = bytes});
+        };
+        of_tiles("tile_states_before", "what is known of the tiles after the frame before",
+                 sizeof(TileState));
+        of_tiles("tile_states_after", "and after this one", sizeof(TileState));
+        plan_.buffers.back().refilled = true;
+        of_tiles("tile_lists", "which tiles the passes run on, and their indirect dispatches",
+                 tile_lists * sizeof(std::uint32_t));
+        plan_.buffers.back().contents = empty_lists();
+        plan_.buffers.back().bytes += plan_.buffers.back().contents.size();
+        plan_.buffers.back().refilled = true;
+        of_tiles("open_tiles", "tiles that nothing can block; none is looked for", sizeof(std::uint32_t));
+    }
+
+    void pass(const char* name, PassSource source, std::vector<std::string> resources,
+              std::vector<std::byte> parameters, std::array<std::uint32_t, 2> pixels) {
+        plan_.passes.push_back({.name = name,
+                                .source = std::move(source),
+                                .resources = std::move(resources),
+                                .parameters = std::move(parameters),
+                                .pixels = pixels});
+    }
+
+    // The last pass runs over a list where there are lists.
+    void over(TileLists list) {
+        if (!options_.tiles) return;
+        plan_.passes.back().list = offset_of(list);
+        plan_.passes.back().pixels = {};
+    }
+
+    [[nodiscard]] std::string present(const char* image) const {
+        const auto has = [&](const PlannedImage& other) { return other.name == image; };
+        return std::ranges::any_of(plan_.images, has) ? image : nothing_image;
+    }
+    // What the samples are blended into.
+    [[nodiscard]] std::string history() const {
+        return settings_.history ? "history_reprojected" : "history_before";
+    }
+    [[nodiscard]] std::string lists() const { return options_.tiles ? "tile_lists" : nothing_buffer; }
+    [[nodiscard]] std::string states() const { return options_.tiles ? "tile_states_after" : nothing_buffer; }
+
+    void passes() {
+        if (table_) {
+            const std::uint32_t last = last_tabulated(settings_);
+            pass("sample_table", sample_table_source(method_named(settings_.method).samples),
+                 {"sample_table"}, bytes_of_parameters(SampleTableParameters{1, last}), {});
+            plan_.passes.back().turn = Turn::once;
+            plan_.passes.back().groups = {(last + sample_table_group - 1) / sample_table_group, 1, 1};
+        }
+        if (!options_.normals)
+            pass("normals_from_depth", normals_source(), {"depth", "normal"},
+                 bytes_of_parameters(normal_parameters(moment_.view)), a_tile);
+        if (options_.tiles) selection();
+        if (settings_.history) reprojection();
+        preparation();
+        occlusion();
+        if (filters(settings_)) filter();
+        if (remaps(settings_)) remap();
+    }
+
+    void selection() {
+        std::uint32_t written =
+            (moment_.odd ? image_second_history : image_first_history) | image_reprojected;
+        if (filters(settings_)) written |= image_filtered;
+        if (remaps(settings_)) written |= image_mapped | (filters(settings_) ? image_filtered_mapped : 0U);
+        const gpu::Extent band = settings_.guard_history ? gpu::Extent{} : moment_.view.border;
+        const SelectParameters parameters{.size = pair_of(moment_.view.extent),
+                                          .band = pair_of(band),
+                                          .written = written,
+                                          .background = settings_.skip_background ? 1U : 0U,
+                                          .settled = settings_.skip_settled && moment_.still ? 1U : 0U,
+                                          .open = 0};
+        pass("select_tiles", selection_source(1),
+             {"depth", "tile_states_before", "tile_states_after", "tile_lists", "open_tiles"},
+             bytes_of_parameters(parameters), tile_of_tiles);
+    }
+
+    void reprojection() {
+        const ReprojectionProgram program{.precision = settings_.precision,
+                                          .moving_objects = options_.moving_objects,
+                                          .listed = options_.tiles,
+                                          .taps = settings_.taps,
+                                          .nearest_index = settings_.nearest_index,
+                                          .orthographic = options_.orthographic,
+                                          .previous_orthographic = options_.orthographic};
+        pass("reproject", reprojection_source(program),
+             {"depth", present("previous_position"), "history_before", "history_reprojected", lists()},
+             bytes_of_parameters(reprojection_parameters(moment_.view, moment_.previous, settings_)), a_tile);
+        plan_.passes.back().turn = Turn::moved;
+        over(TileLists::shaded);
+    }
+
+    void preparation() {
+        if (!preparation_) return;
+        const PreparationProgram program = preparation_program_for(settings_);
+        for (const PreparationPass& step : preparation_->passes) {
+            // A group of 8 x 8 texels of half the resolution takes 16 x 16 pixels of the view, and so on.
+            std::uint32_t side = tile_side;
+            while (step.invocations.width * (side / tile_side) + side / tile_side <=
+                   moment_.view.extent.width)
+                side *= 2;
+            pass(step.name.c_str(), preparation_source(step.file, program, preparation_->format),
+                 {"depth", "normal", history(), "prepared", "method", present("layers")},
+                 bytes_of_parameters(preparation_parameters(moment_.view, settings_, step.level)),
+                 {side, side});
+        }
+    }
+
+    void occlusion() {
+        Program program = program_for(settings_);
+        program.moving_objects = options_.moving_objects;
+        program.orthographic = options_.orthographic;
+        program.listed = options_.tiles;
+        program.shows = options_.tiles && filters(settings_);
+        OcclusionParameters parameters = occlusion_parameters(moment_.view, settings_);
+        parameters.still = moment_.still ? 1 : 0;
+        const Counting counts = options_.tiles ? Counting::each_group : Counting::none;
+        pass("ambient_occlusion", occlusion_source(program, counts, 1),
+             {"depth", "normal", history(), "history_after", states(), present("previous_position"), "method",
+              present("prepared"), present("layers"), lists(), present("filtered"), present("sample_table")},
+             bytes_of_parameters(parameters), a_tile);
+        over(TileLists::shaded);
+    }
+
+    void filter() {
+        if (options_.tiles) {
+            const std::int32_t reach = filter_reach(settings_);
+            const SelectFilteredParameters parameters{pair_of(moment_.view.extent), {reach, reach}};
+            pass("select_filtered_tiles", {.file = "tiles/select_filtered.comp"},
+                 {"tile_states_after", "tile_lists"}, bytes_of_parameters(parameters), tile_of_tiles);
+        }
+        const auto along = [&](const char* name, TileLists list, const char* from, const char* to) {
+            FilterProgram program =
+                filter_program_for(settings_, options_.tiles ? std::optional(list) : std::nullopt);
+            program.along_y = list == TileLists::filtered_y;
+            program.orthographic = options_.orthographic;
+            pass(name, filter_source(program), {"depth", "history_after", to, "normal", lists(), from},
+                 bytes_of_parameters(filter_parameters(moment_.view, settings_)), tiles_of_filter);
+            over(list);
+        };
+        along("filter_x", TileLists::filtered_x, "filtered", "half_filtered");
+        along("filter_y", TileLists::filtered_y, "half_filtered", "filtered");
+    }
+
+    void remap() {
+        const auto map = [&](const char* name, TileLists list, std::optional<HistoryPrecision> history,
+                             const char* from, const char* to) {
+            const auto listed = options_.tiles ? std::optional(list) : std::nullopt;
+            pass(name, remap_source(history, listed), {"depth", from, to, lists()},
+                 bytes_of_parameters(remap_parameters(moment_.view, settings_)),
+                 list == TileLists::filtered_y ? tiles_of_filter : a_tile);
+            over(list);
+        };
+        if (!filters(settings_))
+            return map("remap", TileLists::shaded, settings_.precision, "history_after", "mapped");
+        map("remap_filtered", TileLists::shaded, {}, "filtered", "filtered_mapped");
+        if (options_.tiles)
+            map("remap_filtered_tiles", TileLists::filtered_y, {}, "filtered", "filtered_mapped");
+    }
+
+    const Settings& settings_;
+    const PlanOptions& options_;
+    const Moment& moment_;
+    std::optional<Preparation> preparation_;
+    bool table_;
+    Plan plan_;
+};
+
+}  // namespace
+
+Plan plan_of(const Settings& settings, const PlanOptions& options) {
+    validate(settings);
+    PlanOptions other_options = options;
+    other_options.view = {options.view.width / 2 + 3, options.view.height / 3 + 5};
+    const View view{camera_of(options, 0.9), options.view, {}};
+    const View other{camera_of(other_options, 1.3), other_options.view, {1, 2}};
+    Plan plan = Planner(settings, options, {view, view, false, false}).run();
+    const Moment odd{view, view, true, false};
+    const Moment elsewhere{other, {camera_of(options, 1.1), options.view, {}}, true, true};
+    const Plan second = Planner(settings, options, odd).run();
+    const Plan compared = Planner(settings, options, elsewhere).run();
+    // What differs between two frames that share nothing but the settings is not the settings'.
+    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+        PlannedPass& pass = plan.passes[i];
+        pass.odd_parameters = second.passes[i].parameters;
+        for (std::size_t byte = 0; byte < pass.parameters.size(); ++byte)
+            pass.of_view.push_back(pass.odd_parameters[byte] != compared.passes[i].parameters.at(byte));
+    }
+    return plan;
+}
+
+}  // namespace gloam::effect

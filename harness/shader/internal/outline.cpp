@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "shader/internal/outline.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "shader/internal/piece_names.hpp"
+
+namespace gloam::shader::internal {
+namespace {
+
+constexpr const char* blanks = " \t\r\n\v\f";
+
+std::string without_end(std::string text) {
+    return text.erase(text.find_last_not_of(blanks) + 1);
+}
+
+void add_once(std::vector<std::string>& lines, std::string line) {
+    if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
+}
+
+bool is_licence(const Line& line) {
+    return is_blank(line) && !line.crosses &&
+           line.text.find("SPDX-License-Identifier:") != std::string_view::npos;
+}
+
+// Comment lines that wait for what follows them.
+struct Waiting {
+    std::size_t file = 0;
+    std::string text;
+    bool blank_after = false;  // a blank line, or another file, ended it
+};
+
+// Reads the lines one after the other; a declaration lasts from one to the next.
+class Reader {
+  public:
+    explicit Reader(const ActiveText& text) : text_(text) {}
+
+    Outline run() {
+        for (const ActiveText::Place& place : text_.lines) read(place);
+        if (!code_.empty()) finish();  // the compiler has to say what is missing
+        release_comments(true);
+        return std::move(outline_);
+    }
+
+  private:
+    void read(const ActiveText::Place& place) {
+        const Line& line = text_.at(place);
+        if (place.file != file_) change_file(place.file);
+        seen_.insert(place.file);
+        if (code_.empty() && is_licence(line))
+            return add_once(outline_.licences, without_end(std::string(line.text)));
+        if (const auto directive = directive_of(line)) return read_directive(line, *directive);
+        if (code_.empty() && is_blank(line)) return read_comment(line);
+        read_code(line);
+    }
+
+    void change_file(std::size_t file) {
+        end_paragraph();
+        file_ = file;
+    }
+
+    void end_paragraph() {
+        if (!waiting_.empty()) waiting_.back().blank_after = true;
+        if (code_.empty()) broken_ = true;
+    }
+
+    void read_comment(const Line& line) {
+        const bool blank = line.text.find_first_not_of(blanks) == std::string_view::npos;
+        if (blank && !line.crosses) return end_paragraph();
+        if (line.crosses && crossing_ && !outline_.pieces.empty()) {
+            // The end of a comment that began behind a declaration.
+            outline_.pieces.back().text += "\n" + without_end(std::string(line.text));
+            return;
+        }
+        if (waiting_.empty() || waiting_.back().blank_after || waiting_.back().file != file_)
+            waiting_.push_back({file_, "", false});
+        waiting_.back().text += without_end(std::string(line.text)) + "\n";
+    }
+
+    void read_directive(const Line& line, const Directive& directive) {
+        if (directive.keyword == "extension") {
+            if (!directive.argument.starts_with("GL_GOOGLE_include_directive"))
+                add_once(outline_.extensions, "#extension " + directive.argument);
+            return;
+        }
+        if (!code_.empty()) {  // within a declaration
+            inner_.push_back(macro_of(directive));
+            return append(line, 0, line.text.size());
+        }
+        Piece piece = macro_of(directive);
+        const bool guard = directive.argument.find_first_of(" \t(") == std::string::npos;
+        if (!guard) open();  // a comment above one is the file's
+        text_so_far_ += line.text;
+        piece.text = without_end(std::move(text_so_far_));
+        put(std::move(piece));
+        crossing_ = line.crosses;
+    }
+
+    // Declarations end at a ';', or at the '}' of a body, outside of all brackets.
+    void read_code(const Line& line) {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < line.code.size(); ++i) {
+            const char c = line.code[i];
+            if (c == '\0' || std::string_view(blanks).find(c) != std::string_view::npos) continue;
+            if (code_.empty()) open();
+            append(line, begin, i + 1);
+            begin = i + 1;
+            if (!ends_with(c)) continue;
+            const bool rest_is_blank =
+                line.code.find_first_not_of(std::string(blanks) + '\0', begin) == std::string::npos;
+            if (rest_is_blank) {
+                append(line, begin, line.text.size());
+                begin = line.text.size();
+            }
+            finish();
+            crossing_ = line.crosses;
+        }
+        if (!code_.empty()) append(line, begin, line.text.size());
+    }
+
+    // Whether the character, the last that was appended, ends the declaration.
+    bool ends_with(char c) {
+        if (c == '{' && depth_ == 0) is_body_ = last_ == ')';
+        if (c == '(' || c == '[' || c == '{') ++depth_;
+        if (c == ')' || c == ']' || c == '}') --depth_;
+        last_ = c;
+        return depth_ <= 0 && (c == ';' || (c == '}' && is_body_));
+    }
+
+    void append(const Line& line, std::size_t begin, std::size_t end) {
+        text_so_far_ += line.text.substr(begin, end - begin);
+        std::string code = line.code.substr(begin, end - begin);
+        std::ranges::replace(code, '\0', ' ');
+        code_ += directive_of(line) ? std::string(code.size(), ' ') : code;
+    }
+
+    // A declaration begins: the comment right above it is its own, those before are not.
+    void open() {
+        std::string own;
+        if (!waiting_.empty() && !waiting_.back().blank_after && waiting_.back().file == file_) {
+            own = std::move(waiting_.back().text);
+            waiting_.pop_back();
+        }
+        release_comments(false);
+        if (std::exchange(broken_, false)) ++paragraph_;
+        if (opened_file_ != file_) ++paragraph_;
+        opened_file_ = file_;
+        text_so_far_ = std::move(own);
+        crossing_ = false;
+    }
+
+    // Comments at the head of a file that was given stand at the head of the result.
+    void release_comments(bool at_end) {
+        for (Waiting& comment : waiting_) {
+            const bool first = comment.file < text_.given && !begun_.contains(comment.file);
+            if (first || at_end) {
+                outline_.heads.push_back(without_end(std::move(comment.text)));
+                continue;
+            }
+            outline_.pieces.push_back({.kind = Piece::Kind::comment,
+                                       .file = comment.file,
+                                       .text = without_end(std::move(comment.text)),
+                                       .paragraph = ++paragraph_});
+            ++paragraph_;
+        }
+        waiting_.clear();
+        begun_ = seen_;
+    }
+
+    void finish() {
+        Piece piece = piece_of(code_);
+        piece.text = without_end(std::move(text_so_far_));
+        for (const Piece& inner : inner_) {
+            piece.names.insert(piece.names.end(), inner.names.begin(), inner.names.end());
+            piece.mentions.insert(inner.mentions.begin(), inner.mentions.end());
+        }
+        put(std::move(piece));
+        inner_.clear();
+        code_.clear();
+        depth_ = 0;
+        last_ = ' ';
+        is_body_ = false;
+    }
+
+    void put(Piece piece) {
+        piece.file = file_;
+        piece.paragraph = paragraph_;
+        outline_.pieces.push_back(std::move(piece));
+        text_so_far_.clear();
+    }
+
+    const ActiveText& text_;
+    Outline outline_;
+    std::vector<Waiting> waiting_;
+    std::set<std::size_t> seen_;   // files of which a line was read
+    std::set<std::size_t> begun_;  // of which a declaration has followed
+    std::size_t file_ = 0;
+    std::size_t opened_file_ = 0;
+    std::size_t paragraph_ = 0;
+    bool broken_ = false;    // a blank line since the last declaration
+    bool crossing_ = false;  // a comment leaves the line of the last declaration
+    std::string text_so_far_;
+    std::string code_;
+    std::vector<Piece> inner_;
+    int depth_ = 0;
+    char last_ = ' ';
+    bool is_body_ = false;
+};
+
+}  // namespace
+
+Outline outline(const ActiveText& text) {
+    return Reader(text).run();
+}
+
+}  // namespace gloam::shader::internal

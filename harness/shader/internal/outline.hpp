@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shader/internal/active_text.hpp"
+
+namespace gloam::shader::internal {
+
+// A declaration at file scope, a directive between two of them, or a comment that belongs to none of them.
+struct Piece {
+    enum class Kind {
+        comment,    // to what follows in its file, as far as the next one
+        macro,      // #define, #undef
+        function,   // with its body
+        prototype,  // without
+        structure,
+        interface,  // uniform, buffer, in, out, a specialization constant, a layout
+        variable,   // or constant
+        other       // what has no name: a pragma, precision, a lone semicolon
+    };
+    Kind kind = Kind::other;
+    std::size_t file = 0;            // of ActiveText::files
+    std::string text;                // as written, its comment above it, without the newline at the end
+    std::vector<std::string> names;  // that it declares: of a block without a name its members'
+    std::set<std::string> mentions;  // names that it uses, maybe: what stands behind a '.' is none
+    std::vector<std::string> parameter_types;  // words of a function's list of parameters
+    std::size_t paragraph = 0;                 // pieces without a blank line between them have the same
+};
+
+struct Outline {
+    std::vector<std::string> licences;    // lines that say SPDX-License-Identifier, each once
+    std::vector<std::string> extensions;  // #extension lines, each once, but for that of #include
+    std::vector<std::string> heads;       // comments at the head of the files given
+    std::vector<Piece> pieces;            // in the order of the text
+};
+
+// What a text declares. It need not be valid: what is no declaration is a piece of kind `other`.
+[[nodiscard]] Outline outline(const ActiveText& text);
+
+}  // namespace gloam::shader::internal

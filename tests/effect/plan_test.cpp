@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The plan is what the effect does: the same passes in the same order, over images of the same size.
+#include "effect/plan.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
+#include "effect/preparation.hpp"
+#include "effect/presets.hpp"
+#include "on_device.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace plan_test {
+
+class PlanTest : public OnDevice<testing::Test> {};
+
+std::vector<std::string> names_of(const std::vector<PassTime>& times) {
+    std::vector<std::string> names;
+    for (const PassTime& time : times) names.push_back(time.pass);
+    return names;
+}
+
+// Of a frame in which everything runs, over the whole image.
+Settings without_tiles(Settings settings) {
+    settings.skip_open = settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
+    return settings;
+}
+
+TEST_F(PlanTest, IsWhatAFrameRuns) {
+    const scene::Scene scene = scene::make_scene("room");
+    const gpu::Extent extent{33, 17};
+    const auto view = [&](int frame) {
+        return scene::rasterize(device_, passes_, scene, extent, {.frame = frame});
+    };
+    for (const char* method : {"hemisphere", "mssao", "dual_resolution", "sao_chain", "separable"}) {
+        for (const char* preset : {"paper", "balanced"}) {
+            Settings settings = without_tiles(with_method(preset_named(preset).settings, method));
+            settings.remap_b = 2.0F;
+            AmbientOcclusion effect(device_, passes_, extent);
+            effect.begin(view(0), settings);
+            (void)effect.next(1);
+            effect.advance(view(1));
+            std::vector<std::string> ran = names_of(effect.next(1).times);
+            std::erase(
+                ran, "remap");  // of the unfiltered occlusion, which nobody is shown where there is a filter
+            std::erase(ran, "sample_table");
+            std::vector<std::string> planned;
+            for (const PlannedPass& pass : plan_of(settings, {.view = extent}).passes)
+                if (pass.turn != Turn::once) planned.push_back(pass.name);
+            std::erase(planned, "remap");
+            EXPECT_EQ(planned, ran) << method << " " << preset;
+        }
+    }
+}
+
+TEST_F(PlanTest, ImagesHaveTheSizeThatTheMethodPrepares) {
+    for (const char* method : {"mssao", "dual_resolution", "sao_chain", "separable"}) {
+        for (const gpu::Extent extent : {gpu::Extent{640, 360}, gpu::Extent{33, 17}, gpu::Extent{1, 1}}) {
+            const Settings settings = with_method({}, method);
+            const Preparation preparation = preparation_of(settings, extent).value();
+            const Plan plan = plan_of(settings, {.view = extent});
+            std::size_t next = 0;
+            for (const PlannedPass& pass : plan.passes) {
+                if (next == preparation.passes.size() || pass.name != preparation.passes[next].name) continue;
+                const gpu::Extent needed = preparation.passes[next++].invocations;
+                const auto [x, y] = pass.pixels;
+                EXPECT_GE((extent.width + x - 1) / x * 8, needed.width) << pass.name;
+                EXPECT_GE((extent.height + y - 1) / y * 8, needed.height) << pass.name;
+            }
+            EXPECT_EQ(next, preparation.passes.size());
+        }
+    }
+}
+
+// Of the push constants the view's are what an engine must give, all others are the settings'.
+TEST_F(PlanTest, TellsWhatIsTheViews) {
+    const Plan plan = plan_of({}, {});
+    for (const PlannedPass& pass : plan.passes) {
+        if (pass.name != "ambient_occlusion") continue;
+        ASSERT_EQ(pass.of_view.size(), pass.parameters.size());
+        const auto any = [&](std::size_t first, std::size_t bytes) {
+            return std::find(pass.of_view.begin() + static_cast<std::ptrdiff_t>(first),
+                             pass.of_view.begin() + static_cast<std::ptrdiff_t>(first + bytes),
+                             true) != pass.of_view.begin() + static_cast<std::ptrdiff_t>(first + bytes);
+        };
+        EXPECT_TRUE(any(0, 4) && any(4, 4));    // p00_p11
+        EXPECT_TRUE(any(8, 4) && any(12, 4));   // size
+        EXPECT_TRUE(any(16, 4) && any(20, 4));  // border
+        EXPECT_FALSE(any(24, 56));              // radius to confidence_factor
+    }
+}
+
+TEST_F(PlanTest, RefusesWhatSettingsRefuse) {
+    Settings settings;
+    settings.samples = 0;
+    EXPECT_THROW((void)plan_of(settings, {}), std::invalid_argument);
+}
+
+}  // namespace plan_test
+}  // namespace gloam::effect

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "effect/plan.hpp"
+#include "effect/settings.hpp"
+#include "shader/reflection.hpp"
+
+namespace gloam::cli {
+
+// A pass of the effect as one text, and what its module asks for.
+struct PackedPass {
+    effect::PlannedPass plan;
+    std::string file;  // of the text: NAME.comp
+    std::string text;
+    shader::ModuleInterface interface;
+};
+
+// What is written of the effect.
+struct PackedEffect {
+    std::string preset;
+    std::string version;  // of gloam
+    effect::Settings settings;
+    effect::PlanOptions options;
+    effect::Plan plan;
+    std::vector<PackedPass> passes;  // of the plan, in its order
+};
+
+// The passes of the settings' plan, packed and compiled, and the images and buffers that they have bindings
+// for. Throws like plan_of() and shader::pack().
+[[nodiscard]] PackedEffect packed_effect(const effect::Settings& settings, const effect::PlanOptions& options,
+                                         const scene::PassLibrary& library);
+
+// The image or buffer at a binding of a pass. Throws std::logic_error for one that the plan does not have.
+[[nodiscard]] const std::string& resource_at(const PackedPass& pass, const shader::Binding& binding);
+
+// Whether it stands at bindings that the settings do not read.
+[[nodiscard]] bool is_nothing(const std::string& resource);
+
+// Whether the member of the pass's push constants is the view's or the frame's.
+[[nodiscard]] bool is_of_view(const PackedPass& pass, const shader::LaidOut& member);
+
+// The comment behind a member's declaration in the text; empty where there is none.
+[[nodiscard]] std::string comment_of(const std::string& text, const std::string& block,
+                                     const std::string& member);
+
+// A barrier that a pass needs: what it reads or writes was written, or read, by earlier ones of the frame.
+struct Hazard {
+    std::string resource;
+    std::string after;  // the last pass that has written it, or that has read it where this one writes
+    bool written = true;
+};
+[[nodiscard]] std::vector<Hazard> hazards_before(const PackedEffect& effect, std::size_t pass);
+
+// The files of the folder besides the passes.
+[[nodiscard]] std::string effect_header(const PackedEffect& effect);  // gloam_effect.h
+[[nodiscard]] std::string effect_json(const PackedEffect& effect);    // effect.json
+[[nodiscard]] std::string effect_page(const PackedEffect& effect);    // README.md
+
+}  // namespace gloam::cli

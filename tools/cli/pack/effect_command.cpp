@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "cli/pack/effect_command.hpp"
+
+#include <stdexcept>
+
+#include "cli/environment.hpp"
+#include "cli/pack/effect.hpp"
+#include "cli/render.hpp"
+#include "cli/render_settings.hpp"
+#include "cli/view_size.hpp"
+#include "report/output_folder.hpp"
+
+namespace gloam::cli {
+
+void pack_effect(const EffectPackOptions& options) {
+    if (options.out.empty()) throw std::invalid_argument("--effect: give --out, the folder to write");
+    const RenderOptions as_rendered{
+        .method = options.method, .preset = options.preset, .radius = options.radius, .set = options.set};
+    const effect::Settings settings = settings_for(as_rendered, {});
+    const effect::PlanOptions plan{.view = parse_size(options.size),
+                                   .moving_objects = options.moving_objects,
+                                   .orthographic = options.orthographic,
+                                   .tiles = options.tiles,
+                                   .normals = !options.reconstruct_normals};
+    report::OutputFolder folder(options.out);
+    PackedEffect effect = packed_effect(settings, plan, scene::PassLibrary(glsl_directory()));
+    effect.preset = options.preset;
+    effect.version = GLOAM_VERSION;
+    for (const PackedPass& pass : effect.passes) folder.write(pass.file, pass.text);
+    folder.write("gloam_effect.h", effect_header(effect));
+    folder.write("effect.json", effect_json(effect));
+    folder.write("README.md", effect_page(effect));
+    folder.keep();
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gloam::cli {
+
+struct EffectPackOptions {
+    std::string preset = "balanced";
+    std::string method;            // empty: the preset's
+    float radius = 1.0F;           // world units
+    std::vector<std::string> set;  // NAME=VALUE
+    std::string size = "1920x1080";
+    bool moving_objects = false;
+    bool orthographic = false;
+    bool reconstruct_normals = false;
+    bool tiles = false;
+    std::filesystem::path out;
+};
+
+// Writes all passes of the effect, gloam_effect.h, effect.json and README.md into a folder, all or none.
+// Throws std::invalid_argument for options that go wrong, std::runtime_error for a folder that cannot be
+// written to.
+void pack_effect(const EffectPackOptions& options);
+
+}  // namespace gloam::cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "cli/pack/line_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/pack/effect.hpp"
+#include "effect/methods.hpp"
+#include "shader/include.hpp"
+#include "shader/pack.hpp"
+
+namespace gloam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t lines_of(const fs::path& file, const fs::path& glsl) {
+    return shader::code_lines(shader::pack({file}, {}, {glsl}));
+}
+
+std::string of_files(const fs::path& glsl, const std::vector<std::string>& files) {
+    std::string text = "| file | lines of code |\n| --- | --- |\n";
+    for (const std::string& name : files) {
+        std::error_code none;
+        const fs::path file =
+            fs::is_regular_file(name, none) ? fs::path(name) : shader::resolve_include(name, {}, {glsl});
+        text += fmt::format("| `{}` | {} |\n", name, lines_of(file, glsl));
+    }
+    return text;
+}
+
+// Of the passes that a method's frame takes with its usual settings.
+std::size_t pass_lines(const fs::path& glsl, const std::string& method) {
+    const effect::Settings settings = effect::with_method(effect::Settings{}, method);
+    std::size_t lines = 0;
+    for (const PackedPass& pass : packed_effect(settings, {}, scene::PassLibrary(glsl)).passes)
+        if (pass.plan.name == "ambient_occlusion") lines += shader::code_lines(pass.text);
+    return lines;
+}
+
+}  // namespace
+
+std::string line_table(const fs::path& glsl, const std::vector<std::string>& files) {
+    if (!files.empty()) return of_files(glsl, files);
+    std::string text = "| method | as a function | its pass, with history and all |\n| --- | --- | --- |\n";
+    for (const effect::MethodInfo& method : effect::methods()) {
+        const fs::path file = glsl / "gloam" / "methods" / (method.name + ".glsl");
+        std::error_code none;
+        const std::string function =
+            fs::is_regular_file(file, none) ? std::to_string(lines_of(file, glsl)) : std::string("-");
+        text += fmt::format("| {} | {} | {} |\n", method.name, function, pass_lines(glsl, method.name));
+    }
+    return text;
+}
+
+}  // namespace gloam::cli

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "cli/pack/pack.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/apart.hpp"
+#include "cli/environment.hpp"
+#include "cli/pack/effect_command.hpp"
+#include "cli/pack/line_table.hpp"
+#include "report/output_file.hpp"
+#include "shader/include.hpp"
+#include "shader/pack.hpp"
+
+namespace gloam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PackOptions {
+    std::vector<std::string> files;
+    std::vector<std::string> functions;
+    std::string version = "450";
+    fs::path out;
+    bool lines = false;
+    bool effect = false;
+    EffectPackOptions of_effect;
+};
+
+// A file as given, or by its name inside the library.
+fs::path find_file(const std::string& name, const std::vector<fs::path>& roots) {
+    std::error_code none;
+    if (fs::is_regular_file(name, none)) return name;
+    return shader::resolve_include(name, {}, roots);
+}
+
+// That of a file named after its stage.
+std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
+    for (const fs::path& file : files) {
+        if (file.extension() == ".comp") return shader::Stage::compute;
+        if (file.extension() == ".vert") return shader::Stage::vertex;
+        if (file.extension() == ".frag") return shader::Stage::fragment;
+    }
+    return std::nullopt;
+}
+
+// Files may be anybody's, and so is what their macros do to a compiler: within limits of time and memory.
+std::string within_limits(const std::function<std::string()>& work, const std::string& name) {
+    const base::ProcessLimits limits{.memory_bytes = std::uint64_t{2} << 30,
+                                     .cpu = std::chrono::seconds(30),
+                                     .patience = std::chrono::minutes(5)};
+    try {
+        return base::run_apart(work, limits);
+    } catch (const base::LimitError& error) {
+        throw std::runtime_error(fmt::format("{}: packing it {}", name, error.what()));
+    }
+}
+
+void pack_files(const PackOptions& options) {
+    if (options.files.empty())
+        throw std::invalid_argument("nothing to pack: give files, or --effect for all passes of the effect");
+    const auto language = shader::language_from(options.version);
+    if (!language) {
+        throw std::invalid_argument("unknown GLSL version \"" + options.version +
+                                    "\": expected 450, 330, 300es or 310es");
+    }
+    const std::vector<fs::path> roots{glsl_directory()};
+    std::vector<fs::path> files;
+    for (const std::string& name : options.files) files.push_back(find_file(name, roots));
+    const report::OutputFile out(options.out);
+    const shader::PackRequest request{
+        .language = *language, .functions = options.functions, .stage = stage_of(files)};
+    const std::string text =
+        within_limits([&] { return shader::pack(files, request, roots); }, files.front().string());
+    if (options.out.empty()) {
+        fmt::print("{}", text);
+    } else {
+        out.write(text);
+    }
+}
+
+void run_pack(PackOptions& options) {
+    if (options.effect) {
+        options.of_effect.out = options.out;
+        return pack_effect(options.of_effect);
+    }
+    if (options.lines) {
+        fmt::print("{}", line_table(glsl_directory(), options.files));
+        return;
+    }
+    pack_files(options);
+}
+
+void add_effect_options(CLI::App& command, PackOptions& options) {
+    EffectPackOptions& of_effect = options.of_effect;
+    CLI::Option* effect = command.add_flag(
+        "--effect", options.effect,
+        "all passes of the effect, with their layouts and the order of calls, into the folder --out");
+    const auto only = [effect](CLI::Option* option) { option->needs(effect); };
+    only(command.add_option("--preset", of_effect.preset, "gloam list presets")->capture_default_str());
+    only(command.add_option("--method", of_effect.method, "gloam list methods (default: the preset's)"));
+    only(command.add_option("--radius", of_effect.radius, "world units")->capture_default_str());
+    only(command
+             .add_option("--set", of_effect.set,
+                         "NAME=VALUE: any setting (gloam list settings); may be repeated")
+             ->allow_extra_args(false));
+    only(command
+             .add_option("--size", of_effect.size,
+                         "WIDTHxHEIGHT of the view: images that are laid out for it alone get its size")
+             ->capture_default_str());
+    only(command.add_flag("--moving-objects", of_effect.moving_objects,
+                          "objects move: an image says where their points were; else only the camera moves"));
+    only(command.add_flag("--orthographic", of_effect.orthographic, "the camera is; else perspective"));
+    only(command.add_flag("--reconstruct-normals", of_effect.reconstruct_normals,
+                          "from depth; else the engine has normals"));
+    only(command.add_flag(
+        "--tiles", of_effect.tiles,
+        "run over lists of tiles that leave out what does not change; else over the whole image"));
+}
+
+}  // namespace
+
+void add_pack(CLI::App& app) {
+    auto options = std::make_shared<PackOptions>();
+    CLI::App* command =
+        app.add_subcommand("pack", "one self-contained GLSL file of what is used, or the whole effect");
+    command->add_option("file", options->files, "includes or whole shaders, as paths or as gloam/...");
+    command
+        ->add_option(
+            "--function", options->functions,
+            "only that, with what it uses (default: main, else every function of the files); may be repeated")
+        ->allow_extra_args(false);
+    command->add_option("--version", options->version, "450, 330, 300es or 310es")->capture_default_str();
+    command->add_option("--out", options->out,
+                        "file to write (standard output when not given); with --effect the folder");
+    command->add_flag(
+        "--lines", options->lines,
+        "a table of the lines of code of each file as packed, comments not counted (default: all methods)");
+    add_effect_options(*command, *options);
+    command->callback([options] { run_pack(*options); });
+}
+
+}  // namespace gloam::cli

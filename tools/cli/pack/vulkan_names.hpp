@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/pack/effect.hpp"
+
+namespace gloam::cli {
+
+// As Vulkan's headers name them.
+[[nodiscard]] std::string vulkan_format(gpu::Format format);
+[[nodiscard]] std::string vulkan_descriptor(shader::BindingType type);
+
+// "engine", "kept", "once", "frame".
+[[nodiscard]] std::string to_string(effect::PlannedImage::Origin origin);
+
+// What an image is used for, by the bindings of the passes: VK_IMAGE_USAGE_STORAGE_BIT and others.
+[[nodiscard]] std::vector<std::string> vulkan_usage(const PackedEffect& effect,
+                                                    const effect::PlannedImage& image);
+
+}  // namespace gloam::cli
