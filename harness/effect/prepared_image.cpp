@@ -13,8 +13,6 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
             .border = all.border,
             .radius = all.radius,
             .bias = all.bias,
-            .samples = all.samples,
-            .samples_converged = all.samples_converged,
             .c_spatial = all.c_spatial,
             .weight_max = all.weight_max,
             .c_rot = all.c_rot,
@@ -48,10 +46,14 @@ PreparedImage::PreparedImage(const gpu::Device& device, const scene::PassLibrary
     : device_(&device), library_(library) {}
 
 void PreparedImage::take(const View& view, const Settings& settings) {
-    precision_ = settings.precision;
-    layers_ = settings.layers;
-    reject_taps_ = settings.reject_taps;
-    history_ = settings.history;
+    compiled_ = {.file = {},
+                 .precision = settings.precision,
+                 .layers = settings.layers,
+                 .reject_taps = settings.reject_taps,
+                 .history = settings.history,
+                 .samples = settings.samples,
+                 .samples_converged = settings.samples_converged,
+                 .steps = settings.steps};
     preparation_ = preparation_of(settings, view.extent);
     constants_.clear();
     if (!preparation_) {
@@ -68,14 +70,18 @@ void PreparedImage::take(const View& view, const Settings& settings) {
 }
 
 const gpu::ComputePipeline& PreparedImage::pipeline(const std::string& file) {
-    const std::tuple key(file, precision_, layers_, reject_taps_, history_);
-    const auto known = pipelines_.find(key);
+    compiled_.file = file;
+    const auto known = pipelines_.find(compiled_);
     if (known != pipelines_.end()) return known->second;
-    const std::vector<std::string> defines = defines_for(precision_, preparation_->format);
-    const std::vector<gpu::SpecializationConstant> constants{{.id = 0, .bits = layers_},
-                                                             {.id = 1, .bits = reject_taps_ ? 1U : 0U},
-                                                             {.id = 2, .bits = history_ ? 1U : 0U}};
-    return pipelines_.emplace(key, preparation_pipeline(*device_, library_, file, defines, constants))
+    const std::vector<std::string> defines = defines_for(compiled_.precision, preparation_->format);
+    const std::vector<gpu::SpecializationConstant> constants{
+        {.id = 0, .bits = compiled_.layers},
+        {.id = 1, .bits = compiled_.reject_taps ? 1U : 0U},
+        {.id = 2, .bits = compiled_.history ? 1U : 0U},
+        {.id = 3, .bits = compiled_.samples},
+        {.id = 4, .bits = compiled_.samples_converged},
+        {.id = 5, .bits = compiled_.steps}};
+    return pipelines_.emplace(compiled_, preparation_pipeline(*device_, library_, file, defines, constants))
         .first->second;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/sample_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "effect/methods.hpp"
@@ -24,8 +26,12 @@ std::uint32_t last_of(const Settings& settings) {
 }  // namespace
 
 bool tabulates_samples(const Settings& settings) {
-    return settings.sample_table && !method_named(settings.method).samples.empty() &&
+    return settings.sample_table && !method_named(settings.method).points.empty() &&
            last_of(settings) < most_tabulated;
+}
+
+std::string sample_point_of(std::string_view points) {
+    return fmt::format("SAMPLE_POINT gloam_{}_point", points);
 }
 
 SampleTable::SampleTable(const gpu::Device& device, const scene::PassLibrary& library)
@@ -36,7 +42,7 @@ void SampleTable::take(const Settings& settings) {
     table_size_ = settings.table_size;
     used_ = tabulates_samples(settings);
     if (!used_) return;
-    const std::string& samples = method_named(settings.method).samples;
+    const std::string& samples = method_named(settings.method).points;
     const gpu::Extent extent{columns, last_of(settings) / columns + 1};
     const bool fits = image_ && image_->extent().height >= extent.height;
     if (!fits) image_.emplace(*device_, extent, gpu::Format::rgba32f);
@@ -56,8 +62,9 @@ void SampleTable::advance() {
 const gpu::ComputePipeline& SampleTable::pipeline() {
     const auto known = pipelines_.find(samples_);
     if (known != pipelines_.end()) return known->second;
-    const shader::Spirv spirv = library_.compile(
-        "sample_table.comp", {}, {{"samples/hemisphere_cosine.glsl", "samples/" + samples_ + ".glsl"}});
+    const shader::Spirv spirv = library_.compile("sample_table.comp", {sample_point_of(samples_)},
+                                                 {{"gloam/sampling/hemisphere_cosine_point.glsl",
+                                                   fmt::format("gloam/sampling/{}_point.glsl", samples_)}});
     return pipelines_
         .emplace(samples_,
                  gpu::ComputePipeline(*device_, {.spirv = spirv,

@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "effect/internal/passes.hpp"
@@ -21,8 +20,6 @@ struct PreparationParameters {
     glm::ivec2 border;
     float radius;
     float bias;
-    std::uint32_t samples;
-    std::uint32_t samples_converged;
     float c_spatial;
     float weight_max;
     float c_rot;
@@ -64,19 +61,29 @@ class PreparedImage {
     void append_steps(const Sources& sources, std::vector<Step>& steps);
 
   private:
+    // What the passes are compiled for.
+    struct Compiled {
+        std::string file;
+        HistoryPrecision precision = HistoryPrecision::float32;
+        std::uint32_t layers = 1;
+        bool reject_taps = false;
+        bool history = true;
+        std::uint32_t samples = 0;
+        std::uint32_t samples_converged = 0;
+        std::uint32_t steps = 0;
+
+        friend auto operator<=>(const Compiled&, const Compiled&) = default;
+    };
+
     [[nodiscard]] const gpu::ComputePipeline& pipeline(const std::string& file);
 
     const gpu::Device* device_;
     scene::PassLibrary library_;
-    HistoryPrecision precision_ = HistoryPrecision::float32;
-    std::uint32_t layers_ = 1;
-    bool reject_taps_ = false;
-    bool history_ = true;
+    Compiled compiled_;
     std::optional<Preparation> preparation_;
     std::optional<gpu::Image> image_;
     std::vector<PreparationParameters> constants_;  // for each pass
-    std::map<std::tuple<std::string, HistoryPrecision, std::uint32_t, bool, bool>, gpu::ComputePipeline>
-        pipelines_;
+    std::map<Compiled, gpu::ComputePipeline> pipelines_;
 };
 
 }  // namespace gloam::effect
