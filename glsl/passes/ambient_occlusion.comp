@@ -5,7 +5,8 @@
 // whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
 //
 // The history is held as history_image.glsl says.
-// Define GLOAM_SAMPLE_TABLE as 11 for a table of what the samples share; else it is computed for each of them.
+// Define GLOAM_SAMPLE_TABLE as 11 for a table of what the samples share, and what samples/table.glsl asks for; else it is computed for each of them.
+// Define METHOD, and change the #include, for another method than the one below.
 // Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is rgba32f.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
@@ -14,7 +15,7 @@
 //   3  history  written: after, likewise; background (0, 0, 0, infinity)
 //   4  buffer   the tiles' states (tiles/state.glsl): what each took is added when counts is set, else it is never touched
 //   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
-//   6  buffer   a GloamMethod
+//   6  buffer   a MethodValues
 //   7  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have some
 //   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not finite where there is
 //               none; read when layers is more than 1
@@ -29,7 +30,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
-layout(constant_id = 3) const bool reject_taps = false;     // leave out taps further in front than GloamMethod::range (CS-REJ)
+layout(constant_id = 3) const bool reject_taps = false;     // leave out taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 4) const bool shows = false;           // a filter follows, over lists of tiles: see binding 10
 layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
 layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least
@@ -38,6 +39,12 @@ layout(constant_id = 8) const bool smooths = true;          // read smoothing
 layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
 layout(constant_id = 12) const bool skip_closed = false;    // end marches that no tap to come can change
 layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
+// Numbers that loops end by: compilers unroll those whose length they know.
+layout(constant_id = 15) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
+layout(constant_id = 16) const uint samples_converged = 16u;  // k_2, for each pixel that has
+layout(constant_id = 17) const uint method_steps = 4u;        // in the place of MethodValues::steps
+layout(constant_id = 18) const uint samples_unit = 1u;        // samples are taken in whole units of so many, at least one
+layout(constant_id = 19) const bool rounds_up = false;        // to the next whole unit; else down
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -51,8 +58,6 @@ layout(push_constant) uniform Parameters {
     ivec2 border;          // guard band on each side, pixels (TSSAO-BORDER): samples read it; 0 for none
     float radius;          // of influence, world units
     float bias;            // world units
-    uint samples;          // k_1, for each pixel that has not converged
-    uint samples_converged;  // k_2, for each pixel that has
     float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
     float weight_max;      // w_max: samples in the mean, at most
     float c_rot;           // kernels are rotated below this convergence; 0 never
@@ -78,24 +83,20 @@ layout(push_constant) uniform Parameters {
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/neighborhood.glsl"
 #include "gloam/temporal/smooth_invalidation.glsl"
 #include "gloam/temporal/smoothing.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+#include "method_values.glsl"
 
 layout(binding = 8, rgba32f) uniform readonly image2D layer_image;
-layout(binding = 6, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+layout(binding = 6, std430) readonly buffer MethodSettings { MethodValues method_values; };
 layout(binding = 7, GLOAM_PREPARED) uniform readonly image2D prepared_image;
 
-#define GLOAM_REJECTS_TAPS reject_taps
-#define GLOAM_LAYERS layers
-float gloam_fetch_layer(ivec2 pixel, int layer) {
-    return imageLoad(layer_image, pixel)[layer - 1];
-}
-#define GLOAM_ENDS_MARCHES (skip_closed && !moving_objects)  // probes are taps that must be taken
+const bool ends_marches = skip_closed && !moving_objects;  // probes are taps that must be taken
 
 #define GLOAM_LIST_BINDING 9
 #include "tiles/listed.glsl"
@@ -105,12 +106,10 @@ layout(binding = 10, r32f) uniform writeonly image2D shown_image;
 
 #include "samples/table.glsl"
 
-// The method: any file of this folder.
-#include "methods/hemisphere.glsl"
-
-// Samples that the method takes where so many are asked for. A method that takes whole slices, rays or pairs defines it.
-#ifndef GLOAM_METHOD_SAMPLES
-#define GLOAM_METHOD_SAMPLES(count, method) (count)
+// The method, any file of that folder, and its call; values: a MethodValues.
+#include "gloam/methods/hemisphere.glsl"
+#ifndef METHOD
+#define METHOD(position, normal, camera, kernel, values) gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range))
 #endif
 
 const uint CLAMP = 1u;
@@ -130,12 +129,7 @@ Neighborhood neighborhood;
 uint samples_taken = 0u;
 uint pixel_kinds = 0u;     // COUNT_*
 uint marches_ended = 0u;   // COUNT_ENDED for each pixel that had one
-bool march_ended = false;  // of the pixel
 const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
-
-void gloam_taps_left_out(uint taps) {
-    march_ended = march_ended || taps > 0u;
-}
 
 GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
@@ -159,6 +153,11 @@ float gloam_fetch_depth(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
     if (moving_objects && parameters.invalidation != 0u) probe(pixel, depth);
     return depth;
+}
+
+// Read by the samples where they see more layers than the first.
+vec3 gloam_fetch_layers(ivec2 pixel) {
+    return imageLoad(layer_image, pixel).xyz;
 }
 
 // Read by methods that prepare something.
@@ -186,44 +185,52 @@ float weight_after_change(float weight) {
 
 Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
     vec3 previous = imageLoad(previous_position_image, pixel).xyz;
-    return Neighborhood(position, previous, normal, max(radius, method_settings.range), 0.0);
+    return Neighborhood(position, previous, normal, max(radius, method_values.range), 0.0);
 }
 
-// (sum, count) of `samples` samples.
-vec2 gather(ivec2 pixel, float depth, GloamHistory before, uint samples) {
+// What the method says of a pixel by `samples` samples.
+GloamEstimate estimated(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     GloamCamera camera = this_camera();
     GloamKernel kernel = kernel_of(pixel, depth, before, samples);
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
     if (moving_objects) neighborhood = neighborhood_of(pixel, position, normal, kernel.radius);
-    return gloam_method_gather(position, normal, camera, kernel, method_settings);
+    MethodValues values = method_values;
+    values.steps = method_steps;
+    return METHOD(position, normal, camera, kernel, values);
 }
 
-// How many samples to take: none of what is frozen, and whole units of the method.
+// Whether a pixel has converged and takes no samples while nothing moves.
+bool frozen(GloamHistory before) {
+    bool freezes = parameters.freeze != 0u && parameters.still != 0u;
+    return freezes && gloam_convergence(before.weight, parameters.weight_max) >= 1.0;
+}
+
+// How many samples a pixel takes that is not frozen: whole units of the method. A constant where k_1 is k_2, so that loops are unrolled.
 uint samples_for(GloamHistory before, float depth) {
-    float convergence = gloam_convergence(before.weight, parameters.weight_max);
-    if (parameters.freeze != 0u && parameters.still != 0u && convergence >= 1.0) return 0u;
     uint samples = samples_at(before, depth);
-    return samples == 0u ? 0u : GLOAM_METHOD_SAMPLES(samples, method_settings);
+    if (fewer_samples && samples == 0u) return 0u;
+    return gloam_whole_samples(rounds_up ? samples + samples_unit - 1u : samples, samples_unit);
 }
 
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = gloam_history_empty(depth);
     if (keeps_history) before = GLOAM_LOAD_HISTORY(history_before, pixel);
     uint samples = samples_for(before, depth);
+    bool samples_none = frozen(before) || samples == 0u;
     neighborhood.change = 0.0;  // of a pixel that takes no sample nothing is known
-    pixel_kinds += samples == 0u && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
+    pixel_kinds += samples_none && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
-    vec2 fresh = vec2(0.0, float(samples));
-    if (!open_tiles && samples > 0u) fresh = gather(pixel, depth, before, samples);
-    samples_taken += uint(fresh.y);
-    float mean = gloam_estimator_mean(fresh);
+    GloamEstimate fresh = GloamEstimate(0.0, samples_none ? 0.0 : float(samples), 0u);
+    if (!open_tiles && !samples_none) fresh = estimated(pixel, depth, before, samples);
+    samples_taken += uint(fresh.samples);
+    marches_ended += fresh.left_out > 0u ? COUNT_ENDED : 0u;
     float weight = weight_after_change(before.weight);
-    vec2 blended = gloam_blend(before.occlusion, weight, mean, fresh.y, parameters.weight_max);
-    if (smooths && parameters.smoothing > 0.0 && fresh.y > 0.0) {
-        blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, mean, parameters.smoothing);
+    vec2 blended = gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples, parameters.weight_max);
+    if (smooths && parameters.smoothing > 0.0 && fresh.samples > 0.0) {
+        blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, fresh.occlusion, parameters.smoothing);
     }
-    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples, table_size), depth);
+    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples_none ? 0u : samples, table_size), depth);
 }
 
 bool left_out(ivec2 pixel) {
@@ -259,13 +266,18 @@ void store(ivec2 pixel, GloamHistory after) {
     if (!filtered) imageStore(shown_image, pixel, vec4(stored.occlusion));
 }
 
+// Pixels outside the image are left out.
+void shade_and_store(ivec2 pixel) {
+    if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) store(pixel, shade(pixel));
+}
+
 void main() {
     Column column = column_of_invocation(parameters.size);
-    for (int i = 0; i < column.pixels; ++i) {
-        ivec2 pixel = column.first + ivec2(0, i);
-        march_ended = false;
-        if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) store(pixel, shade(pixel));
-        marches_ended += march_ended ? COUNT_ENDED : 0u;
+    // Only the pixels of open tiles take so little that an invocation has several. A loop of one would keep compilers from unrolling those within.
+    if (open_tiles) {
+        for (int i = 0; i < column.pixels; ++i) shade_and_store(column.first + ivec2(0, i));
+    } else {
+        shade_and_store(column.first);
     }
     count_tile(column.entry, tiles_of(parameters.size), samples_taken + marches_ended, pixel_kinds);
 }

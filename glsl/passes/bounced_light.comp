@@ -21,7 +21,7 @@ vec3 bounced(Shaded shaded, Sample s) {
     vec3 offset = gloam_camera_position(s.pixel, depth, this_camera()) - shaded.position;
     vec3 sender_normal = gloam_safe_normalize(imageLoad(normal_image, s.pixel).xyz, vec3(0.0));
     return gloam_ssdo_bounce(offset, shaded.normal, sender_normal, imageLoad(direct_image, s.pixel).xyz, parameters.radius,
-                             method_settings.epsilon, s.visibility);
+                             method_values.epsilon, s.visibility);
 }
 
 void main() {

@@ -14,8 +14,9 @@
 #include "gloam/temporal/sample_budget.glsl"
 
 // What a pixel is sampled with in one frame, the same for ambient_occlusion.comp and for the passes that prepare for it: how many samples,
-// from how far, turned by which angle. The user has a block `parameters` with the members that are read here, this_camera(), and the
-// constants fewer_samples (read samples_distance, samples_radius and samples_least) and caps_radius (read radius_cap).
+// from how far, turned by which angle. The user has a block `parameters` with the members that are read here, this_camera(), method_values, and the
+// constants samples_asked, samples_converged, fewer_samples (read samples_distance, samples_radius and samples_least), caps_radius (read radius_cap),
+// reject_taps, layers and ends_marches.
 
 // Half-axes of the projected radius, pixels. depth: eye-linear, world units.
 vec2 reach_at(float depth) {
@@ -35,7 +36,11 @@ float radius_at(float depth) {
 // Samples that a pixel of that history is to take: k_1 or k_2 (TSSAO-AS), fewer far away (CS-N) and where the radius is small (ISSAO-LOD).
 uint samples_at(GloamHistory before, float depth) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
-    int samples = gloam_sample_count(convergence, parameters.c_spatial, int(parameters.samples), int(parameters.samples_converged));
+    // Where both are the same, a constant: loops that end by it are unrolled.
+    int samples = int(samples_asked);
+    if (samples_converged != samples_asked) {
+        samples = gloam_sample_count(convergence, parameters.c_spatial, int(samples_asked), int(samples_converged));
+    }
     if (!fewer_samples) return uint(samples);
     int least = min(int(parameters.samples_least), samples);
     if (parameters.samples_distance > 0.0) samples = gloam_count_by_distance(depth, parameters.samples_distance, samples, least);
@@ -51,7 +56,8 @@ GloamKernel kernel_of(ivec2 pixel, float depth, GloamHistory before, uint sample
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     float angle = gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
     float bias = max(parameters.bias, gloam_is_background(depth) ? 0.0 : parameters.bias_depth * depth);
-    return GloamKernel(radius_at(depth), bias, angle, before.index, samples);
+    float farthest = reject_taps ? method_values.range : uintBitsToFloat(0x7F800000u);
+    return GloamKernel(radius_at(depth), bias, angle, before.index, samples, farthest, layers, ends_marches);
 }
 
 #endif

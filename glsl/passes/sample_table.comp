@@ -15,11 +15,14 @@ layout(push_constant) uniform Parameters {
 
 #include "samples/table.glsl"
 
-// What the samples of a method share: any file of the folder but the table's.
-#include "samples/hemisphere_cosine.glsl"
+// What the samples of a method share: any file of the folder, and its function.
+#include "gloam/sampling/hemisphere_cosine_point.glsl"
+#ifndef SAMPLE_POINT
+#define SAMPLE_POINT gloam_hemisphere_cosine_point
+#endif
 
 void main() {
     uint index = parameters.first + gl_GlobalInvocationID.x;
     if (index > parameters.last) return;
-    imageStore(table_image, sample_table_texel(index), vec4(gloam_shared_sample(index), 0.0));
+    imageStore(table_image, sample_table_texel(index), vec4(SAMPLE_POINT(index), 0.0));
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
+#include "check/case.hpp"
 #include "check/image.hpp"
 #include "check/values.hpp"
 #include "reference/geometry/camera.hpp"
@@ -23,13 +26,13 @@ template <class T>
 [[nodiscard]] check::Values gather_kernels();
 // A length of the scene's size.
 [[nodiscard]] check::Values gather_length();
-// GloamMethod.
-[[nodiscard]] check::Values gather_methods();
 
 // Where coordinates and lengths are such that no product overflows.
 [[nodiscard]] bool usual_gather(const glm::vec3& position, const glm::vec3& normal,
                                 const reference::GloamCamera<float>& camera,
-                                const reference::GloamKernel<float>& kernel,
-                                const reference::GloamMethod<float>& method);
+                                const reference::GloamKernel<float>& kernel);
+
+// Depths, and layers behind them that nothing is in.
+[[nodiscard]] std::vector<check::ImageScenario> gather_scenarios();
 
 }  // namespace gloam::catalogue

@@ -74,6 +74,28 @@ void append_tests_of_depth(Entries& entries) {
         GLOAM_REFERENCE(gloam_tap_rejected),
         {.domain = {depth, depth, either(log_uniform(1e-3, 10), constant(1.0F)).and_special()},
          .budget = {.backward_ulp = 1}}));
+    const Values plain = either(uniform(0.5, 8), uniform(-8, -0.5));
+    const Values further = vector(3, plain);
+    entries.push_back(equation<float(float, glm::vec3, int)>({.id = "CS-LAYERS-depth",
+                                                              .function = "gloam_layer_depth",
+                                                              .file = "gloam/occlusion/layers.glsl",
+                                                              .title = "depth of a layer at a tap",
+                                                              .formula = "d_0, |d_1|, |d_2|, |d_3|",
+                                                              .source = bavoil},
+                                                             GLOAM_REFERENCE(gloam_layer_depth),
+                                                             {.domain = {plain, further, integers(0, 3)}}));
+    using Seen = reference::GloamLayersSeen<float>;
+    entries.push_back(equation<Seen(Seen, float, glm::vec3, float, int, int)>(
+        {.id = "CS-LAYERS-together",
+         .function = "gloam_layers_add",
+         .file = "gloam/occlusion/layers.glsl",
+         .title = "what the layers at a sample point say together",
+         .formula = "the largest of the layers; a back in front of the point takes what it closes away",
+         .source = bavoil},
+        GLOAM_REFERENCE(gloam_layers_add),
+        {.domain = {vector({uniform(0, 1), uniform(0, 1), booleans()}), uniform(0, 1), vector(3, plain),
+                    uniform(0.5, 8), integers(0, 3), integers(1, 4)},
+         .codomain = {0, 1}}));
     entries.push_back(equation<float(float, float, float)>(
         {.id = "CS-LAYERS-blocked",
          .function = "gloam_layer_blocked",

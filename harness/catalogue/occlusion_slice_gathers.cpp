@@ -6,6 +6,8 @@
 #include "catalogue/scenarios.hpp"
 #include "reference/methods/gtao.hpp"
 #include "reference/occlusion/closed_march.hpp"
+#include "reference/sampling/slice_sample.hpp"
+#include "reference/sampling/whole_samples.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -13,19 +15,13 @@ namespace {
 using namespace check;
 using Camera = reference::GloamCamera<float>;
 using Kernel = reference::GloamKernel<float>;
-using Method = reference::GloamMethod<float>;
-using March = reference::GloamMarch<float>;
+using Estimate = reference::GloamEstimate<float>;
 using Slice = reference::GloamSlice<float>;
-using Point = reference::GloamSlicePoint<float>;
 using reference::GloamCamera;
 using reference::GloamKernel;
-using reference::GloamMarch;
 using reference::GloamMethod;
-using reference::GloamSlice;
-using reference::GloamSlicePoint;
 using reference::vec3;
 
-constexpr const char* file = "passes/methods/gtao.glsl";
 constexpr double most_samples = 64;
 
 void append_into_slice(Entries& entries) {
@@ -96,67 +92,78 @@ void append_taps(Entries& entries) {
                              .codomain = {0, 64}}));
 }
 
-void append_march(Entries& entries) {
-    using Signature = March(March, Slice, Point, Camera, Kernel, Method);
-    const Values marches =
-        vector({constant(glm::vec2(-1, -0.5)), constant(glm::vec2(-1, 0.25)), uniform(0, 1), constant(0U)});
-    const Values points = vector({gather_positions(), unit_vector(3), unit_vector(2), uniform(0, 1)});
+void append_gtao(Entries& entries) {
+    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamGtao<float>);
     entries.push_back(equation<Signature>(
-        {.id = "SLICE-march",
-         .function = "gloam_slice_march",
-         .file = file,
-         .title = "all steps of a slice",
-         .formula = "steps at R ((i + jitter) / n)^2 to both sides",
-         .source = "horizon-based methods (Bavoil and Sainz 2008; Jimenez et al. 2016)"},
-        []<class T>(const ImageSet& images, const GloamMarch<T>& march, const GloamSlice<T>& slice,
-                    const GloamSlicePoint<T>& point, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, const GloamMethod<T>& method) {
-            return reference::gloam_slice_march(march, slice, point, camera, kernel, method,
-                                                reference::GtaoMethod<T>{}, depth_of<T>(images));
-        },
-        {.domain = Domain{marches, slices(), points, cameras(), gather_kernels(), gather_methods()}.adjusted(
-             place_before_camera(14, 23)),
-         .budget = {.backward_ulp = 4},
-         .promised = make_predicate<Signature>(
-             [](const March&, const Slice&, const Point& point, const Camera& c, const Kernel& k,
-                const Method& m) { return usual_gather(point.position, point.normal, c, k, m); }),
-         .scenarios = depth_scenarios(depth_prototype)}));
-}
-
-void append_samples(Entries& entries) {
-    entries.push_back(equation<unsigned(unsigned, unsigned)>(
-        {.id = "SLICE-samples",
-         .function = "gloam_slice_samples",
-         .file = file,
-         .title = "samples of whole slices",
-         .formula = "2 n max(floor(k / (2 n)), 1)",
-         .source = "definition"},
-        GLOAM_REFERENCE(gloam_slice_samples),
-        {.domain = {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)},
-         .scenarios = depth_scenarios(depth_prototype)}));
-}
-
-void append_gather(Entries& entries) {
-    using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Kernel, Method);
-    entries.push_back(equation<Gather>(
         {.id = "GTAO-gather",
-         .function = "gloam_slice_gather",
-         .file = file,
+         .function = "gloam_gtao",
+         .file = "gloam/methods/gtao.glsl",
          .title = "occlusion of a pixel by horizon slices",
-         .formula = "n times the weighted mean over slices, n",
+         .formula = "weighted mean over slices",
          .source = "GTAO (Jimenez et al. 2016)"},
         []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, const GloamMethod<T>& method) {
-            return reference::gloam_slice_gather(position, normal, camera, kernel, method,
-                                                 reference::GtaoMethod<T>{}, depth_of<T>(images));
+                    const GloamKernel<T>& kernel, const reference::GloamGtao<T>& own) {
+            return reference::estimate_of(reference::gloam_slice_gather(
+                position, normal, camera, kernel, GloamMethod<T>{.steps = own.steps},
+                reference::GtaoMethod<T>{}, depth_of<T>(images)));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
-                          gather_methods()}
+                          vector({integers(1, 4)})}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 6e-5, .backward_ulp = 4},
+         .budget = {.absolute = 2e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},
-         .promised = make_predicate<Gather>(usual_gather),
-         .scenarios = depth_scenarios(depth_prototype)}));
+         .promised =
+             make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,
+                                          const Kernel& k, const auto&) { return usual_gather(p, n, c, k); }),
+         .scenarios = gather_scenarios()}));
+}
+
+void append_slice_parts(Entries& entries) {
+    using Axes = reference::GloamSliceAxes<float>(Slice, glm::vec3);
+    entries.push_back(
+        equation<Axes>({.id = "SLICE-axes",
+                        .function = "gloam_slice_axes",
+                        .file = "gloam/geometry/slice.glsl",
+                        .title = "vectors that take offsets into a slice along the tangent plane",
+                        .formula = "(v - (u . v) a, t - (u . t) a), u . n = 0, u . a = 1",
+                        .source = "definition"},
+                       GLOAM_REFERENCE(gloam_slice_axes),
+                       {.domain = {slices(), unit_vector(3)},
+                        .budget = {.absolute = 5e-5},
+                        .promised = make_predicate<Axes>([](const Slice& slice, const glm::vec3& n) {
+                            const float turned = glm::dot(glm::cross(slice.tangent, slice.view), n);
+                            return turned * turned < 0.9F;
+                        })}));
+    entries.push_back(equation<float(float)>(
+        {.id = "SLICE-turns",
+         .function = "gloam_kernel_turns",
+         .file = "gloam/sampling/slice_sample.glsl",
+         .title = "turns of a kernel's angle",
+         .formula = "a / (2 pi), 0 beyond 65536",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_kernel_turns),
+        {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()}, .budget = {.ulp = 3}}));
+    using Sample = reference::GloamSliceSample<float>(unsigned, float);
+    entries.push_back(equation<Sample>(
+        {.id = "SLICE-sample",
+         .function = "gloam_slice_sample",
+         .file = "gloam/sampling/slice_sample.glsl",
+         .title = "what is random of a slice",
+         .formula = "direction pi fract(x + t), jitter fract(y + t), share z, of the Halton point (x, y, z)",
+         .source = "GTAO (Jimenez et al. 2016) with the sequence of TSSAO"},
+        GLOAM_REFERENCE(gloam_slice_sample),
+        {.domain = {log_integers(16777216), uniform(0, 1)},
+         .budget = {.absolute = 1e-6, .backward_ulp = 2},
+         .codomain = {-1.000001, 1.000001}}));
+    entries.push_back(equation<unsigned(unsigned, unsigned)>(
+        {.id = "SAMPLES-whole",
+         .function = "gloam_whole_samples",
+         .file = "gloam/sampling/whole_samples.glsl",
+         .title = "samples of whole slices, rays or crosses",
+         .formula = "n max(floor(k / n), 1)",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_whole_samples),
+        {.domain = {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)}}));
 }
 
 }  // namespace
@@ -165,9 +172,8 @@ void append_slice_gathers(Entries& entries) {
     append_into_slice(entries);
     append_clearance(entries);
     append_taps(entries);
-    append_march(entries);
-    append_samples(entries);
-    append_gather(entries);
+    append_gtao(entries);
+    append_slice_parts(entries);
 }
 
 }  // namespace gloam::catalogue

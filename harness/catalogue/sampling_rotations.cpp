@@ -4,7 +4,6 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/sampling_parts.hpp"
-#include "reference/sampling/halton_disc.hpp"
 #include "reference/sampling/hash_rotation.hpp"
 #include "reference/sampling/hemisphere_flip.hpp"
 #include "reference/sampling/reflect.hpp"
@@ -96,17 +95,6 @@ void append_rotation(Entries& entries) {
          .codomain = {-2e19, 2e19},
          .promised =
              make_predicate<glm::vec2(glm::vec2, float)>([](const auto& s, float) { return not_tiny(s); })}));
-    entries.push_back(equation<glm::vec2(unsigned, glm::vec2)>(
-        {.id = "TSSAO-13-kernel",
-         .function = "gloam_halton_disc",
-         .file = "gloam/sampling/halton_disc.glsl",
-         .title = "point of the rotated disc kernel",
-         .formula = "TSSAO-13 of the Halton point, turned",
-         .source = "TSSAO (Mattausch et al.), eq 13 and random rotation"},
-        GLOAM_REFERENCE(gloam_halton_disc),
-        {.domain = {log_integers(16777216).and_near_integers({16777216, 4294967295}), turns()},
-         .budget = {.absolute = 5e-7},
-         .codomain = {-1.000001, 1.000001}}));
     entries.push_back(equation<glm::vec3(glm::vec3, float)>(
         {.id = "TSSAO-ROT-hemisphere",
          .function = "gloam_rotate_hemisphere",

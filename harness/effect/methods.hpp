@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "effect/preparation.hpp"
+#include "effect/presets.hpp"
 #include "effect/settings.hpp"
 
 namespace gloam::effect {
@@ -24,16 +28,33 @@ enum class OpenProof {
     points  // points of the half ball of the radius, each compared with the surface at its pixel
 };
 
+// What a method takes its samples in.
+enum class SampleUnit {
+    one,
+    pair,   // an odd number is taken as the even one above it
+    cross,  // of four taps, or two slices of one frame
+    ray,    // of Settings::steps taps
+    slice   // of Settings::steps taps to both sides
+};
+
+// A method: all that the effect, the command line, the tests and the benchmark know of it.
 struct MethodInfo {
-    std::string name;  // glsl/passes/methods/NAME.glsl
+    std::string name;  // glsl/gloam/methods/NAME.glsl, whose function is gloam_NAME
     std::string description;
     Measure measure = Measure::cosine;
-    std::string falloff;  // with the distance of the blocker: "linear", "none", ...
+    std::string falloff;             // with the distance of the blocker: "linear", "none", ...
+    std::string own_settings;        // GLSL struct; none: the function takes no settings of its own
+    std::vector<std::string> reads;  // names of the settings that are its members, in their order
+    std::string points;  // what its samples share: glsl/gloam/sampling/NAME_point.glsl; none: nothing
+    SampleUnit unit = SampleUnit::one;
+    double on_a_plane = 0.0;  // what it says of a bare plane
+    OpenProof open_proof = OpenProof::none;
+    bool ends_marches = false;   // leaves out taps that cannot change its march (skip_closed)
+    bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
     void (*adapt)(Settings&) =
         nullptr;  // what it needs beside a preset's settings; lengths for a radius of 1
-    OpenProof open_proof = OpenProof::none;
-    bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
-    std::string samples = {};    // what its samples share: glsl/passes/samples/NAME.glsl; none: nothing
+    Preparation (*prepare)(const Settings&, gpu::Extent view) = nullptr;  // none: it prepares nothing
+    std::vector<Preset> (*presets)(const MethodInfo&) = nullptr;          // as published and compared
 };
 
 // All methods; the first is the default.
@@ -44,6 +65,16 @@ struct MethodInfo {
 
 // The settings, whose lengths are for a radius of 1, for another method. Throws like method_named().
 [[nodiscard]] Settings with_method(Settings settings, std::string_view name);
+
+// Samples of one unit.
+[[nodiscard]] std::uint32_t unit_of(const MethodInfo& method, std::uint32_t steps);
+
+// Samples that it takes where so many are asked for: whole units, at least one; none of none.
+[[nodiscard]] std::uint32_t samples_taken(const MethodInfo& method, std::uint32_t count, std::uint32_t steps);
+
+// The call of its function in GLSL, for variables `position`, `normal`, `camera`, `kernel`, and `values` of
+// passes/method_values.glsl.
+[[nodiscard]] std::string call_of(const MethodInfo& method);
 
 [[nodiscard]] std::string to_string(Measure measure);
 

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "effect/internal/sample_table.hpp"
+#include "effect/methods.hpp"
 #include "effect/preparation.hpp"
 #include "effect/setting_table.hpp"
 
@@ -25,7 +27,12 @@ std::uint32_t flag(bool value) {
 }
 
 std::string method_include(const std::string& method) {
-    return "methods/" + method + ".glsl";
+    return "gloam/methods/" + method + ".glsl";
+}
+
+std::string upper_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
 }
 
 std::string filter_include(Filter filter) {
@@ -68,15 +75,6 @@ float c_filter(const Settings& settings) {
 
 }  // namespace
 
-namespace {
-
-// Of the methods of slices those that may say so (gloam_method_slice_ball, gloam_method_slice_full).
-bool ends_marches(std::string_view method) {
-    return method == "bitmask" || method == "hbao" || method == "dual_resolution";
-}
-
-}  // namespace
-
 Program program_for(const Settings& settings) {
     return {.method = settings.method,
             .precision = settings.precision,
@@ -87,8 +85,11 @@ Program program_for(const Settings& settings) {
             .fewer_samples = settings.samples_distance > 0.0F || settings.samples_radius > 0.0F,
             .caps_radius = no_radius_cap > settings.radius_cap,
             .smooths = settings.smoothing > 0.0F,
-            .skip_closed = settings.skip_closed && ends_marches(settings.method),
-            .keeps_history = settings.history};
+            .skip_closed = settings.skip_closed && method_named(settings.method).ends_marches,
+            .keeps_history = settings.history,
+            .samples = settings.samples,
+            .samples_converged = settings.samples_converged,
+            .steps = settings.steps};
 }
 
 FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list) {
@@ -125,8 +126,6 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .border = vector_of_size(view.border),
             .radius = settings.radius,
             .bias = settings.bias,
-            .samples = settings.samples,
-            .samples_converged = settings.samples_converged,
             .c_spatial = settings.c_spatial,
             .weight_max = settings.weight_max,
             .c_rot = settings.c_rot,
@@ -188,7 +187,13 @@ PassSource normals_source() {
 
 PassSource occlusion_source(const Program& program, Counting counts, std::uint32_t open_tiles_each) {
     std::vector<std::string> defines = defines_for(program.precision, prepared_format(program.method));
-    if (program.sample_table) defines.emplace_back("GLOAM_SAMPLE_TABLE 11");
+    const MethodInfo& method = method_named(program.method);
+    defines.push_back("METHOD(position, normal, camera, kernel, values) " + call_of(method));
+    if (program.sample_table) {
+        defines.emplace_back("GLOAM_SAMPLE_TABLE 11");
+        defines.push_back(sample_point_of(method.points));
+        defines.push_back(fmt::format("GLOAM_SAMPLING_{}_POINT_GLSL", upper_case(method.points)));
+    }
     return {.file = "ambient_occlusion.comp",
             .defines = std::move(defines),
             .replaced = {{method_include("hemisphere"), method_include(program.method)}},
@@ -204,6 +209,11 @@ PassSource occlusion_source(const Program& program, Counting counts, std::uint32
                           {.id = 9, .bits = flag(program.orthographic)},
                           {.id = 12, .bits = flag(program.skip_closed)},
                           {.id = 14, .bits = flag(program.keeps_history)},
+                          {.id = 15, .bits = program.samples},
+                          {.id = 16, .bits = program.samples_converged},
+                          {.id = 17, .bits = program.steps},
+                          {.id = 18, .bits = unit_of(method, program.steps)},
+                          {.id = 19, .bits = flag(method.unit == SampleUnit::pair)},
                           {.id = listed_constant, .bits = flag(program.listed)},
                           {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)},
                           {.id = open_tiles_constant, .bits = open_tiles_each}}};

@@ -195,8 +195,8 @@ class Planner {
     void passes() {
         if (table_) {
             const std::uint32_t last = last_tabulated(settings_);
-            pass("sample_table", sample_table_source(method_named(settings_.method).samples),
-                 {"sample_table"}, bytes_of_parameters(SampleTableParameters{1, last}), {});
+            pass("sample_table", sample_table_source(method_named(settings_.method).points), {"sample_table"},
+                 bytes_of_parameters(SampleTableParameters{1, last}), {});
             plan_.passes.back().turn = Turn::once;
             plan_.passes.back().groups = {(last + sample_table_group - 1) / sample_table_group, 1, 1};
         }

@@ -12,8 +12,6 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
             .border = all.border,
             .radius = all.radius,
             .bias = all.bias,
-            .samples = all.samples,
-            .samples_converged = all.samples_converged,
             .c_spatial = all.c_spatial,
             .weight_max = all.weight_max,
             .c_rot = all.c_rot,
@@ -32,7 +30,10 @@ PreparationProgram preparation_program_for(const Settings& settings) {
     return {.precision = settings.precision,
             .layers = settings.layers,
             .reject_taps = settings.reject_taps,
-            .keeps_history = settings.history};
+            .keeps_history = settings.history,
+            .samples = settings.samples,
+            .samples_converged = settings.samples_converged,
+            .steps = settings.steps};
 }
 
 PassSource preparation_source(const std::string& file, const PreparationProgram& program,
@@ -41,7 +42,10 @@ PassSource preparation_source(const std::string& file, const PreparationProgram&
             .defines = defines_for(program.precision, format),
             .constants = {{.id = 0, .bits = program.layers},
                           {.id = 1, .bits = program.reject_taps ? 1U : 0U},
-                          {.id = 2, .bits = program.keeps_history ? 1U : 0U}}};
+                          {.id = 2, .bits = program.keeps_history ? 1U : 0U},
+                          {.id = 3, .bits = program.samples},
+                          {.id = 4, .bits = program.samples_converged},
+                          {.id = 5, .bits = program.steps}}};
 }
 
 PreparedImage::PreparedImage(const gpu::Device& device, const scene::PassLibrary& library)

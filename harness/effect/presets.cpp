@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/presets.hpp"
 
-#include "effect/internal/method_presets.hpp"
 #include "effect/internal/named.hpp"
 #include "effect/methods.hpp"
 
@@ -70,8 +69,11 @@ std::vector<Preset> presets() {
         {"fast", "Alchemy's taps, 3 a frame, 128 in the mean, no filter: for the least time", fast()},
         {"balanced", "8 samples a frame, 128 in the mean, no filter", balanced()},
         {"reference", "64 samples a frame, 64 in the mean, no filter: for the least error", reference()}};
-    const std::vector<Preset> of_methods = method_presets();
-    all.insert(all.end(), of_methods.begin(), of_methods.end());
+    for (const MethodInfo& method : methods()) {
+        if (method.presets == nullptr) continue;
+        const std::vector<Preset> published = method.presets(method);
+        all.insert(all.end(), published.begin(), published.end());
+    }
     return all;
 }
 

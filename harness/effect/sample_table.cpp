@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/sample_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "effect/methods.hpp"
@@ -28,12 +30,18 @@ gpu::Extent sample_table_extent(const Settings& settings) {
 
 PassSource sample_table_source(const std::string& samples) {
     return {.file = "sample_table.comp",
-            .replaced = {{"samples/hemisphere_cosine.glsl", "samples/" + samples + ".glsl"}}};
+            .defines = {sample_point_of(samples)},
+            .replaced = {{"gloam/sampling/hemisphere_cosine_point.glsl",
+                          fmt::format("gloam/sampling/{}_point.glsl", samples)}}};
 }
 
 bool tabulates_samples(const Settings& settings) {
-    return settings.sample_table && !method_named(settings.method).samples.empty() &&
+    return settings.sample_table && !method_named(settings.method).points.empty() &&
            last_tabulated(settings) < most_tabulated;
+}
+
+std::string sample_point_of(std::string_view points) {
+    return fmt::format("SAMPLE_POINT gloam_{}_point", points);
 }
 
 SampleTable::SampleTable(const gpu::Device& device, const scene::PassLibrary& library)
@@ -44,7 +52,7 @@ void SampleTable::take(const Settings& settings) {
     table_size_ = settings.table_size;
     used_ = tabulates_samples(settings);
     if (!used_) return;
-    const std::string& samples = method_named(settings.method).samples;
+    const std::string& samples = method_named(settings.method).points;
     const gpu::Extent extent = sample_table_extent(settings);
     const bool fits = image_ && image_->extent().height >= extent.height;
     if (!fits) image_.emplace(*device_, extent, gpu::Format::rgba32f);

@@ -74,7 +74,7 @@ TEST_P(SampleTableOf, ChangesNothing) {
 std::vector<std::string> methods_that_share() {
     std::vector<std::string> names;
     for (const MethodInfo& method : methods()) {
-        if (!method.samples.empty()) names.push_back(method.name);
+        if (!method.points.empty()) names.push_back(method.name);
     }
     return names;
 }

@@ -29,9 +29,10 @@ check::ImageSet depth_image(glm::ivec2 size, const std::function<float(glm::ivec
 
 class Gathering : public testing::Test {
   protected:
-    check::Lab lab = test::make_lab();
-    check::Kernel<Gather> hemisphere{lab, "passes/methods/hemisphere.glsl", "gloam_method_gather"};
-    check::Kernel<Gather> disc{lab, "passes/methods/disc.glsl", "gloam_method_gather"};
+    test::MethodFunctions functions;
+    check::Lab lab = functions.lab();
+    check::Kernel<Gather> hemisphere{lab, functions.file("hemisphere"), effect::method_function};
+    check::Kernel<Gather> disc{lab, functions.file("disc"), effect::method_function};
 };
 
 // A plane through (0, 0, -5) with the given normal.

@@ -4,11 +4,12 @@
 #include <functional>
 
 #include "check/shader_test.hpp"
+#include "support/method_functions.hpp"
 
-// gloam_method_gather of glsl/passes/methods, and images for it.
+// The methods as functions of one signature, and images for them.
 namespace gloam::test {
 
-// As in gloam/geometry/camera.glsl, gloam/occlusion/gather_kernel.glsl and method_parameters.glsl.
+// As in gloam/geometry/camera.glsl, effect::write_method_functions() and passes/method_values.glsl.
 struct Camera {
     glm::vec2 p00_p11;
     glm::ivec2 size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every method of glsl/passes/methods on scenes whose result is known in closed form.
+// Every method of glsl/gloam/methods on scenes whose result is known in closed form.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -12,7 +12,6 @@
 #include <string>
 
 #include "gathers.hpp"
-#include "shader/include.hpp"
 #include "support/lab.hpp"
 
 namespace gloam {
@@ -23,25 +22,31 @@ using test::Gather;
 using test::Method;
 using test::Samples;
 
-// Whether passes run before the method's samples: tests/effect/preparation_test.cpp has those, with the same
-// scenes.
-bool is_prepared(const std::filesystem::path& file) {
-    return shader::read_text(file).find("passes/preparation/") != std::string::npos;
+// Those that no passes prepare: tests/effect/preparation_test.cpp has the others, with the same scenes.
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const effect::MethodInfo& method : effect::methods())
+        if (method.prepare == nullptr) names.push_back(method.name);
+    return names;
 }
 
-std::set<std::string> method_names() {
-    std::set<std::string> names;
+// A file of the folder that no descriptor names is tried by nothing.
+TEST(MethodFiles, EachHasADescriptor) {
+    std::set<std::string> files;
     for (const auto& file :
-         std::filesystem::directory_iterator(std::filesystem::path(GLOAM_GLSL_DIR) / "passes/methods")) {
-        if (!is_prepared(file.path())) names.insert(file.path().stem().string());
-    }
-    return names;
+         std::filesystem::directory_iterator(std::filesystem::path(GLOAM_GLSL_DIR) / "gloam/methods"))
+        if (file.path().extension() == ".glsl") files.insert(file.path().stem().string());
+    std::set<std::string> described;
+    for (const effect::MethodInfo& method : effect::methods()) described.insert(method.name);
+    EXPECT_EQ(files, described);
 }
 
 class Methods : public testing::TestWithParam<std::string> {
   protected:
-    check::Lab lab = test::make_lab();
-    check::Kernel<Gather> gather{lab, "passes/methods/" + GetParam() + ".glsl", "gloam_method_gather"};
+    test::MethodFunctions functions;
+    check::Lab lab = functions.lab();
+    check::Kernel<Gather> gather{lab, functions.file(GetParam()), effect::method_function};
+    const effect::MethodInfo& info = effect::method_named(GetParam());
 
     // The mean over `batches` times 64 samples of one point, as that many frames would take them.
     double mean(const check::ImageSet& image, glm::vec3 position, const Camera& camera, float radius,
@@ -62,11 +67,6 @@ class Methods : public testing::TestWithParam<std::string> {
         return sum / count;
     }
 };
-
-// What a method says of a bare plane, before the remap.
-double on_a_plane(const std::string& method) {
-    return method == "crytek" || method == "volumetric" ? 0.5 : 0.0;
-}
 
 // The plane through (0, 0, -5) under a pixel.
 glm::dvec3 plane_point(glm::dvec3 normal, const Camera& camera, glm::ivec2 pixel) {
@@ -105,7 +105,7 @@ TEST_P(Methods, ABarePlaneIsOpen) {
                 }
             }
             for (const glm::vec2 sum : gather(inputs, image)) {
-                EXPECT_NEAR(static_cast<double>(sum.x / sum.y), on_a_plane(GetParam()), 1e-6)
+                EXPECT_NEAR(static_cast<double>(sum.x / sum.y), info.on_a_plane, 1e-6)
                     << "tilt " << tilt.x << ' ' << tilt.y
                     << (orthographic ? " orthographic" : " perspective");
             }
@@ -161,19 +161,6 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
     }
 }
 
-// Samples that a method takes where `count` are asked for, one after the other as the sequence has them:
-// those of whole slices of 2 steps taps, whole rays, pairs and crosses, at least one.
-unsigned samples_taken(const std::string& method, unsigned count, unsigned steps) {
-    const auto whole = [count](unsigned unit) { return std::max(count / unit, 1U) * unit; };
-    if (std::set<std::string>{"hbao", "hbao_study", "gtao", "bitmask"}.contains(method))
-        return whole(2 * steps);
-    if (std::set<std::string>{"poisson", "ssdo", "hsao", "unreal"}.contains(method)) return whole(steps);
-    if (method == "curvature") return whole(4);
-    const std::set<std::string> paired{"volumetric", "tangent_sphere", "angle", "depth_darkening",
-                                       "aksoy_phaneuf_two"};
-    return paired.contains(method) ? count + count % 2 : count;
-}
-
 // TSSAO-4 and -5: frames that follow one another are as one frame of all their samples, no sample is taken
 // twice and none is counted that was not taken.
 TEST_P(Methods, FramesAddUpToOneOfAllTheirSamples) {
@@ -194,7 +181,7 @@ TEST_P(Methods, FramesAddUpToOneOfAllTheirSamples) {
         glm::dvec2 sum(0);
         for (int frame = 0; frame < 7; ++frame) {
             const glm::dvec2 one = at(static_cast<unsigned>(sum.y), count);
-            EXPECT_EQ(one.y, samples_taken(GetParam(), count, method.steps)) << count;
+            EXPECT_EQ(one.y, effect::samples_taken(info, count, method.steps)) << count;
             sum += one;
         }
         const glm::dvec2 all = at(0, static_cast<unsigned>(sum.y));
@@ -218,9 +205,9 @@ TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
         EXPECT_EQ(at(glm::vec3(0, 0, -2), glm::vec3(0)), glm::vec2(0));
         EXPECT_EQ(at(glm::vec3(0, 0, -2), glm::vec3(nan)), glm::vec2(0));
         const glm::vec2 alone = at(glm::vec3(0, 0, -2), glm::vec3(0, 0, 1));  // a surface before nothing
-        EXPECT_EQ(alone.y, samples_taken(GetParam(), 16, Method{}.steps));
+        EXPECT_EQ(alone.y, effect::samples_taken(info, 16, Method{}.steps));
         EXPECT_GE(alone.x, 0.0F);
-        EXPECT_LE(alone.x / alone.y, on_a_plane(GetParam()));
+        EXPECT_LE(alone.x / alone.y, info.on_a_plane);
     }
 }
 

@@ -44,10 +44,11 @@ struct Surface {
 
 class Relatives : public testing::Test {
   protected:
-    check::Lab lab = test::make_lab();
+    test::MethodFunctions functions;
+    check::Lab lab = functions.lab();
 
     check::Kernel<Gather> method(const std::string& name) const {
-        return {lab, "passes/methods/" + name + ".glsl", "gloam_method_gather"};
+        return {lab, functions.file(name), effect::method_function};
     }
     // The mean over that many frames of 256 samples at the middle of the view.
     double mean(const std::string& name, const Surface& surface, float radius, const Method& settings,
@@ -184,18 +185,22 @@ TEST_F(Relatives, HsaoIsHbaoWithTheSameTaps) {
     EXPECT_GT(same, 20);
 }
 
-// Each setting that a method says it reads changes what it says of a rough surface, and no other does.
-struct Reads {
-    std::string method;
-    std::vector<std::string> settings;
-};
+// Each setting that a method's descriptor says it reads changes what it says of a rough surface, and no other
+// does. Those with preparation passes are tried by the effect (tests/effect/setting_table_test.cpp).
+class RelativesSettings : public testing::TestWithParam<std::string> {};
 
-class RelativesSettings : public testing::TestWithParam<Reads> {};
+std::vector<std::string> unprepared_methods() {
+    std::vector<std::string> names;
+    for (const effect::MethodInfo& method : effect::methods())
+        if (method.prepare == nullptr) names.push_back(method.name);
+    return names;
+}
 
 TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
-    const check::Lab lab = test::make_lab();
-    const check::Kernel<Gather> gather(lab, "passes/methods/" + GetParam().method + ".glsl",
-                                       "gloam_method_gather");
+    const test::MethodFunctions functions;
+    const check::Lab lab = functions.lab();
+    const check::Kernel<Gather> gather(lab, functions.file(GetParam()), effect::method_function);
+    const std::vector<std::string>& settings = effect::method_named(GetParam()).reads;
     const auto bump = [](glm::ivec2 p) { return static_cast<float>((p.x * 31 + p.y * 17) % 11) / 11.0F; };
     const auto view = test::view_of(
         glm::ivec2(side), [&](glm::ivec2 p) { return 5.0F - bump(p); },
@@ -208,8 +213,8 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
     };
     const Method plain{.range = 0.8F, .intensity = 0.05F, .angle_bias = 0.1F, .steps = 4};
     std::map<std::string, Method> changed;
-    for (const char* name :
-         {"range", "epsilon", "intensity", "thickness", "angle_bias", "mip_distance", "steps"})
+    for (const char* name : {"range", "epsilon", "intensity", "thickness", "angle_bias", "mip_distance",
+                             "steps", "disagreement"})
         changed[name] = plain;
     changed["range"].range = 0.3F;
     changed["epsilon"].epsilon = 0.02F;
@@ -218,21 +223,15 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
     changed["angle_bias"].angle_bias = 0.3F;
     changed["mip_distance"].mip_distance = 2.0F;
     changed["steps"].steps = 3;
+    changed["disagreement"].disagreement = 0.5F;
     for (const auto& [name, method] : changed) {
-        const bool read = std::ranges::find(GetParam().settings, name) != GetParam().settings.end();
+        const bool read = std::ranges::find(settings, name) != settings.end();
         EXPECT_EQ(result(method) != result(plain), read) << name;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, RelativesSettings,
-    testing::Values(Reads{"hsao", {"angle_bias", "intensity", "steps"}}, Reads{"poisson", {"range", "steps"}},
-                    Reads{"ssdo", {"range", "steps"}}, Reads{"sphere_proxy", {"intensity"}},
-                    Reads{"disc_proxy", {"intensity"}}, Reads{"mixture", {"angle_bias", "intensity"}},
-                    Reads{"unreal", {"epsilon", "intensity", "steps"}}, Reads{"curvature", {"range"}},
-                    Reads{"depth_darkening", {"intensity", "range"}},
-                    Reads{"aksoy_phaneuf_two", {"mip_distance"}}),
-    [](const auto& info) { return info.param.method; });
+INSTANTIATE_TEST_SUITE_P(All, RelativesSettings, testing::ValuesIn(unprepared_methods()),
+                         [](const auto& info) { return info.param; });
 
 // Whatever stands in front of the ball of volumetric obscurance, on one side or all around, is another
 // object: the floor below reads as if it went on under it (CS-3.5: no halo).

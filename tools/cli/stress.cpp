@@ -12,6 +12,7 @@
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/versions.hpp"
+#include "effect/method_functions.hpp"
 #include "report/output_file.hpp"
 #include "stress/report.hpp"
 #include "stress/run.hpp"
@@ -44,9 +45,10 @@ int run_stress(const StressOptions& options) {
                             options.equations);  // a wrong name is said before anything runs
     const report::OutputFile json(options.json);
     require_good_drivers();
+    const effect::MethodFunctions methods;
     const check::Lab lab({.device = options.device,
                           .validation = options.validation,
-                          .include_roots = {glsl_directory(), stress_shaders_directory()},
+                          .include_roots = {glsl_directory(), stress_shaders_directory(), methods.folder()},
                           .cache_directory = cache_directory()});
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
     const gpu::DeviceInfo& device = lab.device().info();

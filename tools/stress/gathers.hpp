@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "check/kernel.hpp"
-#include "effect/methods.hpp"
+#include "effect/method_functions.hpp"
 #include "effect/preparation.hpp"
 
 namespace gloam::stress {
 
-// GloamCamera and GloamKernel of the shader library, member by member.
+// GloamCamera of the shader library and GatherKernel of effect::write_method_functions(), member by member.
 struct Camera {
     glm::vec2 p00_p11;
     glm::ivec2 size;
@@ -44,10 +44,9 @@ using Gather = check::Kernel<glm::vec2(glm::vec3, glm::vec3, Camera, GatherKerne
     return {.range = length, .epsilon = length};
 }
 
-constexpr const char* gather_function = "gloam_method_gather";
-
+// Of the lab's folder of effect::write_method_functions().
 [[nodiscard]] inline std::string gather_file(const effect::MethodInfo& method) {
-    return "passes/methods/" + method.name + ".glsl";
+    return method.name + ".glsl";
 }
 
 // What a method prepares for an image of that size; one of mssao for `resolutions`.

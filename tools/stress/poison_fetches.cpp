@@ -14,6 +14,9 @@ namespace {
 
 constexpr glm::ivec2 size{9, 7};
 
+// Samples of a gather.
+constexpr unsigned asked = 33;
+
 constexpr Camera camera{{1.2F, -1.5F}, size, false};
 
 // Fetches outside an image, and results that are outside their range, over all calls.
@@ -72,7 +75,7 @@ std::vector<Gather::Inputs> gather_inputs(float bad, unsigned steps) {
         method.steps = steps;
         return method;
     };
-    const GatherKernel kernel{0.5F, 0.001F, 0.0F, 4'294'967'280U, 33};  // its index passes 2^32
+    const GatherKernel kernel{0.5F, 0.001F, 0.0F, 4'294'967'280U, asked};  // its index passes 2^32
     const glm::vec3 position = position_at(size / 2, 3.0F);
     const glm::vec3 normal(0, 0, 1);
     std::vector<Gather::Inputs> inputs;
@@ -87,11 +90,11 @@ std::vector<Gather::Inputs> gather_inputs(float bad, unsigned steps) {
         inputs.emplace_back(moved, normal, camera, kernel, method_of_length(1.0F));
         inputs.emplace_back(position, turned, camera, kernel, method_of_length(1.0F));
     }
-    inputs.emplace_back(position, normal, camera, GatherKernel{bad, 0.001F, 0.0F, 0, 33},
+    inputs.emplace_back(position, normal, camera, GatherKernel{bad, 0.001F, 0.0F, 0, asked},
                         method_of_length(1.0F));
-    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, bad, 0.0F, 0, 33},
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, bad, 0.0F, 0, asked},
                         method_of_length(1.0F));
-    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, bad, 0, 33},
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, bad, 0, asked},
                         method_of_length(1.0F));
     inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, 0.0F, 0, 0},
                         method_of_length(1.0F));
@@ -99,22 +102,22 @@ std::vector<Gather::Inputs> gather_inputs(float bad, unsigned steps) {
     return inputs;
 }
 
-// (sum, count) of a gather of 33 samples, or of the 34 of whole pairs, of which gloam_estimator_mean makes an
-// occlusion: obscurance has no bound of its own, and a radius near the largest float takes its sum to
-// infinity.
-bool good_sum(glm::vec2 sum) {
-    return sum.x >= 0.0F && sum.y >= 0.0F && sum.y <= 34.0F;
+// (samples times occlusion, samples) of a gather of so many at most.
+bool good_sum(glm::vec2 sum, std::uint32_t most) {
+    return sum.x >= 0.0F && sum.x <= sum.y && sum.y <= static_cast<float>(most);
 }
 
 Count gathers(const check::Lab& lab, const effect::MethodInfo& method) {
-    const Gather gather(lab, gather_file(method), gather_function);
+    const Gather gather(lab, gather_file(method), effect::method_function);
     const unsigned steps = 3;
+    const std::uint32_t most = effect::samples_taken(method, asked, steps);
     const auto preparation = gather_preparation(method, size, steps);
     Count count;
     for_each_image([&](float bad, const check::Image& image) {
         for (const float prepared : {bad, 0.5F}) {
-            call(gather, gather_inputs(bad, steps), gather_images(image, preparation, prepared), good_sum,
-                 count);
+            call(
+                gather, gather_inputs(bad, steps), gather_images(image, preparation, prepared),
+                [most](glm::vec2 sum) { return good_sum(sum, most); }, count);
             if (!preparation) break;
         }
     });

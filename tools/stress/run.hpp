@@ -16,7 +16,8 @@ namespace gloam::stress {
 // How much a run does: brief is for tests (seconds), full takes minutes.
 enum class Extent { brief, full };
 
-// What a run works with. The lab's include roots hold the shader library and shaders_directory().
+// What a run works with. The lab's include roots hold the shader library, tools/stress/shaders and the folder
+// of effect::MethodFunctions.
 struct Context {
     const check::Lab& lab;
     const scene::PassLibrary& passes;

@@ -133,13 +133,11 @@ void append_radii(const Context& context, effect::AmbientOcclusion& effect, Rows
     }
 }
 
-// A plane loses no sample: each of them must be counted. Methods that take whole slices, pairs or crosses, of
-// four taps at most with one step, may miss by three where these do not divide what was asked for.
+// A plane loses no sample: each of them must be counted.
 void append_counts(const Context& context, effect::AmbientOcclusion& effect, Rows& rows) {
     constexpr Size size{3, 1};
     effect.advance(plane(size));
     for (const std::uint32_t samples : {1U, 2U, 31U, 33U, 1024U, effect::most_samples}) {
-        const double allowed = samples % 4 == 0 ? 0.0 : 3.0 * static_cast<double>(pixels_of(size));
         double missing = 0.0;
         for (const effect::MethodInfo& method : methods_of(context)) {
             effect::Settings settings = settings_for(method);
@@ -147,11 +145,12 @@ void append_counts(const Context& context, effect::AmbientOcclusion& effect, Row
             settings.steps = 1;
             settings.weight_max = 8'388'608.0F;
             effect.begin(plane(size), settings);
-            const auto expected = static_cast<double>(pixels_of(size)) * samples;
+            const auto expected =
+                static_cast<double>(pixels_of(size)) * effect::samples_taken(method, samples, settings.steps);
             missing = std::max(missing, std::abs(expected - static_cast<double>(effect.next().work.samples)));
         }
         rows.push_back(
-            {shapes_name, fmt::format("{} samples a pixel", samples), "samples missing", missing, allowed});
+            {shapes_name, fmt::format("{} samples a pixel", samples), "samples missing", missing, 0.0});
     }
 }
 
@@ -167,12 +166,13 @@ Row highest_points(const Gather& gather, const effect::MethodInfo& method) {
         gather.with_images(gather_images(wall, preparation, 0.0F),
                            {glm::vec3(0, 0, -3), glm::vec3(0, 0, 1), camera, kernel, method_of_length(1.0F)});
     return {shapes_name, fmt::format("method {}, {} points up to 2^24", method.name, effect::most_samples),
-            "samples missing", effect::most_samples - double{sum.y}, 0.0};
+            "samples missing", effect::samples_taken(method, effect::most_samples, 1) - double{sum.y}, 0.0};
 }
 
 void append_highest_points(const Context& context, Rows& rows) {
     for (const effect::MethodInfo& method : methods_of(context))
-        rows.push_back(highest_points(Gather(context.lab, gather_file(method), gather_function), method));
+        rows.push_back(
+            highest_points(Gather(context.lab, gather_file(method), effect::method_function), method));
 }
 
 // Its pipelines are compiled once for all sizes: advance() takes views of another size.

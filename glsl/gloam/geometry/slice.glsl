@@ -47,4 +47,22 @@ vec2 gloam_slice_direction(vec3 offset, GloamSlice slice) {
     return gloam_safe_normalize(vec3(dot(direction, slice.view), dot(direction, slice.tangent), 0.0), vec3(0.0)).xy;
 }
 
+// What takes offsets into the plane of a slice without changing their height over the tangent plane. What is seen at a pixel's centre lies beside the
+// slice; dropping its part across the slice would lift the points of a tilted plane above that plane.
+struct GloamSliceAxes {
+    vec3 view;     // its product with an offset is that of the moved offset with the slice's view vector
+    vec3 tangent;  // likewise with the tangent
+};
+
+// normal: of the surface, unit. As gloam_into_slice, whose result has (dot(offset, axes.view), dot(offset, axes.tangent)) within the slice.
+// Returns the slice's own vectors where it is within 2 degrees of the tangent plane: parts across it are dropped there. Error: 3e-6 where
+// (axis . normal)^2 < 0.9; 3e-4 beyond.
+GloamSliceAxes gloam_slice_axes(GloamSlice slice, vec3 normal) {
+    vec3 axis = cross(slice.tangent, slice.view);
+    float turned = dot(axis, normal);
+    float steep = 1.0 - turned * turned;
+    vec3 across = steep > 1e-3 ? (axis - turned * normal) / steep : axis;
+    return GloamSliceAxes(slice.view - dot(across, slice.view) * axis, slice.tangent - dot(across, slice.tangent) * axis);
+}
+
 #endif

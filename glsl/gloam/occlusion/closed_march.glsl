@@ -6,17 +6,7 @@
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/square_root.glsl"
 
-// Whether the march along a slice ends where no tap to come can change what it has seen, with the same result to the bit. To have it,
-// define this before the method is included, as a constant or a specialization constant, and what the prototype asks for. Not where depths
-// are fetched for more than the occlusion.
-#ifndef GLOAM_ENDS_MARCHES
-#define GLOAM_ENDS_MARCHES false
-#define GLOAM_TAPS_LEFT_OUT(taps)
-#else
-// Defined by the user: told of the taps of a slice that are left out.
-void gloam_taps_left_out(uint taps);
-#define GLOAM_TAPS_LEFT_OUT(taps) gloam_taps_left_out(taps)
-#endif
+// Which taps of a march along a slice can still change what it has seen: the others may be left out, with the same result to the bit.
 
 // How near to the view axis the taps of a slice through the eye may see something within a ball. One that is aimed at the share s of the radius,
 // in the plane parallel to the image, sees no point of the ball, once moved into the slice (gloam_into_slice), that is nearer to the axis than

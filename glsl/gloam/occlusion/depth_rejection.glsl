@@ -4,12 +4,6 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Whether the loops of points, taps and slices leave out what gloam_tap_rejected() says, with GloamMethod::range as the threshold (pairs have rules of
-// their own): to have it, define this before the method is included, as a constant or a specialization constant.
-#ifndef GLOAM_REJECTS_TAPS
-#define GLOAM_REJECTS_TAPS false
-#endif
-
 // Whether a tap tells nothing of the surroundings of its point, because what it sees lies too far in front (CS-REJ): d_p - d_s > threshold.
 // Such a tap is left out, or replaced by its opposite.
 // depth: d_p, of the shaded point, eye-linear, world units. tap_depth: d_s, at the tap. threshold: world units, about the radius.

@@ -25,4 +25,34 @@ float gloam_layer_blocked(float sample_depth, float front, float back) {
     return front <= sample_depth && before_back ? 1.0 : 0.0;
 }
 
+// Depth of a layer at a tap, of which the first is what the eye sees (CS-E, CS-LAYERS; Bavoil and Sainz 2009). Of the surfaces at a tap the one that
+// blocks most counts: each layer can only miss what the others show.
+// first: of what the eye sees. further: of layers 1 to 3 behind it, negative where seen from behind. layer: 0 to 3. Eye-linear, world units.
+// Returns a depth without the sign. Error: none.
+float gloam_layer_depth(float first, vec3 further, int layer) {
+    if (layer == 0) return first;
+    return abs(layer == 1 ? further.x : (layer == 2 ? further.y : further.z));
+}
+
+// What the layers at a sample point, the first of them first, say of it together. With further layers a point behind the back of what is in front of it is
+// open: no guess of a thickness is needed. What is behind the last layer nobody knows: of three or more, a back that is the last closes nothing.
+struct GloamLayersSeen {
+    float occlusion;  // so far, [0, 1]; 0 to begin with
+    float before;     // as it was before the last layer; 0 to begin with
+    bool front;       // whether the last layer is a front; true to begin with
+};
+
+// Adds a layer.
+// blocked: whether it blocks the point, 0 to 1. further: signed depths of layers 1 to 3. depth: of the point, eye-linear, world units. layer: 0 to
+// layers - 1. layers: 1 to 4.
+// Returns what is seen with it. Error: none.
+GloamLayersSeen gloam_layers_add(GloamLayersSeen seen, float blocked, vec3 further, float depth, int layer, int layers) {
+    if (layer == 0) return GloamLayersSeen(blocked, 0.0, true);
+    float next = layer == 1 ? further.x : (layer == 2 ? further.y : further.z);
+    bool closes = seen.front && next < 0.0;
+    bool known = layer + 1 < layers || layers == 2;
+    float opened = closes && known && -next < depth ? seen.before : seen.occlusion;
+    return GloamLayersSeen(closes ? opened : max(opened, blocked), opened, next > 0.0);
+}
+
 #endif

@@ -9,7 +9,7 @@
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  rgba32f  further depth layers, as ambient_occlusion.comp has them; read when layers is more than 1
-//   3  buffer   a GloamMethod
+//   3  buffer   a MethodValues
 //   4 and on    as the pass says
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -29,32 +29,23 @@ layout(push_constant) uniform Parameters {
     mat3x4 world_from_view;  // rotation, of which xyz of each column are meant
 } parameters;
 
-#define GLOAM_LAYERS layers
-float gloam_fetch_layer(ivec2 pixel, int layer) {
-    return imageLoad(layer_image, pixel)[layer - 1];
-}
-
 #include "gloam/geometry/camera.glsl"
+#include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/occlusion/blocked.glsl"
-#include "gloam/occlusion/point_gather.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/hash_rotation.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
+#include "gloam/sampling/tangent_frame.glsl"
+#include "passes/method_values.glsl"
 
-layout(binding = 3, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+layout(binding = 3, std430) readonly buffer MethodSettings { MethodValues method_values; };
 
 float gloam_fetch_depth(ivec2 pixel) {
     return imageLoad(depth_image, pixel).x;
-}
-
-vec3 gloam_method_point(uint index, vec2 turn) {
-    return gloam_turn_hemisphere(gloam_hemisphere_uniform(gloam_halton_3d(index)), turn);
-}
-
-float gloam_method_point_occlusion(float depth, float buffer_depth, GloamKernel kernel, GloamMethod method) {
-    return gloam_sample_blocked(depth, buffer_depth, kernel.bias, method.range);
 }
 
 // The point that is shaded.
@@ -62,7 +53,7 @@ struct Shaded {
     vec3 position;  // view space, world units
     vec3 normal;    // unit
     mat3 frame;     // tangent, bitangent, normal
-    GloamKernel kernel;
+    GloamFootprint footprint;
     vec2 turn;  // (cos, sin) of the kernel's angle
 };
 
@@ -83,20 +74,34 @@ bool shaded_at(ivec2 pixel, out Shaded shaded) {
     vec3 normal = imageLoad(normal_image, pixel).xyz;
     shaded.position = gloam_camera_position(pixel, gloam_fetch_depth(pixel), this_camera());
     shaded.normal = gloam_safe_normalize(normal, vec3(0.0));
-    shaded.kernel = GloamKernel(parameters.radius, parameters.bias, gloam_hash_rotation(pixel), 0u, parameters.samples);
-    shaded.turn = gloam_sincos(shaded.kernel.angle);
-    if (!gloam_can_gather(shaded.position, normal, parameters.radius)) return false;
+    shaded.turn = gloam_sincos(gloam_hash_rotation(pixel));
+    if (!gloam_can_gather(shaded.position, normal, parameters.radius, this_camera())) return false;
+    shaded.footprint = gloam_footprint(shaded.position, parameters.radius, this_camera());
     shaded.frame = gloam_tangent_frame(normal);
     return true;
 }
 
+// Whether the layers at a pixel block a point. depth: of the point, moved to the pixel's centre.
+float blocked_at(ivec2 pixel, float depth) {
+    float first = gloam_fetch_depth(pixel);
+    vec3 further = layers > 1 ? imageLoad(layer_image, pixel).xyz : vec3(0.0);
+    GloamLayersSeen seen = GloamLayersSeen(0.0, 0.0, true);
+    for (int layer = 0; layer < layers; ++layer) {
+        float blocked = gloam_sample_blocked(depth, gloam_layer_depth(first, further, layer), parameters.bias, method_values.range);
+        seen = gloam_layers_add(seen, blocked, further, depth, layer, layers);
+    }
+    return seen.occlusion;
+}
+
 // i: number of the sample, from 0.
 Sample sample_of(Shaded shaded, uint i) {
-    vec3 point = gloam_method_point(i + 1u, shaded.turn);
+    vec3 point = gloam_turn_hemisphere(gloam_hemisphere_uniform(gloam_halton_3d(i + 1u)), shaded.turn);
     vec3 along = shaded.frame * point;
-    vec2 tap = gloam_point_tap(vec2(0.0), shaded.position, shaded.frame, this_camera(), shaded.kernel, method_settings, point);
-    ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(shaded.position + parameters.radius * along, this_camera()), parameters.size);
-    return Sample(gloam_safe_normalize(along, vec3(0.0)), 1.0 - tap.x, pixel, tap.y > 0.0);
+    vec3 at = shaded.position + parameters.radius * along;
+    ivec2 pixel = gloam_footprint_seen(shaded.footprint, at);
+    bool counts = point != vec3(0.0) && at.z < 0.0;
+    float blocked = counts ? blocked_at(pixel, gloam_footprint_plane_depth(shaded.footprint, pixel, at, shaded.frame[2])) : 0.0;
+    return Sample(gloam_safe_normalize(along, vec3(0.0)), 1.0 - blocked, pixel, counts);
 }
 
 #endif

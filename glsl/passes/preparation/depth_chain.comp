@@ -7,7 +7,12 @@
 
 #include "passes/preparation/pass.glsl"
 
-#include "passes/preparation/depth_chain.glsl"
+#include "gloam/methods/sao_chain.glsl"
+
+// What the method reads of the image that is written here.
+vec4 gloam_fetch_prepared(ivec2 pixel) {
+    return imageLoad(prepared_image, pixel);
+}
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

@@ -7,14 +7,19 @@
 
 #include "passes/preparation/pass.glsl"
 
-#include "passes/preparation/directions.glsl"
+#include "gloam/methods/separable.glsl"
+
+// What the method reads of the image that is written here.
+vec4 gloam_fetch_prepared(ivec2 pixel) {
+    return imageLoad(prepared_image, pixel);
+}
 
 float prepared(ivec2 pixel) {
     float depth = gloam_fetch_depth(pixel);
     if (gloam_is_background(depth) || below_limit(depth)) return 0.0;
     GloamCamera camera = this_camera();
     vec3 position = gloam_camera_position(pixel, depth, camera);
-    return gloam_pair_occlusion(position, imageLoad(normal_image, pixel).xyz, camera, kernel_at(pixel), method_settings, false);
+    return gloam_separable_slice(position, imageLoad(normal_image, pixel).xyz, camera, kernel_at(pixel), false);
 }
 
 void main() {

@@ -7,9 +7,12 @@
 
 #include "passes/preparation/pass.glsl"
 
-#include "gloam/occlusion/estimator.glsl"
-#include "passes/methods/hbao.glsl"
-#include "passes/preparation/half_resolution.glsl"
+#include "gloam/methods/dual_resolution.glsl"
+
+// What the method reads of the image that is written here.
+vec4 gloam_fetch_prepared(ivec2 pixel) {
+    return imageLoad(prepared_image, pixel);
+}
 
 // The neighbourhood of 3 x 3 small pixels that a pixel of the frame looks at.
 const int REACH = 4;
@@ -21,8 +24,8 @@ vec4 prepared(ivec2 pixel) {
     if (below_limit(depth)) return vec4(0.0, normal);
     GloamCamera camera = this_camera();
     vec3 position = gloam_camera_position(pixel, depth, camera);
-    vec2 sum = gloam_method_gather(position, normal, camera, kernel_at(pixel), method_settings);
-    return vec4(gloam_estimator_mean(sum), normal);
+    GloamHbao settings = GloamHbao(method_values.angle_bias, method_values.intensity, method_steps);
+    return vec4(gloam_hbao(position, normal, camera, kernel_at(pixel), settings).occlusion, normal);
 }
 
 void main() {

@@ -7,7 +7,7 @@
 
 #include "passes/preparation/pass.glsl"
 
-#include "passes/preparation/mssao_level.glsl"
+#include "gloam/methods/mssao.glsl"
 
 vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
@@ -30,12 +30,12 @@ void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = gloam_level_size(parameters.size, parameters.level);
     if (texel.x >= size.x || texel.y >= size.y) return;
-    int coarsest = gloam_coarsest_level(method_settings.steps);
+    int coarsest = gloam_coarsest_level(method_steps);
     vec3 position = gloam_pyramid_position(texel, parameters.level, this_camera());
     vec3 normal = gloam_fetch_prepared(gloam_pyramid_texel(texel, parameters.level, parameters.size,
                                                            GLOAM_PYRAMID_NORMALS)).xyz;
     GloamLevels levels = GloamLevels(0.0, 0.0, 0.0);
-    if (gloam_can_gather(position, normal, parameters.radius)) {
+    if (gloam_can_gather(position, normal, parameters.radius, this_camera())) {
         levels = gloam_mssao_at(position, normal, parameters.level, this_camera(), texel_kernel(texel, -position.z), coarsest);
     }
     ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, GLOAM_PYRAMID_RESULTS);

@@ -8,7 +8,7 @@
 #include "passes/preparation/pass.glsl"
 
 #include "gloam/filter/mssao_downsample.glsl"
-#include "passes/preparation/pyramid.glsl"
+#include "gloam/methods/mssao.glsl"
 
 struct Surface {
     vec3 position;
@@ -64,7 +64,7 @@ void main() {
         surfaces[i] = finer(2 * texel + ivec2(i & 1, i >> 1));
         depths[i] = -surfaces[i].position.z;
     }
-    Surface one = chosen(surfaces, depths, gloam_mssao_weights(depths, method_settings.range));
+    Surface one = chosen(surfaces, depths, gloam_mssao_weights(depths, method_values.range));
     ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, GLOAM_PYRAMID_POSITIONS);
     imageStore(prepared_image, at, vec4(one.position, 0.0));
     at = gloam_pyramid_texel(texel, parameters.level, parameters.size, GLOAM_PYRAMID_NORMALS);

@@ -12,7 +12,7 @@
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used, depth)
 //   3  prepared the prepared image, written and, by passes that build on others, read
-//   4  buffer   a GloamMethod
+//   4  buffer   a MethodValues
 //   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is more than 1
 #include "../history_image.glsl"
 #ifndef GLOAM_PREPARED
@@ -21,10 +21,14 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const int layers = 1;               // of depth that the samples see, 1 to 4
-layout(constant_id = 1) const bool reject_taps = false;     // leave out taps further in front than GloamMethod::range (CS-REJ)
+layout(constant_id = 1) const bool reject_taps = false;     // leave out taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 2) const bool keeps_history = true;    // else each frame stands by itself
+layout(constant_id = 3) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
+layout(constant_id = 4) const uint samples_converged = 16u;  // k_2, for each pixel that has
+layout(constant_id = 5) const uint method_steps = 4u;        // in the place of MethodValues::steps
 const bool fewer_samples = true;
 const bool caps_radius = true;
+const bool ends_marches = false;
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -37,8 +41,6 @@ layout(push_constant) uniform Parameters {
     ivec2 border;          // guard band on each side, pixels
     float radius;          // of influence, world units
     float bias;            // world units
-    uint samples;          // k_1, for each pixel that has not converged
-    uint samples_converged;  // k_2, for each pixel that has
     float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
     float weight_max;      // w_max: samples in the mean, at most
     float c_rot;           // kernels are rotated below this convergence; 0 never
@@ -56,16 +58,14 @@ layout(push_constant) uniform Parameters {
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/method_parameters.glsl"
 #include "gloam/temporal/history.glsl"
+#include "passes/method_values.glsl"
 
-layout(binding = 4, std430) readonly buffer MethodSettings { GloamMethod method_settings; };
+layout(binding = 4, std430) readonly buffer MethodSettings { MethodValues method_values; };
 layout(binding = 5, rgba32f) uniform readonly image2D layer_image;
 
-#define GLOAM_REJECTS_TAPS reject_taps
-#define GLOAM_LAYERS layers
-float gloam_fetch_layer(ivec2 pixel, int layer) {
-    return imageLoad(layer_image, pixel)[layer - 1];
+vec3 gloam_fetch_layers(ivec2 pixel) {
+    return imageLoad(layer_image, pixel).xyz;
 }
 
 GloamCamera this_camera() {

@@ -2,8 +2,9 @@
 #ifndef GLOAM_SAMPLES_TABLE_GLSL
 #define GLOAM_SAMPLES_TABLE_GLSL
 
-// What all pixels share of their samples, in an image of 256 columns: sample number i is texel (i mod 256, i / 256). A pass that reads
-// it defines GLOAM_SAMPLE_TABLE as its binding and includes this file before the method; sample_table.comp writes it.
+// What all pixels share of their samples (gloam/sampling/points), in an image of 256 columns: sample number i is texel (i mod 256, i / 256). A pass that reads
+// it defines GLOAM_SAMPLE_TABLE as its binding, SAMPLE_POINT as the name of the points' function, and the guard of their file, so that the table takes
+// its place; and includes this file before the method. sample_table.comp writes it.
 
 const uint SAMPLE_TABLE_COLUMNS = 256u;
 
@@ -14,12 +15,9 @@ ivec2 sample_table_texel(uint index) {
 #ifdef GLOAM_SAMPLE_TABLE
 layout(binding = GLOAM_SAMPLE_TABLE, rgba32f) uniform readonly image2D sample_table;
 
-vec3 tabulated_sample(uint index) {
+vec3 SAMPLE_POINT(uint index) {
     return imageLoad(sample_table, sample_table_texel(index)).xyz;
 }
-
-#define GLOAM_SHARED_SAMPLE tabulated_sample
-#define GLOAM_DISC_POINT(index) tabulated_sample(index).xy
 #endif
 
 #endif

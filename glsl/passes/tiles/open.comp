@@ -196,7 +196,7 @@ TangentPlane plane_at(ivec2 pixel, float depth) {
     GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, false);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
     TangentPlane plane = tangent_plane(pixel, depth, normal, camera);
-    bool able = gloam_can_gather(gloam_camera_position(pixel, depth, camera), normal, parameters.radius) &&
+    bool able = gloam_can_gather(gloam_camera_position(pixel, depth, camera), normal, parameters.radius, camera) &&
                 plane.height > NEARER * parameters.radius;
     if (!able) plane.height = 0.0;
     return plane;

@@ -32,8 +32,6 @@ struct OcclusionParameters {
     glm::ivec2 border;
     float radius;
     float bias;
-    std::uint32_t samples;
-    std::uint32_t samples_converged;
     float c_spatial;
     float weight_max;
     float c_rot;
@@ -55,7 +53,7 @@ struct OcclusionParameters {
     float bias_depth;
 };
 
-// GloamMethod, as the pass's buffer holds it.
+// MethodValues, as the pass's buffer holds it.
 struct MethodParameters {
     float range;
     float epsilon;
@@ -125,6 +123,9 @@ struct Program {
     bool smooths = false;
     bool skip_closed = false;
     bool keeps_history = true;
+    std::uint32_t samples = 0;
+    std::uint32_t samples_converged = 0;
+    std::uint32_t steps = 0;
     bool orthographic = false;
 
     friend auto operator<=>(const Program&, const Program&) = default;

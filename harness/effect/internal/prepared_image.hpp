@@ -21,8 +21,6 @@ struct PreparationParameters {
     glm::ivec2 border;
     float radius;
     float bias;
-    std::uint32_t samples;
-    std::uint32_t samples_converged;
     float c_spatial;
     float weight_max;
     float c_rot;
@@ -46,6 +44,9 @@ struct PreparationProgram {
     std::uint32_t layers = 1;
     bool reject_taps = false;
     bool keeps_history = true;
+    std::uint32_t samples = 0;
+    std::uint32_t samples_converged = 0;
+    std::uint32_t steps = 0;
 
     friend auto operator<=>(const PreparationProgram&, const PreparationProgram&) = default;
 };

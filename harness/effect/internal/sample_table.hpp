@@ -74,4 +74,8 @@ class SampleTable {
 // Whether the settings' frames read a table. A sequence of more than 131,072 samples has none.
 [[nodiscard]] bool tabulates_samples(const Settings& settings);
 
+// What a shader that has the points of that name in a table, or writes it, is compiled with
+// (samples/table.glsl).
+[[nodiscard]] std::string sample_point_of(std::string_view points);
+
 }  // namespace gloam::effect

@@ -45,4 +45,21 @@ vec2<T> gloam_slice_direction(vec3<T> offset, GloamSlice<T> slice) {
     return vec2<T>(unit.x, unit.y);
 }
 
+template <class T>
+struct GloamSliceAxes {
+    vec3<T> view;
+    vec3<T> tangent;
+};
+
+// The products of the slice's vectors with offset - (offset . axis) across, as products with the offset.
+template <class T>
+GloamSliceAxes<T> gloam_slice_axes(GloamSlice<T> slice, vec3<T> normal) {
+    const vec3<T> axis = cross(slice.tangent, slice.view);
+    const T turned = dot(axis, normal);
+    const T steep = T(1) - turned * turned;
+    vec3<T> across = axis;
+    if (steep > T(1e-3F)) across = (axis - turned * normal) / steep;
+    return {slice.view - dot(across, slice.view) * axis, slice.tangent - dot(across, slice.tangent) * axis};
+}
+
 }  // namespace gloam::reference

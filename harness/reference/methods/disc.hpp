@@ -8,6 +8,11 @@
 namespace gloam::reference {
 
 template <class T>
+struct GloamDisc {
+    T epsilon;
+};
+
+template <class T>
 struct DiscMethod {
     vec2<T> tap(unsigned i, vec3<T> /*position*/, GloamKernel<T> kernel) const {
         return gloam_halton_disc(kernel.first + i + 1U, gloam_sincos(kernel.angle));

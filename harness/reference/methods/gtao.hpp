@@ -9,6 +9,11 @@
 namespace gloam::reference {
 
 template <class T>
+struct GloamGtao {
+    unsigned steps;
+};
+
+template <class T>
 struct GtaoMethod {
     vec3<T> view(vec3<T> eye) const { return eye; }
     GloamMarch<T> start(GloamSlice<T> slice, vec3<T> /*normal*/, T share, GloamMethod<T> /*method*/) const {

@@ -11,6 +11,11 @@
 namespace gloam::reference {
 
 template <class T>
+struct GloamHemisphere {
+    T range;
+};
+
+template <class T>
 struct HemisphereMethod {
     vec3<T> point(unsigned index, T angle) const {
         return gloam_rotate_hemisphere(gloam_hemisphere_cosine(gloam_halton_3d<T>(index)), angle);

@@ -11,6 +11,12 @@
 namespace gloam::reference {
 
 template <class T>
+struct GloamPoisson {
+    T range;
+    unsigned steps;
+};
+
+template <class T>
 struct PoissonMethod {
     GloamRay<T> ray(unsigned index, const mat3<T>& frame, GloamKernel<T> kernel,
                     GloamMethod<T> /*method*/) const {

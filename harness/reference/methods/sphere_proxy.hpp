@@ -8,6 +8,11 @@
 namespace gloam::reference {
 
 template <class T>
+struct GloamSphereProxy {
+    T intensity;
+};
+
+template <class T>
 struct SphereProxyMethod {
     T occlusion(GloamProxy<T> proxy, vec3<T> normal, GloamCamera<T> /*camera*/, GloamKernel<T> /*kernel*/,
                 GloamMethod<T> /*method*/) const {

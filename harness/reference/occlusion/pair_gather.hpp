@@ -41,7 +41,7 @@ unsigned gloam_paired_samples(unsigned count) {
 template <class T, class Method, class Fetch>
 vec2<T> gloam_pair_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
                           GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    if (!gloam_can_gather(position, normal, kernel.radius)) return vec2<T>(T(0), T(0));
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return vec2<T>(T(0), T(0));
     const vec3<T> n = gloam_safe_normalize(normal, vec3<T>(T(0), T(0), T(0)));
     const vec2<T> center = gloam_camera_uv(position, camera);
     const vec2<T> reach = gloam_camera_radius(kernel.radius, T(-position.z), camera);

@@ -30,7 +30,7 @@ template <class T, class Method, class Fetch>
 vec2<T> gloam_point_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
                            GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
     vec2<T> accumulated(T(0), T(0));
-    if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return accumulated;
     const mat3<T> frame = gloam_tangent_frame(normal);
     for (unsigned i = 0; i < kernel.count; ++i) {
         const vec3<T> point = method.point(kernel.first + i + 1U, kernel.angle);

@@ -43,7 +43,7 @@ template <class T, class Method, class Fetch>
 vec2<T> gloam_proxy_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
                            GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
     vec2<T> accumulated(T(0), T(0));
-    if (!gloam_can_gather(position, normal, kernel.radius)) return accumulated;
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return accumulated;
     const vec3<T> n = gloam_safe_normalize(normal, vec3<T>(T(0), T(0), T(0)));
     const vec2<T> center = gloam_camera_uv(position, camera);
     const glm::ivec2 pixel = gloam_nearest_pixel(center, camera.size);

@@ -59,7 +59,7 @@ unsigned gloam_ray_samples(unsigned count, unsigned steps) {
 template <class T, class Method, class Fetch>
 vec2<T> gloam_ray_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
                          GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    if (!gloam_can_gather(position, normal, kernel.radius)) return vec2<T>(T(0), T(0));
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return vec2<T>(T(0), T(0));
     const mat3<T> frame = gloam_tangent_frame(normal);
     const unsigned taps = std::max(parameters.steps, 1U);
     vec2<T> weighted(T(0), T(0));

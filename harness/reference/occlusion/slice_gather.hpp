@@ -66,7 +66,7 @@ unsigned gloam_slice_samples(unsigned count, unsigned steps) {
 template <class T, class Method, class Fetch>
 vec2<T> gloam_slice_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
                            GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    if (!gloam_can_gather(position, normal, kernel.radius)) return vec2<T>(T(0), T(0));
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return vec2<T>(T(0), T(0));
     const vec3<T> n = gloam_safe_normalize(normal, vec3<T>(T(0), T(0), T(0)));
     const vec3<T> ahead(T(0), T(0), T(1));
     const vec3<T> eye = camera.orthographic ? ahead : gloam_safe_normalize(-position, ahead);

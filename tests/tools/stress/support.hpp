@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string>
 
+#include "effect/method_functions.hpp"
 #include "stress/report.hpp"
 #include "stress/run.hpp"
 #include "support/lab.hpp"
@@ -18,7 +19,8 @@ class Bench {
   public:
     explicit Bench(const std::filesystem::path& glsl = GLOAM_GLSL_DIR,
                    const std::filesystem::path& stress_shaders = GLOAM_STRESS_SHADERS)
-        : lab_(options(glsl, stress_shaders)), passes_(glsl, gloam::test::cache_directory()) {}
+        : lab_(options(glsl, stress_shaders, methods_.folder())),
+          passes_(glsl, gloam::test::cache_directory()) {}
 
     [[nodiscard]] Context context(std::uint64_t frames = 20'000) const {
         return {.lab = lab_, .passes = passes_, .extent = Extent::brief, .seed = 1, .frames = frames};
@@ -35,12 +37,14 @@ class Bench {
 
   private:
     static check::LabOptions options(const std::filesystem::path& glsl,
-                                     const std::filesystem::path& stress_shaders) {
+                                     const std::filesystem::path& stress_shaders,
+                                     const std::filesystem::path& methods) {
         check::LabOptions all = gloam::test::make_lab().options();
-        all.include_roots = {glsl, stress_shaders};
+        all.include_roots = {glsl, stress_shaders, methods};
         return all;
     }
 
+    effect::MethodFunctions methods_;
     check::Lab lab_;
     scene::PassLibrary passes_;
 };

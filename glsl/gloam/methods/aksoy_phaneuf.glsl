@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_AKSOY_PHANEUF_GLSL
+#define GLOAM_METHODS_AKSOY_PHANEUF_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/rotation.glsl"
+
+// Surface points under a disc, each counting by its distance if it lies in front of the tangent plane (Aksoy and Phaneuf 2011; CS-J).
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
+// the contributions, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 turn = gloam_sincos(kernel.angle);
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec2 tap = gloam_turn_disc(gloam_disc_point(kernel.first + i + 1u).xy, turn);
+        ivec2 at = gloam_footprint_pixel(footprint, tap);
+        float first = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        float most = 0.0;
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float depth = gloam_layer_depth(first, further, layer);
+            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+            float squared = dot(offset, offset);
+            float weight = 1.0 - squared * inversesqrt(max(squared, 1e-36)) / kernel.radius;
+            bool counts = gloam_tap_sees(depth) && dot(offset, n) > kernel.bias;
+            most = counts ? max(most, weight) : most;
+        }
+        sum += most;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+#endif

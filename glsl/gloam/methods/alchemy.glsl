@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_ALCHEMY_GLSL
+#define GLOAM_METHODS_ALCHEMY_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/rotation.glsl"
+
+// Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10): surface points under a disc, each of which counts 2 sigma (v . n - bias)
+// / (v . v + epsilon^2). Its falloff is 0 for touching geometry, rises to the distance sigma and falls as its inverse beyond.
+struct GloamAlchemy {
+    float epsilon;    // world units, here small: it bounds what one tap counts
+    float intensity;  // sigma as a share of the radius
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
+// the contributions, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_alchemy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamAlchemy settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 turn = gloam_sincos(kernel.angle);
+    float sigma = settings.intensity * kernel.radius;
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec2 tap = gloam_turn_disc(gloam_disc_point(kernel.first + i + 1u).xy, turn);
+        ivec2 at = gloam_footprint_pixel(footprint, tap);
+        float first = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        float most = 0.0;
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float depth = gloam_layer_depth(first, further, layer);
+            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+            float above = dot(offset, n) - kernel.bias;
+            float divisor = dot(offset, offset) + settings.epsilon * settings.epsilon;
+            bool counts = gloam_tap_sees(depth) && above > 0.0;
+            most = counts ? max(most, 2.0 * sigma * (above / divisor)) : most;
+        }
+        sum += most;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+#endif

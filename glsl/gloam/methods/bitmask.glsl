@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_BITMASK_GLSL
+#define GLOAM_METHODS_BITMASK_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/geometry/slice.glsl"
+#include "gloam/occlusion/closed_march.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/occlusion/visibility_bitmask.glsl"
+#include "gloam/sampling/slice_sample.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+
+// Visibility bitmask (Therrien et al. 2023): samples cover sectors of a slice between their front and their back, so that light passes
+// behind thin things. Sectors are equal shares of the cosine-weighted half plane. Each slice takes only samples up to a random distance,
+// uniform up to the radius: in the mean that is the linear falloff.
+struct GloamBitmask {
+    float thickness;  // world units: how far behind its front a surface blocks
+    uint steps;       // taps along each half of a slice, at least 1
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+const uint GLOAM_ALL_SECTORS = 0xFFFFFFFFu;
+
+// Sectors between the front and the back of a sample, of equal shares of the cosine-weighted half plane.
+// front, back: in the slice, (along view, along tangent), any length. Returns bits, as gloam_bitmask_sectors; none where front and back are alike.
+// Error: none, but for ends within rounding of a sector's centre.
+uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
+    float first = gloam_slice_fraction_cosine(front * inversesqrt(max(dot(front, front), 1e-36)), slice);
+    float second = gloam_slice_fraction_cosine(back * inversesqrt(max(dot(back, back), 1e-36)), slice);
+    return gloam_bitmask_sectors(vec2(min(first, second), max(first, second)));
+}
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 3e-6,
+// but for samples within rounding of a sector's border or a pixel's.
+GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamBitmask settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 view = gloam_toward_eye(position, camera.orthographic);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    float turns = gloam_kernel_turns(kernel.angle);
+    uint steps = max(settings.steps, 1u);
+    uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
+    uint left_out = 0u;
+    float thickness = settings.thickness > 0.0 && settings.thickness <= GLOAM_FARTHEST ? settings.thickness : 0.0;
+    float occluded = 0.0;
+    float whole = 0.0;
+    for (uint i = 0u; i < slices; ++i) {
+        GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
+        vec2 direction = random.direction * gloam_upright(camera);
+        GloamSlice slice = gloam_slice(direction, view, n);
+        GloamSliceAxes axes = gloam_slice_axes(slice, n);
+        float nearest = random.share * kernel.radius;  // only samples that are nearer count
+        uint sectors = 0u;
+        for (int side = 0; side < 2; ++side) {
+            float towards = side == 0 ? 1.0 : -1.0;
+            uint taps = steps;
+            if (kernel.ends_marches) {
+                vec2 end = (footprint.center + towards * footprint.reach * random.direction) / footprint.size;
+                vec2 clearance = gloam_slice_clearance(slice, position, direction, end, camera, kernel.radius, random.share);
+                taps = gloam_slice_taps(clearance, random.share, random.jitter, steps);
+            }
+            uint k = 0u;
+            for (; k < taps && !(kernel.ends_marches && sectors == GLOAM_ALL_SECTORS); ++k) {
+                float share = (float(k) + random.jitter) / float(steps);
+                ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
+                float first = gloam_fetch_depth(at);
+                vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                for (int layer = 0; layer < kernel.layers; ++layer) {
+                    float depth = gloam_layer_depth(first, further, layer);
+                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
+                    vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
+                    vec2 back = vec2(offset.x - thickness, offset.y);
+                    bool counts = depth > 0.0 && dot(offset, offset) < nearest * nearest && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    if (counts) sectors |= gloam_bitmask_between(offset, back, slice);
+                }
+            }
+            left_out += steps - k;
+        }
+        occluded += slice.weight * gloam_slice_whole(slice) * gloam_bitmask_occlusion(sectors);
+        whole += slice.weight * gloam_slice_whole(slice);
+    }
+    GloamEstimate estimate = gloam_estimate(occluded, whole, slices * 2u * steps);
+    estimate.left_out = left_out;
+    return estimate;
+}
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_CURVATURE_GLSL
+#define GLOAM_METHODS_CURVATURE_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/geometry/curvature.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/curvature.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/sampling/halton_point.glsl"
+#include "gloam/sampling/slice_sample.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+
+// Curvature (after Hattori et al. 2012; CS-K): the two principal curvatures of the surface, from how position and normal change across the
+// pixel at the scale of the radius, and the occlusion of the quadric that has them. One estimate reads the four ends of a cross and
+// counts as four samples. Cosine-weighted on a bowl that ends at the radius; of what does not belong to the surface it sees nothing.
+struct GloamCurvature {
+    float range;  // world units: the ends of a cross farther away than that lie on another surface; there the point itself stands for the end
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: view-space normal facing the eye of a pixel inside the image, any length.
+vec3 gloam_fetch_normal(ivec2 pixel);
+
+// Pixels that one cross reads.
+const uint GLOAM_CROSS_TAPS = 4u;
+
+// The surface at a pixel, as seen from the shaded point, or its change along an arm.
+struct GloamNeighbor {
+    vec3 offset;  // to it, view space, world units
+    vec3 turn;    // its unit normal less that of the point
+};
+
+// Zero for background, for what is farther away than the range, and for a surface without a normal.
+// tap: in units of the radius.
+GloamNeighbor gloam_neighbor(GloamFootprint footprint, vec2 tap, vec3 position, vec3 normal, float range) {
+    ivec2 at = gloam_footprint_pixel(footprint, tap);
+    float depth = gloam_fetch_depth(at);
+    vec3 facing = gloam_safe_normalize(gloam_fetch_normal(at), vec3(0.0));
+    vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+    bool known = gloam_tap_sees(depth) && dot(facing, facing) > 0.5 && dot(offset, offset) <= range * range;
+    return known ? GloamNeighbor(offset, facing - normal) : GloamNeighbor(vec3(0.0), vec3(0.0));
+}
+
+// Change of position and normal from one end of an arm to the other.
+GloamNeighbor gloam_across(GloamFootprint footprint, vec2 arm, vec3 position, vec3 normal, float range) {
+    GloamNeighbor ahead = gloam_neighbor(footprint, arm, position, normal, range);
+    GloamNeighbor behind = gloam_neighbor(footprint, -arm, position, normal, range);
+    return GloamNeighbor(ahead.offset - behind.offset, ahead.turn - behind.turn);
+}
+
+// All samples of one pixel in one frame: crosses of arms between half the radius and the radius, turned from one to the next.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that
+// of gloam_principal_curvatures, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_curvature(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamCurvature settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    float turns = gloam_kernel_turns(kernel.angle);
+    float range = clamp(settings.range, 0.0, GLOAM_FARTHEST);
+    uint crosses = gloam_whole_samples(kernel.count, GLOAM_CROSS_TAPS) / GLOAM_CROSS_TAPS;
+    float sum = 0.0;
+    for (uint i = 0u; i < crosses; ++i) {
+        vec3 random = gloam_halton_point(kernel.first / GLOAM_CROSS_TAPS + i + 1u);
+        vec2 arm = (0.5 + 0.5 * fract(random.y + turns)) * gloam_sincos_turns(0.25 * fract(random.x + turns));
+        GloamNeighbor first = gloam_across(footprint, arm, position, n, range);
+        GloamNeighbor second = gloam_across(footprint, gloam_quarter_turn(arm, 1), position, n, range);
+        vec2 curvatures = gloam_principal_curvatures(first.offset, second.offset, first.turn, second.turn);
+        sum += gloam_occlusion_curvature(curvatures.x, curvatures.y, kernel.radius);
+    }
+    return gloam_estimate(sum, float(crosses), crosses * GLOAM_CROSS_TAPS);
+}
+
+#endif

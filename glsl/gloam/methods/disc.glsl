@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_DISC_GLSL
+#define GLOAM_METHODS_DISC_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/rotation.glsl"
+
+// Crease shading by the surface points under a disc (TSSAO-2, -12 and -4 with the kernel of TSSAO-13; Fox and Compton 2008). The
+// mean over the disc's pixels of cos(s - p, n) min(1, epsilon / |s - p|): a measure of how concave the surface is, which
+// looks like occlusion but is not the integral of TSSAO-1, and depends on epsilon, 0.01 to 0.1 of the radius. A point beyond the radius, or no
+// higher than the bias above the tangent plane, contributes nothing: there noise would decide.
+struct GloamDisc {
+    float epsilon;  // world units: distance below which a patch counts fully
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 4e-6,
+// but for taps within rounding of a pixel's border.
+GloamEstimate gloam_disc(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDisc settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 turn = gloam_sincos(kernel.angle);
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec2 tap = gloam_turn_disc(gloam_disc_point(kernel.first + i + 1u).xy, turn);
+        ivec2 at = gloam_footprint_pixel(footprint, tap);
+        float first = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        float most = 0.0;
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float depth = gloam_layer_depth(first, further, layer);
+            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+            float squared = dot(offset, offset);
+            float above = dot(offset, n);
+            float inverse = inversesqrt(max(squared, 1e-36));
+            bool counts = gloam_tap_sees(depth) && above > kernel.bias && squared <= kernel.radius * kernel.radius;
+            float share = min(max(settings.epsilon, 0.0) * inverse, 1.0);
+            most = counts ? max(most, min(above * inverse, 1.0) * share) : most;
+        }
+        sum += most;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_DISC_PROXY_GLSL
+#define GLOAM_METHODS_DISC_PROXY_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/constants.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/disc_proxy.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/circle.glsl"
+#include "gloam/sampling/halton_point.glsl"
+#include "gloam/sampling/rotation.glsl"
+
+// Discs in the place of pixels (Bunnell, GPU Gems 2, on what the eye sees; CS-S): each pixel within the radius is a disc of the surface's area
+// there and its normal, which blocks A / (A + pi D^2) times both cosines: the exact cosine-weighted occlusion up to the radius, of surfaces
+// that do not hide one another. A surface through the point itself is seen edge-on from there and blocks nothing: a groove is open along its
+// line. Of further layers nobody knows the normals: they do not count.
+struct GloamDiscProxy {
+    float intensity;  // factor of the sum
+};
+
+// Surfaces seen at less than this cosine count as seen at it: a pixel across their outline would stand for more than is there.
+const float GLOAM_DISC_LEAST_FACING = 0.05;
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: view-space normal facing the eye of a pixel inside the image, any length.
+vec3 gloam_fetch_normal(ivec2 pixel);
+
+// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse square, and are weighted
+// so that their mean is the sum over all pixels of the disc but the shaded one, times the intensity. Pieces behind one another all count: the sum
+// is clamped, and where much is stacked it says too much.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 2e-6
+// of each tap's share of the sum, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_disc_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDiscProxy settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    float pixels = GLOAM_PI * footprint.reach.x * footprint.reach.y;
+    vec2 turn = gloam_sincos(kernel.angle);
+    float sum = 0.0;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec3 random = gloam_halton_point(kernel.first + i + 1u);
+        vec2 tap = gloam_turn_disc(random.y * gloam_circle_point(random.x), turn);
+        ivec2 at = gloam_footprint_pixel(footprint, tap);
+        if (at == footprint.pixel) continue;
+        float most = 0.0;
+        float depth = gloam_fetch_depth(at);
+        vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+        bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius && dot(offset, n) > kernel.bias;
+        if (!counts) continue;
+        // Half-axes of the radius there, pixels: so large is a pixel in the world.
+        vec2 size = footprint.reach * (footprint.orthographic ? 1.0 : -position.z / depth);
+        size = kernel.radius / size;
+        vec3 emitter = gloam_safe_normalize(gloam_fetch_normal(at), vec3(0.0));
+        vec3 ray = vec3(footprint.orthographic ? vec2(0.0) : gloam_footprint_ray(footprint, at), -1.0);
+        float area = size.x * size.y / max(-dot(emitter, ray), GLOAM_DISC_LEAST_FACING);
+        float piece = gloam_contribution_disc_proxy_cosine(offset, n, emitter, area, 1.0);
+        most = max(most, piece);
+        sum += 2.0 * random.y * pixels * most;
+    }
+    return gloam_estimate(settings.intensity * sum, float(kernel.count), kernel.count);
+}
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_GTAO_GLSL
+#define GLOAM_METHODS_GTAO_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/geometry/slice.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/gtao.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/slice_sample.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+
+// Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye and the closed integral between them, weighted by
+// the cosine. A sample loses weight with its distance as the linear falloff has it: its horizon is drawn towards the tangent plane. Divided by what a
+// slice's own half planes hold, a bare plane is open exactly, at any tilt and with any number of slices.
+struct GloamGtao {
+    uint steps;  // taps along each half of a slice, at least 1
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 3e-6, 6e-5 where a slice
+// nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamGtao settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 view = gloam_toward_eye(position, camera.orthographic);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    float turns = gloam_kernel_turns(kernel.angle);
+    uint steps = max(settings.steps, 1u);
+    uint samples = gloam_whole_samples(kernel.count, 2u * steps);
+    float occluded = 0.0;
+    float whole = 0.0;
+    for (uint i = 0u; i < samples / (2u * steps); ++i) {
+        GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
+        GloamSlice slice = gloam_slice(random.direction * gloam_upright(camera), view, n);
+        GloamSliceAxes axes = gloam_slice_axes(slice, n);
+        for (int side = 0; side < 2; ++side) {
+            float towards = side == 0 ? 1.0 : -1.0;
+            float lowest = -towards * slice.normal.y;  // cosine of the tangent plane's angle from the view vector
+            float horizon = lowest;
+            for (uint k = 0u; k < steps; ++k) {
+                float share = (float(k) + random.jitter) / float(steps);
+                ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
+                float first = gloam_fetch_depth(at);
+                vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                for (int layer = 0; layer < kernel.layers; ++layer) {
+                    float depth = gloam_layer_depth(first, further, layer);
+                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
+                    vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
+                    float squared = dot(offset, offset);
+                    float inverse = inversesqrt(max(squared, 1e-36));
+                    float weight = 1.0 - squared * inverse / kernel.radius;
+                    float cosine = lowest + (offset.x * inverse - lowest) * weight;
+                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    horizon = counts ? max(horizon, cosine) : horizon;
+                }
+            }
+            if (horizon > lowest) {
+                occluded += slice.weight * gloam_gtao_side(horizon, towards * slice.angle, vec2(slice.normal.x, towards * slice.normal.y));
+            }
+        }
+        whole += slice.weight * gloam_slice_whole(slice);
+    }
+    return gloam_estimate(occluded, whole, samples);
+}
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_HBAO_STUDY_GLSL
+#define GLOAM_METHODS_HBAO_STUDY_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/geometry/slice.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/hbao.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/slice_sample.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+
+// Horizon-based ambient occlusion as the comparative study has it (Aalund and Baerentzen 2013, after Bavoil and Sainz 2008; CS-C): each march
+// begins at tan t + tan bias, in even steps up to the radius; what the bias takes off is not given back. A floor seen at a slant keeps what
+// stands on it, where hbao adds angles and sees nothing from 72 degrees on.
+struct GloamHbaoStudy {
+    float angle_bias;  // radians, added to the tangent plane's elevation by its tangent
+    float contrast;    // factor of the result
+    uint steps;        // taps along each half of a slice, at least 1
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 4e-6,
+// 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHbaoStudy settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    float turns = gloam_kernel_turns(kernel.angle);
+    uint steps = max(settings.steps, 1u);
+    uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
+    float sum = 0.0;
+    for (uint i = 0u; i < slices; ++i) {
+        GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
+        vec2 direction = random.direction * gloam_upright(camera);
+        GloamSlice slice = gloam_slice(direction, vec3(0.0, 0.0, 1.0), n);
+        GloamSliceAxes axes = gloam_slice_axes(slice, n);
+        float slope = clamp(-dot(n.xy, direction) / max(n.z, 1e-6), -1e6, 1e6);
+        float found = 0.0;
+        for (int side = 0; side < 2; ++side) {
+            float towards = side == 0 ? 1.0 : -1.0;
+            float horizon = gloam_hbao_start_slope(towards * slope, settings.angle_bias).x;
+            for (uint k = 0u; k < steps; ++k) {
+                float share = (float(k) + random.jitter) / float(steps);
+                ivec2 at = gloam_footprint_pixel(footprint, towards * share * random.direction);
+                float first = gloam_fetch_depth(at);
+                vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                for (int layer = 0; layer < kernel.layers; ++layer) {
+                    float depth = gloam_layer_depth(first, further, layer);
+                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
+                    vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
+                    float squared = dot(offset, offset);
+                    float weight = 1.0 - squared / (kernel.radius * kernel.radius);
+                    float sine = min(offset.x * inversesqrt(max(squared, 1e-36)), 1.0);
+                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias && sine > horizon &&
+                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    found += counts ? (sine - horizon) * weight : 0.0;
+                    horizon = counts ? sine : horizon;
+                }
+            }
+        }
+        sum += 1.0 - gloam_hbao_visibility(0.5 * found, 0.0, settings.contrast);
+    }
+    return gloam_estimate(sum, float(slices), slices * 2u * steps);
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_HEMISPHERE_GLSL
+#define GLOAM_METHODS_HEMISPHERE_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/hemisphere_cosine_point.glsl"
+#include "gloam/sampling/rotation.glsl"
+#include "gloam/sampling/tangent_frame.glsl"
+
+// Ambient occlusion by points in the half ball above the surface (TSSAO-2, -3 and -4 with the kernel of TSSAO-14; Ritschel et
+// al. 2009). Cosine-weighted directions of uniform radius need neither cosine nor falloff: the mean of the plain blocked
+// tests estimates TSSAO-1 with the linear falloff, for a scene that is solid behind what the eye sees.
+struct GloamHemisphere {
+    float range;  // world units, about the radius, or infinity: blockers further in front than this are other objects
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
+// A point behind the eye is not taken. Error: none,
+// but a point within rounding of a pixel's border or of the blocking depth may fall to either side.
+GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHemisphere settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    mat3 frame = gloam_tangent_frame(normal);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 turn = gloam_sincos(kernel.angle);
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec3 point = gloam_turn_hemisphere(gloam_hemisphere_cosine_point(kernel.first + i + 1u), turn);
+        vec3 at = position + kernel.radius * (frame * point);
+        if (point == vec3(0.0) || !(at.z < 0.0)) continue;
+        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel to the surface, so that a bare
+        // plane is the same at any tilt.
+        ivec2 pixel = gloam_footprint_seen(footprint, at);
+        float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
+        float first = gloam_fetch_depth(pixel);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+        GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float seen = gloam_layer_depth(first, further, layer);
+            float in_front = depth - seen;
+            float blocked = gloam_tap_sees(seen) && in_front > kernel.bias && in_front <= settings.range ? 1.0 : 0.0;
+            layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
+        }
+        sum += layers.occlusion;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_MIXTURE_GLSL
+#define GLOAM_METHODS_MIXTURE_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/geometry/length.glsl"
+#include "gloam/numeric/constants.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/numeric/square_root.glsl"
+#include "gloam/occlusion/falloff.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/hbao.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/occlusion/sphere_proxy.glsl"
+#include "gloam/sampling/circle.glsl"
+#include "gloam/sampling/halton_point.glsl"
+#include "gloam/sampling/rotation.glsl"
+
+// Mixture sampling (Song 2010; CS-H): the balls of sphere_proxy, by their solid angle times the cosine, restricted to the directions that
+// horizon-based occlusion looks at (above the tangent plane by the bias) and weighted by its linear falloff. Stacked balls count again.
+struct GloamMixture {
+    float angle_bias;  // radians above the tangent plane below which nothing blocks
+    float intensity;   // factor of the sum
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// Tangent of the elevation over the image plane from which on something blocks, in the direction of an offset.
+float gloam_mixture_horizon(vec3 offset, vec3 normal, float bias) {
+    vec2 direction = gloam_safe_normalize(vec3(offset.xy, 0.0), vec3(0.0)).xy;
+    vec2 elevation = gloam_sincos(min(gloam_tangent_elevation(normal, direction) + bias, GLOAM_HALF_PI));
+    return elevation.y / max(elevation.x, 1e-6);
+}
+
+// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse square, and are weighted
+// so that their mean is the sum over all pixels of the disc but the shaded one, times the intensity. Pieces behind one another all count: the sum
+// is clamped, and where much is stacked it says too much.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 2e-6
+// of each tap's share of the sum, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMixture settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    float pixels = GLOAM_PI * footprint.reach.x * footprint.reach.y;
+    vec2 turn = gloam_sincos(kernel.angle);
+    float sum = 0.0;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec3 random = gloam_halton_point(kernel.first + i + 1u);
+        vec2 tap = gloam_turn_disc(random.y * gloam_circle_point(random.x), turn);
+        ivec2 at = gloam_footprint_pixel(footprint, tap);
+        if (at == footprint.pixel) continue;
+        float first = gloam_fetch_depth(at);
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        float most = 0.0;
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float depth = gloam_layer_depth(first, further, layer);
+            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+            bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius && dot(offset, n) > kernel.bias;
+            if (!counts) continue;
+            // Half-axes of the radius there, pixels: so large is a pixel in the world.
+            vec2 size = footprint.reach * (footprint.orthographic ? 1.0 : -position.z / depth);
+            size = kernel.radius / size;
+            float above = gloam_above_horizon(offset, gloam_mixture_horizon(offset, n, settings.angle_bias));
+            float weight = gloam_falloff_linear(gloam_length(offset), kernel.radius);
+            float piece = above * weight * gloam_contribution_sphere(offset, n, 0.5 * gloam_sqrt(size.x * size.y));
+            most = max(most, piece);
+        }
+        sum += 2.0 * random.y * pixels * most;
+    }
+    return gloam_estimate(settings.intensity * sum, float(kernel.count), kernel.count);
+}
+
+#endif

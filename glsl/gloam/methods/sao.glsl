@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_SAO_GLSL
+#define GLOAM_METHODS_SAO_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/constants.glsl"
+#include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/radical_inverse.glsl"
+#include "gloam/sampling/rotation.glsl"
+#include "gloam/sampling/spiral.glsl"
+#include "gloam/sampling/tap_pixel.glsl"
+
+// Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near the pixel, far ones
+// read from a depth chain (mip_distance 16). Each frame turns the spiral by another angle.
+struct GloamSao {
+    float epsilon;       // world units: bounds what a near tap counts
+    float intensity;     // sigma as a share of the radius, which the paper has at 1 m
+    float mip_distance;  // pixels from which taps read level 1 of the depth chain, twice as far level 2, and so on; 0: none does
+};
+
+const int GLOAM_SAO_TURNS = 7;  // of the spiral
+
+// (cos, sin) by which the spiral is turned: of the pixel's angle and the frame's.
+vec2 gloam_sao_turn(GloamKernel kernel) {
+    uint frame = kernel.first / max(kernel.count, 1u);
+    return gloam_sincos(kernel.angle + GLOAM_TAU * gloam_radical_inverse_base2(frame));
+}
+
+// What the surface at an offset counts: 5 sigma (1 - v^2 / R^2)^3 max(v . n - bias, 0) / (v^2 + epsilon^2).
+// offset: from the shaded point, world units. normal: of the point, unit. Returns a contribution >= 0, whose mean is the occlusion.
+float gloam_sao_contribution(vec3 offset, vec3 normal, GloamKernel kernel, GloamSao settings) {
+    float squared = dot(offset, offset);
+    float window = 1.0 - squared / (kernel.radius * kernel.radius);
+    float above = dot(offset, normal) - kernel.bias;
+    if (!(window > 0.0 && above > 0.0)) return 0.0;
+    return 5.0 * settings.intensity * kernel.radius * window * window * window * (above / (squared + settings.epsilon * settings.epsilon));
+}
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
+// the contributions, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_sao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSao settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 turn = gloam_sao_turn(kernel);
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec2 tap = gloam_turn_disc(gloam_spiral_point(int(i), int(kernel.count), GLOAM_SAO_TURNS), turn);
+        ivec2 at = gloam_tap_pixel(gloam_footprint_pixel(footprint, tap), footprint.pixel, camera.size, settings.mip_distance);
+        float first = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        float most = 0.0;
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float depth = gloam_layer_depth(first, further, layer);
+            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+            if (gloam_tap_sees(depth)) most = max(most, gloam_sao_contribution(offset, n, kernel, settings));
+        }
+        sum += most;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+#endif

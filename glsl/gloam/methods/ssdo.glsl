@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_SSDO_GLSL
+#define GLOAM_METHODS_SSDO_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/constants.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/halton_point.glsl"
+#include "gloam/sampling/hemisphere.glsl"
+#include "gloam/sampling/rotation.glsl"
+#include "gloam/sampling/tangent_frame.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+
+// The direct half of directional occlusion (Ritschel, Grosch and Seidel 2009; CS-D) under light of 1 from everywhere: what of it does not
+// arrive. One point of uniform distance along each of the directions, which are uniform and count 2 w . n: the cosine-weighted occlusion
+// with the linear falloff, for a scene that is solid behind what the eye sees. With more steps than 1 the nearest blocker of that many points
+// counts, and the falloff goes towards none. Where everything is blocked the mean of 2 w . n is 1 in the mean only.
+struct GloamSsdo {
+    float range;  // world units, about the radius, or infinity: blockers further in front than this are other objects
+    uint steps;   // of a ray, at least 1
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
+// Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in front of the eye do not count. Error: that of
+// the rays, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSsdo settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    mat3 frame = gloam_tangent_frame(normal);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    uint steps = max(settings.steps, 1u);
+    uint rays = gloam_whole_samples(kernel.count, steps) / steps;
+    float occluded = 0.0;
+    for (uint i = 0u; i < rays; ++i) {
+        uint index = kernel.first / steps + i;
+        vec3 random = gloam_halton_point(index + 1u);
+        // The map's radius is its second coordinate: 1 for a direction.
+        vec3 direction = frame * gloam_rotate_hemisphere(gloam_hemisphere_uniform(vec3(random.x, 1.0, random.z)), kernel.angle);
+        float jitter = random.y;
+        bool blocked = false;
+        for (uint k = 0u; k < steps && !blocked; ++k) {
+            vec3 at = position + kernel.radius * ((float(k) + jitter) / float(steps)) * direction;
+            ivec2 pixel = gloam_footprint_seen(footprint, at);
+            float first = gloam_fetch_depth(pixel);
+            vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+            if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
+            for (int layer = 0; layer < kernel.layers; ++layer) {
+                float depth = gloam_layer_depth(first, further, layer);
+                float in_front = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]) - depth;
+                blocked = blocked || (gloam_tap_sees(depth) && in_front > kernel.bias && in_front <= settings.range);
+            }
+        }
+        occluded += blocked ? 2.0 * max(dot(direction, frame[2]), 0.0) : 0.0;
+    }
+    return gloam_estimate(occluded, float(rays), rays * steps);
+}
+
+#endif

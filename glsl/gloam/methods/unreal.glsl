@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_UNREAL_GLSL
+#define GLOAM_METHODS_UNREAL_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/occlusion/angle_based.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/slice_sample.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+
+// The later shader of Unreal Engine 4 (CS-P): along both sides of mirrored directions of the image the largest sat(epsilon (v . n) / (v . v)) of
+// the steps; a side leaves (1 - occ)^2 open, of which the mean is taken. What is near counts more than what stands high: along the
+// line of a groove its rising side is blocked but in the line's own direction. The engine's power is the remap's c.
+struct GloamUnreal {
+    float epsilon;    // world units: distance up to which a blocker straight above counts fully, 0.8 in the engine
+    float intensity;  // of the result, at most 1
+    uint steps;       // of a side, at least 1
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
+// than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
+// Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in front of the eye do not count. Error: that of
+// the rays, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamUnreal settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    float turns = gloam_kernel_turns(kernel.angle);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    uint steps = max(settings.steps, 1u);
+    uint rays = gloam_whole_samples(kernel.count, steps) / steps;
+    float occluded = 0.0;
+    for (uint i = 0u; i < rays; ++i) {
+        uint index = kernel.first / steps + i;
+        GloamSliceSample random = gloam_slice_sample(index / 2u + 1u, turns);
+        vec3 direction = vec3((index & 1u) == 1u ? -random.direction : random.direction, 0.0);
+        float jitter = random.jitter;
+        float most = 0.0;
+        for (uint k = 0u; k < steps && most < 1.0; ++k) {
+            vec3 at = position + kernel.radius * ((float(k) + jitter) / float(steps)) * direction;
+            ivec2 pixel = gloam_footprint_seen(footprint, at);
+            float first = gloam_fetch_depth(pixel);
+            vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+            if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
+            for (int layer = 0; layer < kernel.layers; ++layer) {
+                float depth = gloam_layer_depth(first, further, layer);
+                vec3 offset = gloam_footprint_position(footprint, pixel, depth) - position;
+                float above = dot(offset, n);
+                bool counts = gloam_tap_sees(depth) && above > kernel.bias;
+                most = counts ? max(most, settings.epsilon * (above / dot(offset, offset))) : most;
+            }
+        }
+        occluded += 1.0 - gloam_unreal_side(most);
+    }
+    GloamEstimate estimate = gloam_estimate(occluded, float(rays), rays * steps);
+    estimate.occlusion = 1.0 - gloam_unreal_visibility(1.0 - estimate.occlusion, 1.0, min(settings.intensity, 1.0));
+    return estimate;
+}
+
+#endif

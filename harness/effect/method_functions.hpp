@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "effect/methods.hpp"
+
+namespace gloam::effect {
+
+// The methods as functions of one signature, for tests: a folder, gone afterwards, whose files NAME.glsl have
+//   vec2 method_gather(vec3 position, vec3 normal, GloamCamera camera, GatherKernel kernel, MethodValues
+//   values)
+// with GatherKernel the first five members of GloamKernel and MethodValues of passes/method_values.glsl.
+// Returns (samples times occlusion, samples). With more `layers` than one those behind the first are asked
+// for by vec3 gloam_fetch_layers(ivec2). Throws std::runtime_error for a file that cannot be written.
+class MethodFunctions {
+  public:
+    explicit MethodFunctions(int layers = 1);
+    ~MethodFunctions();
+    MethodFunctions(const MethodFunctions&) = delete;
+    MethodFunctions& operator=(const MethodFunctions&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+    // Of a method, as an #include from the folder.
+    [[nodiscard]] static std::string file(const std::string& method) { return method + ".glsl"; }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+// The function's name.
+inline constexpr const char* method_function = "method_gather";
+
+}  // namespace gloam::effect

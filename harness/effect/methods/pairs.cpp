@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/method_families.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum Measure;
+
+std::vector<Preset> volumetric_presets(const MethodInfo& method) {
+    return {
+        {"volumetric-performance",
+         "the study's: pairs of lines, a blur of one pixel, no history; how many it does not print, 6 here",
+         blurred(configuration(method, 12), 1)},
+        {"volumetric-quality", "the study's: 32 pairs of lines, no blur, no history",
+         studied(configuration(method, 64))}};
+}
+
+std::vector<Preset> angle_presets(const MethodInfo& method) {
+    return {
+        {"angle-performance", "the study's: 6 pairs, its blur, no history",
+         blurred(configuration(method, 12))},
+        {"angle-quality", "the study's: 32 pairs, no blur, no history", studied(configuration(method, 64))}};
+}
+
+}  // namespace
+
+std::vector<MethodInfo> pair_methods() {
+    return {
+        {.name = "volumetric",
+         .description = "solid share of a ball, by paired lines (Loos and Sloan 2010)",
+         .measure = volume,
+         .falloff = "none",
+         .points = "disc",
+         .unit = SampleUnit::pair,
+         .on_a_plane = 0.5,
+         .adapt = [](Settings& s) { s.remap_a = 0.5F; },
+         .presets = volumetric_presets},
+        {.name = "tangent_sphere",
+         .description = "solid share of the ball on the surface, by lines (Szirmay-Kalos et al. 2009)",
+         .measure = volume,
+         .falloff = "none",
+         .points = "disc",
+         .unit = SampleUnit::pair},
+        {.name = "angle",
+         .description = "angles between opposite samples, as in Unreal Engine 4 (Mittring 2012)",
+         .measure = shape,
+         .falloff = "none",
+         .own_settings = "GloamAngle",
+         .reads = {"range", "angle_bias"},
+         .points = "disc",
+         .unit = SampleUnit::pair,
+         .adapt = [](Settings& s) { s.angle_bias = 0.08F; },
+         .presets = angle_presets},
+        {.name = "depth_darkening",
+         .description = "unsharp mask of the depth (Luft, Colditz and Deussen 2006)",
+         .measure = shape,
+         .falloff = "none",
+         .own_settings = "GloamDepthDarkening",
+         .reads = {"range", "intensity"},
+         .points = "disc",
+         .unit = SampleUnit::pair},
+    };
+}
+
+}  // namespace gloam::effect

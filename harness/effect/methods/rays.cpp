@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/method_families.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum Measure;
+
+// Those of hbao.
+void adapt_hsao(Settings& s) {
+    s.angle_bias = 0.3F;
+    s.steps = 6;
+}
+
+// The engine's: 0.8 of its unit, up to 3 steps on a side.
+void adapt_unreal(Settings& s) {
+    s.epsilon = 0.8F;
+    s.steps = 3;
+}
+
+std::vector<Preset> poisson_presets(const MethodInfo& method) {
+    return {{"poisson-performance", "Sourimant's least: 8 rays of 4 steps", rays(method, 8, 4)},
+            {"poisson-quality", "and most: 24 rays, of 8 steps", rays(method, 24, 8)}};
+}
+
+std::vector<Preset> unreal_presets(const MethodInfo& method) {
+    return {{"unreal-quality", "the engine's 6 mirrored directions of 3 steps", rays(method, 12, 3)}};
+}
+
+}  // namespace
+
+std::vector<MethodInfo> ray_methods() {
+    return {
+        {.name = "hsao",
+         .description = "the same horizons, marched in eye space (Dimitrov, Bavoil and Sainz 2008)",
+         .measure = uniform,
+         .falloff = "quadratic",
+         .own_settings = "GloamHsao",
+         .reads = {"angle_bias", "intensity", "steps"},
+         .points = "halton",
+         .unit = SampleUnit::ray,
+         .adapt = adapt_hsao},
+        {.name = "poisson",
+         .description = "rays of a lifted Poisson disc (Sourimant et al. 2011)",
+         .measure = cosine,
+         .falloff = "none up to the radius",
+         .own_settings = "GloamPoisson",
+         .reads = {"range", "steps"},
+         .points = "halton",
+         .unit = SampleUnit::ray,
+         .presets = poisson_presets},
+        {.name = "ssdo",
+         .description = "what of light from everywhere does not arrive (Ritschel, Grosch and Seidel 2009)",
+         .measure = cosine,
+         .falloff = "linear",
+         .own_settings = "GloamSsdo",
+         .reads = {"range", "steps"},
+         .points = "halton",
+         .unit = SampleUnit::ray,
+         .adapt = [](Settings& s) { s.steps = 1; }},
+        {.name = "unreal",
+         .description = "nearest steps to both sides, the later shader of Unreal Engine 4",
+         .measure = shape,
+         .falloff = "1 / distance",
+         .own_settings = "GloamUnreal",
+         .reads = {"epsilon", "intensity", "steps"},
+         .points = "halton",
+         .unit = SampleUnit::ray,
+         .adapt = adapt_unreal,
+         .presets = unreal_presets},
+    };
+}
+
+}  // namespace gloam::effect

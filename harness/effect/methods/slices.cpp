@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/method_families.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum Measure;
+
+// The study's: 6 steps, a bias of 0.3 radians.
+void adapt_hbao(Settings& s) {
+    s.angle_bias = 0.3F;
+    s.steps = 6;
+}
+
+// hbao at half the resolution, the result of every other pixel. A pixel looks at 3 x 3 of them.
+Preparation half_resolution(const Settings&, gpu::Extent view) {
+    const gpu::Extent half{(view.width + 1) / 2, (view.height + 1) / 2};
+    return {.image = half, .passes = {{"half_resolution", "half_resolution.comp", half}}, .spread = 3};
+}
+
+// Each pixel's occlusion along its first direction, which others take over from two standard deviations away.
+Preparation first_direction(const Settings& settings, gpu::Extent view) {
+    return {.image = view,
+            .format = gpu::Format::r32f,
+            .passes = {{"first_direction", "first_direction.comp", view}},
+            .spread = 1,
+            .reach = 2.0F * settings.epsilon};
+}
+
+std::vector<Preset> hbao_study_presets(const MethodInfo& method) {
+    return {{"hbao-performance", "the study's: 8 directions of 6 steps, its blur, no history",
+             blurred(slices(method, 4, 6))},
+            {"hbao-quality", "the study's published shader: 8 directions of 6 steps, no blur, no history",
+             studied(slices(method, 4, 6))}};
+}
+
+std::vector<Preset> slice_presets(const MethodInfo& method) {
+    return {{method.name + "-performance", "1 slice of 2 steps to each side", slices(method, 1, 2)},
+            {method.name + "-quality", "9 slices of 3 steps to each side", slices(method, 9, 3)}};
+}
+
+}  // namespace
+
+std::vector<MethodInfo> slice_methods() {
+    return {
+        {.name = "hbao",
+         .description = "horizons above the image plane, all directions alike (after Bavoil and Sainz 2008): "
+                        "steps dense nearby, what the bias takes off given back",
+         .measure = uniform,
+         .falloff = "quadratic",
+         .own_settings = "GloamHbao",
+         .reads = {"angle_bias", "intensity", "steps"},
+         .points = "halton",
+         .unit = SampleUnit::slice,
+         .ends_marches = true,
+         .adapt = adapt_hbao},
+        {.name = "hbao_study",
+         .description = "the same as the comparative study has it (Aalund and Baerentzen 2013)",
+         .measure = uniform,
+         .falloff = "quadratic",
+         .own_settings = "GloamHbaoStudy",
+         .reads = {"angle_bias", "intensity", "steps"},
+         .points = "halton",
+         .unit = SampleUnit::slice,
+         .adapt = adapt_hbao,
+         .presets = hbao_study_presets},
+        {.name = "gtao",
+         .description = "horizon slices, cosine-weighted, divided by their weights (Jimenez et al. 2016)",
+         .measure = cosine,
+         .falloff = "linear",
+         .own_settings = "GloamGtao",
+         .reads = {"steps"},
+         .points = "halton",
+         .unit = SampleUnit::slice,
+         .presets = slice_presets},
+        {.name = "dual_resolution",
+         .description = "hbao at half the resolution, in full where that disagrees (Bavoil and Sainz 2009)",
+         .measure = uniform,
+         .falloff = "quadratic",
+         .own_settings = "GloamDualResolution",
+         .reads = {"angle_bias", "intensity", "steps", "disagreement"},
+         .points = "halton",
+         .unit = SampleUnit::slice,
+         .ends_marches = true,
+         .adapt = adapt_hbao,
+         .prepare = half_resolution},
+        {.name = "separable",
+         .description =
+             "slices in two directions, the first one's carried along the second (Huang et al. 2011)",
+         .measure = cosine,
+         .falloff = "linear",
+         .own_settings = "GloamSeparable",
+         .reads = {"epsilon"},
+         .points = "halton",
+         .unit = SampleUnit::cross,
+         .adapt = [](Settings& s) { s.epsilon = 0.1F; },
+         .prepare = first_direction},
+        {.name = "bitmask",
+         .description = "slices of 32 sectors between front and back (Therrien et al. 2023)",
+         .measure = cosine,
+         .falloff = "linear",
+         .own_settings = "GloamBitmask",
+         .reads = {"thickness", "steps"},
+         .points = "halton",
+         .unit = SampleUnit::slice,
+         .ends_marches = true,
+         .presets = slice_presets},
+    };
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "effect/internal/method_families.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum Measure;
+
+// GLOAM_MOST_RESOLUTIONS of gloam/methods/mssao.glsl.
+constexpr std::uint32_t most_resolutions = 9;
+
+// From a texel of the coarsest level to the last that counts for it: its kernel's 6, 2 for each
+// interpolation, whose texels grow to it as 1 + 1/2 + 1/4 ..., and its own.
+constexpr int mssao_texels = 11;
+
+// Of a level, 1 being half the resolution.
+gpu::Extent level_size(gpu::Extent size, std::uint32_t level) {
+    const std::uint32_t texel = 1U << level;
+    return {(size.width + texel - 1) / texel, (size.height + texel - 1) / texel};
+}
+
+// As gloam/methods/mssao.glsl lays it out.
+gpu::Extent pyramid_size(gpu::Extent view, std::uint32_t coarsest) {
+    gpu::Extent size = level_size(view, coarsest);
+    for (std::uint32_t level = 1; level <= coarsest; ++level) {
+        size.width += level_size(view, level).width;
+        size.height += level_size(view, level).height;
+    }
+    return size;
+}
+
+// All coarser levels' surfaces, each from the one before, then their occlusion from the coarsest on.
+Preparation resolutions(const Settings& settings, gpu::Extent view) {
+    const std::uint32_t coarsest = std::clamp(settings.steps, 1U, most_resolutions) - 1;
+    if (coarsest == 0) return {.image = {1, 1}};
+    Preparation all{.image = pyramid_size(view, coarsest)};
+    for (std::uint32_t level = 1; level <= coarsest; ++level) {
+        all.passes.push_back({fmt::format("surface_{}", level), "mssao_surface.comp", level_size(view, level),
+                              static_cast<int>(level)});
+    }
+    for (std::uint32_t level = coarsest; level >= 1; --level) {
+        all.passes.push_back({fmt::format("occlusion_{}", level), "mssao_level.comp", level_size(view, level),
+                              static_cast<int>(level)});
+    }
+    all.spread = mssao_texels << coarsest;
+    return all;
+}
+
+}  // namespace
+
+std::vector<MethodInfo> surface_methods() {
+    return {
+        {.name = "mssao",
+         .description = "surface points under discs at several resolutions (Hoang and Low 2012)",
+         .measure = cosine,
+         .falloff = "quadratic",
+         .own_settings = "GloamMssao",
+         .reads = {"steps"},
+         .points = "disc",
+         .adapt = [](Settings& s) { s.range = 0.25F, s.steps = 5; },
+         .prepare = resolutions},
+        {.name = "sphere_proxy",
+         .description = "pixels as balls (Shanmugam and Arikan 2007)",
+         .measure = shape,
+         .falloff = "none up to the radius",
+         .own_settings = "GloamSphereProxy",
+         .reads = {"intensity"},
+         .points = "halton"},
+        {.name = "disc_proxy",
+         .description = "pixels as discs of their surface (Bunnell 2005)",
+         .measure = cosine,
+         .falloff = "none up to the radius",
+         .own_settings = "GloamDiscProxy",
+         .reads = {"intensity"},
+         .points = "halton",
+         .reads_normals = true},
+        {.name = "mixture",
+         .description = "pixels as balls above the biased tangent plane (Song 2010)",
+         .measure = shape,
+         .falloff = "linear",
+         .own_settings = "GloamMixture",
+         .reads = {"angle_bias", "intensity"},
+         .points = "halton",
+         .adapt = [](Settings& s) { s.angle_bias = 0.3F; }},
+        {.name = "curvature",
+         .description = "the quadric through the pixel's surroundings (after Hattori et al. 2012)",
+         .measure = shape,
+         .falloff = "none up to the radius",
+         .own_settings = "GloamCurvature",
+         .reads = {"range"},
+         .points = "halton",
+         .unit = SampleUnit::cross,
+         .reads_normals = true},
+    };
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
+#include "effect/internal/method_families.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum Measure;
+
+// An intensity that comes near the occlusion; the published values are presets.
+void adapt_alchemy(Settings& s) {
+    s.intensity = 0.4F;
+    s.bias = 0.005F;
+    s.epsilon = 3.2e-4F;
+}
+
+// The paper's lengths at its radius of 1 m, but for its intensity of 1, which is too dark for one radius.
+void adapt_sao(Settings& s) {
+    s.intensity = 0.3F;
+    s.bias = 0.01F;
+    s.epsilon = 0.1F;
+    s.mip_distance = 16.0F;
+}
+
+// The paper's figure 3: radius 1.75, phi 0.4, psi 0.022, lambda 1.06, sigma 0.00016.
+void adapt_issao(Settings& s) {
+    s.intensity = 1.06F * 0.4F / 1.75F;
+    s.bias = 0.022F / 1.75F;
+    s.epsilon = 0.0126491F / 1.75F;
+}
+
+// GLOAM_LAST_TAP_LEVEL of gloam/sampling/tap_pixel.glsl.
+constexpr std::uint32_t last_tap_level = 5;
+
+// As gloam/methods/sao_chain.glsl lays it out.
+Preparation depth_chain(const Settings&, gpu::Extent view) {
+    const auto level = [view](std::uint32_t l) {
+        return gpu::Extent{std::max(view.width >> l, 1U), std::max(view.height >> l, 1U)};
+    };
+    std::uint32_t column = 0;
+    for (std::uint32_t l = 2; l <= last_tap_level; ++l) column += level(l).height;
+    return {.image = {level(1).width + level(2).width, std::max(level(1).height, column)},
+            .format = gpu::Format::r32f,
+            .passes = {{"depth_chain", "depth_chain.comp", level(1)}}};
+}
+
+// With the SAO paper's blur, whose depth key reaches 300 m and falls to nothing in a 2000th of it.
+Settings with_sao_blur(Settings settings) {
+    settings.filter = Filter::sao;
+    settings.filter_half_width = 4;
+    settings.filter_depth = 0.15F;
+    return settings;
+}
+
+std::vector<Preset> sao_presets(const MethodInfo& method) {
+    return {{"sao-performance", "the SAO paper's 9 samples", with_sao_blur(configuration(method, 9))},
+            {"sao-quality", "11 samples", with_sao_blur(configuration(method, 11))}};
+}
+
+// The study's values at its radius of 10: sigma 2, bias 1, epsilon^2 1e-5.
+Settings study_alchemy(const MethodInfo& method, std::uint32_t samples) {
+    Settings settings = configuration(method, samples);
+    settings.intensity = 0.2F;
+    settings.bias = 0.1F;
+    settings.epsilon = 3.2e-4F;
+    return settings;
+}
+
+std::vector<Preset> alchemy_presets(const MethodInfo& method) {
+    return {{"alchemy-performance",
+             "the study's lengths and blur, no history; how many samples it does not print, 12 as in the "
+             "Alchemy paper",
+             blurred(study_alchemy(method, 12))},
+            {"alchemy-quality", "the study's: 64 samples, no blur, no history",
+             studied(study_alchemy(method, 64))}};
+}
+
+// Lengths of a figure of the ISSAO paper, with the radius they go with.
+struct Figure {
+    float radius;
+    float phi;
+    float psi;
+    float lambda;
+    float sigma_root;
+};
+
+Settings of_figure(const MethodInfo& method, const Figure& figure) {
+    Settings settings = configuration(method, 12);
+    settings.intensity = figure.lambda * figure.phi / figure.radius;
+    settings.bias = figure.psi / figure.radius;
+    settings.epsilon = figure.sigma_root / figure.radius;
+    settings.filter = Filter::bilateral;
+    return settings;
+}
+
+std::vector<Preset> issao_presets(const MethodInfo& method) {
+    return {{"issao-figure3", "the ISSAO paper's figure 3: 12 samples",
+             of_figure(method, {1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F})},
+            {"issao-figure4", "its figure 4", of_figure(method, {1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F})},
+            {"issao-figure5", "its figure 5", of_figure(method, {2.20F, 0.55F, 0.018F, 1.00F, 0.0122474F})}};
+}
+
+std::vector<Preset> two_radii_presets(const MethodInfo& method) {
+    return {{"aksoy_phaneuf-two", "Aksoy and Phaneuf's 32 taps, at two radii", configuration(method, 32)}};
+}
+
+}  // namespace
+
+std::vector<MethodInfo> tap_methods() {
+    return {
+        {.name = "disc",
+         .description = "how concave the surface is, by surface points under a disc (TSSAO-12, TSSAO-13)",
+         .measure = shape,
+         .falloff = "none",
+         .own_settings = "GloamDisc",
+         .reads = {"epsilon"},
+         .points = "disc",
+         .open_proof = OpenProof::taps},
+        {.name = "alchemy",
+         .description = "surface points under a disc (McGuire et al. 2011)",
+         .measure = cosine,
+         .falloff = "alchemy",
+         .own_settings = "GloamAlchemy",
+         .reads = {"epsilon", "intensity"},
+         .points = "disc",
+         .open_proof = OpenProof::taps,
+         .adapt = adapt_alchemy,
+         .presets = alchemy_presets},
+        {.name = "sao",
+         .description = "surface points on a spiral, far ones from a depth chain (McGuire et al. 2012)",
+         .measure = cosine,
+         .falloff = "cubic",
+         .own_settings = "GloamSao",
+         .reads = {"epsilon", "intensity", "mip_distance"},
+         .adapt = adapt_sao,
+         .presets = sao_presets},
+        {.name = "sao_chain",
+         .description = "sao with its depth chain in an image: the same result (McGuire et al. 2012)",
+         .measure = cosine,
+         .falloff = "cubic",
+         .own_settings = "GloamSao",
+         .reads = {"epsilon", "intensity", "mip_distance"},
+         .adapt = adapt_sao,
+         .prepare = depth_chain},
+        {.name = "issao",
+         .description = "surface points under the covering circle, dense near the pixel (ISSAO)",
+         .measure = cosine,
+         .falloff = "alchemy",
+         .own_settings = "GloamIssao",
+         .reads = {"epsilon", "intensity"},
+         .points = "halton",
+         .adapt = adapt_issao,
+         .presets = issao_presets},
+        {.name = "aksoy_phaneuf",
+         .description = "surface points under a disc by their distance (Aksoy and Phaneuf 2011)",
+         .measure = shape,
+         .falloff = "linear",
+         .points = "disc"},
+        {.name = "aksoy_phaneuf_two",
+         .description = "aksoy_phaneuf at a fine and a broad radius",
+         .measure = shape,
+         .falloff = "linear",
+         .points = "disc",
+         .unit = SampleUnit::pair,
+         .presets = two_radii_presets},
+    };
+}
+
+}  // namespace gloam::effect
