@@ -35,7 +35,7 @@ LIBRARY_HOME = {
 }
 
 MAX_LINES = 400
-AREAS = (".ci", "cmake", "docs", "glsl", "harness", "tests", "tools")
+AREAS = (".ci", "cmake", "docs", "examples", "glsl", "harness", "tests", "tools")
 CODE = {".cpp", ".hpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".in"}
 TEXT = CODE | {".txt", ".md", ".json", ".supp", ""}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -142,6 +142,8 @@ def include_style(source):
 
 def library_home(source):
     """A library's headers are included in its own room only, and there not in a public header."""
+    if source.area == "examples":  # programs of their own
+        return
     for number, _, name in source.includes():
         for library, (pattern, home) in LIBRARY_HOME.items():
             if not pattern.match(name):

@@ -2,8 +2,8 @@
 """Rules of borders.py for the documentation: what it names exists, and the code that it shows is code that is tested."""
 import re
 
-SHOWN_FROM = ("glsl", "harness", "tests")
-NAMED_PATH = re.compile(r"(?<![\w/.-])((?:cmake|docs|glsl|gloam|harness|tests|tools)/[\w./-]*\w)")
+SHOWN_FROM = ("examples", "glsl", "harness", "tests")
+NAMED_PATH = re.compile(r"(?<![\w/.-])((?:cmake|docs|examples|glsl|gloam|harness|tests|tools)/[\w./-]*\w)")
 BLOCK = re.compile(r"^```(?:cpp|glsl|cmake)\n(.*?)^```", re.M | re.S)
 
 

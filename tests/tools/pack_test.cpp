@@ -78,6 +78,12 @@ TEST(Pack, AShaderWithAMain) {
     }
 }
 
+TEST(Pack, ThePageOfLinesIsWhatItPrints) {
+    const CommandResult result = run_command({"pack", "--lines"}, {.timeout = std::chrono::seconds(300)});
+    expect_success(result);
+    EXPECT_EQ(read(GLOAM_GLSL_DIR "/../docs/lines.md"), result.out) << "gloam pack --lines > docs/lines.md";
+}
+
 TEST(Pack, CountsLines) {
     const CommandResult result = run_command({"pack", "--lines", halton, "gloam/temporal/history.glsl"});
     expect_success(result);
