@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """minimax.py: the polynomial coefficients of glsl/gloam/numeric, by the exchange algorithm of Remez.
 
-Prints, for each function, the coefficients as float32 and the largest error that they leave (relative; absolute for the cosine).
+Prints, for each function, the coefficients as float32 and the largest error that they leave: relative, for the cosine
+absolute.
 """
 import math
 import struct
@@ -48,7 +49,8 @@ def remez(function, weight, last, degree):
     """Coefficients of the polynomial P(z) that makes max |weight (function - P)| smallest for z in (0, last]."""
     grid = [last * (1.0 - math.cos(math.pi * (i + 0.5) / GRID)) / 2.0 for i in range(GRID)]
     grid = [z for z in grid if z > 1e-4 * last]
-    points = [grid[round((len(grid) - 1) * (1.0 - math.cos(math.pi * k / (degree + 1))) / 2.0)] for k in range(degree + 2)]
+    angles = [math.pi * k / (degree + 1) for k in range(degree + 2)]
+    points = [grid[round((len(grid) - 1) * (1.0 - math.cos(angle)) / 2.0)] for angle in angles]
     for _ in range(20):
         rows = [[z**n for n in range(degree + 1)] + [(-1.0) ** k / weight(z)] for k, z in enumerate(points)]
         coefficients = solve(rows, [function(z) for z in points])[:-1]
@@ -56,8 +58,9 @@ def remez(function, weight, last, degree):
         found = extrema(errors)
         if len(found) < degree + 2:
             break
-        start = max(range(len(found) - degree - 1), key=lambda s: min(abs(errors[i]) for i in found[s : s + degree + 2]))
-        points = [grid[i] for i in found[start : start + degree + 2]]
+        count = degree + 2
+        start = max(range(len(found) - degree - 1), key=lambda s: min(abs(errors[i]) for i in found[s : s + count]))
+        points = [grid[i] for i in found[start : start + count]]
     return coefficients, grid
 
 

@@ -16,7 +16,7 @@
 namespace gloam::report {
 namespace {
 
-constexpr std::uint8_t paper = 255;
+constexpr std::uint8_t paper = 228;       // light grey: pictures of open surfaces are white
 constexpr std::uint32_t least_text = 13;  // pixels from line to line
 
 struct Canvas {

@@ -15,8 +15,8 @@ struct SheetPicture {
     std::string caption;            // ASCII and Latin-1; what does not fit the picture's width is cut
 };
 
-// PNG of pictures of one size, `columns` in a row, each with its caption below, on white. The captions are
-// left out on a machine without the font DejaVu Sans. Throws std::invalid_argument for no pictures, no
+// PNG of pictures of one size, `columns` in a row, each with its caption below, on light grey. The captions
+// are left out on a machine without the font DejaVu Sans. Throws std::invalid_argument for no pictures, no
 // columns, and a picture of another size.
 [[nodiscard]] std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t width,
                                        std::uint32_t height, std::size_t columns);

@@ -10,7 +10,7 @@ them does not do what the page says. A block's first line says what it is:
     ```text         what the commands above printed: every line, in its order; "..." stands for any lines
     ```glsl NAME    the file tests/check/fixtures/guide/NAME, which is compiled by the tests
     ```cpp          lines of tests/check/guide_test.cpp
-    ```cpp consumer    lines of the test in tests/house/package/consumer
+    ```cpp consumer    lines of the test in examples/own_function
     ```cmake consumer  lines of its CMakeLists.txt; others may stand between them
 
 Also: every source that docs/equations.md cites by author and year is in docs/bibliography.md.
@@ -85,10 +85,10 @@ class Guide:
         elif kind == "glsl":
             self.expect_in(f"tests/check/fixtures/guide/{argument}", text)
         elif kind == "cpp":
-            self.expect_in("tests/house/package/consumer/shader_test.cpp" if argument else "tests/check/guide_test.cpp",
+            self.expect_in("examples/own_function/shader_test.cpp" if argument else "tests/check/guide_test.cpp",
                            text)
         elif kind == "cmake":
-            file = self.root / "tests/house/package/consumer/CMakeLists.txt"
+            file = self.root / "examples/own_function/CMakeLists.txt"
             lines = iter(squeezed(file.read_text(encoding="utf-8")).splitlines())
             if not all(line in lines for line in squeezed(text).splitlines()):
                 self.fail(f"the project's CMakeLists.txt does not hold these lines in this order:\n{text}")

@@ -98,6 +98,17 @@ TEST(Completion, OtherShellsAreNamed) {
     expect_could_not_run(run_command({"completion"}), "shell");
 }
 
+// A browser runs the page's script, which its content security policy names by a hash: it counts the rows.
+void expect_script_runs(const std::string& page) {
+    constexpr const char* browser = "/usr/bin/chromium";
+    if (!fs::exists(browser)) return;  // wanted, not needed: tools/packages-tests.txt
+    const TemporaryDirectory home;
+    const CommandResult shown =
+        run_program(browser, {"--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", "file://" + page},
+                    {.environment = {"HOME=" + home.path().string()}});
+    EXPECT_THAT(shown.out, HasSubstr("1 of 1 rows</output>"));
+}
+
 TEST(Terminal, CheckAndReportWriteAPage) {
     const TemporaryDirectory folder;
     const auto path = [&](const char* name) { return (folder.path() / name).string(); };
@@ -110,6 +121,7 @@ TEST(Terminal, CheckAndReportWriteAPage) {
     EXPECT_THAT(read(path("a.html")), HasSubstr("all 1 checks passed"));
     expect_success(run_command({"report", path("a.json"), "--html", path("b.html")}));
     EXPECT_EQ(read(path("a.html")), read(path("b.html")));
+    expect_script_runs(path("a.html"));
     // A device's name from a file of someone else.
     std::string text = read(path("a.json"));
     const std::size_t name = text.find("\"name\": \"") + 9;

@@ -8,8 +8,8 @@
 
 namespace gloam::cli {
 
-// A bar on a line of standard error, for work of which the part done is known, in [0, 1]: call it as often as
-// you like. Nothing where nobody watches; the line is wiped at 1.
+// A bar on a line of standard error and the time left, for work of which the part done is known, in [0, 1]:
+// call it as often as you like. Nothing where nobody watches; the line is wiped at 1.
 [[nodiscard]] std::function<void(double)> progress_bar(std::string what);
 
 // "about 40 s", "about 12 min", "about 3 h": a duration to the nearest unit.

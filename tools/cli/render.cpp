@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -48,13 +48,19 @@ std::vector<Run> runs_of(const RenderOptions& options) {
     return runs;
 }
 
+const std::string& method_of(const Rendered& run) {
+    return run.report.frames.back().settings.method;
+}
+
 void print_comparison(const std::vector<Rendered>& rendered) {
     const RenderReport& first = rendered.front().report;
-    fmt::print("{} on {}\n{:<16} {:>9} {:>8}\n", first.source, first.device.name, "method", "ms/frame",
+    std::size_t width = 0;
+    for (const Rendered& run : rendered) width = std::max(width, method_of(run).size());
+    fmt::print("{} on {}\n{:<{}} {:>9} {:>8}\n", first.source, first.device.name, "method", width, "ms/frame",
                "error");
     for (const Rendered& run : rendered) {
         const auto error = frame_error(run.report);
-        fmt::print("{:<16} {:>9.3f} {:>8}\n", run.report.frames.back().settings.method, frame_ms(run.report),
+        fmt::print("{:<{}} {:>9.3f} {:>8}\n", method_of(run), width, frame_ms(run.report),
                    error ? fmt::format("{:.4f}", *error) : "-");
     }
     if (!first.truth.empty()) fmt::print("error: root mean square, against the {}\n", first.truth);

@@ -38,8 +38,10 @@ Pictures pictures_of(std::string name, gpu::Extent extent, const scene::SplitLig
                       .plain = report::srgb_of(components_of(scene::shaded(light, {}))),
                       .shaded = report::srgb_of(components_of(scene::shaded(light, occlusion))),
                       .visibility = report::visibility_rgb(occlusion),
+                      .truth = {},
                       .error = {}};
     if (truth.empty()) return pictures;
+    pictures.truth = report::visibility_rgb(truth);
     std::vector<float> errors;
     for (std::size_t i = 0; i < truth.size(); ++i) errors.push_back(std::abs(occlusion[i] - truth[i]));
     pictures.error = report::heat_rgb(errors, brightest_error);
@@ -76,6 +78,8 @@ std::string sheet_of(const std::vector<Rendered>& runs) {
     if (runs.size() == 1) {
         sheet = pictures_of_one(runs.front());
     } else {
+        if (!runs.empty() && !runs.front().pictures.back().truth.empty())
+            sheet.push_back({runs.front().pictures.back().truth, "truth: " + runs.front().report.truth});
         for (const Rendered& run : runs)
             sheet.push_back({run.pictures.back().visibility, caption_of(run.report)});
     }

@@ -20,6 +20,7 @@ struct Pictures {
     report::RgbBytes plain;       // lit, without occlusion
     report::RgbBytes shaded;      // lit, with occlusion
     report::RgbBytes visibility;  // white where open
+    report::RgbBytes truth;       // white where open; empty: there is no truth
     report::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
 };
 
@@ -50,8 +51,8 @@ void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
 [[nodiscard]] std::string caption_of(const RenderReport& report);
 
 // PNG. Of one run: lit without and with occlusion, the occlusion alone, and its error where the truth is
-// known. Of several: the occlusion of each, with its name, time and error. Throws std::invalid_argument for
-// none.
+// known. Of several: the truth where it is known, then the occlusion of each, with its name, time and error.
+// Throws std::invalid_argument for none.
 [[nodiscard]] std::string sheet_of(const std::vector<Rendered>& runs);
 
 }  // namespace gloam::cli
