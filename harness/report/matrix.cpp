@@ -57,6 +57,11 @@ std::vector<Line> lines_of(const std::vector<CheckReport>& reports) {
     return lines;
 }
 
+constexpr std::string_view legend =
+    "ok 0.85: passed, the largest error is 0.85 of what is allowed. FAIL 3/100: 3 of 100 inputs are "
+    "outside.\n"
+    "A reason, \"hang\" say: the check did not end. -: it was not run.\n";
+
 std::string summary(const CheckReport& report) {
     std::map<std::string, std::size_t> reasons;
     const CheckRow* worst = nullptr;
@@ -116,7 +121,7 @@ std::string to_matrix(const std::vector<CheckReport>& reports) {
     for (std::size_t i = 0; i < reports.size(); ++i) {
         text += fmt::format("driver {}: {}\n", i + 1, name_of(reports[i].device));
     }
-    text += "\n" + aligned(lines_of(reports)) + "\n";
+    text += "\n" + aligned(lines_of(reports)) + "\n" + std::string(legend) + "\n";
     for (std::size_t i = 0; i < reports.size(); ++i) {
         text += fmt::format("driver {}: {}\n", i + 1, summary(reports[i]));
     }

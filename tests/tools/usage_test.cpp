@@ -82,6 +82,19 @@ TEST(List, NamesOneALine) {
     }
 }
 
+TEST(List, EquationsAsAPage) {
+    const TemporaryDirectory folder;
+    const std::string file = (folder.path() / "equations.html").string();
+    expect_success(run_command({"list", "equations", "--html", file}));
+    std::ifstream stream(file);
+    const std::string page{std::istreambuf_iterator<char>(stream), {}};
+    std::istringstream names(run_command({"list", "equations"}).out);
+    for (std::string name; std::getline(names, name);)
+        ASSERT_THAT(page, HasSubstr("<td>" + name + "</td>")) << name;
+    expect_could_not_run(run_command({"list", "methods", "--html", file}), "--html");
+    expect_could_not_run(run_command({"list", "equations", "--html", "/no/such/a.html"}), "/no/such/a.html");
+}
+
 TEST(List, UnknownKindIsNamedWithThoseThereAre) {
     const CommandResult result = run_command({"list", "no-such-kind"});
     expect_could_not_run(result, "no-such-kind");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,6 +15,8 @@
 #include "catalogue/document.hpp"
 #include "cli/names.hpp"
 #include "cli/setting_json.hpp"
+#include "report/output_file.hpp"
+#include "report/page.hpp"
 #include "shader/variant.hpp"
 
 namespace gloam::cli {
@@ -23,6 +26,7 @@ struct ListOptions {
     std::string kind;
     bool json = false;
     bool markdown = false;
+    std::filesystem::path html;
 };
 
 std::vector<Named> equation_names() {
@@ -52,7 +56,42 @@ nlohmann::ordered_json named_json(const Named& named) {
     return {{"name", named.name}, {"description", named.description}};
 }
 
+// Every equation as a page that is searched and sorted.
+std::string equations_page() {
+    report::Page page("Equations of gloam");
+    page.paragraph(
+        "Occlusion is 1 where blocked, visibility 1 where open. View space is right-handed and looks down "
+        "-z; depth d = -z is eye-linear. The error is what the function may differ from the exact "
+        "mathematics.");
+    report::PageTable table{.columns = {{.title = "ID"},
+                                        {.title = "title"},
+                                        {.title = "function"},
+                                        {.title = "file", .filter = true},
+                                        {.title = "error"},
+                                        {.title = "source"},
+                                        {.title = "formula"}},
+                            .rows = {}};
+    for (const catalogue::Entry& entry : catalogue::all_entries()) {
+        const catalogue::Description& d = entry.description;
+        table.rows.push_back({{d.id},
+                              {d.title},
+                              {d.function},
+                              {d.file},
+                              {check::to_text(entry.check_case.budget)},
+                              {d.source},
+                              {d.formula}});
+    }
+    page.table(table);
+    return page.html();
+}
+
 void run_list(const ListOptions& options) {
+    if (!options.html.empty()) {
+        if (options.kind != "equations")
+            throw std::invalid_argument("--html goes with `gloam list equations`");
+        report::OutputFile(options.html).write(equations_page());
+        return;
+    }
     if (options.markdown) {
         if (options.kind != "equations")
             throw std::invalid_argument("--markdown goes with `gloam list equations`");
@@ -89,6 +128,8 @@ void add_list(CLI::App& app) {
         "kind", options->kind,
         "equations, methods, presets, scenes, settings or variants (one name a line); all when not given");
     command->add_flag("--json", options->json, "names and descriptions as JSON");
+    command->add_option("--html", options->html,
+                        "equations only: write a page of them all that is searched and sorted");
     command->add_flag("--markdown", options->markdown, "equations only: the page docs/equations.md");
     command->callback([options] { run_list(*options); });
 }

@@ -48,6 +48,11 @@ bool answer(const report::Benchmark& benchmark, const BenchmarkOptions& options)
         all &= print_answer(fmt::format("\nRMSE at most {:g}", options.error),
                             fastest_with(choices, options.error), least(choices, &Overall::worst_error));
     }
+    if (!options.budget.empty() || options.error > 0.0) {
+        fmt::print(
+            "copy: the time of a pass that reads one number and writes one for each pixel\n"
+            "RMSE (G): root mean square error against the traced geometry\n");
+    }
     return all;
 }
 
