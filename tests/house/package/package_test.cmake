@@ -2,7 +2,7 @@
 # Installs the build, moves the package elsewhere, builds the consumer against it, and runs the consumer twice: its shader
 # as it is must pass, and broken must fail with a verdict (not with any other error).
 set(prefix "${WORK}/moved here")
-set(consumer "${WORK}/consumer")
+set(consumer "${WORK}/own_function")
 set(shader "${consumer}/shaders/tone.glsl")
 
 # run(WHAT command...): stops the test when the command fails.
@@ -14,7 +14,7 @@ function(run WHAT)
 endfunction()
 
 function(expect_verdict EXPECTED)
-  execute_process(COMMAND "${consumer}/build/consumer_test" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  execute_process(COMMAND "${consumer}/build/own_function_test" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(text_found NO)
   if(EXPECTED STREQUAL "pass")
     if(status EQUAL 0 AND output MATCHES "\\[  PASSED  \\] 2 tests")
