@@ -11,6 +11,7 @@
 
 #include "catalogue/catalogue.hpp"
 #include "cli/check/failure_folders.hpp"
+#include "cli/check/own_file.hpp"
 #include "cli/check/run_device.hpp"
 #include "cli/check/shard.hpp"
 #include "cli/check/worker.hpp"
@@ -127,7 +128,43 @@ std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& opti
     return reports;
 }
 
+// The functions of a shader file, by the rules alone.
+int run_check_of_file(const CheckOptions& options) {
+    const report::OutputFile json(options.json);
+    const report::OutputFile junit(options.junit);
+    std::vector<report::CheckReport> reports;
+    std::size_t failures = 0;
+    std::size_t checks = 0;
+    for (const std::string& device : devices_to_check(options.device)) {
+        reports.push_back(check_own_file(
+            {.file = options.equations.front(),
+             .functions = {options.equations.begin() + 1, options.equations.end()},
+             .ranges = options.ranges,
+             .device = device,
+             .variants = select_variants(options.variant),
+             .inputs = options.inputs,
+             .seed = options.seed,
+             .validation = options.validation,
+             .timeout = std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0))),
+             .on_device = print_device,
+             .on_row = print_row}));
+        failures += reports.back().failures();
+        checks += reports.back().rows.size();
+        for (const report::CheckRow& row : reports.back().rows)
+            if (!row.passed())
+                fmt::print("\n{} {}: {}\n", row.function, row.variant, row.ran() ? row.story : row.error);
+    }
+    fmt::print("{} checks, {} failed\n", checks, failures);
+    for (report::CheckReport& report : reports) report.versions = versions();
+    json.write(report::to_json(reports));
+    junit.write(report::to_junit(reports));
+    return failures == 0 ? 0 : 1;
+}
+
 int run_check(const CheckOptions& options) {
+    if (!options.equations.empty() && is_shader_file(options.equations.front()))
+        return run_check_of_file(options);
+    if (!options.ranges.empty()) throw std::invalid_argument("--range is for the functions of a shader file");
     const std::vector<CheckTask> tasks = tasks_of(options);
     const report::OutputFile json(options.json);
     const report::OutputFile junit(options.junit);
@@ -156,7 +193,11 @@ void add_check(CLI::App& app, int& status) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* command =
         app.add_subcommand("check", "run equations on a Vulkan device and judge every result");
-    command->add_option("equation", options->equations, "IDs, functions or globs (all when none is given)");
+    command->add_option(
+        "equation", options->equations,
+        "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions");
+    command->add_option("--range", options->ranges,
+                        "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
     command->add_option("--device", options->device, "name or index of the device, or all");
     command
         ->add_option("--variant", options->variant,
