@@ -18,6 +18,7 @@
 #include "cli/completion.hpp"
 #include "cli/demo.hpp"
 #include "cli/devices.hpp"
+#include "cli/explain.hpp"
 #include "cli/help_examples.hpp"
 #include "cli/list.hpp"
 #include "cli/mesh_reader.hpp"
@@ -70,6 +71,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_list(app);
     gloam::cli::add_check(app, status);
     gloam::cli::add_check_worker(app);
+    gloam::cli::add_explain(app);
     gloam::cli::add_mesh_reader(app, status);
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);

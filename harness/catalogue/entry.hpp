@@ -66,12 +66,8 @@ template <class Signature, class Reference>
                            .budget = check.budget,
                            .codomain = check.codomain,
                            .promised = std::move(check.promised),
-                           .permitted = {},
                            .only_rules = check.only_rules,
                            .scenarios = std::move(check.scenarios)};
-    if constexpr (check::takes_intervals<Signature, Reference>) {
-        check_case.permitted = check::make_permission<Signature>(reference);
-    }
     return {.description = std::move(description), .check_case = std::move(check_case)};
 }
 

@@ -62,7 +62,7 @@ std::vector<std::vector<Word>> neighbours(const Rules& rules, const std::vector<
 }  // namespace
 
 std::vector<Bounds> allowed_outputs(const Rules& rules, const ImageSet& images, const Sample& sample) {
-    if (rules.verdict == Verdict::rules) return sample.permitted;
+    if (!sample.permitted.empty()) return sample.permitted;
     const std::vector<Scalar> scalars = rules.signature.output_scalars();
     const Bounds codomain{rules.codomain.low, rules.codomain.high, false};
     std::vector<Bounds> bounds(scalars.size(), codomain);

@@ -22,19 +22,19 @@ Domain::Inputs few_inputs(const Domain& domain, std::uint64_t seed, glm::ivec2 i
 
 }  // namespace
 
-Judgement judgement_of(const shader::Variant& variant, const Case& check_case) {
-    if (variant.relaxed) return {Verdict::rules, numeric::float16};
-    return {variant.strict || check_case.only_rules ? Verdict::rules : Verdict::budget, numeric::float32};
+Verdict verdict_of(const shader::Variant& variant, const Case& check_case) {
+    const bool by_rules = variant.strict || variant.relaxed || check_case.only_rules || !check_case.reference;
+    return by_rules ? Verdict::rules : Verdict::budget;
 }
 
 Result run(const Lab& lab, const Case& check_case, const RunOptions& options) {
     const KernelCore kernel = lab.kernel(check_case.file, check_case.function, check_case.signature);
-    const Judgement judgement = internal::judgement_of(lab, check_case, options);
-    Result result = internal::empty_result(check_case, judgement.verdict);
+    const Verdict verdict = verdict_of(lab.options().variant, check_case);
+    Result result = internal::empty_result(check_case, verdict);
     const bool constants = lab.options().variant.constants != shader::Variant::Constants::none;
     internal::for_each_scenario(
         check_case, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-            const internal::Trial trial(lab, check_case, kernel, scenario, options.seed, judgement);
+            const internal::Trial trial(lab, check_case, kernel, scenario, options.seed, verdict);
             if (constants) {
                 const ConstantKernel folded(lab, check_case.file, check_case.function, check_case.signature);
                 trial.compare_constants(few_inputs(check_case.domain, trial.input_seed(), scenario.size),

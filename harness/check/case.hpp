@@ -13,7 +13,6 @@
 #include "check/judge.hpp"
 #include "check/kernel_core.hpp"
 #include "check/lab.hpp"
-#include "numeric/paths.hpp"
 #include "numeric/random.hpp"
 
 namespace gloam::check {
@@ -32,64 +31,40 @@ struct Case {
     std::string function;
     Signature signature;
     Domain domain;
-    Reference reference;
+    Reference reference;  // empty: the function is judged by the rules, and measured against itself in double
     Budget budget;
     Codomain codomain;
     std::function<bool(std::span<const Word>)> promised;  // see Rules
-    Permission permitted;                                 // empty: the function cannot be judged by the rules
     bool only_rules = false;  // documents no accuracy of its own: judged by the rules however it is compiled
     std::vector<ImageScenario> scenarios;  // empty: the function reads no image
 };
 
 namespace detail {
 
-template <class T, class Number>
-void append(const T& value, std::vector<Number>& outputs) {
-    visit_scalars(value, [&outputs](const auto& scalar) {
-        if constexpr (std::same_as<Number, double>) {
-            outputs.push_back(static_cast<double>(scalar));
-        } else if constexpr (std::same_as<std::remove_cvref_t<decltype(scalar)>, numeric::Interval>) {
-            outputs.push_back(scalar.bounds());
-        } else {
-            outputs.push_back(Number::point(static_cast<double>(scalar)));
-        }
-    });
+template <class T>
+void append(const T& value, std::vector<double>& outputs) {
+    visit_scalars(value, [&outputs](const auto& scalar) { outputs.push_back(static_cast<double>(scalar)); });
 }
 
 // Calls a reference: with a tag of the number type first, with the images first, or with the arguments alone.
-template <class Number>
-struct Call {
-    const ImageSet& images;
-
-    template <class Callable, class... Values>
-    decltype(auto) operator()(const Callable& callable, Values&... values) const {
-        if constexpr (std::is_invocable_v<const Callable&, std::type_identity<Number>, Values&...>) {
-            return callable(std::type_identity<Number>{}, values...);
-        } else if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, Values&...>) {
-            return callable(images, values...);
-        } else {
-            return callable(values...);
-        }
+template <class Callable, class... Values>
+decltype(auto) call(const Callable& callable, const ImageSet& images, Values&... values) {
+    if constexpr (std::is_invocable_v<const Callable&, std::type_identity<double>, Values&...>) {
+        return callable(std::type_identity<double>{}, values...);
+    } else if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, Values&...>) {
+        return callable(images, values...);
+    } else {
+        return callable(values...);
     }
-};
+}
 
-template <class Number, class Callable, class... Values>
-inline constexpr bool is_callable =
-    std::is_invocable_v<const Callable&, std::type_identity<Number>, Values&...> ||
-    std::is_invocable_v<const Callable&, const ImageSet&, Values&...> ||
-    std::is_invocable_v<const Callable&, Values&...>;
-
-template <class Number, class Function>
+template <class Function>
 struct ReferenceOf;
 
-template <class Number, class R, class... P>
-struct ReferenceOf<Number, R(P...)> {
-    using Arguments = std::tuple<WithNumber<typename ParameterOf<P>::value, Number>...>;
+template <class R, class... P>
+struct ReferenceOf<R(P...)> {
+    using Arguments = std::tuple<WithNumber<typename ParameterOf<P>::value, double>...>;
     static constexpr auto indices = std::index_sequence_for<P...>{};
-
-    template <class Callable>
-    static constexpr bool accepts =
-        is_callable<Number, Callable, WithNumber<typename ParameterOf<P>::value, Number>...>;
 
     template <std::size_t... I>
     static Arguments read([[maybe_unused]] std::span<const Word> words, std::index_sequence<I...>) {
@@ -100,24 +75,24 @@ struct ReferenceOf<Number, R(P...)> {
         return arguments;
     }
 
-    template <class Output, std::size_t... I>
-    static void append_outputs(const Arguments& arguments, std::vector<Output>& outputs,
+    template <std::size_t... I>
+    static void append_outputs(const Arguments& arguments, std::vector<double>& outputs,
                                std::index_sequence<I...>) {
         ((is_output<P> ? append(std::get<I>(arguments), outputs) : void()), ...);
     }
 
     // Appends the result, then every out and inout parameter.
-    template <class Callable, class Output>
+    template <class Callable>
     static void run(const Callable& callable, const ImageSet& images, std::span<const Word> words,
-                    std::vector<Output>& outputs) {
+                    std::vector<double>& outputs) {
         Arguments arguments = read(words, indices);
-        const auto call = [&](auto&... values) -> decltype(auto) {
-            return Call<Number>{images}(callable, values...);
+        const auto with = [&](auto&... values) -> decltype(auto) {
+            return call(callable, images, values...);
         };
         if constexpr (std::is_void_v<R>) {
-            std::apply(call, arguments);
+            std::apply(with, arguments);
         } else {
-            append(static_cast<WithNumber<R, Number>>(std::apply(call, arguments)), outputs);
+            append(static_cast<WithNumber<R, double>>(std::apply(with, arguments)), outputs);
         }
         append_outputs(arguments, outputs, indices);
     }
@@ -133,30 +108,7 @@ template <class Function, class Callable>
 [[nodiscard]] Reference make_reference(Callable callable) {
     return [callable](const ImageSet& images, std::span<const Word> words, std::vector<double>& outputs) {
         outputs.clear();
-        detail::ReferenceOf<double, Function>::run(callable, images, words, outputs);
-    };
-}
-
-// Whether a callable also takes intervals in the place of double: a template or generic lambda does.
-template <class Function, class Callable>
-inline constexpr bool takes_intervals =
-    detail::ReferenceOf<numeric::Interval, Function>::template accepts<Callable>;
-
-// What the rules permit, from the same callable, which must do the shader's operations in the shader's order.
-template <class Function, class Callable>
-requires takes_intervals<Function, Callable>
-[[nodiscard]] Permission make_permission(Callable callable) {
-    return [callable](const numeric::FloatFormat& format, const ImageSet& images, std::span<const Word> words,
-                      Permitted& permitted) {
-        permitted.outcomes.clear();
-        const auto run = [&] {
-            detail::ReferenceOf<numeric::Interval, Function>::run(callable, images, words,
-                                                                  permitted.outcomes);
-        };
-        // Each run appends one outcome; a run that ends early leaves a part of one, which is then not looked
-        // at.
-        const numeric::Paths::Outcome outcome = numeric::Paths::explore(format, most_paths, run);
-        permitted.anything = outcome != numeric::Paths::Outcome::complete;
+        detail::ReferenceOf<Function>::run(callable, images, words, outputs);
     };
 }
 
@@ -178,22 +130,12 @@ template <class Function, class Predicate>
 struct RunOptions {
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
-    // What is asked, and the arithmetic whose rules count. Empty: what the lab's variant stands for
-    // (judgement_of).
-    std::optional<Verdict> verdict{};
-    std::optional<numeric::FloatFormat> format{};
 };
 
-// What results are held against, and the arithmetic whose rules count.
-struct Judgement {
-    Verdict verdict = Verdict::budget;
-    numeric::FloatFormat format = numeric::float32;
-};
-
-// Of shaders compiled in a variant: the strict ones are held against the rules of float32, the relaxed ones
-// against those of float16, all others against the documented budget. A case with only_rules is never held
-// against a budget.
-[[nodiscard]] Judgement judgement_of(const shader::Variant& variant, const Case& check_case);
+// What results of shaders compiled in a variant are held against: those of strict and relaxed ones the rules
+// alone, all others the documented budget and the rules. A case with only_rules or without a reference is
+// never held against a budget.
+[[nodiscard]] Verdict verdict_of(const shader::Variant& variant, const Case& check_case);
 
 // What a check found of one function.
 struct Result {
@@ -230,23 +172,16 @@ template <class Function, class Callable>
                options);
 }
 
-// Whether the results of a function are ones that Vulkan's precision rules permit, with no tolerance of
-// anybody's choice. The reference is a template or generic lambda that also takes numeric::Interval in the
-// place of double, and does the shader's operations in the shader's order: [](auto x, auto y) { return x / y;
-// }. Compile the lab's shaders strictly (LabOptions), or the driver may rearrange them.
-template <class Function, class Callable>
-requires takes_intervals<Function, Callable>
-[[nodiscard]] Result compare_by_rules(const Lab& lab, const std::string& file, const std::string& function,
-                                      Callable reference, const Domain& domain,
-                                      const RunOptions& options = {}) {
+// Whether the results of a function are ones that Vulkan's precision rules permit the module that the driver
+// was given, with no reference and no tolerance of anybody's choice.
+template <class Function>
+[[nodiscard]] Result check_rules(const Lab& lab, const std::string& file, const std::string& function,
+                                 const Domain& domain, const RunOptions& options = {}) {
     return run(lab,
                Case{.file = file,
                     .function = function,
                     .signature = SignatureOf<Function>::describe(),
-                    .domain = domain,
-                    .reference = make_reference<Function>(reference),
-                    .permitted = make_permission<Function>(reference),
-                    .only_rules = true},
+                    .domain = domain},
                options);
 }
 

@@ -36,6 +36,7 @@ void Census::add(const Sample& sample, bool is_outside) {
     fraction = std::max(fraction, sample.fraction);
     budget_fraction = std::max(budget_fraction, sample.budget_fraction);
     if (sample.fraction > 0.0 && is_worse(sample, worst)) worst = sample;
+    if (sample.forbidden) ++forbidden;
     if (!is_outside) return;
     ++count(sample.input_class).outside;
     auto& first = first_outside.at(static_cast<std::size_t>(sample.input_class));
@@ -64,6 +65,9 @@ void Census::merge(const Census& later) {
     fraction = std::max(fraction, later.fraction);
     budget_fraction = std::max(budget_fraction, later.budget_fraction);
     add_guarantee(later.guarantee);
+    by_rules += later.by_rules;
+    forbidden += later.forbidden;
+    bounded += later.bounded;
     unbounded += later.unbounded;
     if (!first_unbounded) first_unbounded = later.first_unbounded;
     if (later.worst && is_worse(*later.worst, worst)) worst = later.worst;

@@ -36,7 +36,8 @@ struct Sample {
     double budget_fraction = 0.0;  // of the budget
     double fraction =
         0.0;  // of what the verdict allows: the budget, or the permitted width; above 1 is outside
-    std::vector<numeric::Bounds> permitted;  // for each output word, where the rules are the verdict
+    std::vector<numeric::Bounds> permitted;  // for each output word, where that was asked of the rules
+    bool forbidden = false;                  // the rules do not permit the outputs
 };
 
 struct ClassCount {
@@ -60,8 +61,11 @@ struct Census {
     double max_absolute = 0.0;     // over judged outputs
     double fraction = 0.0;         // worst error as a fraction of what the verdict allows
     double budget_fraction = 0.0;  // the same of the budget
-    Guarantee guarantee;           // where the rules are the verdict
-    std::size_t unbounded = 0;     // inputs for which the rules permit anything for some output
+    std::size_t by_rules = 0;      // inputs that were held against the rules
+    std::size_t forbidden = 0;     // of these, whose outputs the rules do not permit
+    std::size_t bounded = 0;       // inputs whose bounds were calculated: the next two are of these
+    Guarantee guarantee;
+    std::size_t unbounded = 0;  // inputs for which the rules permit anything for some output
     std::optional<Sample> first_unbounded;
     std::optional<Sample> worst;                                         // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class

@@ -16,6 +16,7 @@ constexpr std::size_t module_inputs = 16;
 
 void add(KernelCore::Result& all, KernelCore::Result part, std::size_t first) {
     all.outputs.insert(all.outputs.end(), part.outputs.begin(), part.outputs.end());
+    all.modules.insert(all.modules.end(), part.modules.begin(), part.modules.end());
     for (auto& [name, image] : part.stored) all.stored.insert_or_assign(name, std::move(image));
     if (!part.fault) return;
     part.fault->input += first;
@@ -67,11 +68,13 @@ KernelCore ConstantKernel::module_of(std::span<const Word> inputs, std::size_t c
                                                   literals ? "literals" : "specialization constants"),
                               .text = literals ? literal_kernel_code(source_, inputs, count)
                                                : specialized_kernel_code(source_, count)};
-    std::vector<gpu::SpecializationConstant> constants;
+    KernelModule module{.spirv = lab_->compile_kernel(text),
+                        .output_words = output_words_,
+                        .images = source_.images,
+                        .fixed_inputs = count};
     for (std::size_t word = 0; !literals && word < inputs.size(); ++word)
-        constants.push_back({.id = static_cast<std::uint32_t>(word), .bits = inputs[word]});
-    return {lab_->device(), lab_->compile_kernel(text), source_.function.name, 0, output_words_,
-            source_.images, std::move(constants)};
+        module.constants.push_back({.id = static_cast<std::uint32_t>(word), .bits = inputs[word]});
+    return {lab_->device(), std::move(module), source_.function.name};
 }
 
 }  // namespace gloam::check

@@ -17,6 +17,7 @@ class Domain {
   public:
     Domain() = default;
     Domain(std::initializer_list<Values> parameters) : parameters_(parameters) {}
+    explicit Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {}
 
     // In one input of sixteen, float parameter `target` is set to float parameter `source` times `factor`, or
     // to one of the floats one ULP beside it: branch points that depend on another parameter. Positions count

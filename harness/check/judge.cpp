@@ -13,11 +13,15 @@
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/edge.hpp"
 #include "check/internal/rules_judge.hpp"
+#include "interpreter/error.hpp"
+#include "numeric/constants.hpp"
 #include "numeric/float_class.hpp"
 
 namespace gloam::check {
 namespace {
 
+using internal::InputRow;
+using numeric::infinity;
 using shader::Scalar;
 
 // The class of one input, and the float words it was read from.
@@ -50,20 +54,50 @@ InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& sca
     return worst;
 }
 
+// Which inputs of a run are held against the rules, and for which of these all that is permitted is
+// calculated. With the budget as the verdict the rules are a second question: it is asked of the first
+// inputs, among which all kinds are, and of a share of the others.
+class Plan {
+  public:
+    static constexpr std::size_t first_inputs = 512;
+    static constexpr std::size_t other_inputs = 512;
+    // Of the inputs whose bounds are calculated, together: a few seconds.
+    static constexpr double most_steps = 3e8;
+
+    Plan(const Rules& rules, std::size_t count, bool every_bound)
+        : bounds_(rules.verdict == Verdict::rules),
+          every_(bounds_ ? 1 : std::max<std::size_t>(count / other_inputs, 1)),
+          bounds_every_(every_bound ? 1 : 0) {}
+
+    // How many instructions the bounds of one input take.
+    void set_cost(double steps, std::size_t count) {
+        if (bounds_every_ == 0)
+            bounds_every_ = 1 + static_cast<std::size_t>(steps * static_cast<double>(count) / most_steps);
+    }
+    [[nodiscard]] bool needs_cost() const { return bounds_ && bounds_every_ == 0; }
+    [[nodiscard]] bool by_rules(std::size_t i) const { return i < first_inputs || i % every_ == 0; }
+    [[nodiscard]] bool bounded(std::size_t i) const { return bounds_ && i % bounds_every_ == 0; }
+
+  private:
+    bool bounds_;
+    std::size_t every_;
+    std::size_t bounds_every_;
+};
+
 class Judge {
   public:
-    Judge(const Rules& rules, const ImageSet& images)
-        : rules_(rules), images_(images), scalars_(rules.signature), budget_(rules, images, scalars_) {
-        if (rules.verdict == Verdict::rules) permitted_.emplace(rules, images, scalars_);
+    Judge(const Rules& rules, const ImageSet& images, const internal::Decoded* decoded, const Plan& plan)
+        : rules_(rules),
+          images_(images),
+          plan_(plan),
+          scalars_(rules.signature),
+          budget_(rules, images, scalars_) {
+        if (decoded != nullptr) permitted_.emplace(*decoded, scalars_);
     }
 
     void add(Census& census, Sample& sample, bool branch) {
         sample.input_class = class_of(sample.inputs, scalars_.inputs, branch);
-        rules_.reference(images_, sample.inputs, sample.want);
-        if (sample.want.size() != scalars_.outputs.size()) {
-            throw std::logic_error(fmt::format("the reference gave {} output words, the signature has {}",
-                                               sample.want.size(), scalars_.outputs.size()));
-        }
+        find_want(sample);
         if (!rules_.judge_nan && holds_special(sample)) {
             census.add_recorded(sample.input_class);
             return;
@@ -73,18 +107,53 @@ class Judge {
         sample.absolute = error.absolute;
         sample.budget_fraction = error.fraction;
         sample.fraction = error.fraction;
-        if (permitted_) add_permitted(census, sample);
+        if (permitted_ && plan_.by_rules(sample.index)) ask_rules(census, sample);
         const bool promised = !rules_.promised || rules_.promised(sample.inputs);
         const bool accurate = promised && sample.budget_fraction <= 1.0;
-        if (rules_.judge_edges && !accurate && internal::is_edge(sample, scalars_) &&
+        if (rules_.judge_edges && rules_.reference && !accurate && internal::is_edge(sample, scalars_) &&
             !internal::holds_at_edge(rules_, images_, scalars_, sample))
-            sample.fraction = std::numeric_limits<double>::infinity();
+            sample.fraction = infinity;
         census.add(sample, sample.fraction > 1.0);
     }
 
+    // Instructions that the bounds of an input take.
+    [[nodiscard]] double cost_of(const InputRow& input) {
+        Permitted permitted;
+        internal::Interpretation& interpretation = permitted_->interpretation();
+        const std::uint64_t before = interpretation.steps();
+        interpretation.all_permitted(input, permitted);
+        return static_cast<double>(interpretation.steps() - before);
+    }
+
   private:
-    void add_permitted(Census& census, Sample& sample) {
+    void find_want(Sample& sample) {
+        if (rules_.reference) {
+            rules_.reference(images_, sample.inputs, sample.want);
+        } else {
+            permitted_->interpretation().calculate({sample.index, sample.inputs}, sample.want);
+        }
+        if (sample.want.size() != scalars_.outputs.size()) {
+            throw std::logic_error(fmt::format("the reference gave {} output words, the signature has {}",
+                                               sample.want.size(), scalars_.outputs.size()));
+        }
+    }
+
+    void ask_rules(Census& census, Sample& sample) {
+        const bool bounded = plan_.bounded(sample.index);
+        ++census.by_rules;
+        if (!bounded && permitted_->permits(sample)) {
+            if (rules_.verdict == Verdict::rules) sample.fraction = 0.0;
+            return;
+        }
         const bool anything = permitted_->measure(sample);
+        sample.forbidden = sample.fraction > 1.0;
+        if (bounded) add_bounds(census, sample, anything);
+        if (rules_.verdict == Verdict::rules) return;
+        sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
+    }
+
+    void add_bounds(Census& census, const Sample& sample, bool anything) {
+        ++census.bounded;
         if (anything) census.add_unbounded(sample);
         const bool promised = !rules_.promised || rules_.promised(sample.inputs);
         const bool usual = sample.input_class <= InputClass::zero;
@@ -104,10 +173,33 @@ class Judge {
 
     const Rules& rules_;
     const ImageSet& images_;
+    const Plan& plan_;
     internal::Scalars scalars_;
     internal::BudgetJudge budget_;
     std::optional<internal::RulesJudge> permitted_;
 };
+
+// What the modules mean; nothing where there are none, or where nobody needs them and the interpreter does
+// not know an instruction (then the rules are asked of no input).
+std::optional<internal::Decoded> decoded_modules(const Rules& rules, const ImageSet& images, bool needed) {
+    if (rules.modules.empty()) return std::nullopt;
+    try {
+        return std::optional<internal::Decoded>(std::in_place, rules.modules, images);
+    } catch (const interpreter::Error& error) {
+        if (needed || error.kind() != interpreter::Error::Kind::unknown_instruction) throw;
+        return std::nullopt;
+    }
+}
+
+// The mean of some inputs, evenly spread.
+double mean_cost(Judge& judge, const Domain::Inputs& inputs) {
+    constexpr std::size_t probes = 32;
+    const std::size_t step = std::max<std::size_t>(inputs.count() / probes, 1);
+    double sum = 0.0;
+    std::size_t probed = 0;
+    for (std::size_t i = 0; i < inputs.count(); i += step, ++probed) sum += judge.cost_of({i, inputs.row(i)});
+    return sum / static_cast<double>(std::max<std::size_t>(probed, 1));
+}
 
 }  // namespace
 
@@ -125,9 +217,20 @@ std::string to_text(const Budget& budget) {
 
 Census judge(const Rules& rules, const Domain::Inputs& inputs, std::span<const Word> outputs,
              const ImageSet& images, const std::string& scenario, std::span<double> fractions) {
+    const bool needs_modules = rules.verdict == Verdict::rules || !rules.reference;
+    if (needs_modules && rules.modules.empty())
+        throw std::invalid_argument(
+            "cannot be judged by Vulkan's rules without the modules that gave the outputs");
+    const std::optional<internal::Decoded> decoded = decoded_modules(rules, images, needs_modules);
+    const internal::Decoded* const modules = decoded ? &*decoded : nullptr;
+    Plan plan(rules, inputs.count(), !fractions.empty());
+    if (plan.needs_cost()) {
+        Judge probe(rules, images, modules, plan);
+        plan.set_cost(mean_cost(probe, inputs), inputs.count());
+    }
     const std::size_t width = rules.signature.output_words();
     const auto part = [&](std::size_t begin, std::size_t end) {
-        Judge judge(rules, images);
+        Judge judge(rules, images, modules, plan);
         Census census;
         Sample sample{.scenario = scenario};
         for (std::size_t i = begin; i < end; ++i) {
@@ -137,7 +240,9 @@ Census judge(const Rules& rules, const Domain::Inputs& inputs, std::span<const W
             sample.inputs.assign(row.begin(), row.end());
             sample.got.assign(got.begin(), got.end());
             sample.want.clear();
+            sample.permitted.clear();
             sample.fraction = 0.0;
+            sample.forbidden = false;
             judge.add(census, sample, inputs.branch[i]);
             if (!fractions.empty()) fractions[i] = sample.fraction;
         }

@@ -12,12 +12,14 @@
 #include "check/census.hpp"
 #include "check/domain.hpp"
 #include "check/image.hpp"
+#include "check/kernel_module.hpp"
 #include "check/permitted.hpp"
 #include "check/signature.hpp"
 
 namespace gloam::check {
 
-// A reference without its C++ types: input words in, one double for each output word.
+// A reference without its C++ types: input words in, one double for each output word. Where a check has none,
+// the module in double takes its place.
 using Reference =
     std::function<void(const ImageSet& images, std::span<const Word> inputs, std::vector<double>& outputs)>;
 
@@ -45,19 +47,20 @@ struct Rules {
     std::function<bool(std::span<const Word>)> promised;
     // Whether the results for zero, infinity and NaN beside values of usual size are those of the reference,
     // in every verdict: off for a reference that documents none (a function of GLSL itself), and for other
-    // arithmetic than float32.
+    // arithmetic than float32. Without a reference nothing is.
     bool judge_edges = true;
     // Whether the device keeps NaN, infinity and signed zero. If not, inputs and references that hold one are
     // only recorded.
     bool judge_nan = true;
+    // With Verdict::rules the budget and the codomain are only measured.
     Verdict verdict = Verdict::budget;
-    // What Vulkan permits, and for which arithmetic; needed for Verdict::rules, where the budget and the
-    // codomain are only measured.
-    Permission permitted;
-    numeric::FloatFormat format = numeric::float32;
+    // What gave the outputs. Whatever the verdict, an output that the rules do not permit these modules
+    // fails; without modules nothing is asked of the rules.
+    KernelModules modules;
 };
 
-// Judges every output of a run. Throws std::invalid_argument for Verdict::rules without `permitted`.
+// Judges every output of a run. Throws std::invalid_argument for Verdict::rules without modules;
+// interpreter::Error for a module that the interpreter cannot run.
 // `outputs`: count x output words, in the order of the inputs.
 // `fractions`, when not empty, takes each input's fraction of what the verdict allows (0 where only
 // recorded).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "check/kernel_core.hpp"
 
+#include "check/interpreted_kernel.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,13 +19,13 @@ constexpr Word guard_pattern = 0xdeadbeefU;
 constexpr std::size_t guard_words = 64;
 constexpr std::size_t fault_words = sizeof(KernelFaults) / sizeof(Word);
 
-gpu::ComputePipeline make_pipeline(const gpu::Device& device, const shader::Spirv& spirv, std::size_t images,
-                                   std::vector<gpu::SpecializationConstant> constants) {
-    const gpu::ComputeProgram program{
-        .spirv = spirv,
-        .bindings = std::vector(KernelBinding::first_image + images, gpu::BindingKind::storage_buffer),
-        .push_constant_bytes = sizeof(KernelRun),
-        .constants = std::move(constants)};
+gpu::ComputePipeline make_pipeline(const gpu::Device& device, const KernelModule& module) {
+    gpu::ComputeProgram program{.spirv = module.spirv,
+                                .bindings = std::vector(KernelBinding::first_image + module.images.size(),
+                                                        gpu::BindingKind::storage_buffer),
+                                .push_constant_bytes = sizeof(KernelRun)};
+    for (const interpreter::Constant& constant : module.constants)
+        program.constants.push_back({.id = constant.id, .bits = constant.bits});
     return {device, program};
 }
 
@@ -31,37 +33,10 @@ gpu::Buffer make_buffer(const gpu::Device& device, std::size_t words) {
     return {device, std::max<std::size_t>(words, 1) * sizeof(Word)};
 }
 
-gpu::Buffer upload_image(const gpu::Device& device, const Image& image) {
-    gpu::Buffer buffer = make_buffer(device, image_header_words + image.words.size());
-    const std::span<Word> words = buffer.as<Word>();
-    words[0] = static_cast<Word>(image.size.x);
-    words[1] = static_cast<Word>(image.size.y);
-    words[2] = image.border == Border::clamp ? 1U : 0U;
-    std::ranges::copy(image.words, words.subspan(image_header_words).begin());
+gpu::Buffer upload(const gpu::Device& device, const std::vector<Word>& words) {
+    gpu::Buffer buffer = make_buffer(device, words.size());
+    std::ranges::copy(words, buffer.as<Word>().begin());
     return buffer;
-}
-
-const Image& find_image(const ImageSet& images, const ImagePrototype& prototype, const std::string& kernel) {
-    const auto found = images.find(prototype.name);
-    if (found == images.end()) {
-        throw std::invalid_argument(
-            fmt::format("{}: no image serves the prototype {}", kernel, prototype.name));
-    }
-    const Image& image = found->second;
-    const std::size_t pixels =
-        static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
-    if (!(image.element == prototype.element)) {
-        throw std::invalid_argument(fmt::format("{}: the image of {} has {} pixels, the prototype {}", kernel,
-                                                prototype.name, shader::to_glsl(image.element),
-                                                shader::to_glsl(prototype.element)));
-    }
-    if (image.size.x < 1 || image.size.y < 1 ||
-        image.words.size() != pixels * scalars_of(image.element).size()) {
-        throw std::invalid_argument(
-            fmt::format("{}: the image of {} is {} x {} with {} words, which disagree", kernel,
-                        prototype.name, image.size.x, image.size.y, image.words.size()));
-    }
-    return image;
 }
 
 Word new_canary() {
@@ -85,33 +60,30 @@ struct KernelCore::Batch {
     Result& result;
 };
 
-KernelCore::KernelCore(const gpu::Device& device, const shader::Spirv& spirv, std::string name,
-                       std::size_t input_words, std::size_t output_words, std::vector<ImagePrototype> images,
-                       std::vector<gpu::SpecializationConstant> constants)
+KernelCore::KernelCore(const gpu::Device& device, KernelModule module, std::string name)
     : device_(&device),
-      pipeline_(make_pipeline(device, spirv, images.size(), std::move(constants))),
-      name_(std::move(name)),
-      input_words_(input_words),
-      output_words_(output_words),
-      images_(std::move(images)) {}
+      module_(std::make_shared<const KernelModule>(std::move(module))),
+      pipeline_(make_pipeline(device, *module_)),
+      name_(std::move(name)) {}
 
 KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t count,
                                    const ImageSet& images) const {
-    if (inputs.size() != count * input_words_) {
+    if (inputs.size() != count * module_->input_words) {
         throw std::invalid_argument(fmt::format("{}: {} inputs of {} words need {} words, got {}", name_,
-                                                count, input_words_, count * input_words_, inputs.size()));
+                                                count, module_->input_words, count * module_->input_words,
+                                                inputs.size()));
     }
     Result result;
-    result.outputs.reserve(count * output_words_);
+    result.modules = {module_};
+    result.outputs.reserve(count * module_->output_words);
     std::vector<gpu::Buffer> buffers;
-    for (const ImagePrototype& prototype : images_) {
-        buffers.push_back(upload_image(*device_, find_image(images, prototype, name_)));
-    }
-    const std::size_t widest = std::max(input_words_, output_words_ + 1);
+    for (const std::vector<Word>& words : image_words(module_->images, images, name_))
+        buffers.push_back(upload(*device_, words));
+    const std::size_t widest = std::max(module_->input_words, module_->output_words + 1);
     const std::size_t most = device_->info().max_buffer_bytes / sizeof(Word) / widest - guard_words;
     for (std::size_t first = 0; first < count; first += most) {
         const std::size_t batch = std::min(most, count - first);
-        Batch work{inputs.subspan(first * input_words_, batch * input_words_),
+        Batch work{inputs.subspan(first * module_->input_words, batch * module_->input_words),
                    batch,
                    first,
                    buffers,
@@ -119,18 +91,18 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
                    result};
         run_batch(work);
     }
-    for (std::size_t i = 0; i < images_.size(); ++i) {
-        if (!images_[i].stores) continue;
-        Image stored = images.at(images_[i].name);
+    for (std::size_t i = 0; i < module_->images.size(); ++i) {
+        if (!module_->images[i].stores) continue;
+        Image stored = images.at(module_->images[i].name);
         const auto words = buffers[i].as<Word>().subspan(image_header_words);
         stored.words.assign(words.begin(), words.end());
-        result.stored.emplace(images_[i].name, std::move(stored));
+        result.stored.emplace(module_->images[i].name, std::move(stored));
     }
     return result;
 }
 
 void KernelCore::run_batch(Batch& batch) const {
-    const std::size_t row = output_words_ + 1;
+    const std::size_t row = module_->output_words + 1;
     gpu::Buffer inputs = make_buffer(*device_, batch.inputs.size());
     gpu::Buffer outputs = make_buffer(*device_, batch.count * row + guard_words);
     gpu::Buffer fault_buffer = make_buffer(*device_, fault_words);
@@ -157,13 +129,13 @@ void KernelCore::run_batch(Batch& batch) const {
 
 // Takes the outputs of every input, once its canary and the guard behind them are found in order.
 void KernelCore::collect_outputs(Batch& batch, const KernelRun& run, std::span<const Word> words) const {
-    const std::size_t row = output_words_ + 1;
+    const std::size_t row = module_->output_words + 1;
     std::vector<Word>& outputs = batch.result.outputs;
     const std::size_t first = outputs.size();
-    outputs.resize(first + batch.count * output_words_);
+    outputs.resize(first + batch.count * module_->output_words);
     for (std::size_t i = 0; i < batch.count; ++i) {
-        const auto values = words.subspan(i * row, output_words_);
-        const Word canary = words[i * row + output_words_];
+        const auto values = words.subspan(i * row, module_->output_words);
+        const Word canary = words[i * row + module_->output_words];
         const Word expected = run.canary ^ static_cast<Word>(i);
         if (canary != expected) {
             throw KernelError(
@@ -171,7 +143,8 @@ void KernelCore::collect_outputs(Batch& batch, const KernelRun& run, std::span<c
                             "found 0x{:08x}",
                             name_, batch.first + i, batch.first + batch.count, expected, canary));
         }
-        std::ranges::copy(values, outputs.begin() + static_cast<std::ptrdiff_t>(first + i * output_words_));
+        std::ranges::copy(values,
+                          outputs.begin() + static_cast<std::ptrdiff_t>(first + i * module_->output_words));
     }
     const auto guard = words.subspan(batch.count * row);
     if (std::ranges::any_of(guard, [](Word word) { return word != guard_pattern; })) {
@@ -183,7 +156,7 @@ void KernelCore::collect_outputs(Batch& batch, const KernelRun& run, std::span<c
 void KernelCore::collect_fault(Batch& batch, std::span<const Word> words) const {
     const KernelFaults faults{words[0], words[1], words[2], words[3], words[4]};
     if (faults.count == 0) return;
-    const ImagePrototype& image = images_.at(faults.image);
+    const ImagePrototype& image = module_->images.at(faults.image);
     const std::size_t earlier = batch.result.fault ? batch.result.fault->count : 0;
     batch.result.fault = ImageFault{.image = image.name,
                                     .pixel = {static_cast<int>(faults.x), static_cast<int>(faults.y)},

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "check/kernel_code.hpp"
+#include "check/kernel_module.hpp"
 #include "gpu/compute.hpp"
 #include "gpu/device.hpp"
 #include "shader/compile.hpp"
@@ -36,16 +36,14 @@ class KernelError : public std::runtime_error {
 // A compiled kernel without its C++ types: words in, words out.
 class KernelCore {
   public:
-    // `spirv` must follow the interface of kernel_code(); kept names are used in messages only. `constants`
-    // are its specialization constants.
-    KernelCore(const gpu::Device& device, const shader::Spirv& spirv, std::string name,
-               std::size_t input_words, std::size_t output_words, std::vector<ImagePrototype> images,
-               std::vector<gpu::SpecializationConstant> constants = {});
+    // The name is used in messages only.
+    KernelCore(const gpu::Device& device, KernelModule module, std::string name);
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words
         ImageSet stored;            // images that the shader may have stored to
         std::optional<ImageFault> fault;
+        KernelModules modules;  // that gave the outputs
     };
 
     // Evaluates `count` inputs (count x input_words words) in one dispatch, or as few as the device's limits
@@ -54,8 +52,9 @@ class KernelCore {
     [[nodiscard]] Result run(std::span<const Word> inputs, std::size_t count,
                              const ImageSet& images = {}) const;
 
-    [[nodiscard]] std::size_t input_words() const { return input_words_; }
-    [[nodiscard]] std::size_t output_words() const { return output_words_; }
+    [[nodiscard]] const KernelModule& module() const { return *module_; }
+    [[nodiscard]] std::size_t input_words() const { return module_->input_words; }
+    [[nodiscard]] std::size_t output_words() const { return module_->output_words; }
 
   private:
     struct Batch;
@@ -64,11 +63,9 @@ class KernelCore {
     void collect_fault(Batch& batch, std::span<const Word> words) const;
 
     const gpu::Device* device_;
+    std::shared_ptr<const KernelModule> module_;
     gpu::ComputePipeline pipeline_;
     std::string name_;
-    std::size_t input_words_;
-    std::size_t output_words_;
-    std::vector<ImagePrototype> images_;
 };
 
 }  // namespace gloam::check

@@ -62,18 +62,22 @@ shader::CompileOptions Lab::compile_options() const {
             .variant = options_.variant};
 }
 
-KernelSource Lab::source(const std::string& file, const std::string& function,
-                         const Signature& signature) const {
+std::vector<shader::Function> Lab::functions(const std::string& file) const {
     const shader::Source probe{.name = "signature of " + file,
                                .text = fmt::format("#version 450\n#include \"{}\"\n", file)};
-    const std::vector<shader::Function> functions = cache_.functions(probe, compile_options());
+    return cache_.functions(probe, compile_options());
+}
+
+KernelSource Lab::source(const std::string& file, const std::string& function,
+                         const Signature& signature) const {
+    const std::vector<shader::Function> all = functions(file);
     std::vector<std::string> named;
-    for (const shader::Function& candidate : functions) {
+    for (const shader::Function& candidate : all) {
         if (candidate.name != function || !candidate.defined) continue;
         if (matches(signature, candidate)) {
             return {.file = file,
                     .function = candidate,
-                    .images = image_prototypes(functions, file),
+                    .images = image_prototypes(all, file),
                     .preserve_nan = device_->info().float32.preserves_signed_zero_inf_nan};
         }
         named.push_back(to_glsl_with_layouts(candidate));
@@ -83,7 +87,7 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
             fmt::format("{}: the signature of {} differs: C++ has \"{}\", GLSL has \"{}\"", file, function,
                         to_glsl(signature, function), fmt::join(named, "\", \"")));
     }
-    for (const shader::Function& candidate : functions) {
+    for (const shader::Function& candidate : all) {
         if (candidate.defined) named.push_back(candidate.name);
     }
     throw std::invalid_argument(
@@ -101,11 +105,11 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
     KernelSource made_of = source(file, function, signature);
     const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
     return {*device_,
-            compile_kernel(text),
-            function,
-            signature.input_words(),
-            signature.output_words(),
-            std::move(made_of.images)};
+            {.spirv = compile_kernel(text),
+             .input_words = signature.input_words(),
+             .output_words = signature.output_words(),
+             .images = std::move(made_of.images)},
+            function};
 }
 
 shader::Spirv Lab::compile(const shader::Source& text) const {

@@ -36,6 +36,10 @@ class Lab {
     [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
                                     const Signature& signature) const;
 
+    // Every function that a file and its includes define or call, as the compiler saw it. Throws
+    // shader::CompileError.
+    [[nodiscard]] std::vector<shader::Function> functions(const std::string& file) const;
+
     // What such a kernel is generated from. Throws as kernel() does.
     [[nodiscard]] KernelSource source(const std::string& file, const std::string& function,
                                       const Signature& signature) const;

@@ -2,13 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "check/image.hpp"
 #include "numeric/bounds.hpp"
-#include "numeric/float_format.hpp"
 
 namespace gloam::check {
 
@@ -23,10 +20,6 @@ struct Permitted {
         return std::span(outcomes).subspan(i * width, width);
     }
 };
-
-// A reference that is run on intervals, without its C++ types. Fills `permitted` for arithmetic in `format`.
-using Permission = std::function<void(const numeric::FloatFormat& format, const ImageSet& images,
-                                      std::span<const Word> inputs, Permitted& permitted)>;
 
 // More paths than this count as anything.
 inline constexpr std::size_t most_paths = 256;

@@ -9,6 +9,7 @@
 #include "check/constant_code.hpp"
 #include "check/constant_kernel.hpp"
 #include "check/internal/trial.hpp"
+#include "check/interpreted_kernel.hpp"
 #include "check/shrink.hpp"
 #include "shader/pack.hpp"
 #include "shader/spirv.hpp"
@@ -17,13 +18,6 @@ namespace gloam::check {
 namespace {
 
 using Constants = shader::Variant::Constants;
-
-std::vector<Word> buffer_of(const Image& image) {
-    std::vector<Word> words{static_cast<Word>(image.size.x), static_cast<Word>(image.size.y),
-                            image.border == Border::clamp ? 1U : 0U};
-    words.insert(words.end(), image.words.begin(), image.words.end());
-    return words;
-}
 
 ImageScenario scenario_of(const Case& check_case, const std::string& name) {
     if (check_case.scenarios.empty() && name.empty()) return {};
@@ -42,7 +36,7 @@ class Stage {
           scenario_(std::move(scenario)),
           kernel_(lab.kernel(check_case.file, check_case.function, check_case.signature)),
           trial_(lab, check_case, kernel_, scenario_, options.seed,
-                 internal::judgement_of(lab, check_case, options)),
+                 verdict_of(lab.options().variant, check_case)),
           rules_(trial_.rules()) {
         if (lab.options().variant.constants == Constants::none) return;
         constants_.emplace(lab, check_case.file, check_case.function, check_case.signature);
@@ -93,9 +87,9 @@ Reproduction without_verdict(const Lab& lab, const Case& check_case, const std::
                      .specialized = constants == Constants::specialization,
                      .outputs = check_case.signature.output_scalars()};
     all.assembly = shader::disassemble(all.spirv);
-    for (const ImagePrototype& prototype : source.images) {
-        all.images.push_back({.name = prototype.name, .words = buffer_of(images.at(prototype.name))});
-    }
+    std::vector<std::vector<Word>> words = image_words(source.images, images, check_case.function);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        all.images.push_back({.name = source.images[i].name, .words = std::move(words[i])});
     return all;
 }
 
@@ -111,13 +105,12 @@ Reproduction reproduce(const Lab& lab, const Case& check_case, const RunOptions&
 Reproduction reproduce(const Lab& lab, const Case& check_case, const RunOptions& options,
                        const Sample& failing) {
     const Stage stage(lab, check_case, scenario_of(check_case, failing.scenario), options);
-    const ShrinkScope scope{
-        .rules = stage.rules(),
-        .domain = check_case.domain,
-        .images = stage.images(),
-        .evaluate = [&stage](std::span<const Word> inputs,
-                             std::size_t count) { return stage.run(inputs, count).outputs; },
-        .at_once = stage.at_once()};
+    const ShrinkScope scope{.rules = stage.rules(),
+                            .domain = check_case.domain,
+                            .images = stage.images(),
+                            .evaluate = [&stage](std::span<const Word> inputs,
+                                                 std::size_t count) { return stage.run(inputs, count); },
+                            .at_once = stage.at_once()};
     const Sample smallest = shrink(scope, failing);
     Reproduction all = without_verdict(lab, check_case, failing.scenario, stage.images(), smallest.inputs);
     all.allowed = allowed_outputs(stage.rules(), stage.images(), smallest);

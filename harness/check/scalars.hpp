@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "check/fields.hpp"
-#include "numeric/interval_vector.hpp"
 #include "shader/type.hpp"
 
 // How C++ values become 32-bit words for a kernel and back: a value is its scalars in order (vectors by
@@ -23,7 +22,7 @@ using Word = std::uint32_t;
 
 // A number a float of the shader is calculated with in C++.
 template <class T>
-concept FloatValue = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, numeric::Interval>;
+concept FloatValue = std::same_as<T, float> || std::same_as<T, double>;
 
 template <class T>
 concept ScalarValue =
@@ -59,8 +58,7 @@ template <class T>
     return count;
 }
 
-// The GLSL type of a C++ type; double and Interval stand for float, since references calculate wider than the
-// shader, or all that it may return.
+// The GLSL type of a C++ type; double stands for float, since references calculate wider than the shader.
 template <class T>
 [[nodiscard]] shader::Type type_of() {
     using shader::Scalar;
@@ -98,7 +96,7 @@ template <class T>
 
 // One scalar to and from its word. bool is 0 or 1; double goes through float.
 template <ScalarValue T>
-requires(!std::same_as<T, numeric::Interval>) [[nodiscard]] Word to_word(T scalar) {
+[[nodiscard]] Word to_word(T scalar) {
     if constexpr (std::same_as<T, bool>) {
         return scalar ? 1U : 0U;
     } else if constexpr (std::same_as<T, double>) {
@@ -114,8 +112,6 @@ template <ScalarValue T>
         return word != 0U;
     } else if constexpr (std::same_as<T, double>) {
         return static_cast<double>(std::bit_cast<float>(word));
-    } else if constexpr (std::same_as<T, numeric::Interval>) {
-        return numeric::Interval::input(std::bit_cast<float>(word));
     } else {
         return std::bit_cast<T>(word);
     }

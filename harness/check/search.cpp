@@ -159,11 +159,11 @@ class Climb {
 
 SearchResult search(const Lab& lab, const Case& check_case, const SearchOptions& options) {
     const KernelCore kernel = lab.kernel(check_case.file, check_case.function, check_case.signature);
-    const Judgement judgement = options.judgement.value_or(judgement_of(lab.options().variant, check_case));
-    SearchResult found{.result = internal::empty_result(check_case, judgement.verdict)};
+    const Verdict verdict = options.verdict.value_or(verdict_of(lab.options().variant, check_case));
+    SearchResult found{.result = internal::empty_result(check_case, verdict)};
     internal::for_each_scenario(
         check_case, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-            const internal::Trial trial(lab, check_case, kernel, scenario, options.seed, judgement);
+            const internal::Trial trial(lab, check_case, kernel, scenario, options.seed, verdict);
             Climb(check_case, trial, scenario.size, options.seed, found).run(share);
         });
     return found;

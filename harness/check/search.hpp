@@ -14,7 +14,7 @@ struct SearchOptions {
     std::size_t inputs = 65'536;  // evaluated in all
     std::uint64_t seed = 1;
     // The error is searched as a fraction of what this allows. Empty: what the lab's variant stands for.
-    std::optional<Judgement> judgement{};
+    std::optional<Verdict> verdict{};
 };
 
 // What a search found of one function.

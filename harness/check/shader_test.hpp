@@ -6,8 +6,9 @@
 //   Kernel<float(float)> f(lab, "my.glsl", "my_function");       f(0.5F) runs it on the device
 //   compare<float(float)>(lab, "my.glsl", "my_function", reference, {uniform(0, 1)}, {.ulp = 1});   judges
 //   many inputs
-//   compare_by_rules<float(float)>(lab, "my.glsl", "my_function", [](auto x) { return 1 / x; }, {uniform(1,
-//   2)}); judges them by what Vulkan permits
+//   check_rules<float(float)>(lab, "my.glsl", "my_function", {uniform(1, 2)});   judges them by what Vulkan
+//   permits: no reference, no tolerance
 #include "check/case.hpp"
 #include "check/describe.hpp"
+#include "check/explain.hpp"
 #include "check/kernel.hpp"

@@ -144,8 +144,10 @@ class Shrinker {
         batch.width = scalars_.size();
         batch.branch.assign(inputs.size(), false);
         for (const Words& words : inputs) batch.words.insert(batch.words.end(), words.begin(), words.end());
-        const Words outputs = scope_.evaluate(batch.words, inputs.size());
-        const Census census = judge(scope_.rules, batch, outputs, scope_.images);
+        const KernelCore::Result result = scope_.evaluate(batch.words, inputs.size());
+        Rules rules = scope_.rules;
+        rules.modules = result.modules;
+        const Census census = judge(rules, batch, result.outputs, scope_.images);
         std::optional<Sample> first;
         for (const auto& sample : census.first_outside) {
             if (sample && (!first || sample->index < first->index)) first = sample;

@@ -8,11 +8,12 @@
 
 #include "check/domain.hpp"
 #include "check/judge.hpp"
+#include "check/kernel_core.hpp"
 
 namespace gloam::check {
 
-// Outputs for `count` inputs, one after the other: a kernel's, usually.
-using Evaluate = std::function<std::vector<Word>(std::span<const Word> inputs, std::size_t count)>;
+// Evaluates `count` inputs: a kernel, usually.
+using Evaluate = std::function<KernelCore::Result(std::span<const Word> inputs, std::size_t count)>;
 
 // What shrinking needs to know of a check, besides its rules.
 struct ShrinkScope {

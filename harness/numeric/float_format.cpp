@@ -24,10 +24,6 @@ int last_place(const FloatFormat& format, double x) {
 
 }  // namespace
 
-double FloatFormat::smallest_normal() const {
-    return std::ldexp(1.0, min_exponent);
-}
-
 double FloatFormat::smallest_subnormal() const {
     return std::ldexp(1.0, min_exponent - (precision - 1));
 }

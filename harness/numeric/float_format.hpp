@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 namespace gloam::numeric {
 
 // A binary floating-point format, by the numbers that its rounding depends on. Values are held in double,
@@ -10,7 +13,9 @@ struct FloatFormat {
     int min_exponent;  // of the smallest normal number, 2^min_exponent
     int max_exponent;  // of the binade of the largest number
 
-    [[nodiscard]] double smallest_normal() const;
+    [[nodiscard]] constexpr double smallest_normal() const {
+        return std::bit_cast<double>(static_cast<std::uint64_t>(double_bias + min_exponent) << double_digits);
+    }
     [[nodiscard]] double smallest_subnormal() const;
     [[nodiscard]] double largest() const;
 
@@ -25,6 +30,10 @@ struct FloatFormat {
     [[nodiscard]] double ulp(double x) const;
 
     friend constexpr bool operator==(const FloatFormat&, const FloatFormat&) = default;
+
+  private:
+    static constexpr int double_bias = 1023;
+    static constexpr int double_digits = 52;
 };
 
 inline constexpr FloatFormat float32{.precision = 24, .min_exponent = -126, .max_exponent = 127};

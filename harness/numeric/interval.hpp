@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 
 #include "numeric/bounds.hpp"
 
@@ -86,6 +87,9 @@ class Interval {
 // Conversion to an integer, towards zero; one of the integers in reach, explored one after the other.
 // Undetermined for NaN and outside int, and when there are more than a few.
 [[nodiscard]] int to_int(const Interval& x);
+[[nodiscard]] unsigned to_uint(const Interval& x);
+// The bits of one of the float32 in reach, explored in the same way; both zeros where zero is.
+[[nodiscard]] std::uint32_t to_bits(const Interval& x);
 
 // Correctly rounded, or inherited from a formula.
 [[nodiscard]] Interval fract(const Interval& x);
@@ -116,6 +120,9 @@ class Interval {
 [[nodiscard]] Interval sinh(const Interval& x);
 [[nodiscard]] Interval cosh(const Interval& x);
 [[nodiscard]] Interval tanh(const Interval& x);
+[[nodiscard]] Interval asinh(const Interval& x);
+[[nodiscard]] Interval acosh(const Interval& x);
+[[nodiscard]] Interval atanh(const Interval& x);
 
 // The results of several algorithms that are all permitted: their union, where a gap between two is not
 // filled but explored.

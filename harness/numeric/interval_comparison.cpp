@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "numeric/constants.hpp"
@@ -23,6 +25,23 @@ bool has_nan(const Interval& a, const Interval& b) {
 
 bool is_nowhere(const Interval& a, const Interval& b) {
     return a.bounds().empty() || b.bounds().empty();
+}
+
+// One of the integers that x is truncated to, all of which must lie between least and most.
+double integer_within(const Interval& x, double least, double most) {
+    const double low = std::trunc(x.low());
+    const double high = std::trunc(x.high());
+    if (x.may_be_nan() || !(low >= least && high <= most) || high - low >= most_integers)
+        throw Paths::Undetermined{};
+    const auto count = static_cast<std::size_t>(high - low) + 1;
+    return low + static_cast<double>(Paths::choose(count));
+}
+
+// Counts float32 values from zero.
+std::int64_t ordinal_of(float x) {
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffU);
+    return (bits >> 31U) != 0 ? -magnitude : magnitude;
 }
 
 }  // namespace
@@ -73,12 +92,26 @@ bool is_finite(const Interval& x) {
 }
 
 int to_int(const Interval& x) {
-    const double low = std::trunc(x.low());
-    const double high = std::trunc(x.high());
-    const bool inside = low >= std::numeric_limits<int>::min() && high <= std::numeric_limits<int>::max();
-    if (x.may_be_nan() || !inside || high - low >= most_integers) throw Paths::Undetermined{};
-    const auto count = static_cast<std::size_t>(high - low) + 1;
-    return static_cast<int>(low) + static_cast<int>(Paths::choose(count));
+    return static_cast<int>(
+        integer_within(x, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+}
+
+unsigned to_uint(const Interval& x) {
+    return static_cast<unsigned>(integer_within(x, 0.0, std::numeric_limits<unsigned>::max()));
+}
+
+std::uint32_t to_bits(const Interval& x) {
+    if (x.may_be_nan() || x.bounds().empty()) throw Paths::Undetermined{};
+    const std::int64_t low = ordinal_of(static_cast<float>(x.low()));
+    const std::int64_t high = ordinal_of(static_cast<float>(x.high()));
+    if (high - low >= most_integers) throw Paths::Undetermined{};
+    const bool has_zero = low <= 0 && high >= 0;
+    const auto count = static_cast<std::size_t>(high - low) + (has_zero ? 2U : 1U);
+    const std::size_t chosen = Paths::choose(count);
+    if (has_zero && chosen + 1 == count) return 0x80000000U;
+    const std::int64_t ordinal = low + static_cast<std::int64_t>(chosen);
+    return ordinal < 0 ? static_cast<std::uint32_t>(-ordinal) | 0x80000000U
+                       : static_cast<std::uint32_t>(ordinal);
 }
 
 }  // namespace gloam::numeric

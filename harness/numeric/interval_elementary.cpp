@@ -199,4 +199,16 @@ Interval tanh(const Interval& x) {
     return sinh(x) / cosh(x);
 }
 
+Interval asinh(const Interval& x) {
+    return log(x + sqrt(x * x + Interval(1.0)));
+}
+
+Interval acosh(const Interval& x) {
+    return log(x + sqrt(x * x - Interval(1.0)));
+}
+
+Interval atanh(const Interval& x) {
+    return log((Interval(1.0) + x) / (Interval(1.0) - x)) * Interval(0.5);
+}
+
 }  // namespace gloam::numeric

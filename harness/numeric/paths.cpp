@@ -46,6 +46,8 @@ Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const
             run();
         } catch (const Undetermined&) {
             return Outcome::undetermined;
+        } catch (const Enough&) {
+            return Outcome::enough;
         }
         if (!paths.advance()) return Outcome::complete;
     }
@@ -65,6 +67,10 @@ std::size_t Paths::choose(std::size_t count) {
 
 const FloatFormat& Paths::format() {
     return current_ == nullptr ? float32 : current_->format_;
+}
+
+void Paths::set_format(const FloatFormat& format) {
+    if (current_ != nullptr) current_->format_ = format;
 }
 
 }  // namespace gloam::numeric

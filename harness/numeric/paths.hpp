@@ -20,8 +20,10 @@ class Paths {
   public:
     // Thrown by run() to say that on this path anything at all is permitted.
     struct Undetermined {};
+    // Thrown by run() to say that no other path is of interest.
+    struct Enough {};
 
-    enum class Outcome { complete, undetermined, too_many };
+    enum class Outcome { complete, enough, undetermined, too_many };
 
     // Calls run() for every path, at most `most` times. `undetermined`: some path ended with Undetermined;
     // `too_many`: there are more paths than `most`. In both cases the runs do not cover what is permitted.
@@ -33,6 +35,9 @@ class Paths {
 
     // The format of the current exploration; float32 outside of one.
     static const FloatFormat& format();
+
+    // The format from here on, until it is set again or the exploration ends: for code that mixes several.
+    static void set_format(const FloatFormat& format);
 
   private:
     struct Choice {

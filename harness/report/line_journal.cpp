@@ -60,9 +60,4 @@ void LineJournal::add(std::string_view line) const {
     if (const int error = base::write_all(file.get(), text)) base::fail_to_write(path_, error);
 }
 
-void LineJournal::remove() const {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove(path_, ignored);
-}
-
 }  // namespace gloam::report

@@ -26,9 +26,6 @@ class LineJournal {
     /// cannot be written.
     void add(std::string_view line) const;
 
-    /// Removes the file: what it kept is kept elsewhere now.
-    void remove() const;
-
   private:
     void take_over(std::string_view text, const std::string& heading);
 

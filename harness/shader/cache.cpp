@@ -27,7 +27,7 @@ internal::Hash key_of(std::string_view kind, const Source& source, const Compile
     fingerprint.add(static_cast<std::uint64_t>(options.stage));
     const Variant& variant = options.variant;
     fingerprint.add(static_cast<std::uint64_t>(variant.optimization));
-    for (const bool step : {variant.strict, variant.relaxed, variant.round_trip})
+    for (const bool step : {variant.strict, variant.relaxed, variant.round_trip, options.lines})
         fingerprint.add(std::uint64_t{step});
     fingerprint.add(source.name);
     fingerprint.add(source.text);
@@ -65,6 +65,7 @@ Spirv SpirvCache::compile(const Source& source, const CompileOptions& options) c
 std::vector<Function> SpirvCache::functions(const Source& source, const CompileOptions& options) const {
     CompileOptions any_variant = options;
     any_variant.variant = {};
+    any_variant.lines = false;
     return stored_or_made(directory_, "functions", source, any_variant, internal::decode,
                           internal::functions_apart);
 }

@@ -35,7 +35,7 @@ Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& 
 
 Spirv compile(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
-    Spirv module = internal::to_spirv(source, options.stage, options.include_roots);
+    Spirv module = internal::to_spirv(source, options.stage, options.include_roots, {.lines = options.lines});
     try {
         return varied(std::move(module), options.stage, source.name, options.variant);
     } catch (const CompileError&) {

@@ -26,7 +26,8 @@ struct CompileOptions {
     // Where #include "a/b.glsl" is looked for, after the includer's own folder. A Source has one when its
     // name is a path with a folder in it.
     std::vector<std::filesystem::path> include_roots;
-    Variant variant;  // what is done to the module after the front end
+    Variant variant;     // what is done to the module after the front end
+    bool lines = false;  // the module says which line of which file each instruction comes from
 };
 
 // The compiler rejected the text; what() has one line per message, each "file:line: message" with the file of

@@ -9,12 +9,11 @@
 #include <functional>
 #include <set>
 
-#include "shader/internal/instructions.hpp"
+#include "shader/instructions.hpp"
 
 namespace gloam::shader {
 namespace {
 
-using internal::Instruction;
 using Id = std::uint32_t;
 
 bool is_float_arithmetic(const Instruction& instruction) {
@@ -91,7 +90,7 @@ Spirv decorate(const Spirv& module, SpvDecoration decoration, const std::vector<
     for (const Instruction& i : instructions) {
         if (!has_typed_result(i) || !wanted(i) || already.contains(i.word(2))) continue;
         const std::array operands{i.word(2), static_cast<std::uint32_t>(decoration)};
-        const Spirv words = internal::instruction(SpvOpDecorate, operands);
+        const Spirv words = instruction(SpvOpDecorate, operands);
         added.insert(added.end(), words.begin(), words.end());
     }
     Spirv result = module;
@@ -103,13 +102,13 @@ Spirv decorate(const Spirv& module, SpvDecoration decoration, const std::vector<
 }  // namespace
 
 Spirv with_no_contraction(const Spirv& module) {
-    return decorate(module, SpvDecorationNoContraction, internal::instructions(module), is_float_arithmetic);
+    return decorate(module, SpvDecorationNoContraction, instructions(module), is_float_arithmetic);
 }
 
 Spirv with_relaxed_precision(const Spirv& module) {
-    const std::vector<Instruction> instructions = internal::instructions(module);
-    const std::set<Id> types = float32_types(instructions);
-    return decorate(module, SpvDecorationRelaxedPrecision, instructions, [&types](const Instruction& i) {
+    const std::vector<Instruction> all = instructions(module);
+    const std::set<Id> types = float32_types(all);
+    return decorate(module, SpvDecorationRelaxedPrecision, all, [&types](const Instruction& i) {
         return types.contains(i.word(1)) && !is_given(i.opcode);
     });
 }

@@ -108,7 +108,8 @@ std::vector<Function> functions(const Source& source, const CompileOptions& opti
     const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
     const std::vector<Declaration> declared = in_order_of_definition(internal::declarations(text));
     const Source whole{source.name, completed(text, declared)};
-    const Spirv module = internal::to_spirv(whole, options.stage, {}, internal::Unreached::kept);
+    const Spirv module =
+        internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
     return listed(internal::signatures(module), declared);
 }
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "shader/internal/instructions.hpp"
+#include "shader/instructions.hpp"
 
 namespace gloam::shader {
 namespace {
@@ -29,7 +29,7 @@ const char* kind_of(std::uint32_t storage) {
 }
 
 // Words hold four characters each, the first in the lowest byte, up to a zero.
-std::string text_at(const internal::Instruction& instruction, std::size_t first) {
+std::string text_at(const Instruction& instruction, std::size_t first) {
     std::string text;
     for (std::size_t i = first; i < instruction.words.size(); ++i) {
         for (unsigned shift = 0; shift < 32; shift += 8) {
@@ -61,10 +61,10 @@ bool takes_pointers(std::uint32_t opcode) {
 struct Module {
     std::map<Id, std::string> names;
     std::map<Id, Id> inside;  // of a pointer or an array, what it is of
-    std::vector<internal::Instruction> variables;
+    std::vector<Instruction> variables;
     std::set<Id> used;
 
-    void add(const internal::Instruction& instruction, bool in_function) {
+    void add(const Instruction& instruction, bool in_function) {
         switch (instruction.opcode) {
             case SpvOpName:
                 names[instruction.word(1)] = text_at(instruction, 2);
@@ -103,13 +103,13 @@ struct Module {
 std::vector<Resource> used_resources(const Spirv& module) {
     Module all;
     bool in_function = false;
-    for (const internal::Instruction& instruction : internal::instructions(module)) {
+    for (const Instruction& instruction : instructions(module)) {
         if (instruction.opcode == SpvOpFunction) in_function = true;
         all.add(instruction, in_function);
         if (instruction.opcode == SpvOpFunctionEnd) in_function = false;
     }
     std::vector<Resource> resources;
-    for (const internal::Instruction& variable : all.variables) {
+    for (const Instruction& variable : all.variables) {
         const char* kind = kind_of(variable.word(3));
         const Id id = variable.word(2);
         if (kind == nullptr || !all.used.contains(id)) continue;

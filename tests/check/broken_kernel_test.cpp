@@ -29,8 +29,8 @@ class BrokenKernelTest : public testing::Test {
             "layout(std430, binding = 2) buffer Faults {{ uint faults[]; }};\n"
             "void main() {{ uint i = gl_GlobalInvocationID.x; if (i >= count) return; {} }}\n",
             body);
-        const shader::Spirv spirv = shader::compile({.name = "broken kernel", .text = text}, {});
-        return {lab.device(), spirv, "broken", 1, 1, {}};
+        shader::Spirv spirv = shader::compile({.name = "broken kernel", .text = text}, {});
+        return {lab.device(), {.spirv = std::move(spirv), .input_words = 1, .output_words = 1}, "broken"};
     }
 
     static KernelCore::Result run(const KernelCore& core) {

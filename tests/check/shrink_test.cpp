@@ -49,7 +49,7 @@ struct Planted {
     [[nodiscard]] ShrinkScope scope() const {
         return {
             .rules = rules, .domain = domain, .images = images, .evaluate = [this](auto inputs, auto count) {
-                return evaluate(inputs, count);
+                return KernelCore::Result{.outputs = evaluate(inputs, count)};
             }};
     }
 

@@ -16,19 +16,21 @@ MAY_INCLUDE = {
     "gpu": {"base"},
     "shader": {"base"},
     "numeric": {"base"},
-    "check": {"base", "gpu", "shader", "numeric"},
+    "interpreter": {"base", "shader", "numeric"},
+    "check": {"base", "gpu", "shader", "numeric", "interpreter"},
     "reference": {"numeric"},
     "catalogue": {"check", "reference", "numeric"},
     "scene": {"base", "gpu", "shader", "numeric"},
     "effect": {"base", "scene", "shader", "gpu", "numeric"},
     "report": {"base", "check", "numeric"},
-    "tools": {"base", "report", "effect", "scene", "catalogue", "check", "gpu", "shader", "numeric"},
+    "tools": {"base", "report", "effect", "scene", "catalogue", "check", "interpreter", "gpu", "shader",
+              "numeric"},
 }
 
 # Libraries that belong to one room, by what their headers are called.
 LIBRARY_HOME = {
     "vulkan": (re.compile(r"(vulkan|vk_\w+\.h)"), "gpu"),
-    "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_.]|StandAlone)"), "shader"),
+    "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_]|StandAlone)"), "shader"),
     "assimp": (re.compile(r"assimp/"), "scene"),
     "embree": (re.compile(r"embree"), "scene"),
     "stb": (re.compile(r"(stb/|stb_)"), "report"),

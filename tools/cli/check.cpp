@@ -13,6 +13,7 @@
 #include "catalogue/catalogue.hpp"
 #include "cli/check/check_journal.hpp"
 #include "cli/check/failure_folders.hpp"
+#include "cli/check/own_file.hpp"
 #include "cli/check/run_device.hpp"
 #include "cli/check/shard.hpp"
 #include "cli/check/worker.hpp"
@@ -80,11 +81,25 @@ std::string command_for(const CheckOptions& options, const report::DeviceSummary
     return options.validation ? command + " --validation" : command;
 }
 
+bool is_of_file(const CheckOptions& options) {
+    return !options.equations.empty() && is_shader_file(options.equations.front());
+}
+
 void print_failure(const CheckOptions& options, const report::DeviceSummary& device,
                    const report::CheckRow& row) {
-    fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
-    if (row.variant.empty()) return;  // the device itself
+    const std::string& what = is_of_file(options) ? row.function : row.equation;
+    fmt::print("\n{} {}: {}\n", what, row.variant, row.ran() ? row.story : row.error);
+    if (row.variant.empty() || is_of_file(options)) return;  // the device itself, or no equation
     fmt::print("run it again: {}\n", command_for(options, device, row));
+}
+
+std::chrono::milliseconds timeout_of(const CheckOptions& options) {
+    return std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
+}
+
+// Where the rows are kept while the check runs; empty without a file for the results.
+std::filesystem::path journal_of(const CheckOptions& options) {
+    return options.json.empty() ? "" : options.json.string() + ".journal";
 }
 
 // Prints rows as they come, keeps them in the journal, and shows how far the run is.
@@ -93,7 +108,7 @@ class CheckRun {
     CheckRun(const CheckOptions& options, std::size_t devices)
         : options_(options),
           tasks_(tasks_of(options)),
-          journal_(options.json.empty() ? "" : options.json.string() + ".journal",
+          journal_(journal_of(options),
                    {.versions = versions(),
                     .inputs = options.inputs,
                     .seed = options.seed,
@@ -103,7 +118,7 @@ class CheckRun {
           progress_("checks", tasks_.size() * devices, options.progress) {}
 
     report::CheckReport on_device(const std::string& device) {
-        const auto timeout = std::chrono::milliseconds(std::max(1L, std::lround(options_.timeout * 1000.0)));
+        const auto timeout = timeout_of(options_);
         DeviceRun run{.checker = {.device = device, .validation = options_.validation, .timeout = timeout},
                       .tasks = tasks_,
                       .timeout = timeout,
@@ -129,9 +144,6 @@ class CheckRun {
             return report;
         }
     }
-
-    // The results are kept elsewhere now.
-    void end() { journal_.remove(); }
 
   private:
     // A failure is run again where it is to be made ready to report.
@@ -183,16 +195,51 @@ std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& opti
     return reports;
 }
 
+// The functions of a shader file, by the rules alone.
+report::CheckReport report_of_file(const CheckOptions& options, const std::string& device) {
+    OwnFileRun run{.file = options.equations.front(),
+                   .functions = {options.equations.begin() + 1, options.equations.end()},
+                   .ranges = options.ranges,
+                   .device = device,
+                   .variants = select_variants(options.variant),
+                   .inputs = options.inputs,
+                   .seed = options.seed,
+                   .validation = options.validation,
+                   .timeout = timeout_of(options)};
+    if (options.rows) {
+        run.on_device = print_device;
+        run.on_row = print_row;
+    }
+    return check_own_file(run);
+}
+
+std::vector<report::CheckReport> reports_of_file(const CheckOptions& options) {
+    if (options.resume) throw std::invalid_argument("--resume is for equations, not for a shader file");
+    if (!options.failures.empty())
+        throw std::invalid_argument("--failures is for equations, not for a shader file");
+    std::vector<report::CheckReport> reports;
+    for (const std::string& device : devices_to_check(options.device))
+        reports.push_back(report_of_file(options, device));
+    return reports;
+}
+
+std::vector<report::CheckReport> reports_of_equations(const CheckOptions& options) {
+    if (!options.ranges.empty()) throw std::invalid_argument("--range is for the functions of a shader file");
+    std::vector<report::CheckReport> reports = reports_of_bad_drivers(options, tasks_of(options).size());
+    const std::vector<std::string> devices = devices_to_check(options.device);
+    CheckRun run(options, devices.size());
+    for (const std::string& device : devices) reports.push_back(run.on_device(device));
+    return reports;
+}
+
 }  // namespace
 
 CheckOutcome check(const CheckOptions& options) {
     const report::OutputFile json(options.json);
     const report::OutputFile junit(options.junit);
     const report::OutputFile html(options.html);
-    CheckOutcome outcome{.reports = reports_of_bad_drivers(options, tasks_of(options).size())};
-    const std::vector<std::string> devices = devices_to_check(options.device);
-    CheckRun run(options, devices.size());
-    for (const std::string& device : devices) outcome.reports.push_back(run.on_device(device));
+    CheckOutcome outcome{.reports =
+                             is_of_file(options) ? reports_of_file(options) : reports_of_equations(options)};
     for (report::CheckReport& report : outcome.reports) {
         report.versions = versions();
         outcome.checks += report.rows.size();
@@ -201,7 +248,8 @@ CheckOutcome check(const CheckOptions& options) {
     json.write(report::to_json(outcome.reports));
     junit.write(report::to_junit(outcome.reports));
     html.write(report::to_check_page(outcome.reports));
-    run.end();
+    if (!options.json.empty())
+        std::filesystem::remove(journal_of(options));  // the results are kept elsewhere now
     return outcome;
 }
 
@@ -243,7 +291,11 @@ void add_check(CLI::App& app, int& status) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* command =
         app.add_subcommand("check", "run equations on a Vulkan device and judge every result");
-    command->add_option("equation", options->equations, "IDs, functions or globs (all when none is given)");
+    command->add_option(
+        "equation", options->equations,
+        "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions");
+    command->add_option("--range", options->ranges,
+                        "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
     command->add_option("--device", options->device, "name or index of the device, or all");
     command
         ->add_option("--variant", options->variant,

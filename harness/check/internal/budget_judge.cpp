@@ -103,7 +103,7 @@ Error BudgetJudge::best_error(const Sample& sample) {
         if (error.fraction < best.fraction) best = error;
         return best.fraction <= 1.0;
     };
-    if (best.fraction <= 1.0 || try_at(flushed(sample.inputs))) return best;
+    if (best.fraction <= 1.0 || !rules_.reference || try_at(flushed(sample.inputs))) return best;
     for (int steps = 1; steps <= rules_.budget.backward_ulp; ++steps) {
         if (try_moved(sample.inputs, steps, try_at)) break;
     }

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "check/internal/rules_judge.hpp"
-#include "numeric/constants.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
+
+#include "numeric/constants.hpp"
 
 namespace gloam::check::internal {
 namespace {
@@ -16,23 +12,13 @@ using numeric::infinity;
 
 }  // namespace
 
-RulesJudge::RulesJudge(const Rules& rules, const ImageSet& images, const Scalars& scalars)
-    : rules_(rules), images_(images), scalars_(scalars) {
-    if (!rules.permitted) {
-        throw std::invalid_argument(
-            "cannot be judged by Vulkan's rules: expected a reference that takes intervals, this one takes "
-            "double only");
-    }
-    permitted_.width = scalars.outputs.size();
+bool RulesJudge::permits(const Sample& sample) {
+    const InputRow input{sample.index, sample.inputs};
+    return interpretation_.is_exact(input, sample.got) || interpretation_.is_permitted(input, sample.got);
 }
 
 bool RulesJudge::measure(Sample& sample) {
-    rules_.permitted(rules_.format, images_, sample.inputs, permitted_);
-    if (!permitted_.anything && permitted_.outcomes.size() % permitted_.width != 0) {
-        throw std::logic_error(
-            fmt::format("the intervals gave {} output bounds, the signature has {} outputs",
-                        permitted_.outcomes.size(), permitted_.width));
-    }
+    interpretation_.all_permitted({sample.index, sample.inputs}, permitted_);
     sample.permitted = hull_of(permitted_);
     sample.fraction = permitted_.anything ? 0.0 : infinity;
     for (std::size_t i = 0; !permitted_.anything && i < permitted_.count(); ++i) {

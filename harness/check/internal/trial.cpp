@@ -21,7 +21,7 @@ bool same_bits(const std::vector<shader::Scalar>& scalars, std::span<const Word>
 }  // namespace
 
 Trial::Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, const ImageScenario& scenario,
-             std::uint64_t seed, const Judgement& judgement)
+             std::uint64_t seed, Verdict verdict)
     : lab_(lab),
       kernel_(kernel),
       scenario_(scenario),
@@ -32,11 +32,9 @@ Trial::Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, c
              .budget = check_case.budget,
              .codomain = check_case.codomain,
              .promised = check_case.promised,
-             .judge_edges = !check_case.only_rules && judgement.format == numeric::float32,
+             .judge_edges = !check_case.only_rules && !lab.options().variant.relaxed,
              .judge_nan = lab.device().info().float32.preserves_signed_zero_inf_nan,
-             .verdict = judgement.verdict,
-             .permitted = check_case.permitted,
-             .format = judgement.format} {}
+             .verdict = verdict} {}
 
 KernelCore::Result Trial::run(const Domain::Inputs& inputs, Result& result) const {
     if (inputs.width != kernel_.input_words()) {
@@ -51,7 +49,9 @@ KernelCore::Result Trial::run(const Domain::Inputs& inputs, Result& result) cons
 
 void Trial::evaluate(const Domain::Inputs& inputs, Result& result, std::span<double> fractions) const {
     const KernelCore::Result outputs = run(inputs, result);
-    result.census.merge(judge(rules_, inputs, outputs.outputs, images_, scenario_.name, fractions));
+    Rules rules = rules_;
+    rules.modules = outputs.modules;
+    result.census.merge(judge(rules, inputs, outputs.outputs, images_, scenario_.name, fractions));
 }
 
 void Trial::compare_constants(const Domain::Inputs& inputs, const ConstantKernel& constants,
@@ -61,6 +61,7 @@ void Trial::compare_constants(const Domain::Inputs& inputs, const ConstantKernel
     lab_.require_silent_validation();
     Rules rules = rules_;
     rules.judge_nan = rules.judge_nan && constants.preserves_nan();
+    rules.modules = folded.modules;
     result.census.merge(judge(rules, inputs, folded.outputs, images_, scenario_.name));
     const std::size_t width = kernel_.output_words();
     const std::vector<shader::Scalar> scalars = rules_.signature.output_scalars();
@@ -75,12 +76,6 @@ void Trial::compare_constants(const Domain::Inputs& inputs, const ConstantKernel
 ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {
     numeric::Random random(seed ^ numeric::hash_of(scenario.name));
     return scenario.make ? scenario.make(scenario.size, random) : ImageSet{};
-}
-
-Judgement judgement_of(const Lab& lab, const Case& check_case, const RunOptions& options) {
-    const Judgement usual = check::judgement_of(lab.options().variant, check_case);
-    return {check_case.only_rules ? Verdict::rules : options.verdict.value_or(usual.verdict),
-            options.format.value_or(usual.format)};
 }
 
 void for_each_scenario(const Case& check_case, std::size_t inputs,

@@ -13,7 +13,7 @@ class Trial {
   public:
     // `seed` makes the images.
     Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, const ImageScenario& scenario,
-          std::uint64_t seed, const Judgement& judgement);
+          std::uint64_t seed, Verdict verdict);
 
     // Evaluates and judges the inputs, and adds what it found to the result; see judge() for `fractions`.
     void evaluate(const Domain::Inputs& inputs, Result& result, std::span<double> fractions = {}) const;
@@ -47,9 +47,6 @@ void for_each_scenario(const Case& check_case, std::size_t inputs,
 
 // The images of a scenario in a run with that seed; none for a scenario without.
 [[nodiscard]] ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed);
-
-// What a run is held against: what the options ask for, else what the lab's variant stands for.
-[[nodiscard]] Judgement judgement_of(const Lab& lab, const Case& check_case, const RunOptions& options);
 
 // A result without inputs.
 [[nodiscard]] Result empty_result(const Case& check_case, Verdict verdict);

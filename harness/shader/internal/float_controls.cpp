@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "shader/internal/instructions.hpp"
+#include "shader/instructions.hpp"
 
 namespace gloam::shader::internal {
 namespace {

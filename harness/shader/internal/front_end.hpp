@@ -63,9 +63,13 @@ class Parse {
 [[nodiscard]] std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client client,
                                        glslang::TShader::Includer& includer);
 
+struct Translation {
+    Unreached unreached = Unreached::dropped;
+    bool lines = false;  // see CompileOptions
+};
+
 // The text for Vulkan as glslang translates it: no optimisation, not validated. Throws CompileError.
 [[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
-                             const std::vector<std::filesystem::path>& roots,
-                             Unreached unreached = Unreached::dropped);
+                             const std::vector<std::filesystem::path>& roots, const Translation& how = {});
 
 }  // namespace gloam::shader::internal

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "shader/internal/instructions.hpp"
+#include "shader/instructions.hpp"
 
 namespace gloam::shader::internal {
 namespace {

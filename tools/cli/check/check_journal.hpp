@@ -36,8 +36,6 @@ class CheckJournal {
     // Keeps a row, unless it is known: true then. Throws std::runtime_error when it cannot be written.
     bool add(const report::DeviceSummary& device, const report::CheckRow& row) const;
 
-    void remove() const { file_.remove(); }
-
   private:
     using Key = std::tuple<std::string, std::string, std::string>;  // device, equation, variant
 

@@ -53,7 +53,10 @@ const catalogue::Entry& Checker::entry(const std::string& id) const {
 }
 
 report::DeviceSummary Checker::device() const {
-    const gpu::DeviceInfo& info = lab_->device().info();
+    return summary_of(lab_->device().info());
+}
+
+report::DeviceSummary summary_of(const gpu::DeviceInfo& info) {
     return {.name = base::one_line(info.name),
             .driver = base::one_line(info.driver),
             .type = info.type,

@@ -9,6 +9,7 @@
 #include "catalogue/catalogue.hpp"
 #include "cli/check/hand_over.hpp"
 #include "cli/check/task.hpp"
+#include "gpu/device.hpp"
 #include "report/check_report.hpp"
 
 namespace gloam::cli {
@@ -19,6 +20,9 @@ struct CheckerOptions {
     bool validation = false;
     std::chrono::milliseconds timeout{60'000};  // longest wait for one submission
 };
+
+// A device as reports show it.
+[[nodiscard]] report::DeviceSummary summary_of(const gpu::DeviceInfo& info);
 
 // Runs checks in this process.
 class Checker {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "shader/internal/instructions.hpp"
+#include "shader/instructions.hpp"
 
 #include <stdexcept>
 #include <string>
 
-namespace gloam::shader::internal {
+namespace gloam::shader {
 namespace {
 
 constexpr std::uint32_t magic = 0x07230203u;
@@ -48,4 +48,4 @@ Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands)
     return words;
 }
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::shader

@@ -9,7 +9,7 @@
 
 #include "shader/compile.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::shader {
 
 // An instruction of a module, which must live longer.
 struct Instruction {
@@ -33,4 +33,4 @@ struct Instruction {
 // The words of an instruction: its first one is made of the opcode and the length.
 [[nodiscard]] Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands);
 
-}  // namespace gloam::shader::internal
+}  // namespace gloam::shader

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "check/internal/interpretation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/internal/budget_judge.hpp"
+#include "interpreter/error.hpp"
+#include "numeric/paths.hpp"
+
+namespace gloam::check::internal {
+namespace {
+
+using shader::Scalar;
+
+// Of one input on all its paths. Beyond it anything counts as permitted.
+constexpr std::uint64_t most_path_steps = 4'000'000;
+
+numeric::Bounds bounds_of(const numeric::Interval& x) {
+    return x.bounds();
+}
+numeric::Bounds bounds_of(const numeric::Rearranged& x) {
+    return x.interval().bounds();
+}
+
+// One NaN is as good as another.
+bool is_same(Scalar scalar, Word a, Word b) {
+    return a == b ||
+           (scalar == Scalar::float_ && std::isnan(from_word<float>(a)) && std::isnan(from_word<float>(b)));
+}
+
+}  // namespace
+
+Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
+    for (const auto& module : modules) {
+        parts_.push_back({.module = *module,
+                          .program = interpreter::Program(module->spirv, module->constants),
+                          .images = image_words(module->images, images, "the kernel")});
+    }
+}
+
+Interpretation::Place Interpretation::place_of(std::size_t index) const {
+    const std::vector<Decoded::Part>& parts = decoded_.parts();
+    if (parts.size() == 1) return {0, parts.front().module.fixed_inputs == 0 ? 0 : index};
+    std::size_t part = 0;
+    while (index >= parts.at(part).module.fixed_inputs) index -= parts[part++].module.fixed_inputs;
+    return {part, index};
+}
+
+template <class N>
+InterpretedKernel<N>& Interpretation::kernel(std::size_t part, std::unique_ptr<InterpretedKernel<N>>& made) {
+    const Decoded::Part& from = decoded_.parts()[part];
+    if (!made) made = std::make_unique<InterpretedKernel<N>>(from.program, from.module, from.images);
+    return *made;
+}
+
+bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) {
+    const Place at = place_of(input.index);
+    InterpretedKernel<float>& floats = kernel(at.part, parts_[at.part].floats);
+    try {
+        floats.run(input.words, at.index);
+    } catch (const interpreter::Error&) {
+        return false;  // undefined: a device may do anything
+    }
+    for (std::size_t w = 0; w < got.size(); ++w)
+        if (!is_same(outputs_[w], got[w], floats.output(w).bits())) return false;
+    return true;
+}
+
+void Interpretation::calculate(const InputRow& input, std::vector<double>& outputs) {
+    const Place at = place_of(input.index);
+    InterpretedKernel<double>& doubles = kernel(at.part, parts_[at.part].doubles);
+    outputs.clear();
+    doubles.run(input.words, at.index);
+    for (std::size_t w = 0; w < outputs_.size(); ++w) {
+        const auto value = doubles.output(w);
+        outputs.push_back(outputs_[w] == Scalar::float_ ? value.number()
+                                                        : as_number(outputs_[w], value.bits()));
+    }
+}
+
+bool Interpretation::holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const {
+    for (std::size_t w = 0; w < got.size(); ++w)
+        if (!outcome[w].contains(as_number(outputs_[w], got[w]))) return false;
+    return true;
+}
+
+// All paths, or those up to the first that gives `until`.
+template <class N>
+void Interpretation::explore(InterpretedKernel<N>& kernel, const InputRow& input, std::size_t index,
+                             std::span<const Word> until, Permitted& permitted) {
+    permitted.width = outputs_.size();
+    permitted.outcomes.clear();
+    const std::uint64_t before = kernel.machine().steps();
+    const auto run = [&] {
+        try {
+            kernel.machine().set_limit(most_path_steps -
+                                       std::min(most_path_steps, kernel.machine().steps() - before));
+            kernel.run(input.words, index);
+            for (std::size_t w = 0; w < outputs_.size(); ++w) {
+                const auto value = kernel.output(w);
+                permitted.outcomes.push_back(outputs_[w] == Scalar::float_ ? bounds_of(value.number())
+                                                                           : numeric::Bounds::point(as_number(
+                                                                                 outputs_[w], value.bits())));
+            }
+        } catch (const interpreter::Error&) {
+            throw numeric::Paths::Undetermined{};
+        }
+        if (!until.empty() && holds(permitted.outcome(permitted.count() - 1), until))
+            throw numeric::Paths::Enough{};
+    };
+    const auto outcome = numeric::Paths::explore(numeric::float32, most_paths, run);
+    permitted.anything =
+        outcome == numeric::Paths::Outcome::undetermined || outcome == numeric::Paths::Outcome::too_many;
+    steps_ += kernel.machine().steps() - before;
+}
+
+bool Interpretation::is_permitted(const InputRow& input, std::span<const Word> got) {
+    if (got.empty()) return true;
+    const Place at = place_of(input.index);
+    const auto permits = [&](auto& kernel_of_type) {
+        explore(kernel_of_type, input, at.index, got, found_);
+        return found_.anything || holds(found_.outcome(found_.count() - 1), got);
+    };
+    if (permits(kernel(at.part, parts_[at.part].intervals))) return true;
+    return decoded_.parts()[at.part].program.may_be_rearranged() &&
+           permits(kernel(at.part, parts_[at.part].rearranged));
+}
+
+void Interpretation::all_permitted(const InputRow& input, Permitted& permitted) {
+    const Place at = place_of(input.index);
+    if (decoded_.parts()[at.part].program.may_be_rearranged()) {
+        explore(kernel(at.part, parts_[at.part].rearranged), input, at.index, {}, permitted);
+    } else {
+        explore(kernel(at.part, parts_[at.part].intervals), input, at.index, {}, permitted);
+    }
+}
+
+}  // namespace gloam::check::internal

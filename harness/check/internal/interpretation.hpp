@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "check/interpreted_kernel.hpp"
+#include "check/permitted.hpp"
+
+namespace gloam::check::internal {
+
+// The modules of a run, decoded once for all threads that judge it.
+class Decoded {
+  public:
+    // The modules and the images must live longer.
+    Decoded(const KernelModules& modules, const ImageSet& images);
+
+    struct Part {
+        const KernelModule& module;
+        interpreter::Program program;
+        std::vector<std::vector<Word>> images;
+    };
+    [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+
+  private:
+    std::vector<Part> parts_;
+};
+
+// The input of a run, by its position and its words.
+struct InputRow {
+    std::size_t index = 0;
+    std::span<const Word> words;
+};
+
+// What the modules of a run make of an input on each number type, for one thread.
+class Interpretation {
+  public:
+    Interpretation(const Decoded& decoded, const std::vector<shader::Scalar>& outputs)
+        : decoded_(decoded), outputs_(outputs), parts_(decoded.parts().size()) {}
+
+    // Whether the outputs are, to the bit, what correctly rounded arithmetic gives (one NaN is as good as
+    // another). Vulkan permits that much whatever the module is.
+    [[nodiscard]] bool is_exact(const InputRow& input, std::span<const Word> got);
+
+    // The outputs in double.
+    void calculate(const InputRow& input, std::vector<double>& outputs);
+
+    // Whether some legal evaluation gives these outputs. Cheaper than all_permitted(): it ends with the first
+    // path that does, and asks for rearranged sums only where the order of the module does not.
+    [[nodiscard]] bool is_permitted(const InputRow& input, std::span<const Word> got);
+
+    // Everything that Vulkan permits.
+    void all_permitted(const InputRow& input, Permitted& permitted);
+
+    // Instructions that were interpreted on intervals.
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+  private:
+    struct Part {
+        std::unique_ptr<InterpretedKernel<float>> floats;
+        std::unique_ptr<InterpretedKernel<double>> doubles;
+        std::unique_ptr<InterpretedKernel<numeric::Interval>> intervals;
+        std::unique_ptr<InterpretedKernel<numeric::Rearranged>> rearranged;
+    };
+    struct Place {
+        std::size_t part;
+        std::size_t index;
+    };
+
+    [[nodiscard]] Place place_of(std::size_t index) const;
+    template <class N>
+    [[nodiscard]] InterpretedKernel<N>& kernel(std::size_t part, std::unique_ptr<InterpretedKernel<N>>& made);
+    template <class N>
+    void explore(InterpretedKernel<N>& kernel, const InputRow& input, std::size_t index,
+                 std::span<const Word> until, Permitted& permitted);
+    [[nodiscard]] bool holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const;
+
+    const Decoded& decoded_;
+    const std::vector<shader::Scalar>& outputs_;
+    std::vector<Part> parts_;
+    Permitted found_;
+    std::uint64_t steps_ = 0;
+};
+
+}  // namespace gloam::check::internal

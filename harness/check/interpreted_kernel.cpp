@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "check/interpreted_kernel.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace gloam::check {
+namespace {
+
+const Image& find_image(const ImageSet& images, const ImagePrototype& prototype, const std::string& kernel) {
+    const auto found = images.find(prototype.name);
+    if (found == images.end()) {
+        throw std::invalid_argument(
+            fmt::format("{}: no image serves the prototype {}", kernel, prototype.name));
+    }
+    const Image& image = found->second;
+    const std::size_t pixels =
+        static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
+    if (!(image.element == prototype.element)) {
+        throw std::invalid_argument(fmt::format("{}: the image of {} has {} pixels, the prototype {}", kernel,
+                                                prototype.name, shader::to_glsl(image.element),
+                                                shader::to_glsl(prototype.element)));
+    }
+    if (image.size.x < 1 || image.size.y < 1 ||
+        image.words.size() != pixels * scalars_of(image.element).size()) {
+        throw std::invalid_argument(
+            fmt::format("{}: the image of {} is {} x {} with {} words, which disagree", kernel,
+                        prototype.name, image.size.x, image.size.y, image.words.size()));
+    }
+    return image;
+}
+
+std::vector<Word> words_of(const Image& image) {
+    std::vector<Word> words{static_cast<Word>(image.size.x), static_cast<Word>(image.size.y),
+                            image.border == Border::clamp ? 1U : 0U};
+    words.insert(words.end(), image.words.begin(), image.words.end());
+    return words;
+}
+
+}  // namespace
+
+std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& prototypes,
+                                           const ImageSet& images, const std::string& kernel) {
+    std::vector<std::vector<Word>> all;
+    for (const ImagePrototype& prototype : prototypes)
+        all.push_back(words_of(find_image(images, prototype, kernel)));
+    return all;
+}
+
+}  // namespace gloam::check

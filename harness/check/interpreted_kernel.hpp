@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "check/image.hpp"
+#include "check/kernel_module.hpp"
+#include "interpreter/machine.hpp"
+
+namespace gloam::check {
+
+// The words of each of the kernel's images, as its buffers hold them. Throws std::invalid_argument when a
+// prototype has no image or one of another type.
+[[nodiscard]] std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& prototypes,
+                                                         const ImageSet& images, const std::string& kernel);
+
+// A kernel that the interpreter runs, one input at a time, on one number type (interpreter/number.hpp). Not
+// to be shared by threads.
+template <class Number>
+class InterpretedKernel {
+  public:
+    // `module` and `images` (image_words()) must live longer.
+    InterpretedKernel(const interpreter::Program& program, const KernelModule& module,
+                      const std::vector<std::vector<Word>>& images)
+        : machine_(program),
+          row_(module.output_words + 1),
+          run_{.count = static_cast<Word>(std::max<std::size_t>(module.fixed_inputs, 1)),
+               .row_length = kernel_group_size},
+          outputs_(row_ * run_.count) {
+        machine_.bind(0, KernelBinding::outputs, outputs_);
+        machine_.bind(0, KernelBinding::faults, faults_);
+        push_ = {run_.count, run_.row_length, run_.canary};
+        machine_.bind_push_constants(push_);
+        for (std::size_t i = 0; i < images.size(); ++i)
+            machine_.bind(0, KernelBinding::first_image + static_cast<unsigned>(i), images[i]);
+    }
+
+    InterpretedKernel(const InterpretedKernel&) = delete;  // the machine is bound to its buffers
+    InterpretedKernel& operator=(const InterpretedKernel&) = delete;
+
+    // `index`: of an input that is in the module as a constant. Throws interpreter::Error.
+    void run(std::span<const Word> inputs, std::size_t index = 0) {
+        first_ = index * row_;
+        machine_.bind(0, KernelBinding::inputs, inputs);
+        machine_.set_invocation({static_cast<std::uint32_t>(index), 0, 0});
+        machine_.run();
+    }
+    // The same for input 0, and tells of every instruction that gives a value.
+    void run(std::span<const Word> inputs,
+             const std::function<void(const interpreter::Step<Number>&)>& tell) {
+        first_ = 0;
+        machine_.bind(0, KernelBinding::inputs, inputs);
+        machine_.set_invocation({0, 0, 0});
+        machine_.run(tell);
+    }
+
+    [[nodiscard]] interpreter::Value<Number> output(std::size_t word) const {
+        return machine_.read(0, KernelBinding::outputs, first_ + word);
+    }
+    // Whether it reached outside an image.
+    [[nodiscard]] bool faulted() const { return machine_.read(0, KernelBinding::faults, 0).bits() != 0; }
+
+    [[nodiscard]] interpreter::Machine<Number>& machine() { return machine_; }
+
+  private:
+    interpreter::Machine<Number> machine_;
+    std::size_t row_;
+    KernelRun run_;
+    std::vector<Word> outputs_;
+    std::array<Word, sizeof(KernelFaults) / sizeof(Word)> faults_{};
+    std::array<Word, 3> push_{};
+    std::size_t first_ = 0;
+};
+
+}  // namespace gloam::check

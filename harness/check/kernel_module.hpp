@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "check/kernel_code.hpp"
+#include "interpreter/program.hpp"
+#include "shader/compile.hpp"
+
+namespace gloam::check {
+
+// A compiled kernel, as a driver or the interpreter is given it.
+struct KernelModule {
+    shader::Spirv spirv;  // follows the interface of kernel_code()
+    std::vector<interpreter::Constant> constants;
+    std::size_t input_words = 0;
+    std::size_t output_words = 0;
+    std::vector<ImagePrototype> images;
+    std::size_t fixed_inputs = 0;  // that are in it as constants; 0: they come from memory
+};
+
+// The modules that evaluated a run's inputs, one after the other: all inputs where there is one, else each
+// its fixed_inputs.
+using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
+
+}  // namespace gloam::check

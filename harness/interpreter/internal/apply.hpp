@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+#include "interpreter/internal/scalars.hpp"
+#include "interpreter/number.hpp"
+#include "numeric/paths.hpp"
+
+namespace gloam::interpreter::internal {
+
+// A number of any of the types as one that the functions take: what may be rearranged as a whole.
+template <class N>
+[[nodiscard]] const N& settled(const N& x) {
+    return x;
+}
+[[nodiscard]] inline numeric::Interval settled(const numeric::Rearranged& x) {
+    return x.interval();
+}
+
+// apply(f, x...): a function object that takes any of float, double and Interval, on a number type.
+template <class F, class N, class... More>
+[[nodiscard]] auto apply(const F& f, const N& x, const More&... more) {
+    return f(x, more...);
+}
+
+// What a function gives whose result is a number, on all that is known of its operands.
+template <class F, class... More>
+[[nodiscard]] auto apply(const F& f, const Explained& x, const More&... more) {
+    using Result = decltype(f(x.value, more.value...));
+    if constexpr (std::is_same_v<Result, float>) {
+        Explained result;
+        result.value = f(x.value, more.value...);
+        result.exact = f(x.exact, more.exact...);
+        const double reached = f(static_cast<double>(x.value), static_cast<double>(more.value)...);
+        result.local = static_cast<double>(result.value) - reached;
+        result.permitted = f(x.permitted, more.permitted...);
+        return result;
+    } else {
+        return f(x.value, more.value...);
+    }
+}
+
+template <class F, class... More>
+[[nodiscard]] auto apply(const F& f, const numeric::Rearranged& x, const More&... more) {
+    const auto result = f(settled(x), settled(more)...);
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(result)>, numeric::Interval>) {
+        return numeric::Rearranged(result);
+    } else {
+        return result;
+    }
+}
+
+// The same for a function that also takes integers.
+template <class F>
+[[nodiscard]] float apply_with(const F& f, float x, int i) {
+    return f(x, i);
+}
+
+// A number that the module holds.
+template <class N>
+[[nodiscard]] N constant(double x) {
+    return N(x);
+}
+template <>
+[[nodiscard]] inline numeric::Rearranged constant(double x) {
+    return numeric::Rearranged(numeric::Interval(x));
+}
+template <>
+[[nodiscard]] inline Explained constant(double x) {
+    return {.value = static_cast<float>(x), .exact = x, .local = 0.0, .permitted = numeric::Interval(x)};
+}
+
+// What a half-precision operation may make of a number: on intervals it may have the precision of float16.
+template <class N>
+[[nodiscard]] N relaxed(const N& x) {
+    return x;
+}
+[[nodiscard]] inline numeric::Interval relaxed(const numeric::Interval& x) {
+    return numeric::enclose(x.bounds());
+}
+[[nodiscard]] inline numeric::Rearranged relaxed(const numeric::Rearranged& x) {
+    return numeric::Rearranged(numeric::enclose(x.interval().bounds()));
+}
+[[nodiscard]] inline Explained relaxed(const Explained& x) {
+    Explained result = x;
+    result.permitted = numeric::enclose(x.permitted.bounds());
+    return result;
+}
+
+}  // namespace gloam::interpreter::internal

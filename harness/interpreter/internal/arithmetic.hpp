@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "interpreter/internal/opcodes.hpp"
+
+#include <cmath>
+
+#include "interpreter/internal/functions.hpp"
+#include "interpreter/internal/state.hpp"
+
+// Floats: operations on each component alone.
+namespace gloam::interpreter::internal {
+
+template <class N, class F>
+void unary(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, apply(F{}, s.number(i, i.a + k)));
+}
+
+template <class N, class F>
+void binary(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, apply(F{}, s.number(i, i.a + k), s.number(i, i.b + k)));
+}
+
+template <class N, class F>
+void ternary(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, apply(F{}, s.number(i, i.a + k), s.number(i, i.b + k), s.number(i, i.c + k)));
+}
+
+// An operation that NoContraction is about: without it, it may be rearranged together with others.
+template <class F, class N, class... More>
+[[nodiscard]] N contracted(const Instruction& i, const N& x, const More&... more) {
+    if constexpr (std::is_same_v<N, numeric::Rearranged>) {
+        if ((i.flags & flags::no_contraction) == 0) return F{}(x, more...);
+    }
+    return apply(F{}, x, more...);
+}
+
+template <class N, class F>
+void arithmetic(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, contracted<F>(i, s.number(i, i.a + k), s.number(i, i.b + k * i.stride)));
+}
+
+template <class N>
+void negate(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, contracted<Negate>(i, s.number(i, i.a + k)));
+}
+
+template <class N>
+[[nodiscard]] Handler<N> arithmetic_handler(std::uint16_t opcode) {
+    switch (opcode) {
+        case SpvOpFNegate:
+            return negate<N>;
+        case SpvOpFAdd:
+            return arithmetic<N, Add>;
+        case SpvOpFSub:
+            return arithmetic<N, Subtract>;
+        case SpvOpVectorTimesScalar:
+        case SpvOpMatrixTimesScalar:
+        case SpvOpFMul:
+            return arithmetic<N, Multiply>;
+        case SpvOpFDiv:
+            return arithmetic<N, Divide>;
+        case SpvOpFRem:
+            return binary<N, Remainder>;
+        case SpvOpFMod:
+            return binary<N, Mod>;
+        case SpvOpFConvert:
+            return unary<N, Identity>;
+        case SpvOpQuantizeToF16:
+            return unary<N, QuantizeToHalf>;
+        case SpvOpConvertFToS:
+            return unary<N, ToInt>;
+        case SpvOpConvertFToU:
+            return unary<N, ToUint>;
+        case SpvOpIsNan:
+            return unary<N, IsNan>;
+        case SpvOpIsInf:
+            return unary<N, IsInfinite>;
+        default:
+            return nullptr;
+    }
+}
+
+template <class N>
+[[nodiscard]] Handler<N> comparison_handler(std::uint16_t opcode) {
+    switch (opcode) {
+        case SpvOpFOrdEqual:
+            return binary<N, Equal>;
+        case SpvOpFUnordNotEqual:
+            return binary<N, Reversed<Equal>>;
+        case SpvOpFOrdNotEqual:
+            return binary<N, Either<Less, Exchanged<Less>>>;
+        case SpvOpFUnordEqual:
+            return binary<N, Reversed<Either<Less, Exchanged<Less>>>>;
+        case SpvOpFOrdLessThan:
+            return binary<N, Less>;
+        case SpvOpFOrdGreaterThan:
+            return binary<N, Exchanged<Less>>;
+        case SpvOpFOrdLessThanEqual:
+            return binary<N, LessEqual>;
+        case SpvOpFOrdGreaterThanEqual:
+            return binary<N, Exchanged<LessEqual>>;
+        case SpvOpFUnordLessThan:
+            return binary<N, Reversed<Exchanged<LessEqual>>>;
+        case SpvOpFUnordGreaterThan:
+            return binary<N, Reversed<LessEqual>>;
+        case SpvOpFUnordLessThanEqual:
+            return binary<N, Reversed<Exchanged<Less>>>;
+        case SpvOpFUnordGreaterThanEqual:
+            return binary<N, Reversed<Less>>;
+        default:
+            return nullptr;
+    }
+}
+
+template <class N>
+[[nodiscard]] Handler<N> elementary_handler(std::uint16_t function) {
+    switch (function) {
+        case GLSLstd450Round:
+            return unary<N, Round>;
+        case GLSLstd450RoundEven:
+            return unary<N, RoundEven>;
+        case GLSLstd450Trunc:
+            return unary<N, Trunc>;
+        case GLSLstd450FAbs:
+            return unary<N, Abs>;
+        case GLSLstd450FSign:
+            return unary<N, Sign>;
+        case GLSLstd450Floor:
+            return unary<N, Floor>;
+        case GLSLstd450Ceil:
+            return unary<N, Ceil>;
+        case GLSLstd450Fract:
+            return unary<N, Fract>;
+        case GLSLstd450Radians:
+            return unary<N, Radians>;
+        case GLSLstd450Degrees:
+            return unary<N, Degrees>;
+        case GLSLstd450Sin:
+            return unary<N, Sin>;
+        case GLSLstd450Cos:
+            return unary<N, Cos>;
+        case GLSLstd450Tan:
+            return unary<N, Tan>;
+        case GLSLstd450Asin:
+            return unary<N, Asin>;
+        case GLSLstd450Acos:
+            return unary<N, Acos>;
+        case GLSLstd450Atan:
+            return unary<N, Atan>;
+        case GLSLstd450Sinh:
+            return unary<N, Sinh>;
+        case GLSLstd450Cosh:
+            return unary<N, Cosh>;
+        case GLSLstd450Tanh:
+            return unary<N, Tanh>;
+        case GLSLstd450Asinh:
+            return unary<N, Asinh>;
+        case GLSLstd450Acosh:
+            return unary<N, Acosh>;
+        case GLSLstd450Atanh:
+            return unary<N, Atanh>;
+        case GLSLstd450Atan2:
+            return binary<N, Atan2>;
+        case GLSLstd450Pow:
+            return binary<N, Pow>;
+        case GLSLstd450Exp:
+            return unary<N, Exp>;
+        case GLSLstd450Log:
+            return unary<N, Log>;
+        case GLSLstd450Exp2:
+            return unary<N, Exp2>;
+        case GLSLstd450Log2:
+            return unary<N, Log2>;
+        case GLSLstd450Sqrt:
+            return unary<N, Sqrt>;
+        case GLSLstd450InverseSqrt:
+            return unary<N, InverseSqrt>;
+        case GLSLstd450NMin:
+        case GLSLstd450FMin:
+            return binary<N, Min>;
+        case GLSLstd450NMax:
+        case GLSLstd450FMax:
+            return binary<N, Max>;
+        case GLSLstd450NClamp:
+        case GLSLstd450FClamp:
+            return ternary<N, Clamp>;
+        case GLSLstd450FMix:
+            return ternary<N, Mix>;
+        case GLSLstd450Fma:
+            return ternary<N, Fma>;
+        case GLSLstd450Step:
+            return binary<N, StepAt>;
+        case GLSLstd450SmoothStep:
+            return ternary<N, SmoothStep>;
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace gloam::interpreter::internal

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "interpreter/internal/opcodes.hpp"
+
+#include "interpreter/internal/integers.hpp"
+
+// Copies, branches, memory and images.
+namespace gloam::interpreter::internal {
+
+// Copies are numbers too where they are relaxed: a load may drop precision.
+template <class N>
+void copy_slots(State<N>& s, const Instruction& i, Slot from) {
+    if ((i.flags & flags::relaxed) == 0) {
+        std::copy_n(s.slots.begin() + from, i.count, s.slots.begin() + i.result);
+        return;
+    }
+    for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, s.number(i, from + k));
+}
+
+template <class N>
+void do_copy(State<N>& s, const Instruction& i) {
+    copy_slots(s, i, i.a);
+}
+
+template <class N>
+void do_copy_one(State<N>& s, const Instruction& i) {
+    s.slots[i.result] = s.slots[i.a];
+}
+
+template <class N>
+void do_to_float(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Value<N>& from = s.slots[i.a + k];
+        s.slots[i.result + k] = from.is_bits() ? Value<N>::of_float(from.bits()) : from;
+    }
+}
+
+template <class N>
+void do_gather(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) s.slots[i.result + k] = s.slots[s.code.lists[i.extra + k]];
+}
+
+template <class N>
+void do_undefine(State<N>& s, const Instruction& i) {
+    std::fill_n(s.slots.begin() + i.result, i.count, Value<N>());
+}
+
+template <class N>
+void do_select(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.slots[i.result + k] = s.slots[(s.bits(i.a + k * i.stride) != 0 ? i.b : i.c) + k];
+}
+
+[[nodiscard]] inline std::uint32_t checked(Word index, std::uint32_t count) {
+    if (index >= count)
+        throw Fault{Error::Kind::out_of_bounds, fmt::format("element {} of {}", as_int(index), count)};
+    return index;
+}
+
+template <class N>
+void do_extract(State<N>& s, const Instruction& i) {
+    s.slots[i.result] = s.slots[i.a + checked(s.bits(i.b), i.count)];
+}
+
+template <class N>
+void do_insert(State<N>& s, const Instruction& i) {
+    const std::uint32_t index = checked(s.bits(i.c), i.count);
+    std::copy_n(s.slots.begin() + i.a, i.count, s.slots.begin() + i.result);
+    s.slots[i.result + index] = s.slots[i.b];
+}
+
+template <class N>
+void follow(State<N>& s, std::uint32_t number) {
+    const Edge& edge = s.code.edges[number];
+    s.next = edge.target;
+    if (edge.through_memory) {
+        auto to = s.moving.begin();
+        for (const Edge::Copy& part : edge.copies)
+            to = std::copy_n(s.slots.begin() + part.from, part.count, to);
+        auto from = s.moving.begin();
+        for (const Edge::Copy& part : edge.copies) {
+            std::copy_n(from, part.count, s.slots.begin() + part.to);
+            from += part.count;
+        }
+        return;
+    }
+    for (const Edge::Copy& part : edge.copies)
+        std::copy_n(s.slots.begin() + part.from, part.count, s.slots.begin() + part.to);
+}
+
+template <class N>
+void do_jump(State<N>& s, const Instruction& i) {
+    follow(s, i.extra);
+}
+
+template <class N>
+void do_branch(State<N>& s, const Instruction& i) {
+    follow(s, s.bits(i.a) != 0 ? i.extra : i.b);
+}
+
+template <class N>
+void do_switch(State<N>& s, const Instruction& i) {
+    const Switch& all = s.code.switches[i.extra];
+    const Word value = s.bits(i.a);
+    for (const auto& [literal, edge] : all.cases)
+        if (literal == value) return follow(s, edge);
+    follow(s, all.otherwise);
+}
+
+template <class N>
+void do_finish(State<N>& s, const Instruction&) {
+    s.running = false;
+}
+
+template <class N>
+void do_unreachable(State<N>&, const Instruction&) {
+    throw Fault{Error::Kind::malformed, "an unreachable block was reached"};
+}
+
+template <class N>
+void do_chain(State<N>& s, const Instruction& i) {
+    const Chain& all = s.code.chains[i.extra];
+    Pointer at = all.base;
+    if (!all.from_static) {
+        at = s.pointers[all.from];
+        at.offset += all.base.offset;
+    }
+    for (const Chain::Step& step : all.steps) {
+        const Word index = s.bits(step.index);
+        const bool outside = step.length != 0 ? index >= step.length : step.is_signed && as_int(index) < 0;
+        const std::uint64_t offset = at.offset + std::uint64_t{index} * step.stride;
+        if (outside || offset > 0xffffffffU)
+            throw Fault{Error::Kind::out_of_bounds,
+                        step.is_signed ? fmt::format("element {} of {}", as_int(index), step.length)
+                                       : fmt::format("element {} of {}", index, step.length)};
+        at.offset = static_cast<std::uint32_t>(offset);
+    }
+    s.pointers[i.result] = at;
+}
+
+template <class N>
+void do_load_slots(State<N>& s, const Instruction& i) {
+    copy_slots(s, i, s.pointers[i.a].offset);
+}
+
+template <class N>
+void do_store_slots(State<N>& s, const Instruction& i) {
+    std::copy_n(s.slots.begin() + i.b, i.count, s.slots.begin() + s.pointers[i.a].offset);
+}
+
+template <class N>
+void do_load_memory(State<N>& s, const Instruction& i) {
+    const Pointer& pointer = s.pointers[i.a];
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.slots[i.result + k] = s.read(pointer, s.code.lists[i.extra + k]);
+    if ((i.flags & flags::relaxed) != 0) copy_slots(s, i, i.result);
+}
+
+template <class N>
+void do_store_memory(State<N>& s, const Instruction& i) {
+    const Pointer& pointer = s.pointers[i.a];
+    for (std::uint32_t k = 0; k < i.count; ++k) s.write(pointer, s.code.lists[i.extra + k], s.slots[i.b + k]);
+}
+
+template <class N>
+void do_array_length(State<N>& s, const Instruction& i) {
+    const Pointer& pointer = s.pointers[i.a];
+    const std::size_t bytes = s.backings[pointer.resource].words.size() * sizeof(Word);
+    const std::size_t behind = bytes > pointer.offset ? bytes - pointer.offset : 0;
+    s.set(i, i.result, static_cast<Word>(i.extra == 0 ? 0 : behind / i.extra));
+}
+
+[[nodiscard]] inline Word exchanged(std::uint32_t opcode, Word before, Word operand, Word expected) {
+    switch (opcode) {
+        case SpvOpAtomicIIncrement:
+            return before + 1U;
+        case SpvOpAtomicIDecrement:
+            return before - 1U;
+        case SpvOpAtomicIAdd:
+            return before + operand;
+        case SpvOpAtomicISub:
+            return before - operand;
+        case SpvOpAtomicSMin:
+            return as_int(operand) < as_int(before) ? operand : before;
+        case SpvOpAtomicUMin:
+            return std::min(before, operand);
+        case SpvOpAtomicSMax:
+            return as_int(operand) > as_int(before) ? operand : before;
+        case SpvOpAtomicUMax:
+            return std::max(before, operand);
+        case SpvOpAtomicAnd:
+            return before & operand;
+        case SpvOpAtomicOr:
+            return before | operand;
+        case SpvOpAtomicXor:
+            return before ^ operand;
+        case SpvOpAtomicCompareExchange:
+            return before == expected ? operand : before;
+        default:
+            return operand;  // store and exchange
+    }
+}
+
+// On a resource where count is 1, else on a variable.
+template <class N>
+void do_atomic(State<N>& s, const Instruction& i) {
+    const Pointer& pointer = s.pointers[i.a];
+    const Value<N> before = i.count == 1 ? s.read(pointer, 0) : s.slots[pointer.offset];
+    if (i.c != SpvOpAtomicLoad) {
+        const bool compares = i.c == SpvOpAtomicCompareExchange;
+        const bool moves = i.c == SpvOpAtomicStore || i.c == SpvOpAtomicExchange;
+        const Value<N> after =
+            moves ? s.slots[i.b]
+                  : Value<N>::of_bits(exchanged(
+                        i.c, before.bits(),
+                        i.c == SpvOpAtomicIIncrement || i.c == SpvOpAtomicIDecrement ? 0U : s.bits(i.b),
+                        compares ? s.bits(i.extra) : 0U));
+        if (i.count == 1)
+            s.write(pointer, 0, after);
+        else
+            s.slots[pointer.offset] = after;
+    }
+    s.slots[i.result] = before;
+}
+
+template <class N>
+void do_load_resource(State<N>& s, const Instruction& i) {
+    s.set(i, i.result, static_cast<Word>(s.pointers[i.a].resource));
+}
+
+// The texel that coordinates name, as the index of its first word.
+template <class N>
+[[nodiscard]] Pointer texel(State<N>& s, Word resource, Slot coordinates, std::uint32_t dimensions) {
+    const Backing<N>& backing = s.backings.at(resource);
+    if (!backing.image)
+        throw Fault{Error::Kind::missing,
+                    fmt::format("no image is bound to \"{}\"", s.code.resources[resource].name)};
+    std::array<Word, 3> at{};
+    std::size_t index = 0;
+    for (std::uint32_t k = 3; k-- > 0;) {
+        at.at(k) = k < dimensions ? s.bits(coordinates + k) : 0U;
+        if (at.at(k) >= backing.image->size.at(k))
+            throw Fault{Error::Kind::out_of_bounds,
+                        fmt::format("texel {} of the {} of \"{}\" (dimension {})", as_int(at.at(k)),
+                                    backing.image->size.at(k), s.code.resources[resource].name, k)};
+        index = index * backing.image->size.at(k) + at.at(k);
+    }
+    return {resource, static_cast<std::uint32_t>(index * 4 * sizeof(Word))};
+}
+
+template <class N>
+void require_first_level(State<N>& s, const Instruction& i) {
+    if (i.extra != 0 && s.bits(i.extra - 1) != 0)
+        throw Fault{Error::Kind::out_of_bounds, "a level of an image that has one"};
+}
+
+template <class N>
+void do_image_load(State<N>& s, const Instruction& i) {
+    require_first_level(s, i);
+    const Pointer at = texel(s, s.bits(i.a), i.b, i.c);
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.slots[i.result + k] = s.read(at, k * static_cast<std::uint32_t>(sizeof(Word)));
+    if ((i.flags & flags::relaxed) != 0) copy_slots(s, i, i.result);
+}
+
+template <class N>
+void do_image_store(State<N>& s, const Instruction& i) {
+    const Pointer at = texel(s, s.bits(i.a), i.b, i.extra);
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.write(at, k * static_cast<std::uint32_t>(sizeof(Word)), s.slots[i.c + k]);
+}
+
+template <class N>
+void do_image_size(State<N>& s, const Instruction& i) {
+    require_first_level(s, i);
+    const Backing<N>& backing = s.backings.at(s.bits(i.a));
+    if (!backing.image) throw Fault{Error::Kind::missing, "no image is bound"};
+    for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, Word{backing.image->size.at(k)});
+}
+
+template <class N>
+[[nodiscard]] Handler<N> control_handler(const Instruction& i) {
+    if (i.op == copy) return i.count == 1 && (i.flags & flags::relaxed) == 0 ? do_copy_one<N> : do_copy<N>;
+    switch (i.op) {
+        case to_float:
+            return do_to_float<N>;
+        case gather:
+            return do_gather<N>;
+        case undefine:
+            return do_undefine<N>;
+        case select:
+            return do_select<N>;
+        case extract_dynamic:
+            return do_extract<N>;
+        case insert_dynamic:
+            return do_insert<N>;
+        case jump:
+            return do_jump<N>;
+        case branch:
+            return do_branch<N>;
+        case switch_on:
+            return do_switch<N>;
+        case finish:
+            return do_finish<N>;
+        case unreachable:
+            return do_unreachable<N>;
+        case chain:
+            return do_chain<N>;
+        case load_slots:
+            return do_load_slots<N>;
+        case store_slots:
+            return do_store_slots<N>;
+        case load_memory:
+            return do_load_memory<N>;
+        case store_memory:
+            return do_store_memory<N>;
+        case array_length:
+            return do_array_length<N>;
+        case load_resource:
+            return do_load_resource<N>;
+        case image_load:
+            return do_image_load<N>;
+        case image_store:
+            return do_image_store<N>;
+        case image_size:
+            return do_image_size<N>;
+        case atomic:
+            return do_atomic<N>;
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace gloam::interpreter::internal

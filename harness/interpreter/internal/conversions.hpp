@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "interpreter/internal/integers.hpp"
+#include "interpreter/internal/vectors.hpp"
+#include "numeric/paths.hpp"
+
+// Between floats and integers, floats and their parts, and what is packed into a word.
+namespace gloam::interpreter::internal {
+
+// An integer as a number: correctly rounded.
+template <class N>
+[[nodiscard]] N from_integer(std::int64_t x) {
+    return static_cast<N>(x);
+}
+template <>
+[[nodiscard]] inline numeric::Interval from_integer(std::int64_t x) {
+    return numeric::Interval(x);
+}
+template <>
+[[nodiscard]] inline numeric::Rearranged from_integer(std::int64_t x) {
+    return numeric::Rearranged(numeric::Interval(x));
+}
+template <>
+[[nodiscard]] inline Explained from_integer(std::int64_t x) {
+    const auto value = static_cast<float>(x);
+    return {.value = value,
+            .exact = static_cast<double>(x),
+            .local = static_cast<double>(value) - static_cast<double>(x),
+            .permitted = numeric::Interval(x)};
+}
+
+template <class N, bool Signed>
+void convert_integer(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Word x = s.bits(i.a + k);
+        s.set(i, i.result + k, from_integer<N>(Signed ? std::int64_t{as_int(x)} : std::int64_t{x}));
+    }
+}
+
+struct Scale {
+    int exponent;
+    template <class N>
+    N operator()(const N& x) const {
+        using namespace scalars;
+        return ldexp(x, exponent);
+    }
+};
+
+template <class N>
+void load_exponent(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, apply(Scale{as_int(s.bits(i.b + k))}, s.number(i, i.a + k)));
+}
+
+// Fractions, then whole numbers; both have the sign of the argument.
+template <class N>
+void modf(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        const N whole = apply(Trunc{}, x);
+        s.set(i, i.result + k, apply(Subtract{}, x, whole));
+        s.set(i, i.result + i.count + k, whole);
+    }
+}
+
+// The exponent that frexp() gives: |x| in [2^(e-1), 2^e). On intervals each exponent in reach is explored.
+struct ExponentOf {
+    template <class N>
+    int operator()(const N& x) const {
+        int exponent = 0;
+        if (std::isfinite(x)) (void)std::frexp(static_cast<double>(x), &exponent);
+        return exponent;
+    }
+    int operator()(const numeric::Interval& x) const {
+        if (x.may_be_nan() || x.bounds().empty() || !std::isfinite(x.low()) || !std::isfinite(x.high()))
+            throw numeric::Paths::Undetermined{};
+        const bool crosses = x.low() < 0.0 && x.high() > 0.0;
+        const bool touches = x.bounds().contains(0.0) && !(x.low() == 0.0 && x.high() == 0.0);
+        if (crosses || touches) throw numeric::Paths::Undetermined{};
+        const auto [low, high] = std::minmax({(*this)(x.low()), (*this)(x.high())});
+        return low + static_cast<int>(numeric::Paths::choose(static_cast<std::size_t>(high - low) + 1));
+    }
+};
+
+// Significands, then exponents.
+template <class N>
+void frexp(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        const int exponent = apply(ExponentOf{}, x);
+        s.set(i, i.result + k, apply(Scale{-exponent}, x));
+        s.set(i, i.result + i.count + k, exponent);
+    }
+}
+
+// round(clamp(x, low, 1) * scale) as one of the fields of a word.
+template <class N, int Fields, bool Signed>
+void pack(State<N>& s, const Instruction& i) {
+    constexpr Word width = word_bits / Fields;
+    constexpr double scale = Signed ? (1U << (width - 1U)) - 1U : mask_of(width);
+    Word packed = 0;
+    for (std::uint32_t k = 0; k < Fields; ++k) {
+        const N clamped =
+            apply(Clamp{}, s.number(i, i.a + k), constant<N>(Signed ? -1.0 : 0.0), constant<N>(1.0));
+        const N scaled = apply(Round{}, apply(Multiply{}, clamped, constant<N>(scale)));
+        packed |= (static_cast<Word>(apply(ToInt{}, scaled)) & mask_of(width)) << (k * width);
+    }
+    s.set(i, i.result, packed);
+}
+
+template <class N, int Fields, bool Signed>
+void unpack(State<N>& s, const Instruction& i) {
+    constexpr Word width = word_bits / Fields;
+    constexpr double scale = Signed ? (1U << (width - 1U)) - 1U : mask_of(width);
+    const Word packed = s.bits(i.a);
+    for (std::uint32_t k = 0; k < Fields; ++k) {
+        const Word field = extracted(packed, k * width, width, Signed);
+        const N number = from_integer<N>(Signed ? std::int64_t{as_int(field)} : std::int64_t{field});
+        const N unit = apply(Divide{}, number, constant<N>(scale));
+        s.set(i, i.result + k, Signed ? apply(Clamp{}, unit, constant<N>(-1.0), constant<N>(1.0)) : unit);
+    }
+}
+
+// The bits of a half.
+[[nodiscard]] Word half_bits(float x);
+[[nodiscard]] float half_value(Word bits);
+
+struct HalfBits {
+    template <class N>
+    Word operator()(const N& x) const {
+        return half_bits(static_cast<float>(x));
+    }
+    Word operator()(const numeric::Interval& x) const;
+};
+
+template <class N>
+void pack_half(State<N>& s, const Instruction& i) {
+    const Word low = apply(HalfBits{}, s.number(i, i.a));
+    s.set(i, i.result, low | apply(HalfBits{}, s.number(i, i.a + 1)) << 16U);
+}
+
+template <class N>
+void unpack_half(State<N>& s, const Instruction& i) {
+    const Word packed = s.bits(i.a);
+    for (std::uint32_t k = 0; k < 2; ++k) {
+        const float value = half_value(packed >> (16U * k) & 0xffffU);
+        s.set(i, i.result + k, number_from_bits<N>(std::bit_cast<Word>(value)));
+    }
+}
+
+template <class N>
+[[nodiscard]] Handler<N> conversion_handler(std::uint16_t opcode) {
+    switch (opcode) {
+        case SpvOpConvertSToF:
+            return convert_integer<N, true>;
+        case SpvOpConvertUToF:
+            return convert_integer<N, false>;
+        case extended + GLSLstd450Ldexp:
+            return load_exponent<N>;
+        case extended + GLSLstd450Modf:
+        case extended + GLSLstd450ModfStruct:
+            return modf<N>;
+        case extended + GLSLstd450Frexp:
+        case extended + GLSLstd450FrexpStruct:
+            return frexp<N>;
+        case extended + GLSLstd450PackSnorm4x8:
+            return pack<N, 4, true>;
+        case extended + GLSLstd450PackUnorm4x8:
+            return pack<N, 4, false>;
+        case extended + GLSLstd450PackSnorm2x16:
+            return pack<N, 2, true>;
+        case extended + GLSLstd450PackUnorm2x16:
+            return pack<N, 2, false>;
+        case extended + GLSLstd450PackHalf2x16:
+            return pack_half<N>;
+        case extended + GLSLstd450UnpackSnorm4x8:
+            return unpack<N, 4, true>;
+        case extended + GLSLstd450UnpackUnorm4x8:
+            return unpack<N, 4, false>;
+        case extended + GLSLstd450UnpackSnorm2x16:
+            return unpack<N, 2, true>;
+        case extended + GLSLstd450UnpackUnorm2x16:
+            return unpack<N, 2, false>;
+        case extended + GLSLstd450UnpackHalf2x16:
+            return unpack_half<N>;
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace gloam::interpreter::internal

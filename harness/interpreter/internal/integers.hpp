@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "interpreter/internal/state.hpp"
+
+#include "interpreter/internal/opcodes.hpp"
+
+#include <bit>
+
+// Integers and bools, two's complement. What SPIR-V leaves undefined (a division by zero, a shift by 32 and
+// more) has one result here.
+namespace gloam::interpreter::internal {
+
+inline constexpr Word word_bits = 32;
+
+[[nodiscard]] constexpr std::int32_t as_int(Word x) {
+    return static_cast<std::int32_t>(x);
+}
+[[nodiscard]] constexpr Word mask_of(Word width) {
+    return width >= word_bits ? ~Word{0} : (Word{1} << width) - 1U;
+}
+[[nodiscard]] constexpr Word quotient(Word x, Word y) {
+    return y == 0 ? ~Word{0} : x / y;
+}
+[[nodiscard]] constexpr Word signed_quotient(Word x, Word y) {
+    if (y == 0) return ~Word{0};
+    return static_cast<Word>(std::int64_t{as_int(x)} / as_int(y));
+}
+[[nodiscard]] constexpr Word remainder_of(Word x, Word y) {
+    return y == 0 ? ~Word{0} : x % y;
+}
+[[nodiscard]] constexpr Word signed_remainder(Word x, Word y) {
+    return y == 0 ? ~Word{0} : static_cast<Word>(std::int64_t{as_int(x)} % as_int(y));
+}
+// With the sign of the divisor.
+[[nodiscard]] constexpr Word signed_modulo(Word x, Word y) {
+    if (y == 0) return ~Word{0};
+    const std::int64_t rest = std::int64_t{as_int(x)} % as_int(y);
+    return static_cast<Word>(rest != 0 && (rest < 0) != (as_int(y) < 0) ? rest + as_int(y) : rest);
+}
+[[nodiscard]] constexpr Word reversed(Word x) {
+    Word result = 0;
+    for (Word bit = 0; bit < word_bits; ++bit) result |= (x >> bit & 1U) << (word_bits - 1U - bit);
+    return result;
+}
+[[nodiscard]] constexpr Word extracted(Word x, Word offset, Word width, bool is_signed) {
+    if (width == 0 || offset >= word_bits) return 0;
+    const Word field = x >> offset & mask_of(width);
+    const bool negative = is_signed && width < word_bits && (field >> (width - 1U) & 1U) != 0;
+    return negative ? field | ~mask_of(width) : field;
+}
+[[nodiscard]] constexpr Word inserted(Word base, Word field, Word offset, Word width) {
+    if (width == 0 || offset >= word_bits) return base;
+    const Word mask = mask_of(width) << offset;
+    return (base & ~mask) | (field << offset & mask);
+}
+// The position of the most significant bit that is set; -1 for none.
+[[nodiscard]] constexpr Word highest_bit(Word x) {
+    return word_bits - 1U - static_cast<Word>(std::countl_zero(x));
+}
+
+template <class N, auto F>
+void on_one(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, Word{F(s.bits(i.a + k))});
+}
+template <class N, auto F>
+void on_two(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k), s.bits(i.b + k))));
+}
+template <class N, auto F>
+void on_three(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k), s.bits(i.b + k), s.bits(i.c + k))));
+}
+
+// Offset and width are one for all components.
+template <class N, bool Signed>
+void bit_field_extract(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, extracted(s.bits(i.a + k), s.bits(i.b), s.bits(i.c), Signed));
+}
+template <class N>
+void bit_field_insert(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, inserted(s.bits(i.a + k), s.bits(i.b + k), s.bits(i.c), s.bits(i.extra)));
+}
+
+// Two results: low words, then high words (or carries).
+template <class N, auto F>
+void to_two(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const std::uint64_t both = F(s.bits(i.a + k), s.bits(i.b + k));
+        s.set(i, i.result + k, static_cast<Word>(both));
+        s.set(i, i.result + i.count + k, static_cast<Word>(both >> word_bits));
+    }
+}
+
+// The sign of a float is known where its other bits are not.
+template <class N>
+void shift_right(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Word distance = s.bits(i.b + k);
+        const Value<N>& x = s.slots[i.a + k];
+        if (distance == word_bits - 1U && x.is_number()) {
+            s.set(i, i.result + k, sign_bit(x.number()));
+        } else {
+            s.set(i, i.result + k, Word{distance < word_bits ? x.bits() >> distance : 0U});
+        }
+    }
+}
+
+template <class N, bool All>
+void reduce(State<N>& s, const Instruction& i) {
+    bool result = All;
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        result = All ? result && s.bits(i.a + k) != 0 : result || s.bits(i.a + k) != 0;
+    s.set(i, i.result, result);
+}
+
+template <class N>
+[[nodiscard]] Handler<N> integer_arithmetic_handler(std::uint16_t opcode) {
+    switch (opcode) {
+        case SpvOpSNegate:
+            return on_one<N, ([](Word x) { return 0U - x; })>;
+        case SpvOpIAdd:
+            return on_two<N, ([](Word x, Word y) { return x + y; })>;
+        case SpvOpISub:
+            return on_two<N, ([](Word x, Word y) { return x - y; })>;
+        case SpvOpIMul:
+            return on_two<N, ([](Word x, Word y) { return x * y; })>;
+        case SpvOpUDiv:
+            return on_two<N, quotient>;
+        case SpvOpSDiv:
+            return on_two<N, signed_quotient>;
+        case SpvOpUMod:
+            return on_two<N, remainder_of>;
+        case SpvOpSRem:
+            return on_two<N, signed_remainder>;
+        case SpvOpSMod:
+            return on_two<N, signed_modulo>;
+        case SpvOpIAddCarry:
+            return to_two<N, ([](Word x, Word y) { return std::uint64_t{x} + y; })>;
+        case SpvOpISubBorrow:
+            return to_two<N, ([](Word x, Word y) {
+                              return std::uint64_t{x - y} | std::uint64_t{x < y ? 1U : 0U} << word_bits;
+                          })>;
+        case SpvOpUMulExtended:
+            return to_two<N, ([](Word x, Word y) { return std::uint64_t{x} * y; })>;
+        case SpvOpSMulExtended:
+            return to_two<N, ([](Word x, Word y) {
+                              return static_cast<std::uint64_t>(std::int64_t{as_int(x)} * as_int(y));
+                          })>;
+        case SpvOpShiftLeftLogical:
+            return on_two<N, ([](Word x, Word y) { return y < word_bits ? x << y : 0U; })>;
+        case SpvOpShiftRightLogical:
+            return shift_right<N>;
+        case SpvOpShiftRightArithmetic:
+            return on_two<N,
+                          ([](Word x, Word y) { return as_int(x) >> (y < word_bits ? y : word_bits - 1U); })>;
+        case SpvOpBitwiseOr:
+            return on_two<N, ([](Word x, Word y) { return x | y; })>;
+        case SpvOpBitwiseXor:
+            return on_two<N, ([](Word x, Word y) { return x ^ y; })>;
+        case SpvOpBitwiseAnd:
+            return on_two<N, ([](Word x, Word y) { return x & y; })>;
+        case SpvOpNot:
+            return on_one<N, ([](Word x) { return ~x; })>;
+        case SpvOpBitFieldInsert:
+            return bit_field_insert<N>;
+        case SpvOpBitFieldSExtract:
+            return bit_field_extract<N, true>;
+        case SpvOpBitFieldUExtract:
+            return bit_field_extract<N, false>;
+        case SpvOpBitReverse:
+            return on_one<N, reversed>;
+        case SpvOpBitCount:
+            return on_one<N, ([](Word x) { return static_cast<Word>(std::popcount(x)); })>;
+        default:
+            return nullptr;
+    }
+}
+
+template <class N>
+[[nodiscard]] Handler<N> integer_comparison_handler(std::uint16_t opcode) {
+    switch (opcode) {
+        case SpvOpIEqual:
+            return on_two<N, ([](Word x, Word y) { return x == y; })>;
+        case SpvOpINotEqual:
+            return on_two<N, ([](Word x, Word y) { return x != y; })>;
+        case SpvOpUGreaterThan:
+            return on_two<N, ([](Word x, Word y) { return x > y; })>;
+        case SpvOpUGreaterThanEqual:
+            return on_two<N, ([](Word x, Word y) { return x >= y; })>;
+        case SpvOpULessThan:
+            return on_two<N, ([](Word x, Word y) { return x < y; })>;
+        case SpvOpULessThanEqual:
+            return on_two<N, ([](Word x, Word y) { return x <= y; })>;
+        case SpvOpSGreaterThan:
+            return on_two<N, ([](Word x, Word y) { return as_int(x) > as_int(y); })>;
+        case SpvOpSGreaterThanEqual:
+            return on_two<N, ([](Word x, Word y) { return as_int(x) >= as_int(y); })>;
+        case SpvOpSLessThan:
+            return on_two<N, ([](Word x, Word y) { return as_int(x) < as_int(y); })>;
+        case SpvOpSLessThanEqual:
+            return on_two<N, ([](Word x, Word y) { return as_int(x) <= as_int(y); })>;
+        case SpvOpLogicalEqual:
+            return on_two<N, ([](Word x, Word y) { return (x != 0) == (y != 0); })>;
+        case SpvOpLogicalNotEqual:
+            return on_two<N, ([](Word x, Word y) { return (x != 0) != (y != 0); })>;
+        case SpvOpLogicalOr:
+            return on_two<N, ([](Word x, Word y) { return x != 0 || y != 0; })>;
+        case SpvOpLogicalAnd:
+            return on_two<N, ([](Word x, Word y) { return x != 0 && y != 0; })>;
+        case SpvOpLogicalNot:
+            return on_one<N, ([](Word x) { return x == 0 ? 1U : 0U; })>;
+        case SpvOpAny:
+            return reduce<N, false>;
+        case SpvOpAll:
+            return reduce<N, true>;
+        default:
+            return nullptr;
+    }
+}
+
+template <class N>
+[[nodiscard]] Handler<N> integer_function_handler(std::uint16_t function) {
+    switch (function) {
+        case GLSLstd450SAbs:
+            return on_one<N, ([](Word x) { return as_int(x) < 0 ? 0U - x : x; })>;
+        case GLSLstd450SSign:
+            return on_one<N, ([](Word x) { return static_cast<Word>((as_int(x) > 0) - (as_int(x) < 0)); })>;
+        case GLSLstd450UMin:
+            return on_two<N, ([](Word x, Word y) { return std::min(x, y); })>;
+        case GLSLstd450UMax:
+            return on_two<N, ([](Word x, Word y) { return std::max(x, y); })>;
+        case GLSLstd450SMin:
+            return on_two<N, ([](Word x, Word y) { return std::min(as_int(x), as_int(y)); })>;
+        case GLSLstd450SMax:
+            return on_two<N, ([](Word x, Word y) { return std::max(as_int(x), as_int(y)); })>;
+        case GLSLstd450UClamp:
+            return on_three<N,
+                            ([](Word x, Word low, Word high) { return std::min(std::max(x, low), high); })>;
+        case GLSLstd450SClamp:
+            return on_three<N, ([](Word x, Word low, Word high) {
+                                return std::min(std::max(as_int(x), as_int(low)), as_int(high));
+                            })>;
+        case GLSLstd450FindILsb:
+            return on_one<N, ([](Word x) { return x == 0 ? ~0U : static_cast<Word>(std::countr_zero(x)); })>;
+        case GLSLstd450FindUMsb:
+            return on_one<N, highest_bit>;
+        case GLSLstd450FindSMsb:
+            return on_one<N, ([](Word x) { return highest_bit(as_int(x) < 0 ? ~x : x); })>;
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace gloam::interpreter::internal

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "interpreter/internal/lowering.hpp"
+
+#include <fmt/format.h>
+#include "interpreter/internal/opcodes.hpp"
+
+#include <algorithm>
+
+namespace gloam::interpreter::internal {
+namespace {
+
+// A shader whose calls unfold to more than this is meant to.
+constexpr std::size_t most_instructions = 1U << 21;
+constexpr std::uint32_t most_slots = 1U << 24;
+
+bool is_resource(std::uint32_t storage) {
+    return storage == SpvStorageClassUniform || storage == SpvStorageClassStorageBuffer ||
+           storage == SpvStorageClassPushConstant || storage == SpvStorageClassUniformConstant;
+}
+
+}  // namespace
+
+void Lowering::fail(Error::Kind kind, const std::string& message) const {
+    throw Error(kind, message, place_);
+}
+
+Instruction& Lowering::emit(std::uint16_t op, std::uint32_t count, Slot result, Slot a, Slot b, Slot c) {
+    if (code_.instructions.size() == most_instructions)
+        fail(Error::Kind::malformed,
+             fmt::format("more than {} instructions with all calls", most_instructions));
+    const auto place = static_cast<std::uint32_t>(code_.places.size() - 1);
+    code_.instructions.push_back(
+        {.op = op, .count = count, .result = result, .a = a, .b = b, .c = c, .place = place});
+    return code_.instructions.back();
+}
+
+Slot Lowering::new_slots(std::uint32_t count) {
+    if (count > most_slots - code_.slots)
+        fail(Error::Kind::malformed, fmt::format("variables of more than {} scalars", most_slots));
+    const Slot first = code_.slots;
+    code_.slots += count;
+    return first;
+}
+
+std::uint32_t Lowering::new_pointer() {
+    code_.pointers.emplace_back();
+    return static_cast<std::uint32_t>(code_.pointers.size() - 1);
+}
+
+std::uint32_t Lowering::pointer_index(const PointerInfo& info) {
+    if (!info.is_static) return info.index;
+    code_.pointers.push_back(info.target);
+    return static_cast<std::uint32_t>(code_.pointers.size() - 1);
+}
+
+std::uint32_t Lowering::new_list(const std::vector<std::uint32_t>& list) {
+    const auto first = static_cast<std::uint32_t>(code_.lists.size());
+    code_.lists.insert(code_.lists.end(), list.begin(), list.end());
+    return first;
+}
+
+std::uint32_t Lowering::new_edge() {
+    code_.edges.emplace_back();
+    return static_cast<std::uint32_t>(code_.edges.size() - 1);
+}
+
+std::uint32_t Lowering::edge_to(Id label, Scope& scope) {
+    const std::uint32_t edge = new_edge();
+    scope.open_edges.push_back({edge, scope.block, label});
+    return edge;
+}
+
+Slot Lowering::slot_of(Id id, const Scope& scope) const {
+    if (const auto found = scope.slots.find(id); found != scope.slots.end()) return found->second;
+    if (const auto found = global_slots_.find(id); found != global_slots_.end()) return found->second;
+    fail(Error::Kind::malformed, fmt::format("ID {} has no value", id));
+}
+
+Id Lowering::type_of(Id id, const Scope& scope) const {
+    if (const auto found = scope.types.find(id); found != scope.types.end()) return found->second;
+    if (const auto found = global_types_.find(id); found != global_types_.end()) return found->second;
+    fail(Error::Kind::malformed, fmt::format("ID {} has no type", id));
+}
+
+const PointerInfo& Lowering::pointer_of(Id id, const Scope& scope) const {
+    if (const auto found = scope.pointers.find(id); found != scope.pointers.end()) return found->second;
+    if (const auto found = global_pointers_.find(id); found != global_pointers_.end()) return found->second;
+    fail(Error::Kind::unknown_instruction,
+         fmt::format("the pointer {} is not made by a variable or an access chain", id));
+}
+
+std::uint8_t Lowering::flags_of(Id result, Id type) const {
+    const Type& scalar = module_.types.scalar_of(type);
+    const Decorations decorations = module_.decorations_of(result);
+    std::uint8_t all = 0;
+    if (scalar.kind == Type::Kind::real) {
+        if (decorations.no_contraction) all |= flags::no_contraction;
+        if (decorations.relaxed) all |= flags::relaxed;
+        if (scalar.width == 16) all |= flags::half;
+    }
+    if (scalar.kind == Type::Kind::integer && scalar.is_signed) all |= flags::is_signed;
+    const bool is_number = scalar.kind == Type::Kind::real || scalar.kind == Type::Kind::integer;
+    if (is_number && scalar.width != 32 && !(scalar.kind == Type::Kind::real && scalar.width == 16))
+        fail(Error::Kind::unknown_instruction,
+             fmt::format("a {} of {} bits", scalar.kind == Type::Kind::real ? "float" : "integer",
+                         scalar.width));
+    return all;
+}
+
+void Lowering::remember_place(const shader::Instruction& i, const Scope& scope) {
+    place_.word = i.at;
+    place_.function = module_.name_of(scope.function->id);
+    const bool known = !code_.places.empty() && place_.line != 0 && code_.places.back().line == place_.line &&
+                       code_.places.back().file == place_.file &&
+                       code_.places.back().function == place_.function;
+    if (!known) code_.places.push_back(place_);
+}
+
+void Lowering::place_variable(const shader::Instruction& variable) {
+    const Type& pointer = module_.types.at(variable.word(1));
+    const Id id = variable.word(2);
+    const Decorations decorations = module_.decorations_of(id);
+    PointerInfo info{.pointee = pointer.element};
+    if (is_resource(variable.word(3))) {
+        const bool opaque = variable.word(3) == SpvStorageClassUniformConstant;
+        info.space = opaque ? PointerInfo::Space::resource : PointerInfo::Space::memory;
+        info.target = {static_cast<std::uint32_t>(code_.resources.size()), 0};
+        code_.resources.push_back({.kind = opaque ? Resource::Kind::image : Resource::Kind::memory,
+                                   .set = decorations.set,
+                                   .binding = decorations.binding,
+                                   .is_push_constant = variable.word(3) == SpvStorageClassPushConstant,
+                                   .name = module_.name_of(id)});
+    } else {
+        const std::uint32_t count = module_.types.slots(pointer.element);
+        info.target.offset = new_slots(count);
+        if (decorations.built_in)
+            code_.built_ins.push_back({*decorations.built_in, info.target.offset, count});
+        else
+            emit(undefine, count, info.target.offset);
+        if (variable.words.size() > 4) emit(copy, count, info.target.offset, slot_of(variable.word(4), {}));
+    }
+    global_pointers_[id] = info;
+    global_types_[id] = variable.word(1);
+}
+
+void Lowering::place_globals() {
+    for (const auto& [id, constant] : module_.constants) {
+        const Slot first = new_slots(static_cast<std::uint32_t>(constant.bits.size()));
+        global_slots_[id] = first;
+        global_types_[id] = constant.type;
+        const bool is_float = module_.types.scalar_of(constant.type).kind == Type::Kind::real;
+        for (std::size_t i = 0; i < constant.bits.size(); ++i)
+            code_.constants.push_back({static_cast<Slot>(first + i), constant.bits[i], is_float});
+    }
+    for (const auto& [id, type] : module_.undefined) {
+        global_slots_[id] = new_slots(module_.types.slots(type));
+        global_types_[id] = type;
+    }
+    Scope scope;
+    Function none;
+    scope.function = &none;
+    for (const shader::Instruction& i : module_.computed_constants) {
+        // [length | OpSpecConstantOp, type, result, opcode, operands...] as an instruction of that opcode.
+        computed_.emplace_back(i.words.begin(), i.words.end());
+        std::vector<std::uint32_t>& words = computed_.back();
+        const std::uint32_t opcode = words[3];
+        words.erase(words.begin() + 3);
+        words[0] = static_cast<std::uint32_t>(words.size()) << 16U | opcode;
+        global_slots_[i.word(2)] = new_slots(module_.types.slots(i.word(1)));
+        global_types_[i.word(2)] = i.word(1);
+        lower({.at = i.at, .opcode = opcode, .words = words}, scope);
+    }
+    for (const shader::Instruction& variable : module_.variables) place_variable(variable);
+}
+
+Code Lowering::run(const std::string& entry_point) {
+    code_.places.push_back({});
+    place_globals();
+    Scope scope;
+    lower_function(module_.function(module_.entry_point(entry_point)), scope);
+    emit(finish, 0, 0);
+    for (const Edge& edge : code_.edges) {
+        std::uint32_t copied = 0;
+        for (const Edge::Copy& part : edge.copies) copied += part.count;
+        code_.most_copies = std::max(code_.most_copies, copied);
+    }
+    return std::move(code_);
+}
+
+// Every result of the function gets its slots before its first use: a phi may name what comes later.
+void Lowering::allocate_results(const Function& function, Scope& scope) {
+    for (const shader::Instruction& i : function.body) {
+        bool has_result = false;
+        bool has_type = false;
+        SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+        if (!has_result || !has_type || i.opcode == SpvOpFunctionParameter) continue;
+        const Type& type = module_.types.at(i.word(1));
+        scope.types[i.word(2)] = i.word(1);
+        if (type.kind == Type::Kind::pointer || type.kind == Type::Kind::void_) continue;
+        if (!scope.slots.contains(i.word(2))) scope.slots[i.word(2)] = new_slots(type.slots);
+    }
+}
+
+void Lowering::lower_function(const Function& function, Scope& scope) {
+    if (std::ranges::find(calls_, function.id) != calls_.end())
+        fail(Error::Kind::malformed, module_.name_of(function.id) + " calls itself");
+    if (function.body.empty() || function.body.back().opcode == SpvOpFunctionParameter)
+        fail(Error::Kind::missing, module_.name_of(function.id) + " has no body");
+    calls_.push_back(function.id);
+    const Place caller = place_;
+    scope.function = &function;
+    allocate_results(function, scope);
+    for (const shader::Instruction& i : function.body) {
+        if (i.opcode == SpvOpLine) {
+            place_.file = module_.string_of(i.word(1));
+            place_.line = i.word(2);
+        }
+        lower(i, scope);
+    }
+    close_edges(scope);
+    place_ = caller;
+    calls_.pop_back();
+}
+
+void Lowering::close_edges(Scope& scope) {
+    for (const Scope::OpenEdge& open : scope.open_edges) {
+        Edge& edge = code_.edges[open.edge];
+        const auto target = scope.blocks.find(open.to);
+        if (target == scope.blocks.end()) fail(Error::Kind::malformed, fmt::format("no block {}", open.to));
+        edge.target = target->second;
+        for (const Scope::Phi& phi : scope.phis[open.to]) {
+            for (const auto& [value, before] : phi.values) {
+                if (before == open.from)
+                    edge.copies.push_back({phi.result, slot_of(value, scope), phi.count});
+            }
+        }
+        for (const Edge::Copy& one : edge.copies) {
+            for (const Edge::Copy& other : edge.copies)
+                edge.through_memory =
+                    edge.through_memory ||
+                    (&one != &other && one.to < other.from + other.count && other.from < one.to + one.count);
+        }
+    }
+    const auto end = static_cast<std::uint32_t>(code_.instructions.size());
+    for (const std::uint32_t edge : scope.returns) code_.edges[edge].target = end;
+}
+
+void Lowering::lower(const shader::Instruction& i, Scope& scope) {
+    switch (i.opcode) {
+        case SpvOpNop:
+        case SpvOpLine:
+        case SpvOpNoLine:
+        case SpvOpSelectionMerge:
+        case SpvOpLoopMerge:
+        case SpvOpFunctionParameter:
+        case SpvOpControlBarrier:  // one invocation waits for nobody
+        case SpvOpMemoryBarrier:
+            return;
+        default:
+            break;
+    }
+    remember_place(i, scope);
+    if (lower_control(i, scope) || lower_memory(i, scope) || lower_composite(i, scope) ||
+        lower_matrix(i, scope) || lower_atomic(i, scope) || lower_image(i, scope))
+        return;
+    if (i.opcode == SpvOpExtInst) return lower_extended(i, scope);
+    lower_componentwise(i, scope);
+}
+
+}  // namespace gloam::interpreter::internal

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "interpreter/internal/code.hpp"
+#include "interpreter/internal/module.hpp"
+
+namespace gloam::interpreter::internal {
+
+// Where an ID of pointer type points, as far as that is known before the run.
+struct PointerInfo {
+    enum class Space { slots, memory, resource };
+    Space space = Space::slots;
+    bool is_static = true;
+    Pointer target;           // when static
+    std::uint32_t index = 0;  // of the machine's pointer, when not
+    Id pointee = 0;           // type
+    MatrixLayout matrix;      // in memory
+    std::uint32_t scalar_stride = 4;
+};
+
+// Turns an entry point and all it calls into Code. Every call becomes a copy of the function.
+class Lowering {
+  public:
+    explicit Lowering(const Module& module) : module_(module) {}
+
+    [[nodiscard]] Code run(const std::string& entry_point);
+
+  private:
+    // A copy of a function: its IDs, and the edges whose targets are not known yet.
+    struct Scope {
+        const Function* function = nullptr;
+        std::unordered_map<Id, Slot> slots;
+        std::unordered_map<Id, Id> types;
+        std::unordered_map<Id, PointerInfo> pointers;
+        struct Phi {
+            Slot result;
+            std::uint32_t count;
+            std::vector<std::pair<Id, Id>> values;  // value, block before
+        };
+        std::unordered_map<Id, std::uint32_t> blocks;  // first instruction
+        std::unordered_map<Id, std::vector<Phi>> phis;
+        struct OpenEdge {
+            std::uint32_t edge;
+            Id from;
+            Id to;
+        };
+        std::vector<OpenEdge> open_edges;
+        std::vector<std::uint32_t> returns;  // edges to behind the end
+        Slot result = 0;
+        Id block = 0;
+    };
+
+    void place_globals();
+    void place_variable(const shader::Instruction& variable);
+    void lower_function(const Function& function, Scope& scope);
+    void allocate_results(const Function& function, Scope& scope);
+    void close_edges(Scope& scope);
+    void lower(const shader::Instruction& i, Scope& scope);
+    bool lower_control(const shader::Instruction& i, Scope& scope);
+    bool lower_memory(const shader::Instruction& i, Scope& scope);
+    bool lower_composite(const shader::Instruction& i, Scope& scope);
+    bool lower_matrix(const shader::Instruction& i, Scope& scope);
+    bool lower_atomic(const shader::Instruction& i, Scope& scope);
+    bool lower_image(const shader::Instruction& i, Scope& scope);
+    void lower_componentwise(const shader::Instruction& i, Scope& scope);
+    void lower_extended(const shader::Instruction& i, Scope& scope);
+    void lower_call(const shader::Instruction& i, Scope& scope);
+    void lower_access_chain(const shader::Instruction& i, Scope& scope);
+    void lower_local_variable(const shader::Instruction& i, Scope& scope);
+    void lower_shuffle(const shader::Instruction& i, Scope& scope);
+    void lower_switch(const shader::Instruction& i, Scope& scope);
+    void load(Slot result, const PointerInfo& from, std::uint8_t flags);
+    void store(const PointerInfo& to, Slot value);
+
+    Instruction& emit(std::uint16_t op, std::uint32_t count, Slot result, Slot a = 0, Slot b = 0, Slot c = 0);
+    [[nodiscard]] std::uint32_t new_edge();
+    [[nodiscard]] std::uint32_t edge_to(Id label, Scope& scope);
+    [[nodiscard]] Slot new_slots(std::uint32_t count);
+    [[nodiscard]] std::uint32_t new_pointer();
+    [[nodiscard]] std::uint32_t pointer_index(const PointerInfo& info);
+    [[nodiscard]] std::uint32_t new_list(const std::vector<std::uint32_t>& list);
+    [[nodiscard]] Slot slot_of(Id id, const Scope& scope) const;
+    [[nodiscard]] Id type_of(Id id, const Scope& scope) const;
+    [[nodiscard]] const PointerInfo& pointer_of(Id id, const Scope& scope) const;
+    [[nodiscard]] std::uint8_t flags_of(Id result, Id type) const;
+    [[nodiscard]] bool is_relaxed(Id id) const { return module_.decorations_of(id).relaxed; }
+    void remember_place(const shader::Instruction& i, const Scope& scope);
+    [[noreturn]] void fail(Error::Kind kind, const std::string& message) const;
+
+    const Module& module_;
+    Code code_;
+    std::unordered_map<Id, Slot> global_slots_;
+    std::unordered_map<Id, Id> global_types_;
+    std::unordered_map<Id, PointerInfo> global_pointers_;
+    std::vector<Id> calls_;                             // functions that are being lowered
+    std::vector<std::vector<std::uint32_t>> computed_;  // the words of computed constants
+    Place place_;
+};
+
+}  // namespace gloam::interpreter::internal

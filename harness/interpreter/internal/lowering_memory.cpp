@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// Variables, access chains, loads and stores, atomics and images.
+#include <fmt/format.h>
+#include "interpreter/internal/opcodes.hpp"
+
+#include "interpreter/internal/lowering.hpp"
+
+namespace gloam::interpreter::internal {
+namespace {
+
+using Space = PointerInfo::Space;
+
+// An access chain on its way: where it stands, and the steps that only a run can take.
+struct Walk {
+    const Types& types;
+    PointerInfo at;
+    std::vector<Chain::Step> steps;
+
+    [[nodiscard]] bool in_slots() const { return at.space == Space::slots; }
+
+    // The distance of two elements of what it points to, and how many there are (0: nobody knows).
+    [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> element() const {
+        const Type& type = types.at(at.pointee);
+        if (in_slots()) return {types.slots(type.element), type.count};
+        switch (type.kind) {
+            case Type::Kind::vector:
+                return {at.scalar_stride, type.count};
+            case Type::Kind::matrix:
+                return {at.matrix.row_major ? 4 : at.matrix.stride, type.count};
+            default:
+                return {type.array_stride, type.count};
+        }
+    }
+
+    void enter_member(std::uint32_t index) {
+        const Type& type = types.at(at.pointee);
+        const Type::Member& member = type.members.at(index);
+        if (in_slots()) {
+            for (std::uint32_t m = 0; m < index; ++m) at.target.offset += types.slots(type.members[m].type);
+        } else {
+            at.target.offset += member.offset;
+            at.matrix = member.matrix;
+        }
+        at.pointee = member.type;
+    }
+
+    void enter_element() {
+        const Type& type = types.at(at.pointee);
+        at.scalar_stride = type.kind == Type::Kind::matrix && at.matrix.row_major ? at.matrix.stride : 4;
+        at.pointee = type.element;
+    }
+};
+
+}  // namespace
+
+bool Lowering::lower_memory(const shader::Instruction& i, Scope& scope) {
+    switch (i.opcode) {
+        case SpvOpVariable:
+            lower_local_variable(i, scope);
+            return true;
+        case SpvOpAccessChain:
+        case SpvOpInBoundsAccessChain:
+            lower_access_chain(i, scope);
+            return true;
+        case SpvOpLoad:
+            load(slot_of(i.word(2), scope), pointer_of(i.word(3), scope), flags_of(i.word(2), i.word(1)));
+            return true;
+        case SpvOpStore:
+            store(pointer_of(i.word(1), scope), slot_of(i.word(2), scope));
+            return true;
+        case SpvOpCopyMemory: {
+            const PointerInfo& from = pointer_of(i.word(2), scope);
+            const Slot between = new_slots(module_.types.slots(from.pointee));
+            load(between, from, 0);
+            store(pointer_of(i.word(1), scope), between);
+            return true;
+        }
+        case SpvOpArrayLength: {
+            Walk walk{module_.types, pointer_of(i.word(3), scope), {}};
+            walk.enter_member(i.word(4));
+            emit(array_length, 1, slot_of(i.word(2), scope), pointer_index(walk.at)).extra =
+                walk.element().first;
+            return true;
+        }
+        default:
+            return false;
+    }
+}
+
+void Lowering::lower_local_variable(const shader::Instruction& i, Scope& scope) {
+    PointerInfo info{.pointee = module_.types.at(i.word(1)).element};
+    const std::uint32_t count = module_.types.slots(info.pointee);
+    info.target.offset = new_slots(count);
+    scope.pointers[i.word(2)] = info;
+    if (i.words.size() > 4) {
+        emit(copy, count, info.target.offset, slot_of(i.word(4), scope));
+    } else {
+        emit(undefine, count, info.target.offset);
+    }
+}
+
+void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
+    Walk walk{module_.types, pointer_of(i.word(3), scope), {}};
+    const bool from_static = walk.at.is_static;
+    if (!from_static) walk.at.target.offset = 0;
+    for (std::size_t k = 4; k < i.words.size(); ++k) {
+        const Type& type = module_.types.at(walk.at.pointee);
+        const auto constant = module_.integer(i.word(k));
+        if (type.kind == Type::Kind::structure) {
+            if (!constant || *constant >= type.members.size())
+                fail(Error::Kind::malformed, "a structure without such a member");
+            walk.enter_member(*constant);
+            continue;
+        }
+        if (type.element == 0 || type.kind == Type::Kind::pointer || walk.at.space == Space::resource)
+            fail(Error::Kind::unknown_instruction, "an access chain into something without elements");
+        const auto [stride, length] = walk.element();
+        if (constant) {
+            const bool outside = length != 0 && *constant >= length;
+            if (outside) fail(Error::Kind::out_of_bounds, fmt::format("element {} of {}", *constant, length));
+            const std::uint64_t offset = walk.at.target.offset + std::uint64_t{*constant} * stride;
+            if (offset > 0xffffffffU) fail(Error::Kind::out_of_bounds, fmt::format("element {}", *constant));
+            walk.at.target.offset = static_cast<std::uint32_t>(offset);
+        } else {
+            const Type& index = module_.types.at(type_of(i.word(k), scope));
+            walk.steps.push_back({slot_of(i.word(k), scope), index.is_signed, stride, length});
+        }
+        walk.enter_element();
+    }
+    if (!from_static || !walk.steps.empty()) {
+        Chain chain_of{
+            .from_static = from_static, .from = walk.at.index, .base = walk.at.target, .steps = walk.steps};
+        walk.at.is_static = false;
+        walk.at.index = new_pointer();
+        code_.chains.push_back(std::move(chain_of));
+        emit(chain, 0, walk.at.index).extra = static_cast<std::uint32_t>(code_.chains.size() - 1);
+    }
+    scope.pointers[i.word(2)] = walk.at;
+}
+
+void Lowering::load(Slot result, const PointerInfo& from, std::uint8_t how) {
+    const std::uint32_t count = module_.types.slots(from.pointee);
+    switch (from.space) {
+        case Space::slots:
+            if (from.is_static) {
+                emit(copy, count, result, from.target.offset).flags = how;
+            } else {
+                emit(load_slots, count, result, from.index).flags = how;
+            }
+            return;
+        case Space::memory: {
+            std::vector<std::uint32_t> offsets;
+            module_.types.append_offsets(from.pointee, from.matrix, from.scalar_stride, 0, offsets);
+            Instruction& instruction = emit(load_memory, count, result, pointer_index(from));
+            instruction.flags = how;
+            instruction.extra = new_list(offsets);
+            return;
+        }
+        case Space::resource:
+            emit(load_resource, 1, result, pointer_index(from));
+            return;
+    }
+}
+
+void Lowering::store(const PointerInfo& to, Slot value) {
+    const std::uint32_t count = module_.types.slots(to.pointee);
+    switch (to.space) {
+        case Space::slots:
+            if (to.is_static) {
+                emit(copy, count, to.target.offset, value);
+            } else {
+                emit(store_slots, count, 0, to.index, value);
+            }
+            return;
+        case Space::memory: {
+            std::vector<std::uint32_t> offsets;
+            module_.types.append_offsets(to.pointee, to.matrix, to.scalar_stride, 0, offsets);
+            emit(store_memory, count, 0, pointer_index(to), value).extra = new_list(offsets);
+            code_.resources[to.target.resource].written = true;
+            return;
+        }
+        case Space::resource:
+            fail(Error::Kind::malformed, "a store to an image's variable");
+    }
+}
+
+bool Lowering::lower_atomic(const shader::Instruction& i, Scope& scope) {
+    const bool in_range = i.opcode >= SpvOpAtomicLoad && i.opcode <= SpvOpAtomicXor;
+    if (!in_range) return false;
+    const bool is_store = i.opcode == SpvOpAtomicStore;
+    const PointerInfo& pointer = pointer_of(i.word(is_store ? 1 : 3), scope);
+    if (pointer.space == Space::resource)
+        fail(Error::Kind::unknown_instruction, "an atomic operation on an image");
+    const Slot result = is_store ? new_slots(1) : slot_of(i.word(2), scope);
+    Instruction& instruction =
+        emit(atomic, pointer.space == Space::memory ? 1 : 0, result, pointer_index(pointer));
+    instruction.c = i.opcode;
+    if (pointer.space == Space::memory) code_.resources[pointer.target.resource].written = true;
+    switch (i.opcode) {
+        case SpvOpAtomicLoad:
+        case SpvOpAtomicIIncrement:
+        case SpvOpAtomicIDecrement:
+            return true;
+        case SpvOpAtomicStore:
+            instruction.b = slot_of(i.word(4), scope);
+            return true;
+        case SpvOpAtomicCompareExchange:
+            instruction.b = slot_of(i.word(7), scope);
+            instruction.extra = slot_of(i.word(8), scope);
+            return true;
+        case SpvOpAtomicCompareExchangeWeak:
+        case SpvOpAtomicFlagTestAndSet:
+        case SpvOpAtomicFlagClear:
+            fail(Error::Kind::unknown_instruction, fmt::format("opcode {}", i.opcode));
+        default:
+            instruction.b = slot_of(i.word(6), scope);
+            return true;
+    }
+}
+
+}  // namespace gloam::interpreter::internal

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Composites, matrices and everything that works on each component alone.
+#include <fmt/format.h>
+#include "interpreter/internal/opcodes.hpp"
+
+#include "interpreter/internal/lowering.hpp"
+#include "interpreter/internal/operations.hpp"
+
+namespace gloam::interpreter::internal {
+namespace {
+
+// The scalar, and its type, that literal indices lead to.
+std::pair<Slot, Id> part_of(const Types& types, Slot slot, Id type_id,
+                            std::span<const std::uint32_t> indices) {
+    for (const std::uint32_t index : indices) {
+        const Type& type = types.at(type_id);
+        if (type.kind == Type::Kind::structure) {
+            if (index >= type.members.size())
+                throw Error(Error::Kind::malformed, "a structure without such a member");
+            for (std::uint32_t m = 0; m < index; ++m) slot += types.slots(type.members[m].type);
+            type_id = type.members[index].type;
+        } else {
+            if (index >= type.count)
+                throw Error(Error::Kind::malformed, "a composite without such a component");
+            slot += index * types.slots(type.element);
+            type_id = type.element;
+        }
+    }
+    return {slot, type_id};
+}
+
+}  // namespace
+
+bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
+    const Types& types = module_.types;
+    const auto slots = [&] { return types.slots(i.word(1)); };
+    const auto result = [&] { return slot_of(i.word(2), scope); };
+    const auto operand = [&](std::size_t word) { return slot_of(i.word(word), scope); };
+    switch (i.opcode) {
+        case SpvOpUndef:
+            emit(undefine, slots(), result());
+            return true;
+        case SpvOpCopyObject:
+        case SpvOpCopyLogical:
+        case SpvOpBitcast:
+            if (types.at(i.word(1)).kind == Type::Kind::pointer) {
+                scope.pointers[i.word(2)] = pointer_of(i.word(3), scope);
+                return true;
+            }
+            if (i.opcode == SpvOpBitcast) {
+                const bool is_float = types.scalar_of(i.word(1)).kind == Type::Kind::real;
+                emit(is_float ? to_float : copy, slots(), result(), operand(3));
+            } else {
+                emit(copy, slots(), result(), operand(3)).flags = flags_of(i.word(2), i.word(1));
+            }
+            return true;
+        case SpvOpCompositeConstruct: {
+            Slot to = result();
+            for (std::size_t k = 3; k < i.words.size(); ++k) {
+                const std::uint32_t count = types.slots(type_of(i.word(k), scope));
+                emit(copy, count, to, operand(k)).flags = flags_of(i.word(2), i.word(1));
+                to += count;
+            }
+            return true;
+        }
+        case SpvOpCompositeExtract: {
+            const Slot from = part_of(types, operand(3), type_of(i.word(3), scope), i.words.subspan(4)).first;
+            emit(copy, slots(), result(), from).flags = flags_of(i.word(2), i.word(1));
+            return true;
+        }
+        case SpvOpCompositeInsert: {
+            emit(copy, slots(), result(), operand(4)).flags = flags_of(i.word(2), i.word(1));
+            const auto [to, type] = part_of(types, result(), i.word(1), i.words.subspan(5));
+            emit(copy, types.slots(type), to, operand(3)).flags = flags_of(i.word(2), i.word(1));
+            return true;
+        }
+        case SpvOpVectorShuffle:
+            lower_shuffle(i, scope);
+            return true;
+        case SpvOpVectorExtractDynamic:
+            emit(extract_dynamic, types.slots(type_of(i.word(3), scope)), result(), operand(3), operand(4));
+            return true;
+        case SpvOpVectorInsertDynamic:
+            emit(insert_dynamic, slots(), result(), operand(3), operand(4), operand(5));
+            return true;
+        case SpvOpSelect: {
+            const bool by_component = types.slots(type_of(i.word(3), scope)) > 1;
+            if (types.at(i.word(1)).kind == Type::Kind::pointer)
+                fail(Error::Kind::unknown_instruction, "OpSelect of pointers");
+            Instruction& instruction = emit(select, slots(), result(), operand(3), operand(4), operand(5));
+            instruction.stride = by_component ? 1 : 0;
+            instruction.flags = flags_of(i.word(2), i.word(1));
+            return true;
+        }
+        default:
+            return false;
+    }
+}
+
+void Lowering::lower_shuffle(const shader::Instruction& i, Scope& scope) {
+    constexpr std::uint32_t undefined = 0xffffffffU;
+    const Slot first = slot_of(i.word(3), scope);
+    const Slot second = slot_of(i.word(4), scope);
+    const std::uint32_t components = module_.types.slots(type_of(i.word(3), scope));
+    const std::uint32_t in_all = components + module_.types.slots(type_of(i.word(4), scope));
+    std::vector<std::uint32_t> from;
+    for (const std::uint32_t component : i.words.subspan(5)) {
+        if (component != undefined && component >= in_all)
+            fail(Error::Kind::malformed, "a shuffle of a component that is not there");
+        const std::uint32_t taken = component == undefined ? 0 : component;
+        from.push_back(taken < components ? first + taken : second + taken - components);
+    }
+    Instruction& instruction =
+        emit(gather, static_cast<std::uint32_t>(from.size()), slot_of(i.word(2), scope));
+    instruction.flags = flags_of(i.word(2), i.word(1));
+    instruction.extra = new_list(from);
+}
+
+// Matrices: `count` rows of the result's columns, `extra` the number of products that a sum has, c how many
+// columns there are.
+bool Lowering::lower_matrix(const shader::Instruction& i, Scope& scope) {
+    const Types& types = module_.types;
+    const auto shape = [&](std::size_t word) -> std::pair<std::uint32_t, std::uint32_t> {
+        const Type& type = types.at(type_of(i.word(word), scope));
+        if (type.kind == Type::Kind::matrix) return {type.count, types.slots(type.element)};
+        return {1, type.slots};
+    };
+    const auto product = [&](std::uint32_t rows, std::uint32_t sum, std::uint32_t columns) {
+        Instruction& instruction = emit(static_cast<std::uint16_t>(i.opcode), rows, slot_of(i.word(2), scope),
+                                        slot_of(i.word(3), scope), slot_of(i.word(4), scope), columns);
+        instruction.extra = sum;
+        instruction.flags = flags_of(i.word(2), i.word(1));
+        if ((instruction.flags & flags::no_contraction) == 0) code_.may_be_rearranged = true;
+        return true;
+    };
+    switch (i.opcode) {
+        case SpvOpTranspose: {
+            const auto [columns, rows] = shape(3);
+            const Slot first = slot_of(i.word(3), scope);
+            std::vector<std::uint32_t> from;
+            for (std::uint32_t row = 0; row < rows; ++row)
+                for (std::uint32_t column = 0; column < columns; ++column)
+                    from.push_back(first + column * rows + row);
+            emit(gather, rows * columns, slot_of(i.word(2), scope)).extra = new_list(from);
+            return true;
+        }
+        case SpvOpMatrixTimesVector:
+            return product(shape(3).second, shape(3).first, 1);
+        case SpvOpVectorTimesMatrix:
+            return product(shape(4).second, shape(4).second, shape(4).first);
+        case SpvOpMatrixTimesMatrix:
+            return product(shape(3).second, shape(3).first, shape(4).first);
+        case SpvOpOuterProduct:
+            return product(shape(3).second, 1, shape(4).second);
+        case SpvOpDot:
+            return product(1, shape(3).second, 1);
+        default:
+            return false;
+    }
+}
+
+void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
+    const auto opcode = static_cast<std::uint16_t>(i.opcode);
+    const auto arity = arity_of(opcode);
+    if (!arity || i.words.size() < *arity + 3U)
+        fail(Error::Kind::unknown_instruction,
+             fmt::format("{} is not known to the interpreter", name_of(opcode)));
+    const Id operand_type = type_of(i.word(3), scope);
+    const bool of_operands = takes_count_of_operand(opcode);
+    const std::uint32_t count = module_.types.slots(of_operands ? operand_type : i.word(1));
+    std::array<Slot, 4> operands{};
+    for (std::size_t k = 0; k < *arity; ++k) operands.at(k) = slot_of(i.word(k + 3), scope);
+    Instruction& instruction =
+        emit(opcode, count, slot_of(i.word(2), scope), operands[0], operands[1], operands[2]);
+    instruction.extra = operands[3];
+    instruction.flags = flags_of(i.word(2), i.word(1));
+    if (opcode == SpvOpVectorTimesScalar || opcode == SpvOpMatrixTimesScalar) instruction.stride = 0;
+    const Type& scalar = module_.types.scalar_of(operand_type);
+    if (module_.types.scalar_of(i.word(1)).kind == Type::Kind::boolean && scalar.kind == Type::Kind::real) {
+        for (std::size_t k = 0; k < *arity; ++k)
+            if (is_relaxed(i.word(k + 3))) instruction.flags |= flags::relaxed;
+    }
+    if (scalar.kind == Type::Kind::integer && scalar.width != 32)
+        fail(Error::Kind::unknown_instruction, fmt::format("an integer of {} bits", scalar.width));
+    if (is_float_arithmetic(opcode) && (instruction.flags & flags::no_contraction) == 0)
+        code_.may_be_rearranged = true;
+}
+
+void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
+    if (!module_.extended_sets.contains(i.word(3)))
+        fail(Error::Kind::unknown_instruction, "an extended instruction that is not of GLSL.std.450");
+    const auto opcode = static_cast<std::uint16_t>(extended + i.word(4));
+    const auto arity = arity_of(opcode);
+    if (!arity || i.words.size() < *arity + 5U)
+        fail(Error::Kind::unknown_instruction,
+             fmt::format("{} is not known to the interpreter", name_of(opcode)));
+    std::array<Slot, 3> operands{};
+    const bool by_pointer = writes_through_pointer(opcode);
+    for (std::size_t k = 0; k < (by_pointer ? 1U : *arity); ++k)
+        operands.at(k) = slot_of(i.word(k + 5), scope);
+    const std::uint32_t count =
+        module_.types.slots(takes_count_of_operand(opcode) ? type_of(i.word(5), scope) : i.word(1));
+    const Slot result = by_pointer ? new_slots(2 * count) : slot_of(i.word(2), scope);
+    Instruction& instruction = emit(opcode, count, result, operands[0], operands[1], operands[2]);
+    instruction.flags = flags_of(i.word(2), i.word(1));
+    if (module_.types.at(i.word(1)).kind == Type::Kind::structure || by_pointer)
+        instruction.flags = flags_of(i.word(2), type_of(i.word(5), scope));
+    if (!by_pointer) return;
+    emit(copy, count, slot_of(i.word(2), scope), result);
+    store(pointer_of(i.word(6), scope), result + count);
+}
+
+}  // namespace gloam::interpreter::internal

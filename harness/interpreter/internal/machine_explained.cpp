@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "interpreter/internal/machine_of.hpp"
+
+template class gloam::interpreter::Machine<gloam::interpreter::Explained>;

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+// The functions of GLSL on float and double, under the names that numeric::Interval has them by, so that one
+// template serves every number type. On float each is computed in double and rounded once.
+namespace gloam::interpreter::internal::scalars {
+
+template <class T>
+concept Real = std::same_as<T, float> || std::same_as<T, double>;
+
+#define GLOAM_BY_DOUBLE(name, expression)             \
+    template <Real T>                                 \
+    T name(T argument) {                              \
+        const auto x = static_cast<double>(argument); \
+        return static_cast<T>(expression);            \
+    }
+GLOAM_BY_DOUBLE(sqrt, std::sqrt(x))
+GLOAM_BY_DOUBLE(inversesqrt, 1.0 / std::sqrt(x))
+GLOAM_BY_DOUBLE(sin, std::sin(x))
+GLOAM_BY_DOUBLE(cos, std::cos(x))
+GLOAM_BY_DOUBLE(tan, std::tan(x))
+GLOAM_BY_DOUBLE(asin, std::asin(x))
+GLOAM_BY_DOUBLE(acos, std::acos(x))
+GLOAM_BY_DOUBLE(atan, std::atan(x))
+GLOAM_BY_DOUBLE(sinh, std::sinh(x))
+GLOAM_BY_DOUBLE(cosh, std::cosh(x))
+GLOAM_BY_DOUBLE(tanh, std::tanh(x))
+GLOAM_BY_DOUBLE(asinh, std::asinh(x))
+GLOAM_BY_DOUBLE(acosh, std::acosh(x))
+GLOAM_BY_DOUBLE(atanh, std::atanh(x))
+GLOAM_BY_DOUBLE(exp, std::exp(x))
+GLOAM_BY_DOUBLE(exp2, std::exp2(x))
+GLOAM_BY_DOUBLE(log, std::log(x))
+GLOAM_BY_DOUBLE(log2, std::log2(x))
+GLOAM_BY_DOUBLE(floor, std::floor(x))
+GLOAM_BY_DOUBLE(ceil, std::ceil(x))
+GLOAM_BY_DOUBLE(trunc, std::trunc(x))
+GLOAM_BY_DOUBLE(round, std::round(x))
+GLOAM_BY_DOUBLE(round_even, std::nearbyint(x))
+GLOAM_BY_DOUBLE(radians, x*(std::numbers::pi / 180.0))
+GLOAM_BY_DOUBLE(degrees, x*(180.0 / std::numbers::pi))
+#undef GLOAM_BY_DOUBLE
+
+template <Real T>
+T atan(T y, T x) {
+    return static_cast<T>(std::atan2(static_cast<double>(y), static_cast<double>(x)));
+}
+template <Real T>
+T pow(T x, T y) {
+    return static_cast<T>(std::pow(static_cast<double>(x), static_cast<double>(y)));
+}
+template <Real T>
+T abs(T x) {
+    return std::abs(x);
+}
+template <Real T>
+T sign(T x) {
+    return x > T(0) ? T(1) : (x < T(0) ? T(-1) : x);
+}
+template <Real T>
+T min(T a, T b) {
+    return b < a || std::isnan(a) ? b : a;
+}
+template <Real T>
+T max(T a, T b) {
+    return a < b || std::isnan(a) ? b : a;
+}
+template <Real T>
+T clamp(T x, T low, T high) {
+    return scalars::min(scalars::max(x, low), high);
+}
+template <Real T>
+T step(T edge, T x) {
+    return x < edge ? T(0) : T(1);
+}
+template <Real T>
+T fract(T x) {
+    return x - std::floor(x);
+}
+template <Real T>
+T mod(T x, T y) {
+    return x - y * std::floor(x / y);
+}
+template <Real T>
+T remainder(T x, T y) {
+    return x - y * std::trunc(x / y);
+}
+template <Real T>
+T mix(T a, T b, T t) {
+    return a * (T(1) - t) + b * t;
+}
+template <Real T>
+T smoothstep(T edge0, T edge1, T x) {
+    const T t = scalars::clamp((x - edge0) / (edge1 - edge0), T(0), T(1));
+    return t * t * (T(3) - T(2) * t);
+}
+template <Real T>
+T ldexp(T x, int exponent) {
+    return std::ldexp(x, exponent);
+}
+template <Real T>
+T fma(T a, T b, T c) {
+    return std::fma(a, b, c);
+}
+template <Real T>
+bool is_nan(T x) {
+    return std::isnan(x);
+}
+template <Real T>
+bool is_infinite(T x) {
+    return std::isinf(x);
+}
+// Towards zero; what does not fit is undefined, and becomes the nearest that does, NaN zero.
+template <Real T>
+int to_int(T x) {
+    if (std::isnan(x)) return 0;
+    const double clamped =
+        std::clamp<double>(x, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    return static_cast<int>(clamped);
+}
+template <Real T>
+unsigned to_uint(T x) {
+    if (std::isnan(x)) return 0;
+    return static_cast<unsigned>(std::clamp<double>(x, 0.0, std::numeric_limits<unsigned>::max()));
+}
+// The nearest half, to even.
+template <Real T>
+T quantize_to_half(T x) {
+    const auto value = static_cast<double>(x);
+    if (!std::isfinite(value)) return x;
+    constexpr int digits = 11;
+    constexpr int least_exponent = -14;
+    const int exponent = value == 0.0 ? least_exponent : std::max(std::ilogb(value), least_exponent);
+    const double unit = std::ldexp(1.0, exponent - (digits - 1));
+    const double rounded = std::nearbyint(value / unit) * unit;
+    const double magnitude = std::abs(rounded);
+    return static_cast<T>(magnitude > 65504.0 ? std::copysign(std::numeric_limits<double>::infinity(), value)
+                                              : std::copysign(magnitude, value));
+}
+
+}  // namespace gloam::interpreter::internal::scalars

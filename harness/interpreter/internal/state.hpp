@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "interpreter/internal/apply.hpp"
+#include "interpreter/internal/code.hpp"
+#include "interpreter/machine.hpp"
+#include "interpreter/value.hpp"
+
+namespace gloam::interpreter::internal {
+
+// A fault of the running shader; the machine adds the place.
+struct Fault {
+    Error::Kind kind;
+    std::string message;
+};
+
+template <class N>
+struct State;
+
+template <class N>
+using Handler = void (*)(State<N>&, const Instruction&);
+
+// What stands behind one resource during runs.
+template <class N>
+struct Backing {
+    std::span<const Word> words;       // as the caller bound it
+    std::vector<Value<N>> values;      // the same where the shader may write
+    std::vector<std::uint32_t> dirty;  // what it wrote, to be put back before the next run
+    std::optional<ImageView> image;
+};
+
+template <class N>
+struct State {
+    const Code& code;
+    std::vector<Value<N>> slots;
+    std::vector<Pointer> pointers;
+    std::vector<Backing<N>> backings;
+    std::vector<Handler<N>> handlers;
+    std::vector<Value<N>> moving;  // what the copies of an edge take, while they are made
+    std::uint32_t next = 0;        // instruction
+    bool running = false;
+
+    [[nodiscard]] Word bits(Slot slot) const { return slots[slot].bits(); }
+
+    // A float operand, with as much precision as the instruction asks for.
+    [[nodiscard]] N number(const Instruction& i, Slot slot) const {
+        const N x = slots[slot].number();
+        if ((i.flags & flags::relaxed) != 0) return relaxed(x);
+        return x;
+    }
+    void set(const Instruction& i, Slot slot, const N& x) {
+        slots[slot] = Value<N>::of((i.flags & flags::half) != 0 ? halved(x) : x);
+    }
+    void set(const Instruction&, Slot slot, Word x) { slots[slot] = Value<N>::of_bits(x); }
+    void set(const Instruction&, Slot slot, int x) { slots[slot] = Value<N>::of_bits(static_cast<Word>(x)); }
+    void set(const Instruction&, Slot slot, bool x) { slots[slot] = Value<N>::of_bits(x ? 1U : 0U); }
+
+    // The index of a word of a resource. Throws Fault outside.
+    [[nodiscard]] std::size_t word_of(const Pointer& pointer, std::uint32_t offset) const {
+        const std::size_t index = (std::size_t{pointer.offset} + offset) / sizeof(Word);
+        const Backing<N>& backing = backings[pointer.resource];
+        if (index >= backing.words.size()) {
+            const Resource& resource = code.resources[pointer.resource];
+            if (backing.words.empty())
+                throw Fault{Error::Kind::missing,
+                            fmt::format("nothing is bound to \"{}\" (set {}, binding {})", resource.name,
+                                        resource.set, resource.binding)};
+            throw Fault{Error::Kind::out_of_bounds, fmt::format("word {} of the {} of \"{}\"", index,
+                                                                backing.words.size(), resource.name)};
+        }
+        return index;
+    }
+    [[nodiscard]] Value<N> read(const Pointer& pointer, std::uint32_t offset) const {
+        const std::size_t index = word_of(pointer, offset);
+        const Backing<N>& backing = backings[pointer.resource];
+        return backing.values.empty() ? Value<N>::of_bits(backing.words[index]) : backing.values[index];
+    }
+    void write(const Pointer& pointer, std::uint32_t offset, const Value<N>& value) {
+        const std::size_t index = word_of(pointer, offset);
+        Backing<N>& backing = backings[pointer.resource];
+        backing.values[index] = value;
+        backing.dirty.push_back(static_cast<std::uint32_t>(index));
+    }
+
+  private:
+    static N halved(const N& x);
+};
+
+// A number that is kept in 16 bits. Intervals are rounded by their operations, which have that format.
+template <class N>
+N State<N>::halved(const N& x) {
+    if constexpr (std::is_same_v<N, float>) {
+        return scalars::quantize_to_half(x);
+    } else if constexpr (std::is_same_v<N, Explained>) {
+        N result = x;
+        result.value = scalars::quantize_to_half(x.value);
+        return result;
+    } else {
+        return x;
+    }
+}
+
+// The handler of an instruction; null for one that is not known.
+template <class N>
+[[nodiscard]] Handler<N> handler_of(const Instruction& instruction);
+
+}  // namespace gloam::interpreter::internal

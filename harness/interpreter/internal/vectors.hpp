@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "interpreter/internal/arithmetic.hpp"
+#include "numeric/interval_vector.hpp"
+
+// Floats: sums of products, and the functions of GLSL on vectors and matrices.
+namespace gloam::interpreter::internal {
+
+inline constexpr std::size_t most_components = 4;
+
+// The sum of up to four products. Numbers that may be rearranged have every order anyway.
+template <class N>
+[[nodiscard]] N sum(const std::array<N, most_components>& products, std::uint32_t count) {
+    N all = products[0];
+    for (std::uint32_t k = 1; k < count; ++k) all = all + products.at(k);
+    return all;
+}
+[[nodiscard]] inline numeric::Interval sum(const std::array<numeric::Interval, most_components>& p,
+                                           std::uint32_t count) {
+    using Interval = numeric::Interval;
+    switch (count) {
+        case 1:
+            return p[0];
+        case 2:
+            return p[0] + p[1];
+        case 3:
+            return numeric::sum_in_any_order(glm::vec<3, Interval>(p[0], p[1], p[2]));
+        default:
+            return numeric::sum_in_any_order(glm::vec<4, Interval>(p[0], p[1], p[2], p[3]));
+    }
+}
+[[nodiscard]] inline Explained sum(const std::array<Explained, most_components>& p, std::uint32_t count) {
+    std::array<float, most_components> values{};
+    std::array<double, most_components> exact{};
+    std::array<numeric::Interval, most_components> permitted{};
+    double reached = 0.0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        values.at(k) = p.at(k).value;
+        exact.at(k) = p.at(k).exact;
+        permitted.at(k) = p.at(k).permitted;
+        reached += static_cast<double>(p.at(k).value);
+    }
+    Explained result{
+        .value = sum(values, count), .exact = sum(exact, count), .permitted = sum(permitted, count)};
+    result.local = static_cast<double>(result.value) - reached;
+    return result;
+}
+
+// A product as a part of such a sum: its own error counts as the sum's.
+template <class N>
+[[nodiscard]] N product(const Instruction& i, const N& x, const N& y) {
+    return contracted<Multiply>(i, x, y);
+}
+
+template <class N>
+[[nodiscard]] N dot(State<N>& s, const Instruction& i, Slot a, Slot b, std::uint32_t count,
+                    std::uint32_t a_stride = 1, std::uint32_t b_stride = 1) {
+    std::array<N, most_components> products{};
+    for (std::uint32_t k = 0; k < count; ++k)
+        products.at(k) = product(i, s.number(i, a + k * a_stride), s.number(i, b + k * b_stride));
+    if constexpr (std::is_same_v<N, numeric::Rearranged>) {
+        if ((i.flags & flags::no_contraction) != 0) {
+            std::array<numeric::Interval, most_components> settled_products{};
+            for (std::uint32_t k = 0; k < count; ++k) settled_products.at(k) = products.at(k).interval();
+            return N(sum(settled_products, count));
+        }
+    }
+    return sum(products, count);
+}
+
+// See Lowering::lower_matrix: count rows, sums of `extra` products, c columns.
+template <class N>
+void dot_product(State<N>& s, const Instruction& i) {
+    s.set(i, i.result, dot(s, i, i.a, i.b, i.extra));
+}
+
+template <class N>
+void matrix_times_matrix(State<N>& s, const Instruction& i) {
+    for (std::uint32_t column = 0; column < i.c; ++column)
+        for (std::uint32_t row = 0; row < i.count; ++row)
+            s.set(i, i.result + column * i.count + row,
+                  dot(s, i, i.a + row, i.b + column * i.extra, i.extra, i.count));
+}
+
+template <class N>
+void vector_times_matrix(State<N>& s, const Instruction& i) {
+    for (std::uint32_t column = 0; column < i.c; ++column)
+        s.set(i, i.result + column, dot(s, i, i.a, i.b + column * i.extra, i.extra));
+}
+
+template <class N>
+void outer_product(State<N>& s, const Instruction& i) {
+    for (std::uint32_t column = 0; column < i.c; ++column)
+        for (std::uint32_t row = 0; row < i.count; ++row)
+            s.set(i, i.result + column * i.count + row,
+                  product(i, s.number(i, i.a + row), s.number(i, i.b + column)));
+}
+
+template <class N>
+void length(State<N>& s, const Instruction& i) {
+    s.set(i, i.result, apply(Sqrt{}, dot(s, i, i.a, i.a, i.count)));
+}
+
+template <class N>
+void distance(State<N>& s, const Instruction& i) {
+    std::array<N, most_components> squares{};
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N difference = apply(Subtract{}, s.number(i, i.a + k), s.number(i, i.b + k));
+        squares.at(k) = apply(Multiply{}, difference, difference);
+    }
+    s.set(i, i.result, apply(Sqrt{}, sum(squares, i.count)));
+}
+
+template <class N>
+void normalize(State<N>& s, const Instruction& i) {
+    const N scale = apply(InverseSqrt{}, dot(s, i, i.a, i.a, i.count));
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, apply(Multiply{}, s.number(i, i.a + k), scale));
+}
+
+template <class N>
+void cross(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t next = (k + 1) % 3;
+        const std::uint32_t last = (k + 2) % 3;
+        const N plus = product(i, s.number(i, i.a + next), s.number(i, i.b + last));
+        const N minus = product(i, s.number(i, i.a + last), s.number(i, i.b + next));
+        s.set(i, i.result + k, contracted<Subtract>(i, plus, minus));
+    }
+}
+
+// I - 2 dot(N, I) N.
+template <class N>
+void reflect(State<N>& s, const Instruction& i) {
+    const N twice = apply(Multiply{}, constant<N>(2.0), dot(s, i, i.b, i.a, i.count));
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k,
+              apply(Subtract{}, s.number(i, i.a + k), apply(Multiply{}, twice, s.number(i, i.b + k))));
+}
+
+// k = 1 - eta^2 (1 - dot(N, I)^2); 0 where k < 0, else eta I - (eta dot(N, I) + sqrt(k)) N.
+template <class N>
+void refract(State<N>& s, const Instruction& i) {
+    const N eta = s.number(i, i.c);
+    const N cosine = dot(s, i, i.b, i.a, i.count);
+    const N one = constant<N>(1.0);
+    const N sine_squared = apply(Subtract{}, one, apply(Multiply{}, cosine, cosine));
+    const N rest = apply(Subtract{}, one, apply(Multiply{}, apply(Multiply{}, eta, eta), sine_squared));
+    const bool total = apply(Less{}, rest, constant<N>(0.0));
+    const N along = total ? one : apply(Add{}, apply(Multiply{}, eta, cosine), apply(Sqrt{}, rest));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N bent = apply(Subtract{}, apply(Multiply{}, eta, s.number(i, i.a + k)),
+                             apply(Multiply{}, along, s.number(i, i.b + k)));
+        s.set(i, i.result + k, total ? constant<N>(0.0) : bent);
+    }
+}
+
+// N where dot(Nref, I) < 0, else -N.
+template <class N>
+void face_forward(State<N>& s, const Instruction& i) {
+    const bool same = apply(Less{}, dot(s, i, i.c, i.b, i.count), constant<N>(0.0));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        s.set(i, i.result + k, same ? x : apply(Negate{}, x));
+    }
+}
+
+template <class N>
+[[nodiscard]] Handler<N> vector_handler(std::uint16_t opcode) {
+    switch (opcode) {
+        case SpvOpDot:
+            return dot_product<N>;
+        case SpvOpMatrixTimesVector:
+        case SpvOpMatrixTimesMatrix:
+            return matrix_times_matrix<N>;
+        case SpvOpVectorTimesMatrix:
+            return vector_times_matrix<N>;
+        case SpvOpOuterProduct:
+            return outer_product<N>;
+        case extended + GLSLstd450Length:
+            return length<N>;
+        case extended + GLSLstd450Distance:
+            return distance<N>;
+        case extended + GLSLstd450Normalize:
+            return normalize<N>;
+        case extended + GLSLstd450Cross:
+            return cross<N>;
+        case extended + GLSLstd450Reflect:
+            return reflect<N>;
+        case extended + GLSLstd450Refract:
+            return refract<N>;
+        case extended + GLSLstd450FaceForward:
+            return face_forward<N>;
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace gloam::interpreter::internal

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "interpreter/error.hpp"
+#include "interpreter/program.hpp"
+#include "interpreter/value.hpp"
+
+namespace gloam::interpreter {
+
+namespace internal {
+template <class Number>
+struct State;
+}
+
+// An image: four words for each texel (the bits of floats or integers, as the shader reads them), row by row,
+// layer by layer.
+struct ImageView {
+    std::array<std::uint32_t, 3> size{1, 1, 1};
+    std::span<const Word> texels;
+};
+
+[[nodiscard]] std::string name_of_operation(std::uint16_t opcode);
+
+// What a machine did: one instruction, with the value of every scalar that it gave.
+template <class Number>
+struct Step {
+    const Place& place;
+    std::uint16_t opcode;  // of SPIR-V, or beyond those for what the decoder made of it
+    std::span<const Value<Number>> results;
+
+    // Its name: "OpFAdd", "GLSL.std.450 Sqrt".
+    [[nodiscard]] std::string operation() const { return name_of_operation(opcode); }
+};
+
+// Runs a program on one number type (number.hpp), one invocation at a time. Not to be shared by threads; the
+// program may be. What is bound must outlive the runs. On intervals a run must happen inside
+// numeric::Paths::explore(), which repeats it for every way that undecided branches may go.
+template <class Number>
+class Machine {
+  public:
+    explicit Machine(const Program& program);
+    ~Machine();
+    Machine(Machine&&) noexcept;
+    Machine& operator=(Machine&&) noexcept;
+
+    // Nothing happens where the program has no such buffer or image. What a shader writes is seen by itself,
+    // and by read() until the next run, which begins with what was bound.
+    void bind(std::uint32_t set, std::uint32_t binding, std::span<const Word> words);
+    void bind(std::uint32_t set, std::uint32_t binding, const ImageView& image);
+    void bind_push_constants(std::span<const Word> words);
+
+    // gl_GlobalInvocationID, in work groups of one invocation.
+    void set_invocation(const std::array<std::uint32_t, 3>& id);
+
+    // Runs the entry point to its end. Throws Error, which names the instruction's place.
+    void run();
+    // The same, and tells of every instruction that gives a value.
+    void run(const std::function<void(const Step<Number>&)>& tell);
+
+    // A word of a buffer or image after the run. Throws Error (missing, out_of_bounds).
+    [[nodiscard]] Value<Number> read(std::uint32_t set, std::uint32_t binding, std::size_t word) const;
+
+    // The most instructions that one run takes; more is an Error (too_many_steps).
+    void set_limit(std::uint64_t steps) { limit_ = steps; }
+    // Instructions of all runs so far.
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+  private:
+    void prepare();
+    template <class Tell>
+    void execute(Tell&& tell);
+
+    Program program_;
+    std::unique_ptr<internal::State<Number>> state_;
+    std::uint64_t limit_ = 50'000'000;
+    std::uint64_t steps_ = 0;
+};
+
+}  // namespace gloam::interpreter

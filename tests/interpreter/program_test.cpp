@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Control flow, memory and what goes wrong.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "interpreter/shader_run.hpp"
+
+namespace gloam {
+namespace program_test {
+
+using interpreter::Error;
+using interpreter::Machine;
+using interpreter::Program;
+using test::Word;
+using testing::HasSubstr;
+
+shader::Spirv compiled(const std::string& text, const char* variant = "shipped") {
+    return shader::compile({.name = "test", .text = text}, {.variant = shader::variant(variant)});
+}
+
+// The words that a shader of four inputs and `count` outputs writes.
+std::vector<Word> words_of(const std::string& body, const std::vector<Word>& inputs, std::size_t count,
+                           const std::string& functions = {}) {
+    std::vector<Word> first;
+    for (const char* variant : {"shipped", "strict", "optimized", "small", "round_trip"}) {
+        const Program program(compiled(test::row_shader(4, count, body, functions), variant));
+        const std::vector<Word> words =
+            test::rounded_correctly(program, {.inputs = inputs, .input_words = 4, .output_words = count});
+        if (first.empty()) first = words;
+        EXPECT_EQ(words, first) << variant;
+    }
+    return first;
+}
+
+Error error_of(const std::string& body, const std::vector<Word>& inputs, const std::string& functions = {}) {
+    const Program program(compiled(test::row_shader(4, 1, body, functions)));
+    Machine<float> machine(program);
+    machine.set_limit(100'000);
+    try {
+        (void)test::interpreted(machine, std::span<const Word>(inputs), 1);
+    } catch (const Error& error) {
+        return error;
+    }
+    ADD_FAILURE() << "no error";
+    return {Error::Kind::missing, ""};
+}
+
+TEST(Program, LoopsWithPhisExchangeTheirValuesAtOnce) {
+    const std::string body =
+        "uint a = word(0); uint b = word(1);\n"
+        "for (uint n = 0u; n < word(2); ++n) { uint t = a; a = b; b = t; }\n"
+        "put(0u, a); put(1u, b);\n";
+    EXPECT_EQ(words_of(body, {5, 9, 3, 0}, 2), (std::vector<Word>{9, 5}));
+    EXPECT_EQ(words_of(body, {5, 9, 4, 0}, 2), (std::vector<Word>{5, 9}));
+}
+
+TEST(Program, ArraysAndStructuresAreReachedByWhatIsKnownWhenItRunsOnly) {
+    const std::string functions =
+        "struct Pair { uint a; uint b[3]; };\n"
+        "uint pick(Pair p[2], uint i, uint j) { return p[i].b[j]; }\n"
+        "void change(inout uint x[3], uint j) { x[j] += 100u; }\n";
+    const std::string body =
+        "Pair p[2]; for (uint i = 0u; i < 2u; ++i) for (uint j = 0u; j < 3u; ++j) p[i].b[j] = 10u * i + j;\n"
+        "p[0].a = 77u; p[1].a = 78u;\n"
+        "change(p[word(0)].b, word(1));\n"
+        "put(0u, pick(p, word(0), word(1))); put(1u, pick(p, 0u, 2u)); put(2u, p[word(0)].a);\n";
+    EXPECT_EQ(words_of(body, {1, 2, 0, 0}, 3, functions), (std::vector<Word>{112, 2, 78}));
+    EXPECT_EQ(words_of(body, {0, 2, 0, 0}, 3, functions), (std::vector<Word>{102, 102, 77}));
+}
+
+TEST(Program, MatricesInBuffersLieAsTheirLayoutSays) {
+    const std::string text =
+        "#version 450\nlayout(local_size_x = 1) in;\n"
+        "layout(std430, binding = 0) readonly buffer In { layout(row_major) mat2x3 m; layout(column_major) "
+        "mat2x3 n; vec3 v; };\n"
+        "layout(std430, binding = 1) buffer Out { float o[]; };\n"
+        "void main() { o[0] = m[1].y; o[1] = n[1].y; o[2] = (m * vec2(1.0, 10.0)).z; o[3] = v.z; o[4] = "
+        "float(o.length()); "
+        "vec3 column = m[0]; o[5] = column.z; }\n";
+    std::vector<Word> inputs;
+    for (int k = 0; k < 20; ++k) inputs.push_back(std::bit_cast<Word>(static_cast<float>(k)));
+    Machine<float> machine{Program(compiled(text))};
+    const std::vector<Word> outputs(6, 0U);
+    machine.bind(0, 0, inputs);
+    machine.bind(0, 1, outputs);
+    machine.run();
+    // Row-major: rows of two at words 0, 2, 4. Column-major: columns at words 8 and 12.
+    const std::vector<float> want{3.0F, 13.0F, 54.0F, 18.0F, 6.0F, 4.0F};
+    for (std::size_t k = 0; k < want.size(); ++k) EXPECT_EQ(machine.read(0, 1, k).number(), want[k]) << k;
+}
+
+TEST(Program, SpecializationConstantsTakeTheirValues) {
+    const std::string text =
+        "#version 450\nlayout(local_size_x = 1) in;\n"
+        "layout(constant_id = 3) const uint n = 4u; layout(constant_id = 5) const float f = 0.5;\n"
+        "const uint twice = n * 2u + 1u;\n"
+        "layout(std430, binding = 1) buffer Out { uint o[]; };\n"
+        "void main() { uint a[n]; for (uint k = 0u; k < n; ++k) a[k] = k; o[0] = a[n - 1u]; o[1] = twice; "
+        "o[2] = floatBitsToUint(f * 2.0); }\n";
+    const shader::Spirv module = compiled(text);
+    const std::vector<interpreter::Constant> constants{{3, 9}, {5, std::bit_cast<Word>(4.0F)}};
+    for (const bool given : {false, true}) {
+        Machine<float> machine{given ? Program(module, constants) : Program(module)};
+        const std::vector<Word> outputs(3, 0U);
+        machine.bind(0, 1, outputs);
+        machine.run();
+        EXPECT_EQ(machine.read(0, 1, 0).bits(), given ? 8U : 3U);
+        EXPECT_EQ(machine.read(0, 1, 1).bits(), given ? 19U : 9U);
+        EXPECT_EQ(machine.read(0, 1, 2).number(), given ? 8.0F : 1.0F);
+    }
+}
+
+TEST(Program, AtomicsOfOneInvocationAreReadsAndWrites) {
+    const std::string text =
+        "#version 450\nlayout(local_size_x = 1) in; shared uint s;\n"
+        "layout(std430, binding = 1) buffer Out { uint o[]; };\n"
+        "void main() { s = 5u; o[0] = atomicAdd(s, 3u); o[1] = atomicMax(o[2], 9u); o[3] = atomicCompSwap(s, "
+        "8u, 4u);\n"
+        "barrier(); o[4] = s; o[5] = atomicExchange(o[6], 1u) + atomicAnd(o[2], 8u) + atomicXor(s, 1u); o[7] "
+        "= s; }\n";
+    Machine<float> machine{Program(compiled(text))};
+    const std::vector<Word> outputs{0, 0, 2, 0, 0, 0, 70, 0};
+    machine.bind(0, 1, outputs);
+    for (int again = 0; again < 2; ++again) {  // each run begins with what was bound
+        machine.run();
+        std::vector<Word> got;
+        for (std::size_t k = 0; k < outputs.size(); ++k) got.push_back(machine.read(0, 1, k).bits());
+        EXPECT_EQ(got, (std::vector<Word>{5, 2, 8, 8, 4, 70 + 9 + 4, 1, 5}));
+    }
+}
+
+TEST(Program, ImagesAreReadAndWrittenByTexel) {
+    const std::string text =
+        "#version 450\nlayout(local_size_x = 1) in;\n"
+        "layout(binding = 0) uniform sampler2D depth; layout(binding = 1, rgba32f) uniform image2D result;\n"
+        "void main() { ivec2 size = textureSize(depth, 0);\n"
+        "vec4 t = texelFetch(depth, ivec2(size.x - 1, 1), 0); imageStore(result, ivec2(1, 0), t * 2.0);\n"
+        "imageStore(result, ivec2(0, 0), imageLoad(result, ivec2(1, 0)) + vec4(imageSize(result), 0.0, "
+        "0.0)); }\n";
+    Machine<float> machine{Program(compiled(text))};
+    std::vector<Word> texels;
+    for (int k = 0; k < 3 * 2 * 4; ++k) texels.push_back(std::bit_cast<Word>(static_cast<float>(k)));
+    const std::vector<Word> result(2 * 4, 0U);
+    machine.bind(0, 0, {.size = {3, 2, 1}, .texels = texels});
+    machine.bind(0, 1, {.size = {2, 1, 1}, .texels = result});
+    machine.run();
+    EXPECT_EQ(machine.read(0, 1, 4).number(), 40.0F);
+    EXPECT_EQ(machine.read(0, 1, 7).number(), 46.0F);
+    EXPECT_EQ(machine.read(0, 1, 0).number(), 42.0F);
+    EXPECT_EQ(machine.read(0, 1, 1).number(), 43.0F);
+}
+
+TEST(Program, AnIndexOutsideIsAnErrorThatSaysWhere) {
+    const Error array = error_of("uint a[3] = uint[3](1u, 2u, 3u); put(0u, a[word(0)]);\n", {3, 0, 0, 0});
+    EXPECT_EQ(array.kind(), Error::Kind::out_of_bounds);
+    EXPECT_THAT(array.what(), testing::AllOf(HasSubstr("element 3 of 3"), HasSubstr("main")));
+    const Error buffer = error_of("put(7u, 1u);\n", {0, 0, 0, 0});
+    EXPECT_EQ(buffer.kind(), Error::Kind::out_of_bounds);
+    EXPECT_THAT(buffer.what(), HasSubstr("word 7 of the 1"));
+    const Error vector = error_of("vec3 v = vec3(1.0); put(0u, v[int(word(0))]);\n", {0xffffffffU, 0, 0, 0});
+    EXPECT_EQ(vector.kind(), Error::Kind::out_of_bounds);
+}
+
+TEST(Program, ALoopWithoutAnEndIsStopped) {
+    const Error error = error_of("uint n = 0u; while (word(0) == 0u) n += 2u; put(0u, n);\n", {0, 0, 0, 0});
+    EXPECT_EQ(error.kind(), Error::Kind::too_many_steps);
+    EXPECT_THAT(error.what(), HasSubstr("100000"));
+}
+
+TEST(Program, AnInstructionThatIsNotKnownIsNamed) {
+    const std::string text =
+        "#version 450\n#extension GL_KHR_shader_subgroup_arithmetic : require\nlayout(local_size_x = 1) in;\n"
+        "layout(std430, binding = 1) buffer Out { uint o[]; };\n"
+        "uint odd(uint x) { return subgroupAdd(x); }\nvoid main() { o[0] = odd(o[1]); }\n";
+    try {
+        (void)Program(compiled(text));
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Error::Kind::unknown_instruction);
+        EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("opcode"), HasSubstr("in odd")));
+    }
+}
+
+TEST(Program, WhatIsNoModuleIsRefused) {
+    EXPECT_THROW((void)Program({1, 2, 3}), Error);
+    shader::Spirv cut = compiled("#version 450\nlayout(local_size_x = 1) in; void main() {}\n");
+    EXPECT_THROW((void)Program(cut, {}, "other"), Error);
+    cut.resize(cut.size() - 1);
+    EXPECT_THROW((void)Program{cut}, Error);
+}
+
+TEST(Program, AMissingBufferIsNamed) {
+    Machine<float> machine{Program(compiled(test::row_shader(4, 1, "put(0u, word(0));\n")))};
+    EXPECT_THAT([&] { machine.run(); }, testing::ThrowsMessage<Error>(HasSubstr("binding 0")));
+}
+
+}  // namespace program_test
+}  // namespace gloam

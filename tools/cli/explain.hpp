@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace gloam::cli {
+
+// Adds `gloam explain FILE FUNCTION VALUE...`: what a shader function does with one input, operation by
+// operation.
+void add_explain(CLI::App& app);
+
+}  // namespace gloam::cli
