@@ -137,15 +137,19 @@ GloamCamera this_camera() {
 
 #include "pixel_samples.glsl"
 
-// Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells nothing.
+// Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells nothing. The change is that of
+// gloam_neighborhood_change, without a branch and without its care for lengths whose squares are not finite: those count as changed, as there.
 void probe(ivec2 pixel, float depth) {
-    if (gloam_is_background(depth)) return;
-    vec3 at = gloam_camera_position(pixel, depth, this_camera());
-    vec3 before = imageLoad(previous_position_image, pixel).xyz;
-    float reach = min(distance(at, neighborhood.position), distance(before, neighborhood.previous));
-    if (reach > neighborhood.reach || !gloam_probe_useful(at - neighborhood.position, neighborhood.normal)) return;
-    neighborhood.change = max(neighborhood.change,
-                              gloam_neighborhood_change(at, neighborhood.position, before, neighborhood.previous));
+    vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / (vec2(parameters.size) * parameters.p00_p11);
+    vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
+    vec3 before = imageLoad(previous_position_image, pixel).xyz - neighborhood.previous;
+    float squared = dot(now, now);
+    float squared_before = dot(before, before);
+    float reach = neighborhood.reach * neighborhood.reach;
+    bool tells = gloam_tap_sees(depth) && !(squared > reach && squared_before > reach) && dot(now, neighborhood.normal) > 0.0;
+    float change = abs(dot(now - before, now + before)) / (sqrt(squared) + sqrt(squared_before));
+    bool more = tells && !(change <= neighborhood.change);
+    neighborhood.change = more ? (change <= 3.402823466e38 ? change : 3.402823466e38) : neighborhood.change;
 }
 
 // Read by the samples, which thereby are the probes.
