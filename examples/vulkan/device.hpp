@@ -22,6 +22,7 @@ class Device {
           queue_(device_, family_, 0),
           pool_(device_, {vk::CommandPoolCreateFlagBits::eTransient, family_}) {}
 
+    const vk::raii::Sampler& sampler() const { return sampler_; }  // the nearest texel
     const vk::raii::Device& get() const { return device_; }
 
     vk::raii::DeviceMemory memory(const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags wanted) const {
@@ -74,6 +75,7 @@ class Device {
     vk::raii::Device device_;
     vk::raii::Queue queue_;
     vk::raii::CommandPool pool_;
+    vk::raii::Sampler sampler_{device_, vk::SamplerCreateInfo()};
 };
 
 // In memory that the CPU sees.

@@ -106,7 +106,7 @@ class Pass {
         vk::raii::DescriptorSets sets(device.get(), {*pool, *set_layout_});
         for (const gloam_binding& b : bindings_) {
             vk::WriteDescriptorSet write(*sets.front(), b.number, 0, 1, vk::DescriptorType(b.type));
-            vk::DescriptorImageInfo image({}, {}, general);
+            vk::DescriptorImageInfo image(*device.sampler(), {}, general);
             vk::DescriptorBufferInfo buffer({}, 0, VK_WHOLE_SIZE);
             if (b.image >= 0) image.imageView = *resources.images[b.image]->view;
             if (b.buffer >= 0) buffer.buffer = *resources.buffers[b.buffer]->handle;
@@ -191,6 +191,7 @@ class Effect {
     void run(bool once, const View& view) const {
         const std::vector<vk::DescriptorPoolSize> sizes{
             {vk::DescriptorType::eStorageImage, 16 * GLOAM_PASSES},
+            {vk::DescriptorType::eCombinedImageSampler, 16 * GLOAM_PASSES},
             {vk::DescriptorType::eStorageBuffer, 16 * GLOAM_PASSES}};
         const vk::raii::DescriptorPool pool(
             device_.get(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, GLOAM_PASSES, sizes});

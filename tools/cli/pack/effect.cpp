@@ -41,13 +41,14 @@ gpu::Format format_named(const std::string& name) {
 void bind_nothing(PackedPass& pass, std::vector<effect::PlannedImage>& images) {
     for (const shader::Binding& binding : pass.interface.bindings) {
         if (resource_at(pass, binding) != effect::nothing_image) continue;
-        const gpu::Format format = format_named(binding.format);
-        const std::string name = std::string(effect::nothing_image) + "_" + binding.format;
+        // What is sampled may have any format.
+        const std::string wanted = binding.format.empty() ? "rgba32f" : binding.format;
+        const std::string name = std::string(effect::nothing_image) + "_" + wanted;
         pass.plan.resources[binding.number] = name;
         if (std::ranges::find(images, name, &effect::PlannedImage::name) == images.end())
             images.push_back({.name = name,
                               .meaning = "for bindings that these settings do not read",
-                              .format = format,
+                              .format = format_named(wanted),
                               .extent = {1, 1},
                               .divisor = 0});
     }
