@@ -12,10 +12,11 @@ namespace gloam::cli {
 
 // What `gloam check` was asked.
 struct CheckOptions {
-    std::vector<std::string> equations;  // IDs, functions or globs; empty: all. Or a shader file and functions
-    std::vector<std::string> ranges;     // of a shader file's parameters: "x=0:1"
-    std::string device;                  // name, index or "all"; empty: the default
-    std::string variant = "shipped";     // see variants(), or "all"
+    std::vector<std::string>
+        equations;                    // IDs, functions or globs; empty: all. Or a shader file and functions
+    std::vector<std::string> ranges;  // of a shader file's parameters: "x=0:1"
+    std::string device;               // name, index or "all"; empty: the default
+    std::string variant = "shipped";  // see variants(), or "all"
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
     std::string shard;  // see shard_from()
