@@ -164,7 +164,7 @@ void append_estimates(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), eq 2"},
         GLOAM_REFERENCE(gloam_estimate),
         {.domain = {sum, sum, integers(0, 2048)},
-         .budget = {.ulp = 3},
+         .budget = {.ulp = 0.5},
          .codomain = {0, 2048},
          .promised =
              make_predicate<Estimate(float, float, unsigned)>([](double occluded, double whole, unsigned) {

@@ -53,7 +53,7 @@ void append_poisson(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length(), integers(1, 4)})}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.ulp = 3, .backward_ulp = 6},
+         .budget = {.ulp = 3, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised =
              make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,

@@ -5,45 +5,50 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 
-// The image of the ball of influence around a shaded point, and what takes a tap in it to the pixel it reads and to the surface seen there: computed
-// once a pixel, so that a tap takes one product and one sum for each of them. Only for what gloam_can_gather lets pass.
+// The image of the ball of influence around a shaded point, and what takes a tap in it to the pixel it reads and to the surface seen there: computed once a pixel. Only for what gloam_can_gather lets pass.
 struct GloamFootprint {
-    vec2 center;        // where the point is seen, pixels
-    vec2 reach;         // half-axes of the radius of influence, pixels
+    vec2 center;        // where the point is seen, texture coordinates
+    vec2 reach;         // half-axes of the radius of influence, texture coordinates
     ivec2 pixel;        // that the point lies in
     vec2 size;          // of the image, pixels
-    vec2 ray_scale;     // view space units at depth 1 for half a pixel
+    vec2 p00_p11;       // of the camera
     bool orthographic;  // the camera; else perspective
 };
 
+// Pixel at texture coordinates, the nearest one inside the image.
+ivec2 gloam_footprint_at(GloamFootprint footprint, vec2 uv) {
+    return ivec2(clamp(uv * footprint.size, vec2(0.0), footprint.size - 1.0));
+}
+
 // position: of the shaded point, view space, world units. radius: of influence, world units.
-// Error of the center and the reach: 4 ULP, of the scale 1.5 ULP.
+// Error of the center and the reach: 3 ULP.
 GloamFootprint gloam_footprint(vec3 position, float radius, GloamCamera camera) {
-    vec2 size = vec2(camera.size);
-    vec2 center = gloam_camera_uv(position, camera) * size;
-    vec2 reach = min(gloam_camera_radius(radius, -position.z, camera) * size, vec2(1e18));
-    return GloamFootprint(center, reach, ivec2(clamp(center, vec2(0.0), size - 1.0)), size, 1.0 / (size * camera.p00_p11), camera.orthographic);
+    vec2 center = gloam_camera_uv(position, camera);
+    vec2 reach = min(gloam_camera_radius(radius, -position.z, camera), vec2(1e18));
+    GloamFootprint footprint = GloamFootprint(center, reach, ivec2(0), vec2(camera.size), camera.p00_p11, camera.orthographic);
+    footprint.pixel = gloam_footprint_at(footprint, center);
+    return footprint;
 }
 
 // Pixel that a tap reads.
 // tap: in units of the radius, y down. Returns a pixel inside the image, the nearest where the tap lies outside. Error: none, but a tap within rounding
 // of a pixel's border may fall to either side.
 ivec2 gloam_footprint_pixel(GloamFootprint footprint, vec2 tap) {
-    return ivec2(clamp(footprint.center + footprint.reach * tap, vec2(0.0), footprint.size - 1.0));
+    return gloam_footprint_at(footprint, footprint.center + footprint.reach * tap);
 }
 
 // Pixel in which a point of the view space is seen, the nearest one inside the image; of a point that is not in front of the eye any.
 // at: view space, world units. Error: none, but a point within rounding of a pixel's border may fall to either side.
 ivec2 gloam_footprint_seen(GloamFootprint footprint, vec3 at) {
-    vec2 plane = 0.5 * at.xy / footprint.ray_scale;
-    vec2 where = (footprint.orthographic ? plane : plane / max(-at.z, 1e-18)) + 0.5 * footprint.size;
-    return ivec2(clamp(where, vec2(0.0), footprint.size - 1.0));
+    vec2 ndc = footprint.p00_p11 * at.xy / (footprint.orthographic ? 1.0 : max(-at.z, 1e-18));
+    return gloam_footprint_at(footprint, 0.5 * ndc + 0.5);
 }
 
-// Where the view ray of a pixel is at depth 1.
+// Where the view ray of a pixel is at depth 1. Divided as gloam_camera_position divides: a product with a reciprocal would move all taps against the
+// shaded point, by more than the bias where a tilted plane is far away.
 // Returns (x, y), view space. Error: 2 ULP.
 vec2 gloam_footprint_ray(GloamFootprint footprint, ivec2 pixel) {
-    return (vec2(2 * pixel + 1) - footprint.size) * footprint.ray_scale;
+    return (vec2(2 * pixel + 1) - footprint.size) / footprint.size / footprint.p00_p11;
 }
 
 // The surface at a pixel.

@@ -65,7 +65,7 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
             float towards = side == 0 ? 1.0 : -1.0;
             uint taps = steps;
             if (kernel.ends_marches) {
-                vec2 end = (footprint.center + towards * footprint.reach * random.direction) / footprint.size;
+                vec2 end = footprint.center + towards * footprint.reach * random.direction;
                 vec2 clearance = gloam_slice_clearance(slice, position, direction, end, camera, kernel.radius, random.share);
                 taps = gloam_slice_taps(clearance, random.share, random.jitter, steps);
             }

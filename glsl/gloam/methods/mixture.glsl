@@ -47,7 +47,8 @@ GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, Gloa
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    float pixels = GLOAM_PI * footprint.reach.x * footprint.reach.y;
+    vec2 axes = footprint.reach * footprint.size;
+    float pixels = GLOAM_PI * axes.x * axes.y;
     vec2 turn = gloam_sincos(kernel.angle);
     float sum = 0.0;
     for (uint i = 0u; i < kernel.count; ++i) {
@@ -64,7 +65,7 @@ GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, Gloa
             bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius && dot(offset, n) > kernel.bias;
             if (!counts) continue;
             // Half-axes of the radius there, pixels: so large is a pixel in the world.
-            vec2 size = footprint.reach * (footprint.orthographic ? 1.0 : -position.z / depth);
+            vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
             size = kernel.radius / size;
             float above = gloam_above_horizon(offset, gloam_mixture_horizon(offset, n, settings.angle_bias));
             float weight = gloam_falloff_linear(gloam_length(offset), kernel.radius);
