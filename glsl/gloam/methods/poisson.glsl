@@ -6,12 +6,13 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/poisson.glsl"
 #include "gloam/sampling/poisson_disc.glsl"
 #include "gloam/sampling/radical_inverse.glsl"
 #include "gloam/sampling/rotation.glsl"
-#include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
+#include "gloam/sampling/unit_interval.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
 // Poisson rays (Sourimant et al. 2011; CS-J): points of a Poisson disc lifted to the half ball are cosine-weighted directions, each of which is
@@ -46,7 +47,7 @@ GloamEstimate gloam_poisson(vec3 position, vec3 normal, GloamCamera camera, Gloa
         uint index = kernel.first / steps + i;
         float round_turn = GLOAM_TAU * gloam_radical_inverse_base2(index / GLOAM_POISSON_POINTS);
         vec3 direction = frame * gloam_hemisphere_lift(gloam_rotate_disc(gloam_poisson_disc(index), kernel.angle + round_turn));
-        float jitter = fract(gloam_halton_point(index + 1u).y + gloam_kernel_turns(kernel.angle));
+        float jitter = fract(gloam_halton_point(index + 1u).y + gloam_unit_interval(kernel.angle / GLOAM_TAU));
         bool blocked = false;
         for (uint k = 0u; k < steps && !blocked; ++k) {
             vec3 at = position + kernel.radius * ((float(k) + jitter) / float(steps)) * direction;
