@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Ambient occlusion of one frame, blended into the history (TSSAO-2 to -6, -12 to -14, BUF, ROT): one invocation a pixel. The history
-// is that of the same pixel: move it first (reproject.comp) where the view has changed. Where objects move, the samples tell as well
-// whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9, -SI).
+// Ambient occlusion of one frame, blended into the history (TSSAO-2 to -6, -12 to -14, BUF, ROT): one invocation a
+// pixel. The history
+// is that of the same pixel: move it first (reproject.comp) where the view has changed. Where objects move, the
+// samples tell as well whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9,
+// -SI).
 //
 // The history is held as history_image.glsl says.
-// Define GLOAM_SAMPLE_TABLE as 11 for a table of what the samples share, and what samples/table.glsl asks for; else it is computed for each of them.
-// Define METHOD, and change the #include, for another method than the one below.
-// Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is rgba32f.
-// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
+// Define GLOAM_SAMPLE_TABLE as 11 for a table of what the samples share, and what samples/table.glsl asks for; else
+// it is computed for each of them. Define METHOD, and change the #include, for another method than the one below.
+// Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is
+// rgba32f. Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none
 //   3  history  written: after, likewise; background (0, 0, 0, infinity)
-//   4  buffer   the tiles' states (tiles/state.glsl): what each took is added when counts is set, else it is never touched
-//   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
+//   4  buffer   the tiles' states (tiles/state.glsl): what each took is added when counts is set, else it is never
+//   touched
+//   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects
+//   is set
 //   6  buffer   a MethodValues
-//   7  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have some
-//   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not finite where there is
+//   7  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
+//   some
+//   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
+//   finite where there is
 //               none; read when layers is more than 1
 //   9  buffer   lists of tiles; read when listed is set
 //  10  r32f     written when shows is set, where the filter leaves pixels as they are: occlusion
@@ -30,7 +36,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
-layout(constant_id = 3) const bool reject_taps = false;     // leave out taps further in front than MethodValues::range (CS-REJ)
+layout(constant_id = 3) const
+    bool reject_taps = false;  // leave out taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 4) const bool shows = false;           // a filter follows, over lists of tiles: see binding 10
 layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
 layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least
@@ -43,7 +50,7 @@ layout(constant_id = 14) const bool keeps_history = true;   // else each frame s
 layout(constant_id = 15) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
 layout(constant_id = 16) const uint samples_converged = 16u;  // k_2, for each pixel that has
 layout(constant_id = 17) const uint method_steps = 4u;        // in the place of MethodValues::steps
-layout(constant_id = 18) const uint samples_unit = 1u;        // samples are taken in whole units of so many, at least one
+layout(constant_id = 18) const uint samples_unit = 1u;  // samples are taken in whole units of so many, at least one
 layout(constant_id = 19) const bool rounds_up = false;        // to the next whole unit; else down
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
@@ -64,14 +71,17 @@ layout(push_constant) uniform Parameters {
     float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
     uint shade_border;     // 1: the band has occlusion as well, a history for what moves in; 0: it is left out
     uint skip_background;  // 1: background returns at once; 0: it goes the long way, with the same result
-    uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by confidence
+    uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by
+                           // confidence
     float change_tolerance;  // change of a distance that is taken for rounding, world units
     float weight_small;    // invalidation 1: samples
     float confidence_factor;  // invalidation 2: S, per radius of change
     uint still;            // 1: the view and its objects are those of the last frame
     uint freeze;           // 1: pixels that have converged take no samples then
-    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many everywhere
-    float samples_radius;  // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many everywhere
+    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many
+                             // everywhere
+    float samples_radius;    // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many
+                             // everywhere
     uint samples_least;    // of those, at least
     float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
     float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
@@ -109,7 +119,8 @@ layout(binding = 10, r32f) uniform writeonly image2D shown_image;
 // The method, any file of that folder, and its call; values: a MethodValues.
 #include "gloam/methods/hemisphere.glsl"
 #ifndef METHOD
-#define METHOD(position, normal, camera, kernel, values) gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range))
+#define METHOD(position, normal, camera, kernel, values) \
+    gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range))
 #endif
 
 const uint CLAMP = 1u;
@@ -137,8 +148,9 @@ GloamCamera this_camera() {
 
 #include "pixel_samples.glsl"
 
-// Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells nothing. The change is that of
-// gloam_neighborhood_change, without a branch and without its care for lengths whose squares are not finite: those count as changed, as there.
+// Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells
+// nothing. The change is that of gloam_neighborhood_change, without a branch and without its care for lengths whose
+// squares are not finite: those count as changed, as there.
 void probe(ivec2 pixel, float depth) {
     vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / (vec2(parameters.size) * parameters.p00_p11);
     vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
@@ -146,7 +158,8 @@ void probe(ivec2 pixel, float depth) {
     float squared = dot(now, now);
     float squared_before = dot(before, before);
     float reach = neighborhood.reach * neighborhood.reach;
-    bool tells = gloam_tap_sees(depth) && !(squared > reach && squared_before > reach) && dot(now, neighborhood.normal) > 0.0;
+    bool tells =
+        gloam_tap_sees(depth) && !(squared > reach && squared_before > reach) && dot(now, neighborhood.normal) > 0.0;
     float change = abs(dot(now - before, now + before)) / (sqrt(squared) + sqrt(squared_before));
     bool more = tells && !(change <= neighborhood.change);
     neighborhood.change = more ? (change <= 3.402823466e38 ? change : 3.402823466e38) : neighborhood.change;
@@ -184,7 +197,8 @@ float weight_after_change(float weight) {
     if (parameters.invalidation != CONFIDENCE) return weight;
     // Only what exceeds the tolerance: the rounding of positions must not eat the history of a scene at rest.
     float change = max(neighborhood.change - parameters.change_tolerance, 0.0);
-    return gloam_invalidate_confidence(weight, gloam_confidence(change / parameters.radius, parameters.confidence_factor));
+    return gloam_invalidate_confidence(weight,
+                                       gloam_confidence(change / parameters.radius, parameters.confidence_factor));
 }
 
 Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
@@ -210,7 +224,8 @@ bool frozen(GloamHistory before) {
     return freezes && gloam_convergence(before.weight, parameters.weight_max) >= 1.0;
 }
 
-// How many samples a pixel takes that is not frozen: whole units of the method. A constant where k_1 is k_2, so that loops are unrolled.
+// How many samples a pixel takes that is not frozen: whole units of the method. A constant where k_1 is k_2, so that
+// loops are unrolled.
 uint samples_for(GloamHistory before, float depth) {
     uint samples = samples_at(before, depth);
     if (fewer_samples && samples == 0u) return 0u;
@@ -234,7 +249,8 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     if (smooths && parameters.smoothing > 0.0 && fresh.samples > 0.0) {
         blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, fresh.occlusion, parameters.smoothing);
     }
-    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples_none ? 0u : samples, table_size), depth);
+    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples_none ? 0u : samples, table_size),
+                        depth);
 }
 
 bool left_out(ivec2 pixel) {
@@ -258,7 +274,8 @@ GloamHistory shade(ivec2 pixel) {
     return sampled(pixel, depth);
 }
 
-// Stores the pixel's history, and what is shown of it where the filter leaves it as it is: the filter runs on the tiles of all others.
+// Stores the pixel's history, and what is shown of it where the filter leaves it as it is: the filter runs on the
+// tiles of all others.
 void store(ivec2 pixel, GloamHistory after) {
     GLOAM_STORE_HISTORY(history_after, pixel, after);
     if (!shows) return;
@@ -277,7 +294,8 @@ void shade_and_store(ivec2 pixel) {
 
 void main() {
     Column column = column_of_invocation(parameters.size);
-    // Only the pixels of open tiles take so little that an invocation has several. A loop of one would keep compilers from unrolling those within.
+    // Only the pixels of open tiles take so little that an invocation has several. A loop of one would keep compilers
+    // from unrolling those within.
     if (open_tiles) {
         for (int i = 0; i < column.pixels; ++i) shade_and_store(column.first + ivec2(0, i));
     } else {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Bent normals and cones (Klehm et al. 2011; CS-L): the mean direction in which each point is open, and the half angle of the cone around
-// it that stands for the open directions. One invocation a pixel.
+// Bent normals and cones (Klehm et al. 2011; CS-L): the mean direction in which each point is open, and the half
+// angle of the cone around it that stands for the open directions. One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is open the normal
+//   4  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing
+//   is open the normal
 //               and 0; zeros at the background
 #include "directional/points.glsl"
 #include "gloam/shading/bent_cone.glsl"
@@ -25,5 +26,6 @@ void main() {
         Sample s = sample_of(shaded, i);
         if (s.counts) bent = gloam_bent_add(bent, s.direction, s.visibility);
     }
-    imageStore(bent_image, pixel, vec4(gloam_bent_normal(bent, shaded.normal), gloam_cone_angle(gloam_bent_length(bent))));
+    imageStore(bent_image, pixel,
+               vec4(gloam_bent_normal(bent, shaded.normal), gloam_cone_angle(gloam_bent_length(bent))));
 }

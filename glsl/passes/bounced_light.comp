@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// One bounce of light off what blocks (Ritschel, Grosch and Seidel 2009; CS-D), after direct_light.comp. One invocation a pixel.
-// Reads epsilon of the method: the least distance of a sender, d_min.
+// One bounce of light off what blocks (Ritschel, Grosch and Seidel 2009; CS-D), after direct_light.comp. One
+// invocation a pixel. Reads epsilon of the method: the least distance of a sender, d_min.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
 //   4  rgba32f  written: radiance that leaves the surface by the bounce in xyz, 0 at the background. w is 0
@@ -20,8 +20,8 @@ vec3 bounced(Shaded shaded, Sample s) {
     if (gloam_is_background(depth)) return vec3(0.0);
     vec3 offset = gloam_camera_position(s.pixel, depth, this_camera()) - shaded.position;
     vec3 sender_normal = gloam_safe_normalize(imageLoad(normal_image, s.pixel).xyz, vec3(0.0));
-    return gloam_ssdo_bounce(offset, shaded.normal, sender_normal, imageLoad(direct_image, s.pixel).xyz, parameters.radius,
-                             method_values.epsilon, s.visibility);
+    return gloam_ssdo_bounce(offset, shaded.normal, sender_normal, imageLoad(direct_image, s.pixel).xyz,
+                             parameters.radius, method_values.epsilon, s.visibility);
 }
 
 void main() {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Light from an environment, from the directions in which each point is open (Ritschel, Grosch and Seidel 2009; CS-D). One invocation a pixel.
+// Light from an environment, from the directions in which each point is open (Ritschel, Grosch and Seidel 2009;
+// CS-D). One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: radiance that leaves the surface in xyz, in the unit of the environment; 0 at the background. w is 0
+//   4  rgba32f  written: radiance that leaves the surface in xyz, in the unit of the environment; 0 at the
+//   background. w is 0
 //   5  rgba32f  diffuse albedo in xyz, [0, 1]
-//   6  rgba32f  radiance of the environment in xyz, over directions of the world: columns are longitudes, -z in the middle and +x
+//   6  rgba32f  radiance of the environment in xyz, over directions of the world: columns are longitudes, -z in the
+//   middle and +x
 //               to the right of it, rows polar angles from +y; each texel is one value
 #include "directional/points.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
@@ -17,7 +20,9 @@ layout(binding = 6, rgba32f) uniform readonly image2D environment_image;
 
 // direction: view space, unit.
 vec3 environment(vec3 direction) {
-    vec3 world = mat3(parameters.world_from_view[0].xyz, parameters.world_from_view[1].xyz, parameters.world_from_view[2].xyz) * direction;
+    vec3 world =
+        mat3(parameters.world_from_view[0].xyz, parameters.world_from_view[1].xyz, parameters.world_from_view[2].xyz) *
+        direction;
     ivec2 size = imageSize(environment_image);
     vec2 at = vec2(0.5 + gloam_atan2(world.x, -world.z) / 6.283185307, gloam_acos(world.y) / 3.141592654);
     return imageLoad(environment_image, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1)).xyz;

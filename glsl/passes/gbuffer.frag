@@ -25,8 +25,8 @@ layout(push_constant) uniform Parameters {
 
 // The interpolated normal, on the viewer's side of the surface.
 // interpolated: of any length. flat_normal: of the triangle, unit, facing the viewer. away: unit, from the viewer.
-// Returns a unit vector n with dot(n, away) < 0; flat_normal where the interpolated one has no direction. Where interpolation tips
-// the normal over the rim of a smooth shape, n is what of it is perpendicular to the view.
+// Returns a unit vector n with dot(n, away) < 0; flat_normal where the interpolated one has no direction. Where
+// interpolation tips the normal over the rim of a smooth shape, n is what of it is perpendicular to the view.
 vec3 shading_normal(vec3 interpolated, vec3 flat_normal, vec3 away) {
     vec3 n = gloam_safe_normalize(interpolated, flat_normal);
     if (dot(n, flat_normal) < 0.0) n = -n;

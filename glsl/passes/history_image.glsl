@@ -2,8 +2,8 @@
 #ifndef GLOAM_PASSES_HISTORY_IMAGE_GLSL
 #define GLOAM_PASSES_HISTORY_IMAGE_GLSL
 
-// How passes hold a history. Define GLOAM_HISTORY as rgba16f for four half floats, or GLOAM_PACKED_HISTORY for 16 bits of fixed point each
-// (gloam/temporal/packed_history.glsl); else it is four floats.
+// How passes hold a history. Define GLOAM_HISTORY as rgba16f for four half floats, or GLOAM_PACKED_HISTORY for 16
+// bits of fixed point each (gloam/temporal/packed_history.glsl); else it is four floats.
 //   layout(binding = B, GLOAM_HISTORY) uniform GLOAM_HISTORY_IMAGE image;
 //   GLOAM_LOAD_HISTORY(image, pixel)          a GloamHistory
 //   GLOAM_LOAD_HISTORY_TEXEL(image, pixel)    the same as a vec4, as gloam_history_pack gives it, but not sanitized

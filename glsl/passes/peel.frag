@@ -1,12 +1,14 @@
-// SPDX-License-Identifier: MIT
-// One more depth layer, fragments: the nearest surface behind the layer before (depth peeling; Bavoil and Sainz 2009). Run it once for each
-// layer with gbuffer.vert, always the same pipeline, on what the run before has written: one surface then has the same depth in every run
-// to the bit, and no surface is found twice.
+// SPDX-License-Identifier: MIT One more depth layer, fragments: the nearest surface behind the layer before (depth
+// peeling; Bavoil and Sainz 2009). Run it once for each layer with gbuffer.vert, always the same pipeline, on what
+// the run before has written: one surface then has the same depth in every run to the bit, and no surface is found
+// twice.
 //
 // The comparison is exact. Surfaces at one depth are one layer; of two that nearly coincide, each is one.
-//   0  rgba32f  of the run before: (depth, value of the depth buffer, 0, 1 where there is a surface); for the first run (0, 2, 0, 1) with
+//   0  rgba32f  of the run before: (depth, value of the depth buffer, 0, 1 where there is a surface); for the first
+//   run (0, 2, 0, 1) with
 //               reversed depth, else (0, -1, 0, 1)
-//   output      likewise, cleared to 0. The depth is eye-linear, negative where the surface is seen from behind, 0 where there is none
+//   output      likewise, cleared to 0. The depth is eye-linear, negative where the surface is seen from behind, 0
+//   where there is none
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "gloam/geometry/background.glsl"
@@ -34,7 +36,8 @@ bool seen_from_behind(vec3 away) {
 void main() {
     float b = gl_FragCoord.z;
     bool orthographic = projection[2][3] == 0.0;
-    bool back = seen_from_behind(orthographic ? vec3(0.0, 0.0, -1.0) : gloam_safe_normalize(view_position, vec3(0.0, 0.0, -1.0)));
+    bool back = seen_from_behind(orthographic ? vec3(0.0, 0.0, -1.0)
+                                              : gloam_safe_normalize(view_position, vec3(0.0, 0.0, -1.0)));
     float depth = orthographic ? gloam_linear_depth_orthographic_vk(b, projection[2][2], projection[3][2])
                                : gloam_linear_depth_perspective_vk(b, projection[2][2], projection[3][2]);
     vec4 before = imageLoad(layer_before, ivec2(gl_FragCoord.xy));

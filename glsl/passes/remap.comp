@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Maps the occlusion to what is shown (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel. Only for display: the
-// history must not see the result.
+// Maps the occlusion to what is shown (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel. Only
+// for display: the history must not see the result.
 //
 // Define GLOAM_SOURCE as r32f where binding 1 is not a history, which is held as history_image.glsl says.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:

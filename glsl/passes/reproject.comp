@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Brings the history of the previous frame to the pixels of this one (TSSAO-RP, -7, -8, BUF): one invocation a pixel. What was
-// hidden, outside the image or another surface has no history.
+// Brings the history of the previous frame to the pixels of this one (TSSAO-RP, -7, -8, BUF): one invocation a pixel.
+// What was hidden, outside the image or another surface has no history.
 //
 // The history is held as history_image.glsl says.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
-//   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is set
+//   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects
+//   is set
 //   2  history  of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
-//   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0, 0, depth)
+//   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0,
+//   0, 0, depth)
 //               for none
 //   4  buffer   lists of tiles; read when listed is set
 #include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
-layout(constant_id = 1) const uint taps = 2u;  // 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
-layout(constant_id = 2) const bool nearest_index = true;  // the index of one texel; else interpolated (for comparison: no sequence is)
+layout(constant_id = 1) const uint taps =
+    2u;  // 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
+layout(constant_id = 2) const
+    bool nearest_index = true;  // the index of one texel; else interpolated (for comparison: no sequence is)
 layout(constant_id = 3) const bool orthographic = false;           // this frame's camera; else perspective
 layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Computes once for each sample what all pixels share of it: its point of the Halton sequence and where that is mapped to. One invocation a sample.
+// Computes once for each sample what all pixels share of it: its point of the Halton sequence and where that is
+// mapped to. One invocation a sample.
 //
 // Dispatch ceil((last - first + 1) / 64) groups. Descriptor set 0:
 //   0  rgba32f  written: the samples first to last (samples/table.glsl), 0 in w

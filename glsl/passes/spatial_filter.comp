@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #version 450
 #extension GL_EXT_control_flow_attributes : require
-// Smooths the occlusion in the image along one axis: run it along x, then along y on the result. Only for display: the history must not
-// see the result. How neighbours count is said by a file of the folder filters: by convergence (TSSAO-10), by normal and depth (CS-BLUR), by
-// distance and depth (ISSAO-7), or as SAO has it.
+// Smooths the occlusion in the image along one axis: run it along x, then along y on the result. Only for display:
+// the history must not see the result. How neighbours count is said by a file of the folder filters: by convergence
+// (TSSAO-10), by normal and depth (CS-BLUR), by distance and depth (ISSAO-7), or as SAO has it.
 //
-// An invocation filters PIXELS pixels of a tile, in a row along the axis. Their windows overlap: it reads the row once, with what the outermost
-// windows reach beyond it, and everything that a tap needs is computed once and not once for each pixel that has it in its window.
+// An invocation filters PIXELS pixels of a tile, in a row along the axis. Their windows overlap: it reads the row
+// once, with what the outermost windows reach beyond it, and everything that a tap needs is computed once and not
+// once for each pixel that has it in its window.
 //
 // The history is held as history_image.glsl says. Define GLOAM_HALF_WIDTH as the taps on each side, else 2 (5 x 5).
-// Dispatch ceil(width / (8 FILTER_TILES)) x ceil(height / 8) groups, or a list of tiles (tiles/select_filtered.comp). Descriptor set 0:
+// Dispatch ceil(width / (8 FILTER_TILES)) x ceil(height / 8) groups, or a list of tiles (tiles/select_filtered.comp).
+// Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite; read where the history rounds
 //   1  history  occlusion in x, accumulated samples in y, depth in w as binding 0 has it unless it is rounded
 //   2  r32f     written: filtered occlusion
@@ -20,7 +22,8 @@
 #ifndef GLOAM_HALF_WIDTH
 #define GLOAM_HALF_WIDTH 2
 #endif
-// A row is held in registers: the loops over it have to be unrolled. One of a wide window would not fit, and is read again for each pixel.
+// A row is held in registers: the loops over it have to be unrolled. One of a wide window would not fit, and is read
+// again for each pixel.
 #if GLOAM_HALF_WIDTH <= 8
 #define HOLDS_ROW true
 #define UNROLL [[unroll]]
@@ -49,12 +52,13 @@ layout(local_size_x = int(FILTER_TILES) * TILE_ROWS) in;
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;        // elements [0][0] and [1][1] of the projection, y down
     ivec2 size;          // of the images, pixels
-    float sigma_pixels;  // convergence, bilateral: width of the Gaussian in the image, pixels: about a quarter of the window
+    float sigma_pixels;  // convergence, bilateral: width of the Gaussian in the image, pixels: about a quarter of the
+                         // window
     float depth_scale;   // geometry, bilateral, sao: difference of depth that sets a neighbour apart, world units, > 0
     float c_adaptive;    // convergence: that from which a pixel is left as it is: 0.2
     float weight_max;    // convergence: samples at which a pixel has converged
-    float cap;           // convergence: neighbours weigh at most this many times the pixel's own; 1e18: as printed. With 1 a pixel
-                         // that has just appeared is not overruled by the old ones that happen to be on one side of it
+    float cap;  // convergence: neighbours weigh at most this many times the pixel's own; 1e18: as printed. With 1 a
+                // pixel that has just appeared is not overruled by the old ones that happen to be on one side of it
 } parameters;
 
 // What the images hold of a pixel.
@@ -73,12 +77,14 @@ Source source_at(ivec2 pixel) {
 
 // Of the image, (1, 0) or (0, 1).
 ivec2 filter_axis() {
-    // By components: of whole vectors (OpSpecConstantOp Select with one condition) the choice came out wrong on lavapipe, Mesa 22.3.
+    // By components: of whole vectors (OpSpecConstantOp Select with one condition) the choice came out wrong on
+    // lavapipe, Mesa 22.3.
     return ivec2(along_y ? 0 : 1, along_y ? 1 : 0);
 }
 
-// The filter: any file of this folder. It defines REACH, the pixels that a window reaches to each side; what is kept of a pixel for the windows
-// that it lies in (tiles/row.glsl); and filtered_occlusion(position), in [0, 1], of the pixel at a position of the row.
+// The filter: any file of this folder. It defines REACH, the pixels that a window reaches to each side; what is kept
+// of a pixel for the windows that it lies in (tiles/row.glsl); and filtered_occlusion(position), in [0, 1], of the
+// pixel at a position of the row.
 #include "filters/convergence.glsl"
 
 // Of the invocation's pixels; outside the image for one beyond its edge, and beyond the end of the list.
@@ -86,8 +92,10 @@ ivec2 first_pixel() {
     int invocation = int(gl_LocalInvocationID.x);
     int row = invocation % TILE_ROWS;
     int side = int(TILE_SIDE);
-    // Invocations next to each other lie across the axis where that is along the rows of the image, and so of what is read together.
-    ivec2 within = along_y ? ivec2(row % side, row / side * PIXELS) : ivec2(row % (side / PIXELS) * PIXELS, row / (side / PIXELS));
+    // Invocations next to each other lie across the axis where that is along the rows of the image, and so of what is
+    // read together.
+    ivec2 within =
+        along_y ? ivec2(row % side, row / side * PIXELS) : ivec2(row % (side / PIXELS) * PIXELS, row / (side / PIXELS));
     return ivec2(tile_of(group_entry_at(parameters.size, uint(invocation / TILE_ROWS), FILTER_TILES))) * side + within;
 }
 

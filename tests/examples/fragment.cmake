@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# examples/fragment: packed for OpenGL 3.3 and OpenGL ES 3.0, compiled by glslang's own program for both, and drawn by Mesa where
-# EGL is installed.
+# examples/fragment: packed for OpenGL 3.3 and OpenGL ES 3.0, compiled by glslang's own program for both, and drawn by
+# Mesa where EGL is installed.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")

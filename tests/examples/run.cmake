@@ -10,7 +10,8 @@ endfunction()
 
 # build(NAME option...): configures and builds the example of that name in ${WORK}/build.
 function(build NAME)
-  run("configure" "${CMAKE_COMMAND}" -G Ninja -S "${EXAMPLES}/${NAME}" -B "${WORK}/build" "-DCMAKE_CXX_COMPILER=${COMPILER}"
+  run("configure" "${CMAKE_COMMAND}" -G Ninja -S "${EXAMPLES}/${NAME}" -B "${WORK}/build"
+    "-DCMAKE_CXX_COMPILER=${COMPILER}"
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-Wall\ -Wextra\ -Werror ${ARGN})
   run("build" "${CMAKE_COMMAND}" --build "${WORK}/build")
 endfunction()

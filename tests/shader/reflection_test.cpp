@@ -47,7 +47,8 @@ layout(binding = 4, std430) readonly buffer Values { float first; Inner inner[3]
 layout(push_constant) uniform Parameters { mat4 m; vec2 v; ivec2 size; float f; } parameters;
 layout(binding = 5, std430) buffer Out { vec4 result; };
 void main() {
-    result = parameters.m * vec4(parameters.v, parameters.size) * parameters.f + values.rest[0] * values.inner[1].a.x + values.first;
+    result = parameters.m * vec4(parameters.v, parameters.size) * parameters.f +
+             values.rest[0] * values.inner[1].a.x + values.first;
 })");
     ASSERT_TRUE(all.push_constants);
     const std::vector<LaidOut>& members = all.push_constants->members;

@@ -6,7 +6,8 @@
 #include "gloam/filter/weighted_mean.glsl"
 #include "gloam/geometry/background.glsl"
 
-// Bilateral smoothing of occlusion by distance in the image and difference of depth (ISSAO-7, after Tomasi and Manduchi 1998).
+// Bilateral smoothing of occlusion by distance in the image and difference of depth (ISSAO-7, after Tomasi and
+// Manduchi 1998).
 
 // Defined by the user: occlusion (or visibility) of a pixel inside the image, in [0, 1].
 float gloam_fetch_occlusion(ivec2 pixel);
@@ -15,12 +16,13 @@ float gloam_fetch_occlusion(ivec2 pixel);
 float gloam_fetch_depth(ivec2 pixel);
 
 // Adds the pixel at a tap.
-// mean: what was added so far. pixel: the filtered pixel. center: its depth, world units. tap: any pixel. size: of the image.
+// mean: what was added so far. pixel: the filtered pixel. center: its depth, world units. tap: any pixel. size: of
+// the image.
 // sigma_d, sigma_r: see gloam_bilateral_weight.
-// Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and for occlusion outside
-// [0, 1]. Error: 6e-7 of the tap.
-GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float center, ivec2 tap, ivec2 size, float sigma_d,
-                                      float sigma_r) {
+// Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and
+// for occlusion outside [0, 1]. Error: 6e-7 of the tap.
+GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float center, ivec2 tap, ivec2 size,
+                                      float sigma_d, float sigma_r) {
     if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
     float depth = gloam_fetch_depth(tap);
     if (gloam_is_background(depth)) return mean;
@@ -28,12 +30,14 @@ GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float
     return gloam_weighted_mean_add(mean, gloam_fetch_occlusion(tap), weight);
 }
 
-// Smoothed occlusion of one pixel: (1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)) over the window, k the sum of the weights.
-// pixel: x, inside the image. half_width: pixels on each side, along x and y, at most 16: (h, h) is the window of ISSAO-7, (h, 0) and (0, h)
-// are the two passes of the usual approximation. size: of the image; neighbours outside are left out. sigma_d, sigma_r: see
-// gloam_bilateral_weight.
-// Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; background, and occlusion outside [0, 1] or NaN,
-// have no weight. The pixel's own value (taken into [0, 1], 0 for NaN) where it is background. Error: 6e-7.
+// Smoothed occlusion of one pixel: (1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)) over the window, k the sum of the
+// weights.
+// pixel: x, inside the image. half_width: pixels on each side, along x and y, at most 16: (h, h) is the window of
+// ISSAO-7, (h, 0) and (0, h) are the two passes of the usual approximation. size: of the image; neighbours outside
+// are left out. sigma_d, sigma_r: see gloam_bilateral_weight.
+// Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; background, and occlusion
+// outside [0, 1] or NaN, have no weight. The pixel's own value (taken into [0, 1], 0 for NaN) where it is background.
+// Error: 6e-7.
 float gloam_bilateral_filter(ivec2 pixel, ivec2 half_width, ivec2 size, float sigma_d, float sigma_r) {
     float own = gloam_fetch_occlusion(pixel);
     float center = gloam_fetch_depth(pixel);

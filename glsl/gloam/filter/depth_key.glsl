@@ -15,10 +15,11 @@ float gloam_depth_key(float depth, float z_key) {
     return !gloam_is_background(depth) && divides && depth < z_key ? min(depth / z_key, 1.0) : 1.0;
 }
 
-// Key as two bytes, each stored exactly by an 8-bit channel: the high and the low byte of round(65535 key), over 255. (SAO
-// prints floor(256 key) / 256 for the first, which such a channel rounds to another byte from 128 on.)
+// Key as two bytes, each stored exactly by an 8-bit channel: the high and the low byte of round(65535 key), over 255.
+// (SAO prints floor(256 key) / 256 for the first, which such a channel rounds to another byte from 128 on.)
 // key: in [0, 1]; outside, the nearer end; 0 for NaN.
-// Returns (high, low), multiples of 1 / 255 in [0, 1]. Error: 1.5 ULP, and a key within rounding of half a step may fall to either.
+// Returns (high, low), multiples of 1 / 255 in [0, 1]. Error: 1.5 ULP, and a key within rounding of half a step may
+// fall to either.
 vec2 gloam_pack_key(float key) {
     float inside = key > 0.0 ? (key < 1.0 ? key : 1.0) : 0.0;
     float whole = floor(inside * 65535.0 + 0.5);
@@ -27,11 +28,13 @@ vec2 gloam_pack_key(float key) {
 }
 
 // Key from its two bytes.
-// packed_key: (high, low), as gloam_pack_key gave them or as an 8-bit channel returned them: multiples of 1 / 255 in [0, 1]. Others are
-// rounded to the nearest, outside [0, 1] taken to the nearer end, NaN to 0.
-// Returns a key in [0, 1], within 1 / 131070 of the one that was packed. Error: 1.5 ULP; 3.5 by any device that keeps Vulkan's rules.
+// packed_key: (high, low), as gloam_pack_key gave them or as an 8-bit channel returned them: multiples of 1 / 255 in
+// [0, 1]. Others are rounded to the nearest, outside [0, 1] taken to the nearer end, NaN to 0.
+// Returns a key in [0, 1], within 1 / 131070 of the one that was packed. Error: 1.5 ULP; 3.5 by any device that keeps
+// Vulkan's rules.
 float gloam_unpack_key(vec2 packed_key) {
-    vec2 inside = vec2(packed_key.x > 0.0 ? min(packed_key.x, 1.0) : 0.0, packed_key.y > 0.0 ? min(packed_key.y, 1.0) : 0.0);
+    vec2 inside =
+        vec2(packed_key.x > 0.0 ? min(packed_key.x, 1.0) : 0.0, packed_key.y > 0.0 ? min(packed_key.y, 1.0) : 0.0);
     vec2 bytes = floor(inside * 255.0 + 0.5);
     return min((256.0 * bytes.x + bytes.y) / 65535.0, 1.0);
 }

@@ -2,15 +2,17 @@
 #ifndef GLOAM_FILTER_DUAL_RESOLUTION_GLSL
 #define GLOAM_FILTER_DUAL_RESOLUTION_GLSL
 
-// Where occlusion of half the resolution does not do (Bavoil and Sainz 2009): it is computed there first, and again in full where the
-// neighbours disagree.
+// Where occlusion of half the resolution does not do (Bavoil and Sainz 2009): it is computed there first, and again
+// in full where the neighbours disagree.
 
 // Defined by the user: occlusion of a pixel inside the image, in [0, 1].
 float gloam_fetch_occlusion(ivec2 pixel);
 
 // Whether the 3 x 3 neighbourhood of a pixel of the small image disagrees: max - min > tolerance.
-// pixel: of the small image, inside it. size: of the small image, pixels; neighbours outside are left out. tolerance: 0.05 or so.
-// Returns whether to compute the pixels beneath in full; true for a NaN tolerance, and where a neighbour is NaN or not in [0, 1].
+// pixel: of the small image, inside it. size: of the small image, pixels; neighbours outside are left out. tolerance:
+// 0.05 or so.
+// Returns whether to compute the pixels beneath in full; true for a NaN tolerance, and where a neighbour is NaN or
+// not in [0, 1].
 // Error: none, but for a range within rounding of the tolerance.
 bool gloam_dual_resolution_disagrees(ivec2 pixel, ivec2 size, float tolerance) {
     float low = 1.0;

@@ -4,44 +4,52 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Scale of distances for gloam_gaussian_scaled (g of TSSAO-10): sqrt(log2(e) / 2) / sigma. It holds all of the weight that is the same for every
-// neighbour of a pixel. Not its square, which may overflow or underflow.
+// Scale of distances for gloam_gaussian_scaled (g of TSSAO-10): sqrt(log2(e) / 2) / sigma. It holds all of the weight
+// that is the same for every neighbour of a pixel. Not its square, which may overflow or underflow.
 // sigma: standard deviation, world units, >= 0.
-// Returns the scale, in 1 / world units, from 2^-101 to 2^126 for all but three kinds of sigma: a zero, subnormal or negative one is read as
-// 2^-126, of which no distance but 0 counts; above 2^100 (and for infinity) 0, with which every finite distance counts wholly; for NaN
-// infinity, with which nothing counts. Error: 1.5 ULP.
+// Returns the scale, in 1 / world units, from 2^-101 to 2^126 for all but three kinds of sigma: a zero, subnormal or
+// negative one is read as 2^-126, of which no distance but 0 counts; above 2^100 (and for infinity) 0, with which
+// every finite distance counts wholly; for NaN infinity, with which nothing counts. Error: 1.5 ULP.
 float gloam_gaussian_scale(float sigma) {
     if (!(abs(sigma) >= 0.0)) return uintBitsToFloat(0x7F800000u);
     return sigma <= 1.2676506e30 ? 0.8493218003 / max(sigma, 1.175494351e-38) : 0.0;
 }
 
-// Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)), which is exp2(-(d scale)^2).
-// squared_distance: d^2, world units squared, >= 0 (below 0 it is read as 0). scale: of gloam_gaussian_scale, 1 / world units.
-// Returns a weight in [0, 1], not below 1e-30 unless 0. 0 for infinity or NaN in either, else 1 for distance 0 or scale 0.
-// Error: 3e-7; 5e-7 by any device that keeps Vulkan's rules for exp2(), 3 + 2 x ULP of a weight of 2^-x: the smallest weights hold to 3e-5 of
-// themselves.
+// Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)), which is exp2(-(d
+// scale)^2).
+// squared_distance: d^2, world units squared, >= 0 (below 0 it is read as 0). scale: of gloam_gaussian_scale, 1 /
+// world units.
+// Returns a weight in [0, 1], not below 1e-30 unless 0. 0 for infinity or NaN in either, else 1 for distance 0 or
+// scale 0.
+// Error: 3e-7; 5e-7 by any device that keeps Vulkan's rules for exp2(), 3 + 2 x ULP of a weight of 2^-x: the smallest
+// weights hold to 3e-5 of themselves.
 float gloam_gaussian_scaled(float squared_distance, float scale) {
     float x = squared_distance * scale * scale;
     float weight = min(exp2(-max(x, 0.0)), 1.0);
     return x <= 99.5 ? weight : 0.0;
 }
 
-// Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)). Depth edges need no further term.
+// Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)). Depth edges need no
+// further term.
 // squared_distance: d^2, world units squared, >= 0 (below 0 it is read as 0). sigma: world units, >= 0.
-// Returns a weight in [0, 1], not below 1e-30 unless 0. For sigma zero, subnormal or negative: 1 at distance 0, else 0. An infinite
-// distance gives 0, an infinite sigma 1 at every finite one, NaN in either 0. Error: 3e-7; 1e-6 by any device that keeps
-// Vulkan's rules for exp2() and division.
+// Returns a weight in [0, 1], not below 1e-30 unless 0. For sigma zero, subnormal or negative: 1 at distance 0, else
+// 0. An infinite distance gives 0, an infinite sigma 1 at every finite one, NaN in either 0. Error: 3e-7; 1e-6 by any
+// device that keeps Vulkan's rules for exp2() and division.
 float gloam_gaussian(float squared_distance, float sigma) {
     return gloam_gaussian_scaled(squared_distance, gloam_gaussian_scale(sigma));
 }
 
-// Standard deviation in the world of a filter that is sigma_pixels wide in the image at a depth: sigma_px 2 d tan(fov_y / 2) / H.
+// Standard deviation in the world of a filter that is sigma_pixels wide in the image at a depth: sigma_px 2 d
+// tan(fov_y / 2) / H.
 // depth: eye-linear, world units. tan_half_fovy: tangent of half the vertical field of view. height: H, pixels.
-// sigma_pixels: about a quarter of the filter's width (1.25 for 5 x 5). Orthographic: pass depth 1 and half the height of the view.
-// Returns sigma in world units, in [0, FLT_MAX]; 0 for background depth and for any other argument that is not positive or NaN.
+// sigma_pixels: about a quarter of the filter's width (1.25 for 5 x 5). Orthographic: pass depth 1 and half the
+// height of the view.
+// Returns sigma in world units, in [0, FLT_MAX]; 0 for background depth and for any other argument that is not
+// positive or NaN.
 // Error: 2.5 ULP.
 float gloam_filter_sigma(float depth, float tan_half_fovy, float height, float sigma_pixels) {
-    if (gloam_is_background(depth) || !(tan_half_fovy > 0.0 && height >= 1.175494351e-38 && sigma_pixels > 0.0)) return 0.0;
+    if (gloam_is_background(depth) || !(tan_half_fovy > 0.0 && height >= 1.175494351e-38 && sigma_pixels > 0.0))
+        return 0.0;
     float sigma = 2.0 * tan_half_fovy * depth * (sigma_pixels / height);
     return sigma <= 3.402823466e38 ? sigma : (sigma > 0.0 ? 3.402823466e38 : 0.0);
 }

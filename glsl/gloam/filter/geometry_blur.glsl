@@ -6,8 +6,8 @@
 #include "gloam/filter/weighted_mean.glsl"
 #include "gloam/geometry/background.glsl"
 
-// Blur that keeps to a surface (CS-BLUR), along one axis of the image: run it along x, then along y on the result. The study uses it for
-// all its methods, from 1 pixel on either side upward.
+// Blur that keeps to a surface (CS-BLUR), along one axis of the image: run it along x, then along y on the result.
+// The study uses it for all its methods, from 1 pixel on either side upward.
 
 // Defined by the user: occlusion (or visibility) of a pixel inside the image, in [0, 1].
 float gloam_fetch_occlusion(ivec2 pixel);
@@ -19,11 +19,13 @@ float gloam_fetch_depth(ivec2 pixel);
 vec3 gloam_fetch_normal(ivec2 pixel);
 
 // Adds the pixel at a tap.
-// mean: what was added so far. center: depth of the blurred pixel. normal: its normal. tap: any pixel. size: of the image.
+// mean: what was added so far. center: depth of the blurred pixel. normal: its normal. tap: any pixel. size: of the
+// image.
 // powers: (p_n, p_z) of gloam_geometry_weight.
-// Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and for occlusion outside
-// [0, 1]. Error: 2e-6 of the tap.
-GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, vec3 normal, ivec2 tap, ivec2 size, vec2 powers) {
+// Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and
+// for occlusion outside [0, 1]. Error: 2e-6 of the tap.
+GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, vec3 normal, ivec2 tap, ivec2 size,
+                                          vec2 powers) {
     if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
     float depth = gloam_fetch_depth(tap);
     if (gloam_is_background(depth)) return mean;
@@ -32,10 +34,11 @@ GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, 
 }
 
 // Blurred occlusion of one pixel along one axis.
-// pixel: inside the image. axis: (1, 0) or (0, 1). size: image size in pixels; neighbours outside are left out. half_width: pixels on each
-// side, at most 64; negative counts as 0. powers: (p_n, p_z) of gloam_geometry_weight, (10, 0.5).
-// Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; the pixel itself has weight 1. Its own value
-// (taken into [0, 1], 0 for NaN) where it is background. Error: 2e-6.
+// pixel: inside the image. axis: (1, 0) or (0, 1). size: image size in pixels; neighbours outside are left out.
+// half_width: pixels on each side, at most 64; negative counts as 0. powers: (p_n, p_z) of gloam_geometry_weight,
+// (10, 0.5).
+// Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; the pixel itself has weight
+// 1. Its own value (taken into [0, 1], 0 for NaN) where it is background. Error: 2e-6.
 float gloam_geometry_blur(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, vec2 powers) {
     float own = gloam_fetch_occlusion(pixel);
     float center = gloam_fetch_depth(pixel);

@@ -5,10 +5,12 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 
-// The next coarser level of MSSAO: of four pixels the two middle ones in depth, or the second where they lie on different surfaces.
+// The next coarser level of MSSAO: of four pixels the two middle ones in depth, or the second where they lie on
+// different surfaces.
 
 // How many of the four come before one of them in the order of depth; the first of two equal ones comes first.
-// depths: d_0 to d_3, not NaN. index: of the one asked for, 0 to 3; outside, the nearer end. Returns 0 to 3. Error: none.
+// depths: d_0 to d_3, not NaN. index: of the one asked for, 0 to 3; outside, the nearer end. Returns 0 to 3. Error:
+// none.
 int gloam_depth_rank(vec4 depths, int index) {
     int own = clamp(index, 0, 3);
     float depth = depths[own];
@@ -19,13 +21,14 @@ int gloam_depth_rank(vec4 depths, int index) {
     return rank;
 }
 
-// Weights of four pixels in the one that stands for them, by their depths z_1 <= z_2 <= z_3 <= z_4: a half each for the second and third
-// if z_4 - z_1 <= tolerance, else one for the second.
-// depths: eye-linear, world units, of a 2 x 2 block in any order. Background lies behind everything, and is chosen only where all are.
+// Weights of four pixels in the one that stands for them, by their depths z_1 <= z_2 <= z_3 <= z_4: a half each for
+// the second and third if z_4 - z_1 <= tolerance, else one for the second.
+// depths: eye-linear, world units, of a 2 x 2 block in any order. Background lies behind everything, and is chosen
+// only where all are.
 // tolerance: world units, >= 0: how far apart depths of one surface may be.
-// Returns the weight of each, in the same order, summing to 1; the second and first of equal depths are told apart by their place. All 0
-// for four background pixels; one for the only surface. A NaN tolerance takes the second. Error: none, but depths whose range is
-// within rounding of the tolerance may fall to either side.
+// Returns the weight of each, in the same order, summing to 1; the second and first of equal depths are told apart by
+// their place. All 0 for four background pixels; one for the only surface. A NaN tolerance takes the second. Error:
+// none, but depths whose range is within rounding of the tolerance may fall to either side.
 vec4 gloam_mssao_weights(vec4 depths, float tolerance) {
     vec4 d = depths;
     int surfaces = 0;
@@ -45,8 +48,8 @@ vec4 gloam_mssao_weights(vec4 depths, float tolerance) {
 
 // Normal of the pixel that stands for two: their mean, made a unit vector.
 // second, third: unit vectors, in the order of depth.
-// Returns a unit vector; the second where the two are opposite (the mean is zero) or the third is not finite; the zero vector where the
-// second is not. Error: 4e-7, growing as the two come nearer to opposite.
+// Returns a unit vector; the second where the two are opposite (the mean is zero) or the third is not finite; the
+// zero vector where the second is not. Error: 4e-7, growing as the two come nearer to opposite.
 vec3 gloam_mssao_normal(vec3 second, vec3 third) {
     return gloam_safe_normalize(0.5 * (second + third), gloam_safe_normalize(second, vec3(0.0)));
 }

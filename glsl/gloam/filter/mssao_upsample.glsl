@@ -5,12 +5,13 @@
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/shading/remap.glsl"
 
-// Weight of a pixel of the coarser level where the finer one takes its result over (MSSAO): bilinear (1 / (1 + |dz|))^a ((n . n' + 1) / 2)^b.
-// For gloam_weighted_mean_add.
-// bilinear: weight by position, [0, 1]; outside, the nearer end; 0 for NaN. depth_difference: dz, world units, below 1e30. normal_cosine:
-// n . n'; taken into [-1, 1]. depth_power, normal_power: a, b, in [0, 16].
+// Weight of a pixel of the coarser level where the finer one takes its result over (MSSAO): bilinear (1 / (1 +
+// |dz|))^a ((n . n' + 1) / 2)^b. For gloam_weighted_mean_add.
+// bilinear: weight by position, [0, 1]; outside, the nearer end; 0 for NaN. depth_difference: dz, world units, below
+// 1e30. normal_cosine: n . n'; taken into [-1, 1]. depth_power, normal_power: a, b, in [0, 16].
 // Returns a weight in [0, 1]; 0 for opposite normals (with b > 0), for a NaN and for depths 1e30 apart. Error: 3e-6.
-float gloam_mssao_upsample_weight(float bilinear, float depth_difference, float normal_cosine, float depth_power, float normal_power) {
+float gloam_mssao_upsample_weight(float bilinear, float depth_difference, float normal_cosine, float depth_power,
+                                  float normal_power) {
     float apart = abs(depth_difference);
     bool known = apart <= 1e30 && abs(normal_cosine) >= 0.0 && depth_power >= 0.0 && normal_power >= 0.0;
     if (!known) return 0.0;

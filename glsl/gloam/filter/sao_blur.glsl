@@ -2,11 +2,13 @@
 #ifndef GLOAM_FILTER_SAO_BLUR_GLSL
 #define GLOAM_FILTER_SAO_BLUR_GLSL
 
-// Weight of a tap of SAO's blur, along one axis: (0.3 + g_r) max(0, 1 - slope |key difference|), g_0 at the centre; the taps are two
-// pixels apart. g is a Gaussian of standard deviation 3 taps, normalised over its nine taps (the reference shader says 2).
-// tap: r, number of the tap, -4 to 4. key_difference: of the tap's depth key to the centre's. slope: per unit of key, >= 0: 2000 times
-// the edge sharpness; negative counts as 0.
-// Returns a weight in [0, 0.445]; 0 for a tap outside its range, and off the centre where slope |key difference| is NaN.
+// Weight of a tap of SAO's blur, along one axis: (0.3 + g_r) max(0, 1 - slope |key difference|), g_0 at the centre;
+// the taps are two pixels apart. g is a Gaussian of standard deviation 3 taps, normalised over its nine taps (the
+// reference shader says 2).
+// tap: r, number of the tap, -4 to 4. key_difference: of the tap's depth key to the centre's. slope: per unit of key,
+// >= 0: 2000 times the edge sharpness; negative counts as 0.
+// Returns a weight in [0, 0.445]; 0 for a tap outside its range, and off the centre where slope |key difference| is
+// NaN.
 // Error: 2e-7, and that of slope |key difference| times 0.445.
 float gloam_sao_blur_weight(int tap, float key_difference, float slope) {
     if (tap == 0) return 0.153170;

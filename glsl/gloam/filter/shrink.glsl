@@ -4,20 +4,22 @@
 
 #include "gloam/sampling/unit_interval.glsl"
 
-// Factor on the filter's support in the image (TSSAO-11): max(c - conv, 0) / c. Pixels that have converged are not filtered.
-// convergence: conv; below 0 it is read as 0, NaN gives 1. c_adaptive: c, 0.2: the convergence from which nothing is filtered.
-// Returns a factor in [0, 1]: 1 for no convergence, falling linearly to 0 at c. 0 for c below 1e-30, negative or NaN; 1 for infinite
-// c and finite conv. Error: 1.5 ULP.
+// Factor on the filter's support in the image (TSSAO-11): max(c - conv, 0) / c. Pixels that have converged are not
+// filtered.
+// convergence: conv; below 0 it is read as 0, NaN gives 1. c_adaptive: c, 0.2: the convergence from which nothing is
+// filtered.
+// Returns a factor in [0, 1]: 1 for no convergence, falling linearly to 0 at c. 0 for c below 1e-30, negative or NaN;
+// 1 for infinite c and finite conv. Error: 1.5 ULP.
 float gloam_shrink(float convergence, float c_adaptive) {
     if (!(c_adaptive >= 1e-30) || convergence >= c_adaptive) return 0.0;
     if (!(convergence > 0.0) || c_adaptive > 3.402823466e38) return 1.0;
     return min((c_adaptive - convergence) / c_adaptive, 1.0);
 }
 
-// How much of a pixel lies in the filter's window. The window reaches from the middle of the centre pixel to `reach` pixels beyond it and
-// half a pixel more on either side; a pixel counts by the part covered. So every pixel counts once whatever the shrink factor,
-// a reach of n gives n whole pixels on each side, and the result changes smoothly as the window shrinks (spreading fewer taps over
-// rounded positions would do neither).
+// How much of a pixel lies in the filter's window. The window reaches from the middle of the centre pixel to `reach`
+// pixels beyond it and half a pixel more on either side; a pixel counts by the part covered. So every pixel counts
+// once whatever the shrink factor, a reach of n gives n whole pixels on each side, and the result changes smoothly as
+// the window shrinks (spreading fewer taps over rounded positions would do neither).
 // offset: distance from the centre pixel, 1 or more. reach: half width of the window in pixels, >= 0.
 // Returns clamp(reach - (offset - 1), 0, 1); 0 for NaN. Error: none for offsets up to 2^24.
 float gloam_window_coverage(int offset, float reach) {

@@ -2,8 +2,9 @@
 #ifndef GLOAM_FILTER_WEIGHTED_MEAN_GLSL
 #define GLOAM_FILTER_WEIGHTED_MEAN_GLSL
 
-// A weighted mean of occlusion values being formed. The range of the values is kept as well: the quotient of two rounded sums may
-// leave it, and with it a constant image would change, and a lone neighbour would not give its own value.
+// A weighted mean of occlusion values being formed. The range of the values is kept as well: the quotient of two
+// rounded sums may leave it, and with it a constant image would change, and a lone neighbour would not give its own
+// value.
 struct GloamWeightedMean {
     float sum;     // of weight times value
     float weight;  // sum of weights (K of TSSAO-10)
@@ -18,16 +19,18 @@ GloamWeightedMean gloam_weighted_mean_empty() {
 
 // Adds a value.
 // mean: what was added so far. value: occlusion in [0, 1]. weight: >= 0.
-// Returns the mean with the value; unchanged for a value outside [0, 1] or NaN and for a weight that is not positive and finite.
+// Returns the mean with the value; unchanged for a value outside [0, 1] or NaN and for a weight that is not positive
+// and finite.
 // Error: 1.5 ULP for each addition.
 GloamWeightedMean gloam_weighted_mean_add(GloamWeightedMean mean, float value, float weight) {
     if (!(value >= 0.0 && value <= 1.0 && weight > 0.0 && weight <= 3.402823466e38)) return mean;
-    return GloamWeightedMean(mean.sum + weight * value, mean.weight + weight, min(mean.low, value), max(mean.high, value));
+    return GloamWeightedMean(mean.sum + weight * value, mean.weight + weight, min(mean.low, value),
+                             max(mean.high, value));
 }
 
 // The mean of the values added.
-// mean: of weights below 1e30. fallback: what to return where the weights sum to less than 1e-8; taken to the nearer end outside [0, 1],
-// NaN to 0.
+// mean: of weights below 1e30. fallback: what to return where the weights sum to less than 1e-8; taken to the nearer
+// end outside [0, 1], NaN to 0.
 // Returns the mean, between the smallest and the largest value, both included. Error: 0.5 ULP of the quotient.
 float gloam_weighted_mean_value(GloamWeightedMean mean, float fallback) {
     if (mean.weight >= 1e-8) return clamp(mean.sum / mean.weight, mean.low, mean.high);

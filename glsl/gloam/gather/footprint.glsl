@@ -5,7 +5,8 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 
-// The image of the ball of influence around a shaded point, and what takes a tap in it to the pixel it reads and to the surface seen there: computed once a pixel. Only for what gloam_can_gather lets pass.
+// The image of the ball of influence around a shaded point, and what takes a tap in it to the pixel it reads and to
+// the surface seen there: computed once a pixel. Only for what gloam_can_gather lets pass.
 struct GloamFootprint {
     vec2 center;        // where the point is seen, texture coordinates
     vec2 reach;         // half-axes of the radius of influence, texture coordinates
@@ -25,27 +26,29 @@ ivec2 gloam_footprint_at(GloamFootprint footprint, vec2 uv) {
 GloamFootprint gloam_footprint(vec3 position, float radius, GloamCamera camera) {
     vec2 center = gloam_camera_uv(position, camera);
     vec2 reach = min(gloam_camera_radius(radius, -position.z, camera), vec2(1e18));
-    GloamFootprint footprint = GloamFootprint(center, reach, ivec2(0), vec2(camera.size), camera.p00_p11, camera.orthographic);
+    GloamFootprint footprint =
+        GloamFootprint(center, reach, ivec2(0), vec2(camera.size), camera.p00_p11, camera.orthographic);
     footprint.pixel = gloam_footprint_at(footprint, center);
     return footprint;
 }
 
 // Pixel that a tap reads.
-// tap: in units of the radius, y down. Returns a pixel inside the image, the nearest where the tap lies outside. Error: none, but a tap within rounding
-// of a pixel's border may fall to either side.
+// tap: in units of the radius, y down. Returns a pixel inside the image, the nearest where the tap lies outside.
+// Error: none, but a tap within rounding of a pixel's border may fall to either side.
 ivec2 gloam_footprint_pixel(GloamFootprint footprint, vec2 tap) {
     return gloam_footprint_at(footprint, footprint.center + footprint.reach * tap);
 }
 
-// Pixel in which a point of the view space is seen, the nearest one inside the image; of a point that is not in front of the eye any.
+// Pixel in which a point of the view space is seen, the nearest one inside the image; of a point that is not in front
+// of the eye any.
 // at: view space, world units. Error: none, but a point within rounding of a pixel's border may fall to either side.
 ivec2 gloam_footprint_seen(GloamFootprint footprint, vec3 at) {
     vec2 ndc = footprint.p00_p11 * at.xy / (footprint.orthographic ? 1.0 : max(-at.z, 1e-18));
     return gloam_footprint_at(footprint, 0.5 * ndc + 0.5);
 }
 
-// Where the view ray of a pixel is at depth 1. Divided as gloam_camera_position divides: a product with a reciprocal would move all taps against the
-// shaded point, by more than the bias where a tilted plane is far away.
+// Where the view ray of a pixel is at depth 1. Divided as gloam_camera_position divides: a product with a reciprocal
+// would move all taps against the shaded point, by more than the bias where a tilted plane is far away.
 // Returns (x, y), view space. Error: 2 ULP.
 vec2 gloam_footprint_ray(GloamFootprint footprint, ivec2 pixel) {
     return (vec2(2 * pixel + 1) - footprint.size) / footprint.size / footprint.p00_p11;
@@ -58,9 +61,10 @@ vec3 gloam_footprint_position(GloamFootprint footprint, ivec2 pixel, float depth
     return vec3(footprint.orthographic ? ray : ray * depth, -depth);
 }
 
-// Depth at which the view ray of a pixel meets the plane through a point: gloam_plane_depth where the point is in front of the eye.
-// point: view space, world units. normal: of the plane, unit. Returns the eye-linear depth, world units; that of the point where the plane does not
-// face the eye on that ray. Error: as gloam_plane_depth.
+// Depth at which the view ray of a pixel meets the plane through a point: gloam_plane_depth where the point is in
+// front of the eye.
+// point: view space, world units. normal: of the plane, unit. Returns the eye-linear depth, world units; that of the
+// point where the plane does not face the eye on that ray. Error: as gloam_plane_depth.
 float gloam_footprint_plane_depth(GloamFootprint footprint, ivec2 pixel, vec3 point, vec3 normal) {
     vec2 ray = gloam_footprint_ray(footprint, pixel);
     vec3 start = footprint.orthographic ? vec3(ray, 0.0) : vec3(0.0);

@@ -10,8 +10,8 @@ float gloam_background_depth() {
 
 // Whether a depth stands for "no geometry here".
 // depth: eye-linear depth in world units, d = -z in view space.
-// Returns false for a positive finite depth, true for zero, negative, infinite and NaN. A subnormal depth is read as 0, so that
-// devices that flush subnormals agree with those that do not. Error: none.
+// Returns false for a positive finite depth, true for zero, negative, infinite and NaN. A subnormal depth is read as
+// 0, so that devices that flush subnormals agree with those that do not. Error: none.
 bool gloam_is_background(float depth) {
     return !(depth >= 1.175494351e-38 && depth <= 3.402823466e38);
 }

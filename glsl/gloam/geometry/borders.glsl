@@ -4,10 +4,10 @@
 
 #include "gloam/geometry/finite.glsl"
 
-// What a kernel reads beyond the frame (TSSAO-BORDER): the nearest pixel of the edge, or a guard band, rendered around the frame
-// and cropped. A band is a whole number of pixels on each side, so the guard actually rendered is border / size, a little
-// different along x and y; the field of view and the texture coordinates must use that one (gloam_guard_band_guard), not the
-// guard asked for, or the cropped image is scaled.
+// What a kernel reads beyond the frame (TSSAO-BORDER): the nearest pixel of the edge, or a guard band, rendered
+// around the frame and cropped. A band is a whole number of pixels on each side, so the guard actually rendered is
+// border / size, a little different along x and y; the field of view and the texture coordinates must use that one
+// (gloam_guard_band_guard), not the guard asked for, or the cropped image is scaled.
 
 // Nearest pixel of the image.
 // pixel: integer pixel. size: image size in pixels; below 1 it is read as 1.
@@ -19,7 +19,8 @@ ivec2 gloam_clamp_to_edge(ivec2 pixel, ivec2 size) {
 // Width of the guard band in pixels: guard times size, rounded to the nearest integer, the same on opposite sides.
 // size: size of the cropped image in pixels, at most 2^22 a side; below 0 it is read as 0.
 // guard: part of the image added on each side, 0 to 1 (0.05 to 0.1 is usual); outside the nearer end, 0 for NaN.
-// Returns the pixels to add on the left and right (x), top and bottom (y). Error: none, but for products within rounding of 1/2.
+// Returns the pixels to add on the left and right (x), top and bottom (y). Error: none, but for products within
+// rounding of 1/2.
 ivec2 gloam_guard_band_border(ivec2 size, float guard) {
     float part = guard > 0.0 ? (guard < 1.0 ? guard : 1.0) : 0.0;
     vec2 width = part * vec2(max(size, ivec2(0)));
@@ -37,14 +38,17 @@ ivec2 gloam_guard_band_size(ivec2 size, float guard) {
 }
 
 // Guard actually rendered: border / size.
-// size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0 to 1.
-// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 1.5 ulp, 5 ulp for sides beyond 2^21 pixels.
+// size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0
+// to 1.
+// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 1.5 ulp,
+// 5 ulp for sides beyond 2^21 pixels.
 vec2 gloam_guard_band_guard(ivec2 size, float guard) {
     return vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1)));
 }
 
 // Half field of view with the guard band: tan' = (1 + 2 g) tan.
-// tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of gloam_guard_band_guard, that axis.
+// tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of
+// gloam_guard_band_guard, that axis.
 // Returns the tangent for the image with the band; 0 where it is not finite. Error: at most 3 ulp.
 float gloam_guard_band_tan_half_fov(float tan_half_fov, float guard) {
     float wider = tan_half_fov * (1.0 + 2.0 * guard);
@@ -62,7 +66,8 @@ vec2 gloam_guard_band_inner_uv(vec2 outer_uv, vec2 guard) {
 
 // Texture coordinates in the image with the band of a point of the cropped image: (uv + g) / (1 + 2 g).
 // inner_uv: in [0, 1]^2 inside the crop. guard: g of gloam_guard_band_guard, in [0, 1].
-// Returns coordinates, in [0, 1]^2 inside the image with the band; (2, 2), a point outside every image, where they are not finite.
+// Returns coordinates, in [0, 1]^2 inside the image with the band; (2, 2), a point outside every image, where they
+// are not finite.
 // Error: 4 ulp or 1e-7.
 vec2 gloam_guard_band_outer_uv(vec2 inner_uv, vec2 guard) {
     vec2 uv = (inner_uv + guard) / (1.0 + 2.0 * guard);

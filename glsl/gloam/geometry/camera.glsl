@@ -15,8 +15,8 @@ struct GloamCamera {
 
 // Texture coordinates of a view-space position.
 // view_position: world units.
-// Returns coordinates in [0, 1]^2 inside the image; (1.5, 1.5), outside every image, for a position not in front of the eye and
-// wherever the coordinates would not be finite. Error: 2e-7 inside the image.
+// Returns coordinates in [0, 1]^2 inside the image; (1.5, 1.5), outside every image, for a position not in front of
+// the eye and wherever the coordinates would not be finite. Error: 2e-7 inside the image.
 vec2 gloam_camera_uv(vec3 view_position, GloamCamera camera) {
     return gloam_uv_from_ndc(camera.orthographic ? gloam_ndc_orthographic(view_position, camera.p00_p11)
                                                  : gloam_ndc_perspective(view_position, camera.p00_p11));
@@ -24,7 +24,8 @@ vec2 gloam_camera_uv(vec3 view_position, GloamCamera camera) {
 
 // View-space position of the surface under a pixel's centre.
 // pixel: integer pixel. depth: eye-linear depth there, world units.
-// Returns the position in world units; the zero vector for background depth and wherever it would not be finite. Error: 3 ULP.
+// Returns the position in world units; the zero vector for background depth and wherever it would not be finite.
+// Error: 3 ULP.
 vec3 gloam_camera_position(ivec2 pixel, float depth, GloamCamera camera) {
     vec2 ndc = gloam_ndc_from_pixel(pixel, camera.size);
     return camera.orthographic ? gloam_view_position_orthographic(ndc, depth, camera.p00_p11)

@@ -10,8 +10,10 @@
 // Radius of the image of a sampling disc (ISSAO-P), in units of the focal length: times P11 H / 2 it is in pixels.
 
 // Disc parallel to the screen: R / d. Its image is a circle, whatever the paper says of an ellipse.
-// position: centre of the disc, view space, world units. radius: R, world units, >= 0. largest: upper bound of the result, >= 0.
-// Returns a radius in [0, largest]; 0 for a position behind the eye or not finite and for R not positive or NaN. Error: 1 ULP.
+// position: centre of the disc, view space, world units. radius: R, world units, >= 0. largest: upper bound of the
+// result, >= 0.
+// Returns a radius in [0, largest]; 0 for a position behind the eye or not finite and for R not positive or NaN.
+// Error: 1 ULP.
 float gloam_covering_radius_parallel(vec3 position, float radius, float largest) {
     if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > 0.0 && largest > 0.0)) return 0.0;
     float depth = clamp(-position.z, 1.175494351e-38, 8.507059173e37);
@@ -19,13 +21,14 @@ float gloam_covering_radius_parallel(vec3 position, float radius, float largest)
     return min(r, gloam_positive_length(largest));
 }
 
-// Disc across the view ray: the farthest point of its elliptic image from the image of the centre, R / (cos t (d - R sin t)) with t
-// the angle off the axis. The reading under which the paper's ellipse and covering circle make sense; never below the other.
+// Disc across the view ray: the farthest point of its elliptic image from the image of the centre, R / (cos t (d - R
+// sin t)) with t the angle off the axis. The reading under which the paper's ellipse and covering circle make sense;
+// never below the other.
 // position: centre of the disc, view space, world units, |position| within [1e-12, 1e12]. radius: R, world units, >= 0.
 // largest: upper bound of the result, >= 0: the screen's diagonal.
-// Returns a radius in [0, largest]; largest where the disc reaches the plane of the eye; 0 for a position behind the eye or not finite and
-// for R not positive or NaN. Error: 8 ULP where R sin t is at most half of
-// d; what the subtraction loses beyond.
+// Returns a radius in [0, largest]; largest where the disc reaches the plane of the eye; 0 for a position behind the
+// eye or not finite and for R not positive or NaN. Error: 8 ULP where R sin t is at most half of d; what the
+// subtraction loses beyond.
 float gloam_covering_radius_perpendicular(vec3 position, float radius, float largest) {
     if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > 0.0 && largest > 0.0)) return 0.0;
     float depth = -position.z;

@@ -4,14 +4,14 @@
 
 #include "gloam/numeric/square_root.glsl"
 
-// Principal curvatures of a surface from how position and normal change between neighbouring pixels: the eigenvalues of the shape
-// operator, formed in an orthonormal frame of the tangent plane, where nothing cancels for a ball.
-// position_x, position_y: changes of the position along the two axes of the image (of neighbours on the same surface), world units,
-// lengths in [1e-9, 1e9]. normal_x, normal_y: changes of the unit normal over the same pixels.
-// Returns (k_1, k_2), 1 / world units, the larger first; positive where the surface is concave: 1 / r on the inside of a ball of
-// radius r, -1 / r on its outside. (0, 0) where the changes of the position are zero or parallel within 1e-4, and for what is not
-// finite. Error: 1e-6 of the change of the normal over that of the position, for changes of like length more than 53 degrees
-// apart; more as they come nearer to parallel.
+// Principal curvatures of a surface from how position and normal change between neighbouring pixels: the eigenvalues
+// of the shape operator, formed in an orthonormal frame of the tangent plane, where nothing cancels for a ball.
+// position_x, position_y: changes of the position along the two axes of the image (of neighbours on the same
+// surface), world units, lengths in [1e-9, 1e9]. normal_x, normal_y: changes of the unit normal over the same pixels.
+// Returns (k_1, k_2), 1 / world units, the larger first; positive where the surface is concave: 1 / r on the inside
+// of a ball of radius r, -1 / r on its outside. (0, 0) where the changes of the position are zero or parallel within
+// 1e-4, and for what is not finite. Error: 1e-6 of the change of the normal over that of the position, for changes of
+// like length more than 53 degrees apart; more as they come nearer to parallel.
 vec2 gloam_principal_curvatures(vec3 position_x, vec3 position_y, vec3 normal_x, vec3 normal_y) {
     float e = dot(position_x, position_x);
     float g = dot(position_y, position_y);

@@ -4,8 +4,10 @@
 
 #include "gloam/geometry/finite.glsl"
 
-// How far along the view vector from an aimed place the surface lies that is as high over the tangent plane as what was seen.
-// offset: from the shaded point to what was seen. aim: from there to the place, in the plane of the image; world units. view, normal: unit.
+// How far along the view vector from an aimed place the surface lies that is as high over the tangent plane as what
+// was seen.
+// offset: from the shaded point to what was seen. aim: from there to the place, in the plane of the image; world
+// units. view, normal: unit.
 // Returns a length in world units, ((offset - aim) . n) / (view . n), the divisor at least 1e-4; 0 where it is not
 // finite. Error: 3e-7 of the offset over view . n.
 float gloam_height_at(vec3 offset, vec3 aim, vec3 view, vec3 normal) {

@@ -4,13 +4,15 @@
 
 #include "gloam/geometry/background.glsl"
 
-// A depth-buffer value b is the projection of the eye-linear depth d = -z. With the projection's elements P22 = P[2][2] and
-// P32 = P[3][2] (column-major), clip z is P22 z + P32 and clip w is -z (perspective) or 1 (orthographic). Solving for d gives one
-// formula for every choice of planes: standard, reversed, and infinite far plane differ only in the two elements. Where OpenGL's
-// range [-1, 1] brings in a 2 b - 1, the 1 joins the element that it nearly cancels, which keeps that difference exact.
+// A depth-buffer value b is the projection of the eye-linear depth d = -z. With the projection's elements P22 =
+// P[2][2] and P32 = P[3][2] (column-major), clip z is P22 z + P32 and clip w is -z (perspective) or 1 (orthographic).
+// Solving for d gives one
+// formula for every choice of planes: standard, reversed, and infinite far plane differ only in the two elements.
+// Where OpenGL's range [-1, 1] brings in a 2 b - 1, the 1 joins the element that it nearly cancels, which keeps that
+// difference exact.
 
-// The quotient of the formulas below, or the background depth +infinity where it is not a depth: zero, subnormal or huge
-// denominator (a far plane at infinity), result not positive, not finite, NaN.
+// The quotient of the formulas below, or the background depth +infinity where it is not a depth: zero, subnormal or
+// huge denominator (a far plane at infinity), result not positive, not finite, NaN.
 // numerator, denominator: any floats.
 // Returns numerator / denominator, or +infinity. Error: at most 1.5 ulp; Vulkan's bound for a
 // quotient is 2.5.
@@ -24,17 +26,20 @@ float gloam_depth_quotient(float numerator, float denominator) {
 // b: depth-buffer value in [0, 1].
 // p22, p32: projection elements: far / (near - far), far near / (near - far); reversed near / (far - near),
 // far near / (far - near); reversed with infinite far plane 0, near.
-// Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive finite d.
+// Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive
+// finite d.
 // Error: at most 3 ulp.
 float gloam_linear_depth_perspective_vk(float b, float p22, float p32) {
     return gloam_depth_quotient(p32, b + p22);
 }
 
-// Eye-linear depth, perspective, depth range [-1, 1] (OpenGL): 2 b - 1 = (P22 z + P32) / -z, so d = P32 / (2 b - 1 + P22).
+// Eye-linear depth, perspective, depth range [-1, 1] (OpenGL): 2 b - 1 = (P22 z + P32) / -z, so d = P32 / (2 b - 1 +
+// P22).
 // b: depth-buffer value in [0, 1] (window depth).
 // p22, p32: projection elements: -(far + near) / (far - near), -2 far near / (far - near); both negated when reversed;
 // infinite far plane -1, -2 near.
-// Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive finite d.
+// Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive
+// finite d.
 // Error: at most 3.5 ulp, for |p22| >= 1 (every projection with 0 < near < far).
 float gloam_linear_depth_perspective_gl(float b, float p22, float p32) {
     float denominator = p22 < 0.0 ? (2.0 * b - 1.0) + p22 : 2.0 * b + (p22 - 1.0);

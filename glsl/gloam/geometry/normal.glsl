@@ -5,11 +5,12 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 
-// Direction from a position to its neighbours along one image axis: the one-sided difference with the smaller change of depth,
-// which does not reach across a silhouette. The difference to the neighbour ahead where both change alike.
-// center, behind, ahead: view-space positions in world units; a neighbour that is not in front of the eye (z not negative: the zero
-// vector of a background pixel) is not used.
-// Returns a unit vector; the zero vector without a usable neighbour, or with one at the centre itself. Error: at most 6 ulp.
+// Direction from a position to its neighbours along one image axis: the one-sided difference with the smaller change
+// of depth, which does not reach across a silhouette. The difference to the neighbour ahead where both change alike.
+// center, behind, ahead: view-space positions in world units; a neighbour that is not in front of the eye (z not
+// negative: the zero vector of a background pixel) is not used.
+// Returns a unit vector; the zero vector without a usable neighbour, or with one at the centre itself. Error: at most
+// 6 ulp.
 vec3 gloam_neighbor_direction(vec3 center, vec3 behind, vec3 ahead) {
     bool has_behind = !gloam_is_background(-behind.z);
     bool has_ahead = !gloam_is_background(-ahead.z);
@@ -34,23 +35,26 @@ vec3 gloam_facing_normal(vec3 along_x, vec3 along_y, vec3 toward_viewer) {
 
 // View-space normal from the positions of a pixel and its four neighbours, perspective: cross product of the one-sided
 // differences with the smaller change of depth, turned towards the eye.
-// center, left, right, up, down: view-space positions in world units, the zero vector (or any z that is not negative) where a
-// neighbour is background or outside the image.
-// Returns a unit vector n with n . center <= 0; (0, 0, 1) where too few neighbours are usable or the differences are parallel; the zero
-// vector where the centre is background. Error: 5e-7 for differences at 0.02 radians or more to each other and coordinates of 1e-30 to 1e6.
+// center, left, right, up, down: view-space positions in world units, the zero vector (or any z that is not negative)
+// where a neighbour is background or outside the image.
+// Returns a unit vector n with n . center <= 0; (0, 0, 1) where too few neighbours are usable or the differences are
+// parallel; the zero vector where the centre is background. Error: 5e-7 for differences at 0.02 radians or more to
+// each other and coordinates of 1e-30 to 1e6.
 vec3 gloam_normal_from_neighbors(vec3 center, vec3 left, vec3 right, vec3 up, vec3 down) {
     if (gloam_is_background(-center.z)) return vec3(0.0);
-    return gloam_facing_normal(gloam_neighbor_direction(center, left, right), gloam_neighbor_direction(center, down, up), -center);
+    return gloam_facing_normal(gloam_neighbor_direction(center, left, right),
+                               gloam_neighbor_direction(center, down, up), -center);
 }
 
 // The same for an orthographic view, in which every surface is seen along -z: the normal is turned to n.z >= 0.
 // center, left, right, up, down: as for gloam_normal_from_neighbors.
-// Returns a unit vector n with n.z >= 0; (0, 0, 1) where too few neighbours are usable or the differences are parallel; the zero
-// vector where the centre is background. Error: 4e-6 for differences at 0.02 radians or more to each other and coordinates of 1e-30 to 1e6.
+// Returns a unit vector n with n.z >= 0; (0, 0, 1) where too few neighbours are usable or the differences are
+// parallel; the zero vector where the centre is background. Error: 4e-6 for differences at 0.02 radians or more to
+// each other and coordinates of 1e-30 to 1e6.
 vec3 gloam_normal_from_neighbors_orthographic(vec3 center, vec3 left, vec3 right, vec3 up, vec3 down) {
     if (gloam_is_background(-center.z)) return vec3(0.0);
-    return gloam_facing_normal(gloam_neighbor_direction(center, left, right), gloam_neighbor_direction(center, down, up),
-                               vec3(0.0, 0.0, 1.0));
+    return gloam_facing_normal(gloam_neighbor_direction(center, left, right),
+                               gloam_neighbor_direction(center, down, up), vec3(0.0, 0.0, 1.0));
 }
 
 #endif

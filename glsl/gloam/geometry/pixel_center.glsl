@@ -4,28 +4,28 @@
 
 // Index of the pixel, along one axis, in which a texture coordinate falls: floor(u resolution) inside the image.
 // u: texture coordinate. resolution: pixels along the axis, at most 2^24.
-// Returns an index in [0, resolution - 1]: the nearer end for a coordinate outside [0, 1) (1 is the last pixel), 0 for NaN and for a
-// resolution below 1. A coordinate within rounding of a pixel border may fall to either side.
+// Returns an index in [0, resolution - 1]: the nearer end for a coordinate outside [0, 1) (1 is the last pixel), 0
+// for NaN and for a resolution below 1. A coordinate within rounding of a pixel border may fall to either side.
 int gloam_nearest_index(float u, int resolution) {
     int last = max(resolution, 1) - 1;
     float scaled = u * float(resolution);
     return scaled >= 1.0 ? (scaled < float(last) ? int(scaled) : last) : 0;
 }
 
-// Pixel whose centre is nearest to a texture coordinate, for fetches that must not interpolate (TSSAO-7: the start index and the
-// depth of the history): floor(uv resolution), kept inside the image.
+// Pixel whose centre is nearest to a texture coordinate, for fetches that must not interpolate (TSSAO-7: the start
+// index and the depth of the history): floor(uv resolution), kept inside the image.
 // uv: texture coordinates, [0, 1]^2 inside the image. resolution: image size in pixels, at most 2^24 a side.
-// Returns integer pixel coordinates inside the image: the nearest pixel for coordinates outside, 0 for NaN. A coordinate within
-// rounding of a pixel border may fall to either side.
+// Returns integer pixel coordinates inside the image: the nearest pixel for coordinates outside, 0 for NaN. A
+// coordinate within rounding of a pixel border may fall to either side.
 ivec2 gloam_nearest_pixel(vec2 uv, ivec2 resolution) {
     return ivec2(gloam_nearest_index(uv.x, resolution.x), gloam_nearest_index(uv.y, resolution.y));
 }
 
-// Centre of that pixel in texture coordinates (TSSAO-7): (floor(uv resolution) + 1/2) / resolution. The brackets of the printed
-// equation are a floor.
+// Centre of that pixel in texture coordinates (TSSAO-7): (floor(uv resolution) + 1/2) / resolution. The brackets of
+// the printed equation are a floor.
 // uv: texture coordinates, [0, 1]^2 inside the image. resolution: image size in pixels, at most 2^22 a side.
-// Returns a point in (0, 1)^2, its own pixel centre; a resolution below 1 is read as 1. Error: at most 1.5 ulp, for the pixel that
-// gloam_nearest_pixel gives.
+// Returns a point in (0, 1)^2, its own pixel centre; a resolution below 1 is read as 1. Error: at most 1.5 ulp, for
+// the pixel that gloam_nearest_pixel gives.
 vec2 gloam_pixel_center(vec2 uv, ivec2 resolution) {
     ivec2 size = max(resolution, ivec2(1));
     return (vec2(gloam_nearest_pixel(uv, size)) + 0.5) / vec2(size);

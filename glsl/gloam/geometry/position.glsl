@@ -5,9 +5,9 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/finite.glsl"
 
-// The two elements p00_p11 = (P[0][0], P[1][1]) of a symmetric projection carry the field of view and the direction of the y axis:
-// P11 is negative where normalised device y points down (Vulkan), positive where it points up (OpenGL, whose pixel rows then
-// count from the bottom). The formulas are the same.
+// The two elements p00_p11 = (P[0][0], P[1][1]) of a symmetric projection carry the field of view and the direction
+// of the y axis: P11 is negative where normalised device y points down (Vulkan), positive where it points up (OpenGL,
+// whose pixel rows then count from the bottom). The formulas are the same.
 
 // Normalised device coordinates of a pixel's centre: (2 x + 1 - width) / width, the same in y.
 // pixel: integer pixel; one outside the image gives coordinates outside [-1, 1].
@@ -29,8 +29,8 @@ vec2 gloam_uv_from_ndc(vec2 ndc) {
 
 // View-space position under a pixel, perspective: (ndc.x / P00, ndc.y / P11, -1) d.
 // ndc: normalised device coordinates. depth: eye-linear, world units. p00_p11: projection elements, not zero.
-// Returns the position in world units; the zero vector, which is read as background everywhere, for background depth and
-// wherever the position would not be finite. Error: at most 3 ulp in each component.
+// Returns the position in world units; the zero vector, which is read as background everywhere, for background depth
+// and wherever the position would not be finite. Error: at most 3 ulp in each component.
 vec3 gloam_view_position_perspective(vec2 ndc, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec3(0.0);
     vec3 position = vec3(ndc / p00_p11 * depth, -depth);
@@ -39,8 +39,8 @@ vec3 gloam_view_position_perspective(vec2 ndc, float depth, vec2 p00_p11) {
 
 // View-space position under a pixel, orthographic: (ndc.x / P00, ndc.y / P11, -d).
 // ndc: normalised device coordinates. depth: eye-linear, world units. p00_p11: projection elements, not zero.
-// Returns the position in world units; the zero vector, which is read as background everywhere, for background depth and
-// wherever the position would not be finite. Error: at most 1 ulp in each component.
+// Returns the position in world units; the zero vector, which is read as background everywhere, for background depth
+// and wherever the position would not be finite. Error: at most 1 ulp in each component.
 vec3 gloam_view_position_orthographic(vec2 ndc, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec3(0.0);
     vec3 position = vec3(ndc / p00_p11, -depth);
@@ -49,8 +49,8 @@ vec3 gloam_view_position_orthographic(vec2 ndc, float depth, vec2 p00_p11) {
 
 // Normalised device coordinates of a view-space position, perspective: (P00 x, P11 y) / -z.
 // view_position: world units. p00_p11: projection elements.
-// Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position that is not in front
-// of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.
+// Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position
+// that is not in front of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.
 // Error: at most 3 ulp.
 vec2 gloam_ndc_perspective(vec3 view_position, vec2 p00_p11) {
     if (gloam_is_background(-view_position.z)) return vec2(2.0);
@@ -60,8 +60,8 @@ vec2 gloam_ndc_perspective(vec3 view_position, vec2 p00_p11) {
 
 // Normalised device coordinates of a view-space position, orthographic: (P00 x, P11 y).
 // view_position: world units. p00_p11: projection elements.
-// Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position that is not in front
-// of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.
+// Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position
+// that is not in front of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.
 // Error: at most 1 ulp.
 vec2 gloam_ndc_orthographic(vec3 view_position, vec2 p00_p11) {
     if (gloam_is_background(-view_position.z)) return vec2(2.0);

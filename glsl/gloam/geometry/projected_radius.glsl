@@ -4,8 +4,9 @@
 
 #include "gloam/geometry/background.glsl"
 
-// How large a world length appears at a depth: half-axes of the image of a disc parallel to the screen. The factor 1/2 takes
-// normalised device coordinates, two units wide, to texture coordinates. Signs of the projection (y down) do not matter.
+// How large a world length appears at a depth: half-axes of the image of a disc parallel to the screen. The factor
+// 1/2 takes normalised device coordinates, two units wide, to texture coordinates. Signs of the projection (y down)
+// do not matter.
 
 // A length that is not positive counts as 0, and so does NaN; one too large for a float is the largest float.
 // x: any float. Returns a number in [0, FLT_MAX]. Error: none.
@@ -14,7 +15,8 @@ float gloam_positive_length(float x) {
 }
 
 // Projected radius in texture coordinates, perspective: R (|P00|, |P11|) / (2 d).
-// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection elements.
+// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
+// elements.
 // Returns the half-axes in texture coordinates, at most FLT_MAX; (0, 0) for background depth. Error: at most 3 ulp.
 vec2 gloam_projected_radius_uv(float radius, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec2(0.0);
@@ -23,7 +25,8 @@ vec2 gloam_projected_radius_uv(float radius, float depth, vec2 p00_p11) {
 }
 
 // Projected radius in pixels, perspective: R (|P00| width, |P11| height) / (2 d).
-// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection elements.
+// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
+// elements.
 // size: image size in pixels (negative counts as 0).
 // Returns the half-axes in pixels, at most FLT_MAX; (0, 0) for background depth. Error: at most 4.5 ulp.
 vec2 gloam_projected_radius_pixels(float radius, float depth, vec2 p00_p11, ivec2 size) {
@@ -32,7 +35,8 @@ vec2 gloam_projected_radius_pixels(float radius, float depth, vec2 p00_p11, ivec
 }
 
 // Projected radius in texture coordinates, orthographic: R (|P00|, |P11|) / 2, whatever the depth.
-// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection elements.
+// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
+// elements.
 // Returns the half-axes in texture coordinates, at most FLT_MAX; (0, 0) for background depth. Error: at most 1 ulp.
 vec2 gloam_projected_radius_uv_orthographic(float radius, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec2(0.0);
@@ -41,7 +45,8 @@ vec2 gloam_projected_radius_uv_orthographic(float radius, float depth, vec2 p00_
 }
 
 // Projected radius in pixels, orthographic: R (|P00| width, |P11| height) / 2, whatever the depth.
-// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection elements.
+// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
+// elements.
 // size: image size in pixels (negative counts as 0).
 // Returns the half-axes in pixels, at most FLT_MAX; (0, 0) for background depth. Error: at most 3 ulp.
 vec2 gloam_projected_radius_pixels_orthographic(float radius, float depth, vec2 p00_p11, ivec2 size) {

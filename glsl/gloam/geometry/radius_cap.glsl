@@ -5,9 +5,10 @@
 #include "gloam/geometry/projected_radius.glsl"
 #include "gloam/numeric/length_ratio.glsl"
 
-// Projected radius held below a cap, so that the taps of near pixels stay in the cache (Gears of War 2); both half-axes shrink alike,
-// and with them the radius of influence in the world.
-// axes: half-axes of the projected radius, pixels, >= 0 (negative and NaN count as 0). most: the cap, pixels, >= 0 (the same).
+// Projected radius held below a cap, so that the taps of near pixels stay in the cache (Gears of War 2); both
+// half-axes shrink alike, and with them the radius of influence in the world.
+// axes: half-axes of the projected radius, pixels, >= 0 (negative and NaN count as 0). most: the cap, pixels, >= 0
+// (the same).
 // Returns the half-axes, the larger at most `most`. Error: 3.5 ULP for sizes up to 1e18.
 vec2 gloam_radius_cap(vec2 axes, float most) {
     vec2 reach = vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));

@@ -4,13 +4,13 @@
 
 #include "gloam/geometry/finite.glsl"
 
-// Where a surface point was in the previous image (TSSAO-RP). Matrices are column-major and act on column vectors; "view" takes world
-// to view space, "model" takes object to world space. Clip points stay homogeneous throughout: nothing is divided before the
-// last step, so points at infinity (w = 0 in world space) are carried as well.
+// Where a surface point was in the previous image (TSSAO-RP). Matrices are column-major and act on column vectors;
+// "view" takes world to view space, "model" takes object to world space. Clip points stay homogeneous throughout:
+// nothing is divided before the last step, so points at infinity (w = 0 in world space) are carried as well.
 
 // Texture coordinates of a clip-space point: xy / (2 w) + 1/2.
-// clip: homogeneous clip-space point. uv: texture coordinates in [0, 1]^2 with y in the direction of clip y (down in Vulkan);
-// (0, 0) when the result is false.
+// clip: homogeneous clip-space point. uv: texture coordinates in [0, 1]^2 with y in the direction of clip y (down in
+// Vulkan); (0, 0) when the result is false.
 // Returns whether the point projects into the image, borders included: false behind the camera (w below 1e-30),
 // outside the image, for NaN, and for w above 2^126, where quotients are worth nothing. The verdict has no error: it
 // compares |x| and |y| with w. Error of uv: at most 3 ulp.
@@ -23,8 +23,8 @@ bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
     return true;
 }
 
-// Previous texture coordinates of a point of the current image, static scene, one matrix prepared by the host (in double):
-// P_(f-1) V_(f-1) V_f^-1 P_f^-1.
+// Previous texture coordinates of a point of the current image, static scene, one matrix prepared by the host (in
+// double): P_(f-1) V_(f-1) V_f^-1 P_f^-1.
 // clip_position: clip-space point of the current frame, (ndc, 1) or homogeneous. previous_from_current: the matrix.
 // uv: previous texture coordinates in [0, 1]^2; (0, 0) when the result is false.
 // Returns whether the point was inside the previous image; false behind the previous camera, outside, and for NaN.
@@ -37,39 +37,44 @@ bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out ve
 // clip: clip-space point of the current frame. inverse_projection, inverse_view: of the current frame.
 // previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
-// Error: 4 ulp of the largest component, or 4e-4 where sums cancel whose terms add up to no more than 200 units: 2e-6 of them.
+// Error: 4 ulp of the largest component, or 4e-4 where sums cancel whose terms add up to no more than 200 units: 2e-6
+// of them.
 vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 previous_view,
                                 mat4 previous_projection) {
     vec4 previous = previous_projection * (previous_view * (inverse_view * (inverse_projection * clip)));
     return gloam_is_finite4(previous) ? previous : vec4(0.0);
 }
 
-// Previous clip-space point of a point of a moving object: P_(f-1) V_(f-1) M_(f-1) M_f^-1 V_f^-1 P_f^-1 clip. (Printed without
-// frame indices, the chain P V M M^-1 V^-1 P^-1 would be the identity.)
+// Previous clip-space point of a point of a moving object: P_(f-1) V_(f-1) M_(f-1) M_f^-1 V_f^-1 P_f^-1 clip.
+// (Printed without frame indices, the chain P V M M^-1 V^-1 P^-1 would be the identity.)
 // clip: clip-space point of the current frame. inverse_projection, inverse_view, inverse_model: of the current frame.
 // previous_model, previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
-// Error: 4 ulp of the largest component, or 5e-4 where sums cancel whose terms add up to no more than 200 units: 2.5e-6 of them.
-vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 inverse_model, mat4 previous_model,
-                                mat4 previous_view, mat4 previous_projection) {
+// Error: 4 ulp of the largest component, or 5e-4 where sums cancel whose terms add up to no more than 200 units:
+// 2.5e-6 of them.
+vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 inverse_model,
+                                mat4 previous_model, mat4 previous_view, mat4 previous_projection) {
     vec4 object = inverse_model * (inverse_view * (inverse_projection * clip));
     vec4 previous = previous_projection * (previous_view * (previous_model * object));
     return gloam_is_finite4(previous) ? previous : vec4(0.0);
 }
 
 // Previous world-space position of a point of a moving object: M_(f-1) M_f^-1 x.
-// world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame (both affine).
-// Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component, or 2.4e-4
-// where sums cancel whose terms add up to no more than 200 units: 1.2e-6 of them.
+// world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame
+// (both affine).
+// Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component,
+// or 2.4e-4 where sums cancel whose terms add up to no more than 200 units: 1.2e-6 of them.
 vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
     vec4 previous = previous_model * (inverse_model * vec4(world, 1.0));
     return gloam_is_finite3(previous.xyz) ? previous.xyz : vec3(0.0);
 }
 
-// Depth that a surface point had in the previous camera: -(V_(f-1) x).z. This, and not its depth in the current camera, is what
-// the stored depth is compared with (TSSAO-8).
-// previous_world: world-space position of the point in the previous frame. previous_view: view matrix of the previous frame.
-// Returns the eye-linear depth in world units, negative behind the camera; 0 where it is not finite. Error: 5e-7 of the distances.
+// Depth that a surface point had in the previous camera: -(V_(f-1) x).z. This, and not its depth in the current
+// camera, is what the stored depth is compared with (TSSAO-8).
+// previous_world: world-space position of the point in the previous frame. previous_view: view matrix of the previous
+// frame.
+// Returns the eye-linear depth in world units, negative behind the camera; 0 where it is not finite. Error: 5e-7 of
+// the distances.
 float gloam_previous_depth(vec3 previous_world, mat4 previous_view) {
     float depth = -(previous_view * vec4(previous_world, 1.0)).z;
     return gloam_is_finite(depth) ? depth : 0.0;

@@ -5,8 +5,8 @@
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 
-// The plane through the eye and a direction of the image in which horizons are searched (Jimenez et al. 2016). Angles in it are measured
-// from the view vector, positive towards the tangent.
+// The plane through the eye and a direction of the image in which horizons are searched (Jimenez et al. 2016). Angles
+// in it are measured from the view vector, positive towards the tangent.
 struct GloamSlice {
     vec3 view;     // from the surface to the eye, unit
     vec3 tangent;  // in the slice, across the view vector, unit; the side of positive angles
@@ -16,23 +16,26 @@ struct GloamSlice {
 };
 
 // Slice of a direction of the image.
-// direction: in the image plane, unit, y as in view space; 0 to pi of angles make all slices. view: unit, view space (orthographic: (0, 0, 1)).
+// direction: in the image plane, unit, y as in view space; 0 to pi of angles make all slices. view: unit, view space
+// (orthographic: (0, 0, 1)).
 // normal: of the surface, unit, view space; the part of one that faces away is left out.
-// Returns the slice; weight 0, for which it counts nothing, where the normal is perpendicular to it, for a direction along the view
-// vector, and for NaN. Error: 6e-7 for directions and normals well away from those; of the angle and of the normal
-// 2e-7 / weight.
+// Returns the slice; weight 0, for which it counts nothing, where the normal is perpendicular to it, for a direction
+// along the view vector, and for NaN. Error: 6e-7 for directions and normals well away from those; of the angle and
+// of the normal 2e-7 / weight.
 GloamSlice gloam_slice(vec2 direction, vec3 view, vec3 normal) {
     vec3 along = vec3(direction, 0.0);
     vec3 tangent = gloam_safe_normalize(along - dot(along, view) * view, vec3(0.0));
     float x = dot(normal, tangent);
     float y = dot(normal, view);
     float weight = gloam_sqrt(x * x + y * y);
-    if (!(weight > 0.0 && dot(tangent, tangent) > 0.5)) return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, vec2(1.0, 0.0), 0.0, 0.0);
+    if (!(weight > 0.0 && dot(tangent, tangent) > 0.5))
+        return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, vec2(1.0, 0.0), 0.0, 0.0);
     vec3 projected = gloam_safe_normalize(vec3(max(y, 0.0), x, 0.0), vec3(1.0, 0.0, 0.0));
     return GloamSlice(view, tangent, projected.xy, gloam_atan2(projected.y, projected.x), min(weight, 1.0));
 }
 
-// What a half plane without anything in it amounts to, weighted by the cosine to the normal and by solid angle: cos n + n sin n.
+// What a half plane without anything in it amounts to, weighted by the cosine to the normal and by solid angle: cos n
+// + n sin n.
 // Returns an amount in [1, pi / 2]. Error: 3e-7.
 float gloam_slice_whole(GloamSlice slice) {
     return slice.normal.x + slice.angle * slice.normal.y;
@@ -40,29 +43,32 @@ float gloam_slice_whole(GloamSlice slice) {
 
 // Direction of a sample in the slice.
 // offset: s - p, view space, world units; its part across the slice is dropped.
-// Returns (along view, along tangent), unit: cosine and sine of the sample's angle; (0, 0) for an offset without a part in the slice, and for
-// NaN. Error: 4e-7 where |offset| lies mostly in the slice.
+// Returns (along view, along tangent), unit: cosine and sine of the sample's angle; (0, 0) for an offset without a
+// part in the slice, and for NaN. Error: 4e-7 where |offset| lies mostly in the slice.
 vec2 gloam_slice_direction(vec3 offset, GloamSlice slice) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     return gloam_safe_normalize(vec3(dot(direction, slice.view), dot(direction, slice.tangent), 0.0), vec3(0.0)).xy;
 }
 
-// What takes offsets into the plane of a slice without changing their height over the tangent plane. What is seen at a pixel's centre lies beside the
-// slice; dropping its part across the slice would lift the points of a tilted plane above that plane.
+// What takes offsets into the plane of a slice without changing their height over the tangent plane. What is seen at
+// a pixel's centre lies beside the slice; dropping its part across the slice would lift the points of a tilted plane
+// above that plane.
 struct GloamSliceAxes {
     vec3 view;     // its product with an offset is that of the moved offset with the slice's view vector
     vec3 tangent;  // likewise with the tangent
 };
 
-// normal: of the surface, unit. As gloam_into_slice, whose result has (dot(offset, axes.view), dot(offset, axes.tangent)) within the slice.
-// Returns the slice's own vectors where it is within 2 degrees of the tangent plane: parts across it are dropped there. Error: 3e-6 where
-// (axis . normal)^2 < 0.9; 3e-4 beyond.
+// normal: of the surface, unit. As gloam_into_slice, whose result has (dot(offset, axes.view), dot(offset,
+// axes.tangent)) within the slice.
+// Returns the slice's own vectors where it is within 2 degrees of the tangent plane: parts across it are dropped
+// there. Error: 3e-6 where (axis . normal)^2 < 0.9; 3e-4 beyond.
 GloamSliceAxes gloam_slice_axes(GloamSlice slice, vec3 normal) {
     vec3 axis = cross(slice.tangent, slice.view);
     float turned = dot(axis, normal);
     float steep = 1.0 - turned * turned;
     vec3 across = steep > 1e-3 ? (axis - turned * normal) / steep : axis;
-    return GloamSliceAxes(slice.view - dot(across, slice.view) * axis, slice.tangent - dot(across, slice.tangent) * axis);
+    return GloamSliceAxes(slice.view - dot(across, slice.view) * axis,
+                          slice.tangent - dot(across, slice.tangent) * axis);
 }
 
 #endif

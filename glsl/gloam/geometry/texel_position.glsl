@@ -4,10 +4,11 @@
 
 // Position of a texture coordinate among the texel centres of one axis: whole part and fraction.
 // u: texture coordinate in [0, 1]. extent: texels of the axis, at least 1.
-// Returns (first texel, fraction in [0, 1)): the coordinate lies `fraction` of the way from the centre of the first texel to that of
-// the next; -1 at the border before texel 0. Within 1/256 of a centre the fraction is 0: reprojection of a camera that stands still
-// is exact to about 1e-6 and must not blur, frame by frame, into the neighbours. (0, 0) for u outside [0, 1] or NaN, and for an
-// extent below 1. Error of the fraction: 6e-8 of the extent, besides the step of 1/256.
+// Returns (first texel, fraction in [0, 1)): the coordinate lies `fraction` of the way from the centre of the first
+// texel to that of the next; -1 at the border before texel 0. Within 1/256 of a centre the fraction is 0:
+// reprojection of a camera that stands still is exact to about 1e-6 and must not blur, frame by frame, into the
+// neighbours. (0, 0) for u outside [0, 1] or NaN, and for an extent below 1. Error of the fraction: 6e-8 of the
+// extent, besides the step of 1/256.
 vec2 gloam_texel_position(float u, int extent) {
     if (!(u >= 0.0 && u <= 1.0) || extent < 1) return vec2(0.0);
     float position = u * float(extent) - 0.5;

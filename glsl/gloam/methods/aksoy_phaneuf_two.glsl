@@ -6,8 +6,9 @@
 #include "gloam/occlusion/aksoy_phaneuf.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// aksoy_phaneuf at two radii (Aksoy and Phaneuf 2011; CS-J): half of the samples within a quarter of the radius, for fine detail, half within
-// the whole; both are added and the sum clamped. (The larger of the two would depend on the noise of a frame's few samples.)
+// aksoy_phaneuf at two radii (Aksoy and Phaneuf 2011; CS-J): half of the samples within a quarter of the radius, for
+// fine detail, half within the whole; both are added and the sum clamped. (The larger of the two would depend on the
+// noise of a frame's few samples.)
 
 // The fine radius, as a share of the other.
 const float GLOAM_FINE_SHARE = 0.25;

@@ -10,8 +10,9 @@
 #include "gloam/sampling/disc_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10): surface points under a disc, each of which counts 2 sigma (v . n - bias)
-// / (v . v + epsilon^2). Its falloff is 0 for touching geometry, rises to the distance sigma and falls as its inverse beyond.
+// Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10): surface points under a disc, each of which counts
+// 2 sigma (v . n - bias) / (v . v + epsilon^2). Its falloff is 0 for touching geometry, rises to the distance sigma
+// and falls as its inverse beyond.
 struct GloamAlchemy {
     float epsilon;    // world units, here small: it bounds what one tap counts
     float intensity;  // sigma as a share of the radius
@@ -20,14 +21,14 @@ struct GloamAlchemy {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
-// the contributions, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_alchemy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamAlchemy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));

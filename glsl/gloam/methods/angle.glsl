@@ -13,7 +13,8 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Angles between opposite samples, as in Unreal Engine 4 (Mittring 2012; CS-P): what they lack of half a turn is blocked. Neither cosine-weighted nor uniform.
+// Angles between opposite samples, as in Unreal Engine 4 (Mittring 2012; CS-P): what they lack of half a turn is
+// blocked. Neither cosine-weighted nor uniform.
 
 struct GloamAngle {
     float range;       // world units: samples nearer to the eye than that are other objects
@@ -22,8 +23,8 @@ struct GloamAngle {
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
-// the contributions, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamAngle settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -41,8 +42,10 @@ GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamK
         vec2 stayed = vec2(0.0);
         for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
             vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
-            float first = gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
-            float second = gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
+            float first =
+                gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
+            float second =
+                gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
             vec3 cosines = gloam_angle_pair(aim + first * view, second * view - aim, n, view, settings.range);
             float angles = gloam_acos(cosines.x - settings.angle_bias) + gloam_acos(cosines.y - settings.angle_bias);
             GloamPairShare found = GloamPairShare(cosines.z * (1.0 - angles / GLOAM_PI), cosines.z);

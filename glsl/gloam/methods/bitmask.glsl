@@ -12,8 +12,9 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Visibility bitmask (Therrien et al. 2023): samples cover sectors of a slice between their front and their back, so that light passes
-// behind thin things. Sectors are equal shares of the cosine-weighted half plane. Each slice takes only samples up to a random distance,
+// Visibility bitmask (Therrien et al. 2023): samples cover sectors of a slice between their front and their back, so
+// that light passes behind thin things. Sectors are equal shares of the cosine-weighted half plane. Each slice takes
+// only samples up to a random distance,
 // uniform up to the radius: in the mean that is the linear falloff.
 struct GloamBitmask {
     float thickness;  // world units: how far behind its front a surface blocks
@@ -23,14 +24,15 @@ struct GloamBitmask {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 const uint GLOAM_ALL_SECTORS = 0xFFFFFFFFu;
 
 // Sectors between the front and the back of a sample, of equal shares of the cosine-weighted half plane.
-// front, back: in the slice, (along view, along tangent), any length. Returns bits, as gloam_bitmask_sectors; none where front and back are alike.
+// front, back: in the slice, (along view, along tangent), any length. Returns bits, as gloam_bitmask_sectors; none
+// where front and back are alike.
 // Error: none, but for ends within rounding of a sector's centre.
 uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
     float first = gloam_slice_fraction_cosine(front * inversesqrt(max(dot(front, front), 1e-36)), slice);
@@ -40,8 +42,8 @@ uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 3e-6,
-// but for samples within rounding of a sector's border or a pixel's.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: 3e-6, but for samples within rounding of a sector's border or a pixel's.
 GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamBitmask settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -66,7 +68,8 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
             uint taps = steps;
             if (kernel.ends_marches) {
                 vec2 end = footprint.center + towards * footprint.reach * random.direction;
-                vec2 clearance = gloam_slice_clearance(slice, position, direction, end, camera, kernel.radius, random.share);
+                vec2 clearance =
+                    gloam_slice_clearance(slice, position, direction, end, camera, kernel.radius, random.share);
                 taps = gloam_slice_taps(clearance, random.share, random.jitter, steps);
             }
             uint k = 0u;
@@ -80,7 +83,8 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
                     vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
                     vec2 back = vec2(offset.x - thickness, offset.y);
-                    bool counts = depth > 0.0 && dot(offset, offset) < nearest * nearest && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                    bool counts = depth > 0.0 && dot(offset, offset) < nearest * nearest && at != footprint.pixel &&
+                                  dot(seen, n) > kernel.bias &&
                                   !gloam_tap_rejected(-position.z, depth, kernel.farthest);
                     if (counts) sectors |= gloam_bitmask_between(offset, back, slice);
                 }

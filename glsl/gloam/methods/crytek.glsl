@@ -11,22 +11,23 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
 
-// Crytek's method (Mittring 2007; CS-3.1): points of a whole ball, without falloff. On a plane half of the ball lies in the ground: points
-// come in opposite pairs, so a bare plane reads exactly 1/2 for an even number of them. The remap's a = 0.5 undoes it. The bias opens the points
-// that lie less than it behind the surface; left at 0, opposite points of a plane differ.
+// Crytek's method (Mittring 2007; CS-3.1): points of a whole ball, without falloff. On a plane half of the ball lies
+// in the ground: points come in opposite pairs, so a bare plane reads exactly 1/2 for an even number of them. The
+// remap's a = 0.5 undoes it. The bias opens the points that lie less than it behind the surface; left at 0, opposite
+// points of a plane differ.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
-// A point behind the eye is not taken. Error: none,
-// but a point within rounding of a pixel's border or of the blocking depth may fall to either side.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). A point behind the eye is not taken. Error: none, but a point within rounding of a pixel's
+// border or of the blocking depth may fall to either side.
 GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normal);
@@ -40,8 +41,8 @@ GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, Gloam
         if ((index & 1u) == 0u) point = -point;
         vec3 at = position + kernel.radius * (frame * point);
         if (point == vec3(0.0) || !(at.z < 0.0)) continue;
-        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel to the surface, so that a bare
-        // plane is the same at any tilt.
+        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel
+        // to the surface, so that a bare plane is the same at any tilt.
         ivec2 pixel = gloam_footprint_seen(footprint, at);
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);

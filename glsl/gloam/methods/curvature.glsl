@@ -11,11 +11,13 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Curvature (after Hattori et al. 2012; CS-K): the two principal curvatures of the surface, from how position and normal change across the
-// pixel at the scale of the radius, and the occlusion of the quadric that has them. One estimate reads the four ends of a cross and
-// counts as four samples. Cosine-weighted on a bowl that ends at the radius; of what does not belong to the surface it sees nothing.
+// Curvature (after Hattori et al. 2012; CS-K): the two principal curvatures of the surface, from how position and
+// normal change across the pixel at the scale of the radius, and the occlusion of the quadric that has them. One
+// estimate reads the four ends of a cross and counts as four samples. Cosine-weighted on a bowl that ends at the
+// radius; of what does not belong to the surface it sees nothing.
 struct GloamCurvature {
-    float range;  // world units: the ends of a cross farther away than that lie on another surface; there the point itself stands for the end
+    float range;  // world units: the ends of a cross farther away than that lie on another surface; there the point
+                  // itself stands for the end
 };
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
@@ -51,11 +53,13 @@ GloamNeighbor gloam_across(GloamFootprint footprint, vec2 arm, vec3 position, ve
     return GloamNeighbor(ahead.offset - behind.offset, ahead.turn - behind.turn);
 }
 
-// All samples of one pixel in one frame: crosses of arms between half the radius and the radius, turned from one to the next.
+// All samples of one pixel in one frame: crosses of arms between half the radius and the radius, turned from one to
+// the next.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that
-// of gloam_principal_curvatures, but for taps within rounding of a pixel's border.
-GloamEstimate gloam_curvature(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamCurvature settings) {
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: that of gloam_principal_curvatures, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_curvature(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                              GloamCurvature settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);

@@ -11,9 +11,10 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Depth darkening (Luft, Colditz and Deussen 2006; CS-R) by samples: the unsharp mask of the depth, lambda max(D - G * D, 0), G a Gaussian
-// whose deviation is half the radius, cut off at the radius. It darkens what lies behind its surroundings; it is no occlusion. Depths are
-// those of opposite pairs, along the view vector: a plane is not darkened at any tilt, up to the border of the image.
+// Depth darkening (Luft, Colditz and Deussen 2006; CS-R) by samples: the unsharp mask of the depth, lambda max(D - G
+// * D, 0), G a Gaussian whose deviation is half the radius, cut off at the radius. It darkens what lies behind its
+// surroundings; it is no occlusion. Depths are those of opposite pairs, along the view vector: a plane is not
+// darkened at any tilt, up to the border of the image.
 
 struct GloamDepthDarkening {
     float range;      // world units: no surface counts as further than that before or behind the point
@@ -22,9 +23,10 @@ struct GloamDepthDarkening {
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
-// the contributions, but for taps within rounding of a pixel's border.
-GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDepthDarkening settings) {
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                                    GloamDepthDarkening settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     vec3 view = gloam_toward_eye(position, camera.orthographic);
@@ -41,10 +43,14 @@ GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera came
         vec2 stayed = vec2(0.0);
         for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
             vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
-            float first = gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
-            float second = gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
+            float first =
+                gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
+            float second =
+                gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
             float weight = gloam_gaussian(dot(tap, tap), 0.5);
-            float nearer = 0.5 * (clamp(first, -settings.range, settings.range) + clamp(second, -settings.range, settings.range)) - kernel.bias;
+            float nearer =
+                0.5 * (clamp(first, -settings.range, settings.range) + clamp(second, -settings.range, settings.range)) -
+                kernel.bias;
             GloamPairShare found = GloamPairShare(weight * settings.intensity * nearer / kernel.radius, weight);
             if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;
             most = found;

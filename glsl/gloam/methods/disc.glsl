@@ -10,10 +10,11 @@
 #include "gloam/sampling/disc_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Crease shading by the surface points under a disc (TSSAO-2, -12 and -4 with the kernel of TSSAO-13; Fox and Compton 2008). The
-// mean over the disc's pixels of cos(s - p, n) min(1, epsilon / |s - p|): a measure of how concave the surface is, which
-// looks like occlusion but is not the integral of TSSAO-1, and depends on epsilon, 0.01 to 0.1 of the radius. A point beyond the radius, or no
-// higher than the bias above the tangent plane, contributes nothing: there noise would decide.
+// Crease shading by the surface points under a disc (TSSAO-2, -12 and -4 with the kernel of TSSAO-13; Fox and Compton
+// 2008). The mean over the disc's pixels of cos(s - p, n) min(1, epsilon / |s - p|): a measure of how concave the
+// surface is, which looks like occlusion but is not the occlusion integral (TSSAO-1), and depends on epsilon, 0.01 to 0.1 of
+// the radius. A point beyond the radius, or no higher than the bias above the tangent plane, contributes nothing:
+// there noise would decide.
 struct GloamDisc {
     float epsilon;  // world units: distance below which a patch counts fully
 };
@@ -21,14 +22,14 @@ struct GloamDisc {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 4e-6,
-// but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: 4e-6, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_disc(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDisc settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));

@@ -12,15 +12,17 @@
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Discs in the place of pixels (Bunnell, GPU Gems 2, on what the eye sees; CS-S): each pixel within the radius is a disc of the surface's area
-// there and its normal, which blocks A / (A + pi D^2) times both cosines: the exact cosine-weighted occlusion up to the radius, of surfaces
-// that do not hide one another. A surface through the point itself is seen edge-on from there and blocks nothing: a groove is open along its
-// line. Of further layers nobody knows the normals: they do not count.
+// Discs in the place of pixels (Bunnell, GPU Gems 2, on what the eye sees; CS-S): each pixel within the radius is a
+// disc of the surface's area there and its normal, which blocks A / (A + pi D^2) times both cosines: the exact
+// cosine-weighted occlusion up to the radius, of surfaces that do not hide one another. A surface through the point
+// itself is seen edge-on from there and blocks nothing: a groove is open along its line. Of further layers nobody
+// knows the normals: they do not count.
 struct GloamDiscProxy {
     float intensity;  // factor of the sum
 };
 
-// Surfaces seen at less than this cosine count as seen at it: a pixel across their outline would stand for more than is there.
+// Surfaces seen at less than this cosine count as seen at it: a pixel across their outline would stand for more than
+// is there.
 const float GLOAM_DISC_LEAST_FACING = 0.05;
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
@@ -29,13 +31,14 @@ float gloam_fetch_depth(ivec2 pixel);
 // Defined by the user: view-space normal facing the eye of a pixel inside the image, any length.
 vec3 gloam_fetch_normal(ivec2 pixel);
 
-// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse square, and are weighted
-// so that their mean is the sum over all pixels of the disc but the shaded one, times the intensity. Pieces behind one another all count: the sum
-// is clamped, and where much is stacked it says too much.
+// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse
+// square. They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the
+// intensity. Pieces behind one another all count: the sum is clamped, and where much is stacked it says too much.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 2e-6
-// of each tap's share of the sum, but for taps within rounding of a pixel's border.
-GloamEstimate gloam_disc_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDiscProxy settings) {
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_disc_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                               GloamDiscProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
@@ -51,7 +54,8 @@ GloamEstimate gloam_disc_proxy(vec3 position, vec3 normal, GloamCamera camera, G
         float most = 0.0;
         float depth = gloam_fetch_depth(at);
         vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-        bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius && dot(offset, n) > kernel.bias;
+        bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
+                      dot(offset, n) > kernel.bias;
         if (!counts) continue;
         // Half-axes of the radius there, pixels: so large is a pixel in the world.
         vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);

@@ -8,9 +8,9 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/methods/hbao.glsl"
 
-// Horizon-based occlusion in two resolutions (Bavoil and Sainz 2009): at half the resolution first (preparation/half_resolution.comp), and in
-// full where the 3 x 3 neighbourhood of the small image disagrees, or where none of it lies on the pixel's surface; elsewhere the small
-// image is interpolated along the surface.
+// Horizon-based occlusion in two resolutions (Bavoil and Sainz 2009): at half the resolution first
+// (preparation/half_resolution.comp), and in full where the 3 x 3 neighbourhood of the small image disagrees, or
+// where none of it lies on the pixel's surface; elsewhere the small image is interpolated along the surface.
 struct GloamDualResolution {
     float angle_bias;    // these three as hbao has them, at both resolutions
     float contrast;
@@ -18,8 +18,8 @@ struct GloamDualResolution {
     float disagreement;  // of neighbours at half the resolution, in occlusion, beyond which a pixel is sampled in full
 };
 
-// Which pixels an image of half the resolution stands for: pixel p of it has the result of pixel 2 p of the full one, not that of a point
-// between four pixels, so that nothing moves by half a pixel and odd sizes need no care.
+// Which pixels an image of half the resolution stands for: pixel p of it has the result of pixel 2 p of the full one,
+// not that of a point between four pixels. So nothing moves by half a pixel, and odd sizes need no care.
 
 // Size of the image of half the resolution. size: of the full image, pixels.
 ivec2 gloam_half_size(ivec2 size) {
@@ -48,21 +48,25 @@ const float GLOAM_DUAL_LEAST_WEIGHT = 0.25;
 
 // The interpolated small image with one of its pixels added.
 // share: weight by position, [0, 1].
-GloamWeightedMean gloam_dual_add(GloamWeightedMean mean, ivec2 small, float share, vec3 position, vec3 normal, GloamCamera camera,
-                                 GloamKernel kernel) {
+GloamWeightedMean gloam_dual_add(GloamWeightedMean mean, ivec2 small, float share, vec3 position, vec3 normal,
+                                 GloamCamera camera, GloamKernel kernel) {
     if (!(share > 0.0)) return mean;
     ivec2 source = gloam_half_source(small);
     float depth = gloam_fetch_depth(source);
     if (gloam_is_background(depth)) return mean;
     vec4 texel = gloam_fetch_prepared(small);
-    float height = dot(gloam_camera_position(source, depth, camera) - position, normal) / (GLOAM_DUAL_HEIGHT * kernel.radius);
+    float height =
+        dot(gloam_camera_position(source, depth, camera) - position, normal) / (GLOAM_DUAL_HEIGHT * kernel.radius);
     vec3 facing = gloam_safe_normalize(texel.yzw, vec3(0.0));
-    float weight = gloam_mssao_upsample_weight(share, height, dot(facing, normal), GLOAM_DUAL_HEIGHT_POWER, GLOAM_DUAL_NORMAL_POWER);
+    float weight = gloam_mssao_upsample_weight(share, height, dot(facing, normal), GLOAM_DUAL_HEIGHT_POWER,
+                                               GLOAM_DUAL_NORMAL_POWER);
     return gloam_weighted_mean_add(mean, texel.x, weight);
 }
 
-// The small image at a pixel: of the four small pixels around it those on its surface. Where the pixel is that of a small one, that alone.
-GloamWeightedMean gloam_dual_interpolated(ivec2 pixel, vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
+// The small image at a pixel: of the four small pixels around it those on its surface. Where the pixel is that of a
+// small one, that alone.
+GloamWeightedMean gloam_dual_interpolated(ivec2 pixel, vec3 position, vec3 normal, GloamCamera camera,
+                                          GloamKernel kernel) {
     ivec2 first = pixel / 2;
     ivec2 last = min(first + 1, gloam_half_size(camera.size) - 1);
     vec2 along = 0.5 * vec2(pixel - gloam_half_source(first));
@@ -75,17 +79,21 @@ GloamWeightedMean gloam_dual_interpolated(ivec2 pixel, vec3 position, vec3 norma
 
 // All samples of one pixel in one frame; where the small image is taken, those of its pixels.
 // position: of the surface under a pixel's centre, view space, world units. normal: view space, any length.
-// Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of gloam_hbao, or 3e-6 of the weights.
-GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDualResolution settings) {
+// Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of gloam_hbao,
+// or 3e-6 of the weights.
+GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                                    GloamDualResolution settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     ivec2 pixel = gloam_footprint(position, kernel.radius, camera).pixel;
     if (!gloam_dual_resolution_disagrees(pixel / 2, gloam_half_size(camera.size), settings.disagreement)) {
         vec3 n = gloam_safe_normalize(normal, vec3(0.0));
         GloamWeightedMean mean = gloam_dual_interpolated(pixel, position, n, camera, kernel);
         uint samples = gloam_whole_samples(kernel.count, 2u * max(settings.steps, 1u));
-        if (mean.weight >= GLOAM_DUAL_LEAST_WEIGHT) return GloamEstimate(gloam_weighted_mean_value(mean, 0.0), float(samples), 0u);
+        if (mean.weight >= GLOAM_DUAL_LEAST_WEIGHT)
+            return GloamEstimate(gloam_weighted_mean_value(mean, 0.0), float(samples), 0u);
     }
-    return gloam_hbao(position, normal, camera, kernel, GloamHbao(settings.angle_bias, settings.contrast, settings.steps));
+    return gloam_hbao(position, normal, camera, kernel,
+                      GloamHbao(settings.angle_bias, settings.contrast, settings.steps));
 }
 
 #endif

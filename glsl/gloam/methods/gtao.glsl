@@ -11,9 +11,10 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye and the closed integral between them, weighted by
-// the cosine. A sample loses weight with its distance as the linear falloff has it: its horizon is drawn towards the tangent plane. Divided by what a
-// slice's own half planes hold, a bare plane is open exactly, at any tilt and with any number of slices.
+// Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye and the closed
+// integral between them, weighted by the cosine. A sample loses weight with its distance as the linear falloff has
+// it: its horizon is drawn towards the tangent plane. Divided by what a slice's own half planes hold, a bare plane is
+// open exactly, at any tilt and with any number of slices.
 struct GloamGtao {
     uint steps;  // taps along each half of a slice, at least 1
 };
@@ -21,14 +22,15 @@ struct GloamGtao {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 3e-6, 6e-5 where a slice
-// nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: 3e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding
+// of a pixel's border.
 GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamGtao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -66,7 +68,8 @@ GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                 }
             }
             if (horizon > lowest) {
-                occluded += slice.weight * gloam_gtao_side(horizon, towards * slice.angle, vec2(slice.normal.x, towards * slice.normal.y));
+                occluded += slice.weight * gloam_gtao_side(horizon, towards * slice.angle,
+                                                           vec2(slice.normal.x, towards * slice.normal.y));
             }
         }
         whole += slice.weight * gloam_slice_whole(slice);

@@ -12,8 +12,9 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): horizons above the image plane, every direction of the hemisphere
-// alike, each rise of the horizon weighted by 1 - |v|^2 / R^2. Steps are dense nearby, and what the bias takes off is given back.
+// Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): horizons above the image plane, every
+// direction of the hemisphere alike, each rise of the horizon weighted by 1 - |v|^2 / R^2. Steps are dense nearby,
+// and what the bias takes off is given back.
 struct GloamHbao {
     float angle_bias;  // radians above the tangent plane below which nothing blocks
     float contrast;    // factor of the result
@@ -23,14 +24,15 @@ struct GloamHbao {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 4e-6,
-// 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: 4e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding
+// of a pixel's border.
 GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHbao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -49,7 +51,8 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         for (int side = 0; side < 2; ++side) {
             float towards = side == 0 ? 1.0 : -1.0;
             float horizon = gloam_hbao_start(gloam_tangent_elevation(n, towards * direction), settings.angle_bias).x;
-            // Nothing rises above the bias where the tangent plane slopes towards the eye nearly along the view: the sine there is 1.
+            // Nothing rises above the bias where the tangent plane slopes towards the eye nearly along the view: the
+            // sine there is 1.
             uint taps = kernel.ends_marches && !(horizon < 1.0) ? 0u : steps;
             left_out += steps - taps;
             for (uint k = 0u; k < taps; ++k) {
@@ -64,8 +67,8 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                     float squared = dot(offset, offset);
                     float weight = 1.0 - squared / (kernel.radius * kernel.radius);
                     float sine = min(offset.x * inversesqrt(max(squared, 1e-36)), 1.0);
-                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias && sine > horizon &&
-                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                                  sine > horizon && !gloam_tap_rejected(-position.z, depth, kernel.farthest);
                     found += counts ? (sine - horizon) * weight : 0.0;
                     horizon = counts ? sine : horizon;
                 }

@@ -11,9 +11,10 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Horizon-based ambient occlusion as the comparative study has it (Aalund and Baerentzen 2013, after Bavoil and Sainz 2008; CS-C): each march
-// begins at tan t + tan bias, in even steps up to the radius; what the bias takes off is not given back. A floor seen at a slant keeps what
-// stands on it, where hbao adds angles and sees nothing from 72 degrees on.
+// Horizon-based ambient occlusion as the comparative study has it (Aalund and Baerentzen 2013, after Bavoil and Sainz
+// 2008; CS-C): each march begins at tan t + tan bias, in even steps up to the radius; what the bias takes off is not
+// given back. A floor seen at a slant keeps what stands on it, where hbao adds angles and sees nothing from 72
+// degrees on.
 struct GloamHbaoStudy {
     float angle_bias;  // radians, added to the tangent plane's elevation by its tangent
     float contrast;    // factor of the result
@@ -23,15 +24,17 @@ struct GloamHbaoStudy {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 4e-6,
-// 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding of a pixel's border.
-GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHbaoStudy settings) {
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: 4e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding
+// of a pixel's border.
+GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                               GloamHbaoStudy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
@@ -61,8 +64,8 @@ GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, G
                     float squared = dot(offset, offset);
                     float weight = 1.0 - squared / (kernel.radius * kernel.radius);
                     float sine = min(offset.x * inversesqrt(max(squared, 1e-36)), 1.0);
-                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias && sine > horizon &&
-                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                                  sine > horizon && !gloam_tap_rejected(-position.z, depth, kernel.farthest);
                     found += counts ? (sine - horizon) * weight : 0.0;
                     horizon = counts ? sine : horizon;
                 }

@@ -11,9 +11,10 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
 
-// Ambient occlusion by points in the half ball above the surface (TSSAO-2, -3 and -4 with the kernel of TSSAO-14; Ritschel et
-// al. 2009). Cosine-weighted directions of uniform radius need neither cosine nor falloff: the mean of the plain blocked
-// tests estimates TSSAO-1 with the linear falloff, for a scene that is solid behind what the eye sees.
+// Ambient occlusion by points in the half ball above the surface (TSSAO-2, -3 and -4 with the kernel of TSSAO-14;
+// Ritschel et al. 2009). Cosine-weighted directions of uniform radius need neither cosine nor falloff: the mean of
+// the plain blocked tests estimates the occlusion integral (TSSAO-1) with the linear falloff, for a scene that is solid behind what the eye
+// sees.
 struct GloamHemisphere {
     float range;  // world units, about the radius, or infinity: blockers further in front than this are other objects
 };
@@ -21,16 +22,17 @@ struct GloamHemisphere {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
-// A point behind the eye is not taken. Error: none,
-// but a point within rounding of a pixel's border or of the blocking depth may fall to either side.
-GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHemisphere settings) {
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). A point behind the eye is not taken. Error: none, but a point within rounding of a pixel's
+// border or of the blocking depth may fall to either side.
+GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                               GloamHemisphere settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
@@ -41,8 +43,8 @@ GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, G
         vec3 point = gloam_turn_hemisphere(gloam_hemisphere_cosine_point(kernel.first + i + 1u), turn);
         vec3 at = position + kernel.radius * (frame * point);
         if (point == vec3(0.0) || !(at.z < 0.0)) continue;
-        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel to the surface, so that a bare
-        // plane is the same at any tilt.
+        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel
+        // to the surface, so that a bare plane is the same at any tilt.
         ivec2 pixel = gloam_footprint_seen(footprint, at);
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);

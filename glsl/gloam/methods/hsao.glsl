@@ -10,9 +10,10 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Horizon-split ambient occlusion (Dimitrov, Bavoil and Sainz 2008; CS-C2), the precursor of hbao: the same horizons from rays that are marched
-// in eye space, parallel to the image, in steps of one length; each step is projected. Two rays, opposite, are one slice. With the same taps
-// the result is that of hbao, up to intensities that take a single slice beyond 1.
+// Horizon-split ambient occlusion (Dimitrov, Bavoil and Sainz 2008; CS-C2), the precursor of hbao: the same horizons
+// from rays that are marched in eye space, parallel to the image, in steps of one length; each step is projected. Two
+// rays, opposite, are one slice. With the same taps the result is that of hbao, up to intensities that take a single
+// slice beyond 1.
 struct GloamHsao {
     float angle_bias;  // radians above the tangent plane below which nothing blocks
     float contrast;    // factor of the result
@@ -22,15 +23,15 @@ struct GloamHsao {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
-// Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in front of the eye do not count. Error: that of
-// the rays, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in
+// front of the eye do not count. Error: that of the rays, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHsao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));

@@ -12,9 +12,9 @@
 #include "gloam/sampling/issao_offset.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the image of a disc
-// across the view ray (ISSAO-P), radii uniform (ISSAO-1, polar reading), each counting phi (v . n - psi) / (v . v + sigma) (ISSAO-6). The
-// kernel's bias is psi.
+// ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the
+// image of a disc across the view ray (ISSAO-P), radii uniform (ISSAO-1, polar reading), each counting phi (v . n -
+// psi) / (v . v + sigma) (ISSAO-6). The kernel's bias is psi.
 struct GloamIssao {
     float epsilon;    // root of sigma, world units
     float intensity;  // lambda phi as a share of the radius
@@ -26,14 +26,14 @@ const float GLOAM_ISSAO_MOST_STRETCH = 4.0;
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
-// the contributions, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamIssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -46,7 +46,8 @@ GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamK
     float sum = 0.0;
     uint taken = 0u;
     for (uint i = 0u; i < kernel.count; ++i) {
-        vec2 tap = gloam_turn_disc(gloam_issao_offset_polar(gloam_halton_point(kernel.first + i + 1u).yx, stretch), turn);
+        vec2 tap =
+            gloam_turn_disc(gloam_issao_offset_polar(gloam_halton_point(kernel.first + i + 1u).yx, stretch), turn);
         ivec2 at = gloam_footprint_pixel(footprint, tap);
         float first = gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;

@@ -16,8 +16,9 @@
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Mixture sampling (Song 2010; CS-H): the balls of sphere_proxy, by their solid angle times the cosine, restricted to the directions that
-// horizon-based occlusion looks at (above the tangent plane by the bias) and weighted by its linear falloff. Stacked balls count again.
+// Mixture sampling (Song 2010; CS-H): the balls of sphere_proxy, by their solid angle times the cosine, restricted to
+// the directions that horizon-based occlusion looks at (above the tangent plane by the bias) and weighted by its
+// linear falloff. Stacked balls count again.
 struct GloamMixture {
     float angle_bias;  // radians above the tangent plane below which nothing blocks
     float intensity;   // factor of the sum
@@ -26,8 +27,8 @@ struct GloamMixture {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // Tangent of the elevation over the image plane from which on something blocks, in the direction of an offset.
@@ -37,12 +38,12 @@ float gloam_mixture_horizon(vec3 offset, vec3 normal, float bias) {
     return elevation.y / max(elevation.x, 1e-6);
 }
 
-// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse square, and are weighted
-// so that their mean is the sum over all pixels of the disc but the shaded one, times the intensity. Pieces behind one another all count: the sum
-// is clamped, and where much is stacked it says too much.
+// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse
+// square. They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the
+// intensity. Pieces behind one another all count: the sum is clamped, and where much is stacked it says too much.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 2e-6
-// of each tap's share of the sum, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMixture settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -62,7 +63,8 @@ GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, Gloa
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
             vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius && dot(offset, n) > kernel.bias;
+            bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
+                          dot(offset, n) > kernel.bias;
             if (!counts) continue;
             // Half-axes of the radius there, pixels: so large is a pixel in the world.
             vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);

@@ -14,15 +14,17 @@
 #include "gloam/sampling/disc_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): surface points under small discs at several resolutions, each disc twice
-// as wide as the one before. The coarser resolutions are prepared (preparation/mssao_surface.comp, mssao_level.comp); the method itself is the finest.
+// Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): surface points under small discs at several
+// resolutions, each disc twice as wide as the one before. The coarser resolutions are prepared
+// (preparation/mssao_surface.comp, mssao_level.comp); the method itself is the finest.
 struct GloamMssao {
     uint resolutions;  // 1 to 9
 };
 
-// Surfaces at ever smaller resolutions, and what was found there, in one image of about the size of the full one: positions of level 1,
-// of half the resolution, in its upper left quarter, normals in the upper right, results in the lower left, and in the fourth likewise
-// the next level. A texel of level l stands for the block of 2^l x 2^l pixels that it covers, and the last of a row for what is left of
+// Surfaces at ever smaller resolutions, and what was found there, in one image of about the size of the full one:
+// positions of level 1, of half the resolution, in its upper left quarter, normals in the upper right, results in the
+// lower left, and in the fourth likewise the next level. A texel of level l stands for the block of 2^l x 2^l pixels
+// that it covers, and the last of a row for what is left of
 // one: sizes are rounded up, so that at any size texel i begins at pixel 2^l i and nothing drifts.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, in world units.
@@ -58,7 +60,8 @@ ivec2 gloam_pyramid_texel(ivec2 texel, int level, ivec2 size, int kind) {
 
 // Position of the surface that a texel stands for, view space, world units; the zero vector for background.
 vec3 gloam_pyramid_position(ivec2 texel, int level, GloamCamera camera) {
-    if (level > 0) return gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, GLOAM_PYRAMID_POSITIONS)).xyz;
+    if (level > 0)
+        return gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, GLOAM_PYRAMID_POSITIONS)).xyz;
     float depth = gloam_fetch_depth(texel);
     return gloam_is_background(depth) ? vec3(0.0) : gloam_camera_position(texel, depth, camera);
 }
@@ -79,8 +82,8 @@ struct GloamLevels {
     float count;    // levels in the mean; one whose kernel is hardly a texel counts less
 };
 
-// Texels from the point to the edge of its kernel, along both axes, and how much of a level the kernel makes: 1, but less between 2 texels
-// and 1, where on coarser levels it comes to lie within its own texel.
+// Texels from the point to the edge of its kernel, along both axes, and how much of a level the kernel makes: 1, but
+// less between 2 texels and 1, where on coarser levels it comes to lie within its own texel.
 vec3 gloam_mssao_reach(vec3 position, int level, GloamCamera camera, float radius) {
     vec2 texels = gloam_camera_radius(radius, -position.z, camera) * vec2(camera.size) / float(1 << level);
     float largest = max(abs(texels.x), abs(texels.y));
@@ -90,7 +93,8 @@ vec3 gloam_mssao_reach(vec3 position, int level, GloamCamera camera, float radiu
 
 // Occlusion of one level.
 // position, normal: of the surface; unit normal. center: where it is, texels of the level. reach: texels.
-float gloam_mssao_occlusion(vec3 position, vec3 normal, vec2 center, vec2 reach, int level, GloamCamera camera, GloamKernel kernel) {
+float gloam_mssao_occlusion(vec3 position, vec3 normal, vec2 center, vec2 reach, int level, GloamCamera camera,
+                            GloamKernel kernel) {
     vec2 accumulated = vec2(0.0);
     vec2 last = vec2(gloam_level_size(camera.size, level) - 1);
     vec2 turn = gloam_sincos(kernel.angle);
@@ -98,15 +102,18 @@ float gloam_mssao_occlusion(vec3 position, vec3 normal, vec2 center, vec2 reach,
         vec2 at = center + reach * gloam_turn_disc(gloam_disc_point(kernel.first + i + 1u).xy, turn);
         vec3 seen = gloam_pyramid_position(ivec2(clamp(at, vec2(0.0), last)), level, camera);
         vec3 offset = seen - position;
-        float contribution = dot(offset, normal) > kernel.bias ? gloam_contribution_mssao(offset, normal, kernel.radius) : 0.0;
+        float contribution =
+            dot(offset, normal) > kernel.bias ? gloam_contribution_mssao(offset, normal, kernel.radius) : 0.0;
         accumulated = gloam_estimator_add(accumulated, seen.z < 0.0 ? contribution : 0.0);
     }
     return gloam_estimator_mean(accumulated);
 }
 
-// The levels from `level` on at a surface: those of the four texels around it, as far as they lie on it. Nothing for one beyond the coarsest.
+// The levels from `level` on at a surface: those of the four texels around it, as far as they lie on it. Nothing for
+// one beyond the coarsest.
 // center: where the surface is, pixels of the full image.
-GloamLevels gloam_mssao_upsampled(vec3 position, vec3 normal, vec2 center, int level, GloamCamera camera, float radius, int coarsest) {
+GloamLevels gloam_mssao_upsampled(vec3 position, vec3 normal, vec2 center, int level, GloamCamera camera, float radius,
+                                  int coarsest) {
     if (level > coarsest) return GloamLevels(0.0, 0.0, 0.0);
     vec2 at = center / float(1 << level) - 0.5;
     ivec2 first = ivec2(floor(at));
@@ -122,8 +129,8 @@ GloamLevels gloam_mssao_upsampled(vec3 position, vec3 normal, vec2 center, int l
         vec2 share = 1.0 - abs(vec2(texel) - at);
         vec3 facing = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, GLOAM_PYRAMID_NORMALS)).xyz;
         float height = dot(other - position, normal) / (GLOAM_MSSAO_HEIGHT * radius);
-        float weight = gloam_mssao_upsample_weight(share.x * share.y, height, dot(facing, normal), GLOAM_MSSAO_HEIGHT_POWER,
-                                                   GLOAM_MSSAO_NORMAL_POWER);
+        float weight = gloam_mssao_upsample_weight(share.x * share.y, height, dot(facing, normal),
+                                                   GLOAM_MSSAO_HEIGHT_POWER, GLOAM_MSSAO_NORMAL_POWER);
         vec3 known = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, GLOAM_PYRAMID_RESULTS)).xyz;
         float levels = float(coarsest + 1 - level);
         largest = gloam_weighted_mean_add(largest, known.x, weight);
@@ -136,10 +143,13 @@ GloamLevels gloam_mssao_upsampled(vec3 position, vec3 normal, vec2 center, int l
 
 // A surface at one level, with the coarser ones.
 // position: view space, world units, in front of the eye. normal: unit.
-GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera camera, GloamKernel kernel, int coarsest) {
+GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera camera, GloamKernel kernel,
+                           int coarsest) {
     vec2 center = gloam_camera_uv(position, camera) * vec2(camera.size);
     vec3 reach = gloam_mssao_reach(position, level, camera, kernel.radius);
-    float own = reach.z == 0.0 ? 0.0 : gloam_mssao_occlusion(position, normal, center / float(1 << level), reach.xy, level, camera, kernel);
+    float own = reach.z == 0.0 ? 0.0
+                               : gloam_mssao_occlusion(position, normal, center / float(1 << level), reach.xy, level,
+                                                       camera, kernel);
     GloamLevels coarser = gloam_mssao_upsampled(position, normal, center, level + 1, camera, kernel.radius, coarsest);
     float count = reach.z + coarser.count;
     float mean = count > 0.0 ? (reach.z * own + coarser.count * coarser.mean) / count : 0.0;

@@ -15,8 +15,9 @@
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Poisson rays (Sourimant et al. 2011; CS-J): points of a Poisson disc lifted to the half ball are cosine-weighted directions, each of which is
-// marched until something blocks it within the radius. No falloff. Once through the disc, the next round is turned by another angle.
+// Poisson rays (Sourimant et al. 2011; CS-J): points of a Poisson disc lifted to the half ball are cosine-weighted
+// directions, each of which is marched until something blocks it within the radius. No falloff. Once through the
+// disc, the next round is turned by another angle.
 struct GloamPoisson {
     float range;  // world units: what is further in front of a step is another object
     uint steps;   // of a ray, at least 1
@@ -27,15 +28,15 @@ const uint GLOAM_POISSON_POINTS = 64u;  // of the disc
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
-// Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in front of the eye do not count. Error: that of
-// the rays, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in
+// front of the eye do not count. Error: that of the rays, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_poisson(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamPoisson settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normal);
@@ -46,7 +47,8 @@ GloamEstimate gloam_poisson(vec3 position, vec3 normal, GloamCamera camera, Gloa
     for (uint i = 0u; i < rays; ++i) {
         uint index = kernel.first / steps + i;
         float round_turn = GLOAM_TAU * gloam_radical_inverse_base2(index / GLOAM_POISSON_POINTS);
-        vec3 direction = frame * gloam_hemisphere_lift(gloam_rotate_disc(gloam_poisson_disc(index), kernel.angle + round_turn));
+        vec3 direction =
+            frame * gloam_hemisphere_lift(gloam_rotate_disc(gloam_poisson_disc(index), kernel.angle + round_turn));
         float jitter = fract(gloam_halton_point(index + 1u).y + gloam_unit_interval(kernel.angle / GLOAM_TAU));
         bool blocked = false;
         for (uint k = 0u; k < steps && !blocked; ++k) {

@@ -13,12 +13,13 @@
 #include "gloam/sampling/spiral.glsl"
 #include "gloam/sampling/tap_pixel.glsl"
 
-// Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near the pixel, far ones
-// read from a depth chain (mip_distance 16). Each frame turns the spiral by another angle.
+// Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near
+// the pixel, far ones read from a depth chain (mip_distance 16). Each frame turns the spiral by another angle.
 struct GloamSao {
     float epsilon;       // world units: bounds what a near tap counts
     float intensity;     // sigma as a share of the radius, which the paper has at 1 m
-    float mip_distance;  // pixels from which taps read level 1 of the depth chain, twice as far level 2, and so on; 0: none does
+    float mip_distance;  // pixels from which taps read level 1 of the depth chain, twice as far level 2, and so on; 0:
+                         // none does
 };
 
 const int GLOAM_SAO_TURNS = 7;  // of the spiral
@@ -30,26 +31,28 @@ vec2 gloam_sao_turn(GloamKernel kernel) {
 }
 
 // What the surface at an offset counts: 5 sigma (1 - v^2 / R^2)^3 max(v . n - bias, 0) / (v^2 + epsilon^2).
-// offset: from the shaded point, world units. normal: of the point, unit. Returns a contribution >= 0, whose mean is the occlusion.
+// offset: from the shaded point, world units. normal: of the point, unit. Returns a contribution >= 0, whose mean is
+// the occlusion.
 float gloam_sao_contribution(vec3 offset, vec3 normal, GloamKernel kernel, GloamSao settings) {
     float squared = dot(offset, offset);
     float window = 1.0 - squared / (kernel.radius * kernel.radius);
     float above = dot(offset, normal) - kernel.bias;
     if (!(window > 0.0 && above > 0.0)) return 0.0;
-    return 5.0 * settings.intensity * kernel.radius * window * window * window * (above / (squared + settings.epsilon * settings.epsilon));
+    return 5.0 * settings.intensity * kernel.radius * window * window * window *
+           (above / (squared + settings.epsilon * settings.epsilon));
 }
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
-// the contributions, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_sao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -59,7 +62,8 @@ GloamEstimate gloam_sao(vec3 position, vec3 normal, GloamCamera camera, GloamKer
     uint taken = 0u;
     for (uint i = 0u; i < kernel.count; ++i) {
         vec2 tap = gloam_turn_disc(gloam_spiral_point(int(i), int(kernel.count), GLOAM_SAO_TURNS), turn);
-        ivec2 at = gloam_tap_pixel(gloam_footprint_pixel(footprint, tap), footprint.pixel, camera.size, settings.mip_distance);
+        ivec2 at =
+            gloam_tap_pixel(gloam_footprint_pixel(footprint, tap), footprint.pixel, camera.size, settings.mip_distance);
         float first = gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
         vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);

@@ -4,9 +4,10 @@
 
 #include "gloam/methods/sao.glsl"
 
-// SAO with its depth chain in an image (preparation/depth_chain.comp), as its authors have it: far taps read neighbouring texels of a small
-// image, not pixels that lie far apart. The result is that of sao to the bit; but where objects move, far taps are no probes of what
-// has moved. Of further layers the full image has what is asked for.
+// SAO with its depth chain in an image (preparation/depth_chain.comp), as its authors have it: far taps read
+// neighbouring texels of a small image, not pixels that lie far apart. The result is that of sao to the bit; but
+// where objects move, far taps are no probes of what has moved. Of further layers the full image has what is asked
+// for.
 
 // Defined by the user: a texel of the image that holds levels 1 to 5 of the chain, in x (gloam_chain_texel).
 vec4 gloam_fetch_prepared(ivec2 texel);
@@ -36,7 +37,8 @@ GloamEstimate gloam_sao_chain(vec3 position, vec3 normal, GloamCamera camera, Gl
         ivec2 texel = gloam_depth_mip_pixel(at, camera.size, level);
         if (level > 0) at = gloam_depth_mip_source(texel, camera.size, level);
         bool chained = level > 0 && kernel.layers == 1;
-        float first = chained ? gloam_fetch_prepared(gloam_chain_texel(texel, level, camera.size)).x : gloam_fetch_depth(at);
+        float first =
+            chained ? gloam_fetch_prepared(gloam_chain_texel(texel, level, camera.size)).x : gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
         vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
         float most = 0.0;

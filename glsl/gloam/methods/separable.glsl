@@ -6,9 +6,10 @@
 #include "gloam/methods/gtao.glsl"
 #include "gloam/occlusion/separable.glsl"
 
-// Separable ambient occlusion (Huang et al. 2011) of horizon slices, cosine-weighted (gtao): one slice along the first of two directions
-// across each other is prepared for every pixel (preparation/first_direction.comp); here is the slice along the second, on whose line the
-// first slices of the neighbours are taken over as well, as far as they lie on the same surface. Each frame turns the pair.
+// Separable ambient occlusion (Huang et al. 2011) of horizon slices, cosine-weighted (gtao): one slice along the
+// first of two directions across each other is prepared for every pixel (preparation/first_direction.comp); here is
+// the slice along the second, on whose line the first slices of the neighbours are taken over as well, as far as they
+// lie on the same surface. Each frame turns the pair.
 struct GloamSeparable {
     float sigma;  // standard deviation of that mean, world units
 };
@@ -51,7 +52,8 @@ vec4 gloam_fetch_prepared(ivec2 pixel);
 const float GLOAM_SEPARABLE_HEIGHT = 0.1;
 
 // A neighbour's first slice, added to the mean of them.
-GloamWeightedMean gloam_separable_add(GloamWeightedMean mean, ivec2 at, vec3 position, vec3 normal, GloamCamera camera, float sigma) {
+GloamWeightedMean gloam_separable_add(GloamWeightedMean mean, ivec2 at, vec3 position, vec3 normal, GloamCamera camera,
+                                      float sigma) {
     float depth = gloam_fetch_depth(at);
     if (gloam_is_background(depth)) return mean;
     vec3 offset = gloam_camera_position(at, depth, camera) - position;
@@ -77,13 +79,16 @@ float gloam_separable_carried(vec3 position, vec3 normal, GloamCamera camera, Gl
 
 // All samples of one pixel in one frame, the prepared ones counted.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of gloam_gtao, and 3e-6 of the mean.
-GloamEstimate gloam_separable(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSeparable settings) {
+// Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of gloam_gtao,
+// and 3e-6 of the mean.
+GloamEstimate gloam_separable(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                              GloamSeparable settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     float second = gloam_separable_slice(position, n, camera, kernel, true);
     float first = gloam_separable_carried(position, n, camera, kernel, settings.sigma);
-    return GloamEstimate(gloam_separable_mean(first, second), float(gloam_whole_samples(kernel.count, GLOAM_SEPARABLE_UNIT)), 0u);
+    return GloamEstimate(gloam_separable_mean(first, second),
+                         float(gloam_whole_samples(kernel.count, GLOAM_SEPARABLE_UNIT)), 0u);
 }
 
 #endif

@@ -13,9 +13,10 @@
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Balls in the place of pixels (Shanmugam and Arikan 2007; CS-H): each pixel within the radius is a ball as wide as itself, which blocks
-// (r / D)^2 cos, exactly for one ball above the horizon. What lies behind other balls counts again: on a surface seen edge-on the sum grows
-// without bound as pixels shrink, by 1/4 ln 2 on each halving in a groove of 45 degrees.
+// Balls in the place of pixels (Shanmugam and Arikan 2007; CS-H): each pixel within the radius is a ball as wide as
+// itself, which blocks (r / D)^2 cos, exactly for one ball above the horizon. What lies behind other balls counts
+// again: on a surface seen edge-on the sum grows without bound as pixels shrink, by 1/4 ln 2 on each halving in a
+// groove of 45 degrees.
 struct GloamSphereProxy {
     float intensity;  // factor of the sum
 };
@@ -23,17 +24,18 @@ struct GloamSphereProxy {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
-// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse square, and are weighted
-// so that their mean is the sum over all pixels of the disc but the shaded one, times the intensity. Pieces behind one another all count: the sum
-// is clamped, and where much is stacked it says too much.
+// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse
+// square. They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the
+// intensity. Pieces behind one another all count: the sum is clamped, and where much is stacked it says too much.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: 2e-6
-// of each tap's share of the sum, but for taps within rounding of a pixel's border.
-GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSphereProxy settings) {
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
+GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                                 GloamSphereProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
@@ -52,7 +54,8 @@ GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera,
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
             vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius && dot(offset, n) > kernel.bias;
+            bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
+                          dot(offset, n) > kernel.bias;
             if (!counts) continue;
             // Half-axes of the radius there, pixels: so large is a pixel in the world.
             vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);

@@ -12,10 +12,11 @@
 #include "gloam/sampling/tangent_frame.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// The direct half of directional occlusion (Ritschel, Grosch and Seidel 2009; CS-D) under light of 1 from everywhere: what of it does not
-// arrive. One point of uniform distance along each of the directions, which are uniform and count 2 w . n: the cosine-weighted occlusion
-// with the linear falloff, for a scene that is solid behind what the eye sees. With more steps than 1 the nearest blocker of that many points
-// counts, and the falloff goes towards none. Where everything is blocked the mean of 2 w . n is 1 in the mean only.
+// The direct half of directional occlusion (Ritschel, Grosch and Seidel 2009; CS-D) under light of 1 from everywhere:
+// what of it does not arrive. One point of uniform distance along each of the directions, which are uniform and count
+// 2 w . n: the cosine-weighted occlusion with the linear falloff, for a scene that is solid behind what the eye sees.
+// With more steps than 1 the nearest blocker of that many points counts, and the falloff goes towards none. Where
+// everything is blocked the mean of 2 w . n is 1 in the mean only.
 struct GloamSsdo {
     float range;  // world units, about the radius, or infinity: blockers further in front than this are other objects
     uint steps;   // of a ray, at least 1
@@ -24,15 +25,15 @@ struct GloamSsdo {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
-// Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in front of the eye do not count. Error: that of
-// the rays, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in
+// front of the eye do not count. Error: that of the rays, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSsdo settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normal);
@@ -44,7 +45,8 @@ GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         uint index = kernel.first / steps + i;
         vec3 random = gloam_halton_point(index + 1u);
         // The map's radius is its second coordinate: 1 for a direction.
-        vec3 direction = frame * gloam_rotate_hemisphere(gloam_hemisphere_uniform(vec3(random.x, 1.0, random.z)), kernel.angle);
+        vec3 direction =
+            frame * gloam_rotate_hemisphere(gloam_hemisphere_uniform(vec3(random.x, 1.0, random.z)), kernel.angle);
         float jitter = random.y;
         bool blocked = false;
         for (uint k = 0u; k < steps && !blocked; ++k) {

@@ -12,15 +12,15 @@
 #include "gloam/sampling/tangent_frame.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Volumetric obscurance of the ball of half the radius that touches the surface from outside (Szirmay-Kalos et al. 2009): a plane leaves
-// it empty. Chords lie along the view vector: along the axis of a perspective view, a floor that is seen from a camera which looks up would
-// lie before its own ball.
+// Volumetric obscurance of the ball of half the radius that touches the surface from outside (Szirmay-Kalos et al.
+// 2009): a plane leaves it empty. Chords lie along the view vector: along the axis of a perspective view, a floor
+// that is seen from a camera which looks up would lie before its own ball.
 
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
-// the contributions, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -40,8 +40,10 @@ GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camer
         vec2 stayed = vec2(0.0);
         for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
             vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
-            float first = gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
-            float second = gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
+            float first =
+                gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
+            float second =
+                gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
             vec3 one = (aim + first * view) * toward_eye;
             vec3 other = (second * view - aim) * toward_eye;
             float one_chord = gloam_tangent_sphere_half_height(one, facing_eye, kernel.radius);

@@ -9,9 +9,10 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// The later shader of Unreal Engine 4 (CS-P): along both sides of mirrored directions of the image the largest sat(epsilon (v . n) / (v . v)) of
-// the steps; a side leaves (1 - occ)^2 open, of which the mean is taken. What is near counts more than what stands high: along the
-// line of a groove its rising side is blocked but in the line's own direction. The engine's power is the remap's c.
+// The later shader of Unreal Engine 4 (CS-P): along both sides of mirrored directions of the image the largest
+// sat(epsilon (v . n) / (v . v)) of the steps; a side leaves (1 - occ)^2 open, of which the mean is taken. What is
+// near counts more than what stands high: along the line of a groove its rising side is blocked but in the line's own
+// direction. The engine's power is the remap's c.
 struct GloamUnreal {
     float epsilon;    // world units: distance up to which a blocker straight above counts fully, 0.8 in the engine
     float intensity;  // of the result, at most 1
@@ -21,15 +22,15 @@ struct GloamUnreal {
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read where the kernel has more
-// than one layer.
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather).
-// Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in front of the eye do not count. Error: that of
-// the rays, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in
+// front of the eye do not count. Error: that of the rays, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamUnreal settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));

@@ -11,19 +11,21 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid share of a ball around the point. A plane reads 1/2, which
-// the remap's a = 0.5 undoes. What lies in front of the ball, or so far behind that it leaves less than 0.35 of its chord solid, is another
-// object's and counts by its opposite: what stands in front has no halo, but a one-sided groove of angle b reads 1/2 + sin(2 b) / (4 pi), 0.580
-// at 45 degrees, for the 1/2 + b / (2 pi) of its ball.
+// Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid share of a ball around the
+// point. A plane reads 1/2, which the remap's a = 0.5 undoes. What lies in front of the ball, or so far behind that
+// it leaves less than 0.35 of its chord solid, is another object's and counts by its opposite. So what stands in front
+// has no halo, but a one-sided groove of angle b reads 1/2 + sin(2 b) / (4 pi), 0.580 at 45 degrees, for the 1/2 + b
+// / (2 pi) of its ball.
 
-// The surface at a chord is another object's below this share of the chord and beyond its near end, as the published shader has it.
+// The surface at a chord is another object's below this share of the chord and beyond its near end, as the published
+// shader has it.
 const float GLOAM_LEAST_SOLID = 0.35;
 
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: that of
-// the contributions, but for taps within rounding of a pixel's border.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_volumetric(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
@@ -41,8 +43,10 @@ GloamEstimate gloam_volumetric(vec3 position, vec3 normal, GloamCamera camera, G
         vec2 stayed = vec2(0.0);
         for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
             vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
-            float first = gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
-            float second = gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
+            float first =
+                gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
+            float second =
+                gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
             float half_height = gloam_chord_half_height(tap, kernel.radius);
             vec2 ratios = vec2(gloam_line_ratio(first, half_height), gloam_line_ratio(second, half_height));
             vec2 solid = gloam_line_pair(ratios, GLOAM_LEAST_SOLID, 1.0);

@@ -2,8 +2,8 @@
 #ifndef GLOAM_NUMERIC_ACOS_APPROXIMATION_GLSL
 #define GLOAM_NUMERIC_ACOS_APPROXIMATION_GLSL
 
-// Arc cosine by a polynomial in x and |x|, as the angle-based method of UE4 uses it. All are right at -1, 0 and 1 and symmetric about
-// (0, pi / 2); gloam_acos is the function itself.
+// Arc cosine by a polynomial in x and |x|, as the angle-based method of UE4 uses it. All are right at -1, 0 and 1 and
+// symmetric about (0, pi / 2); gloam_acos is the function itself.
 
 // A cosine taken into [-1, 1].
 // x: any float.
@@ -27,8 +27,8 @@ float gloam_acos_quadratic(float x) {
     return 1.570796327 - 1.570796327 * (c * abs(c));
 }
 
-// Cubic: ((-2 pi / 9) x^2 - 5 pi / 18) x + pi / 2, which also passes through acos at -1/2 and 1/2. Up to 0.178758 rad (10.2 degrees) from
-// acos, at |x| = 0.9275. The copy at hand prints its first constant as -0-69813.
+// Cubic: ((-2 pi / 9) x^2 - 5 pi / 18) x + pi / 2, which also passes through acos at -1/2 and 1/2. Up to 0.178758 rad
+// (10.2 degrees) from acos, at |x| = 0.9275. The copy at hand prints its first constant as -0-69813.
 // x: cosine; taken to the nearer end outside [-1, 1], NaN to 0.
 // Returns radians in [0, pi]. Error against its own formula: 4e-7.
 float gloam_acos_cubic(float x) {

@@ -5,15 +5,16 @@
 #include "gloam/numeric/length_ratio.glsl"
 #include "gloam/numeric/square_root.glsl"
 
-// Inverse trigonometric functions. Vulkan lets those of the device err by 4096 ulp, 2e-4 at the least; the error of these stays
-// below 1e-6 on every conforming driver. The coefficients are printed by tools/minimax.py.
+// Inverse trigonometric functions. Vulkan lets those of the device err by 4096 ulp, 2e-4 at the least; the error of
+// these stays below 1e-6 on every conforming driver. The coefficients are printed by tools/minimax.py.
 
 // Arc sine near 0.
 // x: in [-1/2, 1/2]; beyond, the polynomial parts from the function.
 // Returns radians. Error: 2 ulp whatever the rounding, 1 ulp where it is to nearest.
 float gloam_asin_half(float x) {
     float z = x * x;
-    return x + (x * z) * (0.166667521 + z * (0.0749529749 + z * (0.0454703756 + z * (0.0241795145 + z * 0.0421663076))));
+    return x +
+           (x * z) * (0.166667521 + z * (0.0749529749 + z * (0.0454703756 + z * (0.0241795145 + z * 0.0421663076))));
 }
 
 // Magnitude of a sine or cosine.
@@ -55,8 +56,8 @@ float gloam_asin(float x) {
 
 // Direction of a point, counter-clockwise from the x axis: the angle of (x, y).
 // y, x: coordinates; subnormal ones may be read as 0. Note the order, that of atan(y, x).
-// Returns radians in [-pi, pi] (pi as a float); pi on the negative x axis whatever the sign of y = 0; multiples of pi / 4 where
-// both are infinite. 0 where both are zero or subnormal, and where either is NaN.
+// Returns radians in [-pi, pi] (pi as a float); pi on the negative x axis whatever the sign of y = 0; multiples of pi
+// / 4 where both are infinite. 0 where both are zero or subnormal, and where either is NaN.
 // Error: 1e-6 whatever the rounding, 3e-7 where it is to nearest.
 float gloam_atan2(float y, float x) {
     float across = abs(x);

@@ -2,11 +2,12 @@
 #ifndef GLOAM_NUMERIC_SINCOS_GLSL
 #define GLOAM_NUMERIC_SINCOS_GLSL
 
-// Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by anything outside;
-// these are the same within 4e-7 on every conforming driver. The coefficients are printed by tools/minimax.py.
+// Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by
+// anything outside; these are the same within 4e-7 on every conforming driver. The coefficients are printed by
+// tools/minimax.py.
 
-// Keeps the order of operations where a language has the word: compilers may otherwise add up the parts of pi / 2 below before they
-// subtract them, which undoes the reduction.
+// Keeps the order of operations where a language has the word: compilers may otherwise add up the parts of pi / 2
+// below before they subtract them, which undoes the reduction.
 #if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
 #define GLOAM_PRECISE precise
 #else
@@ -33,7 +34,8 @@ vec2 gloam_quarter_turn(vec2 v, int quarters) {
 
 // Cosine and sine of an angle in turns: (cos 2 pi t, sin 2 pi t).
 // turns: t, any finite number (from 2^23 on every float is a whole number of turns); infinity and NaN count as 0.
-// Returns (cos, sin); exact at multiples of a quarter turn. Error: 5e-7 whatever the rounding, 2e-7 where it is to nearest.
+// Returns (cos, sin); exact at multiples of a quarter turn. Error: 5e-7 whatever the rounding, 2e-7 where it is to
+// nearest.
 vec2 gloam_sincos_turns(float turns) {
     float magnitude = abs(turns) <= 3.402823466e38 ? abs(turns) : 0.0;
     // Exact up to the last product: nothing is rounded when whole turns, and then quarters, are taken off.
@@ -51,7 +53,8 @@ vec2 gloam_sincos(float angle) {
     float a = abs(angle) <= 65536.0 ? angle : 0.0;
     float quarters = floor(a * 0.636619772 + 0.5);
     // pi / 2 in three parts, the first two of eight bits: their products and the subtractions of them are exact.
-    GLOAM_PRECISE float rest = ((a - quarters * 1.5703125) - quarters * 0.0004825592041015625) - quarters * 1.26759079506e-6;
+    GLOAM_PRECISE float rest =
+        ((a - quarters * 1.5703125) - quarters * 0.0004825592041015625) - quarters * 1.26759079506e-6;
     return gloam_quarter_turn(gloam_sincos_octant(rest), int(quarters));
 }
 

@@ -4,14 +4,17 @@
 
 #include "gloam/shading/remap.glsl"
 
-// Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10). With the falloff u d / max(u, d)^2 the obscurance integral turns into
-// an average of (v . n) / (v . v) over surface points: no direction is normalised and no ray is traced.
+// Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10). With the falloff u d / max(u, d)^2 the obscurance
+// integral turns into an average of (v . n) / (v . v) over surface points: no direction is normalised and no ray is
+// traced.
 
 // Contribution of a surface point: max(v . n - bias, 0) / (v . v + epsilon).
-// offset: v = s - p, view space, world units. normal: n, unit vector, same space. bias: world units, >= 0, constant or of gloam_depth_bias.
+// offset: v = s - p, view space, world units. normal: n, unit vector, same space. bias: world units, >= 0, constant
+// or of gloam_depth_bias.
 // epsilon: world units squared, >= 0: bounds what a touching point counts.
-// Returns a contribution in 1 / world units, >= 0, for gloam_visibility_alchemy. 0 in and below the tangent plane raised by the bias, for
-// v = 0, for v . v + epsilon outside [2^-126, 2^126], and for NaN in any argument. Error: 3e-7 / |v| (3e-6 from |v| = 0.1 on).
+// Returns a contribution in 1 / world units, >= 0, for gloam_visibility_alchemy. 0 in and below the tangent plane
+// raised by the bias, for v = 0, for v . v + epsilon outside [2^-126, 2^126], and for NaN in any argument. Error:
+// 3e-7 / |v| (3e-6 from |v| = 0.1 on).
 float gloam_contribution_alchemy(vec3 offset, vec3 normal, float bias, float epsilon) {
     float above = dot(offset, normal) - bias;
     float denominator = dot(offset, offset) + epsilon;
@@ -20,10 +23,13 @@ float gloam_contribution_alchemy(vec3 offset, vec3 normal, float bias, float eps
     return contribution <= 3.402823466e38 ? contribution : 0.0;
 }
 
-// Visibility from the contributions of all samples: max(0, 1 - (2 sigma / N) sum)^k. CS-3.10 as printed lost the factor 2 sigma.
-// accumulated: (sum, count) of gloam_estimator_add, the sum in 1 / world units. sigma: world units, >= 0, the distance of the strongest
-// influence (u of the falloff), which is also the intensity. k: contrast, > 0; 1 leaves the estimate.
-// Returns visibility in [0, 1], 1 = open; 1 for a count below 1 and for NaN in any argument. Error: 3e-7 for k = 1, and that of gloam_remap.
+// Visibility from the contributions of all samples: max(0, 1 - (2 sigma / N) sum)^k. CS-3.10 as printed lost the
+// factor 2 sigma.
+// accumulated: (sum, count) of gloam_estimator_add, the sum in 1 / world units. sigma: world units, >= 0, the
+// distance of the strongest influence (u of the falloff), which is also the intensity. k: contrast, > 0; 1 leaves the
+// estimate.
+// Returns visibility in [0, 1], 1 = open; 1 for a count below 1 and for NaN in any argument. Error: 3e-7 for k = 1,
+// and that of gloam_remap.
 float gloam_visibility_alchemy(vec2 accumulated, float sigma, float k) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
     return gloam_remap(1.0 - 2.0 * sigma * (accumulated.x / accumulated.y), 0.0, 1.0, k);

@@ -6,12 +6,14 @@
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/shading/remap.glsl"
 
-// Angle-based occlusion of opposite pairs of samples, as in Unreal Engine 4 (Mittring 2012; CS-P): the angle between both samples of a pair,
-// over pi, is what is open. Neither cosine-weighted nor uniform: a groove of 45 degrees is 0.829 open (0.854 and 0.75 would be).
+// Angle-based occlusion of opposite pairs of samples, as in Unreal Engine 4 (Mittring 2012; CS-P): the angle between
+// both samples of a pair, over pi, is what is open. Neither cosine-weighted nor uniform: a groove of 45 degrees is
+// 0.829 open (0.854 and 0.75 would be).
 
 // Cosine of the angle between the view vector and a sample, which is lifted to the tangent plane if it lies below.
 // offset: v = s - p, view space, world units. normal: n, unit. view: from the point to the eye, unit.
-// Returns a cosine in [-1, 1]; 0 (a sample in the image plane) for a zero or non-finite offset, one along -n within 1e-5, and NaN.
+// Returns a cosine in [-1, 1]; 0 (a sample in the image plane) for a zero or non-finite offset, one along -n within
+// 1e-5, and NaN.
 // Error: 5e-7; 1e-6 over the distance of v / |v| from -n below the tangent plane.
 float gloam_lifted_cosine(vec3 offset, vec3 normal, vec3 view) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
@@ -30,11 +32,12 @@ bool gloam_sample_near(vec3 offset, float range) {
     return offset.z <= range;
 }
 
-// Cosines and weight of a pair. An invalid sample is replaced by the mirror image of its partner; the published shader mirrors the invalid
-// sample itself.
-// first, second: s_1 - p, s_2 - p, view space, world units. normal: n, unit. view: to the eye, unit. range: T, see gloam_sample_near.
-// Returns (cos of the first, cos of the second, weight): weight 1, 1/2 for one invalid sample, 0 (and cosines 0) for two. Error: as
-// gloam_lifted_cosine.
+// Cosines and weight of a pair. An invalid sample is replaced by the mirror image of its partner; the published
+// shader mirrors the invalid sample itself.
+// first, second: s_1 - p, s_2 - p, view space, world units. normal: n, unit. view: to the eye, unit. range: T, see
+// gloam_sample_near.
+// Returns (cos of the first, cos of the second, weight): weight 1, 1/2 for one invalid sample, 0 (and cosines 0) for
+// two. Error: as gloam_lifted_cosine.
 vec3 gloam_angle_pair(vec3 first, vec3 second, vec3 normal, vec3 view, float range) {
     bool a = gloam_sample_near(first, range);
     bool b = gloam_sample_near(second, range);
@@ -46,9 +49,10 @@ vec3 gloam_angle_pair(vec3 first, vec3 second, vec3 normal, vec3 view, float ran
 }
 
 // Adds a pair.
-// accumulated: (sum, weight) so far, (0, 0) to begin with. weight: of the pair. angles: sum of both angles, radians: acos of the cosines less
-// a bias (0.08), by gloam_acos or one of its approximations.
-// Returns (sum + w (1 - angles / pi), weight + w); unchanged for a weight that is not positive or not finite, and NaN. Error: 3e-7.
+// accumulated: (sum, weight) so far, (0, 0) to begin with. weight: of the pair. angles: sum of both angles, radians:
+// acos of the cosines less a bias (0.08), by gloam_acos or one of its approximations.
+// Returns (sum + w (1 - angles / pi), weight + w); unchanged for a weight that is not positive or not finite, and
+// NaN. Error: 3e-7.
 vec2 gloam_angle_add(vec2 accumulated, float weight, float angles) {
     float occluded = 1.0 - angles * 0.3183098862;
     if (!(weight > 0.0 && weight <= 3.402823466e38 && abs(occluded) <= 3.402823466e38)) return accumulated;
@@ -57,17 +61,18 @@ vec2 gloam_angle_add(vec2 accumulated, float weight, float angles) {
 
 // Occlusion of all pairs: what their angles lack of pi, 0 where they exceed it.
 // accumulated: (sum, weight).
-// Returns occlusion in [0, 1]; 0 for a weight below 1e-4, of which nothing can be said (the published shader adds 1e-4 to the divisor), and
-// for NaN. Error: 0.5 ULP.
+// Returns occlusion in [0, 1]; 0 for a weight below 1e-4, of which nothing can be said (the published shader adds
+// 1e-4 to the divisor), and for NaN. Error: 0.5 ULP.
 float gloam_angle_occlusion(vec2 accumulated) {
     if (!(accumulated.x > 0.0 && accumulated.y >= 1e-4 && accumulated.y <= 8.507059173e37)) return 0.0;
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
 }
 
-// A step along one side in the engine's later shader: sat(scale (v . n) / (v . v)). The largest of a side's steps is its occlusion.
+// A step along one side in the engine's later shader: sat(scale (v . n) / (v . v)). The largest of a side's steps is
+// its occlusion.
 // offset: v = s - p, view space, world units. normal: n, unit. scale: world units, 0.8 in the engine.
-// Returns occlusion in [0, 1]; 0 for v = 0, for v . v outside [2^-126, 2^126], for a scale not positive, and NaN. Error: 5e-7 of
-// scale / |v|.
+// Returns occlusion in [0, 1]; 0 for v = 0, for v . v outside [2^-126, 2^126], for a scale not positive, and NaN.
+// Error: 5e-7 of scale / |v|.
 float gloam_contribution_unreal(vec3 offset, vec3 normal, float scale) {
     float squared = dot(offset, offset);
     float above = dot(offset, normal);

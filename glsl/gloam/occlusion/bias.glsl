@@ -4,13 +4,17 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Bias against self-occlusion that grows with the depth as the rounding of positions does: b d / d_ref. The psi(z) of ISSAO-6; with
-// d_ref = 1 the beta z of Alchemy's estimator (CS-3.10 prints + beta; z is negative in view space, so it is subtracted).
-// bias: b, world units at the reference depth, >= 0. depth: d, eye-linear, world units. reference_depth: d_ref, world units, > 0.
-// Returns a length in world units, in [0, FLT_MAX]; 0 for background depth, and for b or d_ref that is not positive or NaN. The
-// contributions subtract it from the height above the tangent plane. Error: 2.5 ULP.
+// Bias against self-occlusion that grows with the depth as the rounding of positions does: b d / d_ref. The psi(z) of
+// ISSAO-6; with d_ref = 1 the beta z of Alchemy's estimator (CS-3.10 prints + beta; z is negative in view space, so
+// it is subtracted).
+// bias: b, world units at the reference depth, >= 0. depth: d, eye-linear, world units. reference_depth: d_ref, world
+// units, > 0.
+// Returns a length in world units, in [0, FLT_MAX]; 0 for background depth, and for b or d_ref that is not positive
+// or NaN. The contributions subtract it from the height above the tangent plane. Error: 2.5 ULP.
 float gloam_depth_bias(float bias, float depth, float reference_depth) {
-    if (gloam_is_background(depth) || !(bias > 0.0 && reference_depth >= 1.175494351e-38 && reference_depth <= 8.507059173e37)) return 0.0;
+    if (gloam_is_background(depth) ||
+        !(bias > 0.0 && reference_depth >= 1.175494351e-38 && reference_depth <= 8.507059173e37))
+        return 0.0;
     float scaled = bias * (depth / reference_depth);
     return scaled <= 3.402823466e38 ? scaled : (scaled > 0.0 ? 3.402823466e38 : 0.0);
 }

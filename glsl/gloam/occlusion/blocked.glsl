@@ -4,14 +4,17 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Whether the depth buffer blocks a sample point (V of TSSAO-3): the surface at its pixel is nearer to the eye than the sample by more
-// than the bias, and not by more than the range (what is far in front is another object, with open space behind it).
+// Whether the depth buffer blocks a sample point (V of TSSAO-3): the surface at its pixel is nearer to the eye than
+// the sample by more than the bias, and not by more than the range (what is far in front is another object, with open
+// space behind it).
 // sample_depth: eye-linear depth of the sample, world units. buffer_depth: eye-linear depth at its pixel, world units.
-// bias: world units, no less than the spacing of depths (gather_kernel.glsl): hides the rounding of positions and depths.
-// range: world units, about the kernel radius; infinity switches the check off, a range not above the bias blocks nothing.
-// Returns 1 if bias < sample_depth - buffer_depth <= range, else 0: also for background in the buffer, for a sample at or behind
-// the eye, and for NaN. Error: the difference is that of two depths
-// rounded once (exact within a factor 2), and may fall to either side of a threshold within 1 ULP of it.
+// bias: world units, no less than the spacing of depths (gather_kernel.glsl): hides the rounding of positions and
+// depths.
+// range: world units, about the kernel radius; infinity switches the check off, a range not above the bias blocks
+// nothing.
+// Returns 1 if bias < sample_depth - buffer_depth <= range, else 0: also for background in the buffer, for a sample
+// at or behind the eye, and for NaN. Error: the difference is that of two depths rounded once (exact within a factor
+// 2), and may fall to either side of a threshold within 1 ULP of it.
 float gloam_sample_blocked(float sample_depth, float buffer_depth, float bias, float range) {
     if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
     float in_front = sample_depth - buffer_depth;

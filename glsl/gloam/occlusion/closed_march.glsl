@@ -6,21 +6,26 @@
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/square_root.glsl"
 
-// Which taps of a march along a slice can still change what it has seen: the others may be left out, with the same result to the bit.
+// Which taps of a march along a slice can still change what it has seen: the others may be left out, with the same
+// result to the bit.
 
-// How near to the view axis the taps of a slice through the eye may see something within a ball. One that is aimed at the share s of the radius,
-// in the plane parallel to the image, sees no point of the ball, once moved into the slice (gloam_into_slice), that is nearer to the axis than
-// x s - y radii: its ray passes the aim within half a pixel, and the points of the ball lie at least |position| - ball radius before the eye.
-// position: of the shaded point, view space, world units. direction: of the slice in the image, unit, y as in view space. end: of the march to that
-// side, texture coordinates. radius: world units, of the march. ball: radius of the ball around the point, as part of that, [0, 1].
-// Returns (x, y), x in [0, 1], y >= 0, of which 2e-4 for the rounding of positions; (0, 0), nothing known, for an end outside the image (taps
-// there are moved), for a slice that nearly lies in the tangent plane, a point nearer than 2 radii or further than 128, a radius of about a
-// pixel, and NaN. Error: 8e-7.
-vec2 gloam_slice_clearance(GloamSlice slice, vec3 position, vec2 direction, vec2 end, GloamCamera camera, float radius, float ball) {
+// How near to the view axis the taps of a slice through the eye may see something within a ball. One that is aimed at
+// the share s of the radius, in the plane parallel to the image, sees no point of the ball, once moved into the slice
+// (gloam_into_slice), that is nearer to the axis than x s - y radii: its ray passes the aim within half a pixel, and
+// the points of the ball lie at least |position| - ball radius before the eye.
+// position: of the shaded point, view space, world units. direction: of the slice in the image, unit, y as in view
+// space. end: of the march to that side, texture coordinates. radius: world units, of the march. ball: radius of the
+// ball around the point, as part of that, [0, 1].
+// Returns (x, y), x in [0, 1], y >= 0, of which 2e-4 for the rounding of positions; (0, 0), nothing known, for an end
+// outside the image (taps there are moved), for a slice that nearly lies in the tangent plane, a point nearer than 2
+// radii or further than 128, a radius of about a pixel, and NaN. Error: 8e-7.
+vec2 gloam_slice_clearance(GloamSlice slice, vec3 position, vec2 direction, vec2 end, GloamCamera camera, float radius,
+                           float ball) {
     if (!(min(end.x, end.y) >= 0.0 && max(end.x, end.y) <= 1.0 && ball >= 0.0 && ball <= 1.0)) return vec2(0.0);
     vec2 pixels = gloam_camera_radius(radius, -position.z, camera) * vec2(camera.size);
     float squared = slice.weight * slice.weight;
-    // A little more than half a pixel, texture coordinates being rounded; and what it is moved by in the slice, along the tangent plane.
+    // A little more than half a pixel, texture coordinates being rounded; and what it is moved by in the slice, along
+    // the tangent plane.
     float beside = 0.52 * length(1.0 / pixels) * (1.0 + gloam_sqrt((1.0 - squared) / squared));
     float ratio = radius / length(position);
     float along = abs(dot(direction, slice.tangent.xy));
@@ -30,10 +35,11 @@ vec2 gloam_slice_clearance(GloamSlice slice, vec3 position, vec2 direction, vec2
 }
 
 // Taps of a side of a slice, from the first on, that may see something within a ball.
-// clearance: of gloam_slice_clearance, for that ball. ball: its radius as part of that of the march; 0 or less: nothing there counts.
+// clearance: of gloam_slice_clearance, for that ball. ball: its radius as part of that of the march; 0 or less:
+// nothing there counts.
 // jitter, steps: tap i is aimed at the share ((i + jitter) / steps)^2 of the radius.
-// Returns a number up to steps: 0 for ball <= 0, all of them for a ball of 1 or more and where nothing is known. Error: none, but for a tap
-// within rounding of the ball.
+// Returns a number up to steps: 0 for ball <= 0, all of them for a ball of 1 or more and where nothing is known.
+// Error: none, but for a tap within rounding of the ball.
 uint gloam_slice_taps(vec2 clearance, float ball, float jitter, uint steps) {
     if (ball <= 0.0) return 0u;
     if (!(ball < 1.0 && clearance.x > 0.0)) return steps;

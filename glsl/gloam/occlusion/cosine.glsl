@@ -4,8 +4,8 @@
 
 #include "gloam/geometry/safe_normalize.glsl"
 
-// Cosine of the angle between a sample's offset and the normal, clamped to the hemisphere: max((s - p) . n / |s - p|, 0)
-// (TSSAO-1, whose printed integrand lacks the clamp; TSSAO-3 and -12).
+// Cosine of the angle between a sample's offset and the normal, clamped to the hemisphere: max((s - p) . n / |s - p|,
+// 0) (TSSAO-1, whose printed integrand lacks the clamp; TSSAO-3 and -12).
 // offset: s - p, any space and unit. normal: unit vector, same space.
 // Returns a cosine in [0, 1]; 0 for an offset that is zero, subnormal, infinite or NaN, and for a NaN normal.
 // Error: 3e-7.

@@ -4,32 +4,35 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Crytek's screen-space ambient occlusion (Mittring 2007; CS-3.1): points of a whole ball around the surface against the depth buffer,
-// without falloff. On a plane half of the ball lies in the ground, so the mean is 1/2 (1/4 open in an inner corner, 3/4 on an edge):
-// the offset 0.5 of gloam_remap undoes it.
+// Crytek's screen-space ambient occlusion (Mittring 2007; CS-3.1): points of a whole ball around the surface against
+// the depth buffer, without falloff. On a plane half of the ball lies in the ground, so the mean is 1/2 (1/4 open in
+// an inner corner, 3/4 on an edge): the offset 0.5 of gloam_remap undoes it.
 
 // Contribution of a sample point, by eye-linear depths: 1 unless the surface at its pixel lies behind it.
-// sample_depth: s_z, eye-linear, world units; the sample is p + R s with s in the unit ball, in view space. buffer_depth: s_d at its pixel.
-// Returns occlusion, 0 or 1: 1 where buffer_depth <= sample_depth, equality included: a bias keeps a plane seen head-on from that.
-// 0 for background in the buffer, for a sample at or behind the eye, and for NaN. Error: none.
+// sample_depth: s_z, eye-linear, world units; the sample is p + R s with s in the unit ball, in view space.
+// buffer_depth: s_d at its pixel.
+// Returns occlusion, 0 or 1: 1 where buffer_depth <= sample_depth, equality included: a bias keeps a plane seen
+// head-on from that. 0 for background in the buffer, for a sample at or behind the eye, and for NaN. Error: none.
 float gloam_contribution_crytek(float sample_depth, float buffer_depth) {
     if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
     return buffer_depth <= sample_depth ? 1.0 : 0.0;
 }
 
-// The same by the values of a depth buffer, as published: 0 at the near plane, 1 at the far plane (standard Z; pass 1 - b for reversed Z).
+// The same by the values of a depth buffer, as published: 0 at the near plane, 1 at the far plane (standard Z; pass 1
+// - b for reversed Z).
 // sample_value: third component of gloam_crytek_sample. buffer_value: b at its pixel, in [0, 1].
 // Returns occlusion, 0 or 1: 0 for b >= 1, which is background, and for NaN. Error: none.
 float gloam_contribution_crytek_buffer(float sample_value, float buffer_value) {
     return buffer_value < 1.0 && buffer_value <= sample_value ? 1.0 : 0.0;
 }
 
-// Sample point in the space of the depth buffer, as published: (uv, b) + R (s.xy a, s.z b c), a = 1 / d, c = (100 / z_far) a. The scaling
-// of z is a constant that suits one scene, not a projection: p + R s in view space, projected, is exact.
-// uv: of the pixel, texture coordinates. buffer_value: b, in [0, 1]. s: point of the unit ball. radius: R. depth: d, eye-linear, world
-// units. z_far: far plane, world units, > 0.
-// Returns (u, v, b) of the sample; (uv, b) itself for background depth and for z_far outside [1e-30, 2^126]. Error: 3 ULP of the
-// largest of the value and its change.
+// Sample point in the space of the depth buffer, as published: (uv, b) + R (s.xy a, s.z b c), a = 1 / d, c = (100 /
+// z_far) a. The scaling of z is a constant that suits one scene, not a projection: p + R s in view space, projected,
+// is exact.
+// uv: of the pixel, texture coordinates. buffer_value: b, in [0, 1]. s: point of the unit ball. radius: R. depth: d,
+// eye-linear, world units. z_far: far plane, world units, > 0.
+// Returns (u, v, b) of the sample; (uv, b) itself for background depth and for z_far outside [1e-30, 2^126]. Error: 3
+// ULP of the largest of the value and its change.
 vec3 gloam_crytek_sample(vec2 uv, float buffer_value, vec3 s, float radius, float depth, float z_far) {
     vec3 center = vec3(uv, buffer_value);
     if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 8.507059173e37)) return center;

@@ -6,10 +6,11 @@
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Ambient occlusion by the curvature of the surface (after Hattori et al. 2012): the surface around the point is its quadric, cut at a
-// radius, z(t, phi) = k(phi) t^2 / 2 with k(phi) = k_1 cos^2 phi + k_2 sin^2 phi, concave positive. Seen from the point its edge stands
-// at the horizon tan h = q(phi) = max(k(phi), 0) R / 2, and the occlusion is the mean of sin^2 h = q^2 / (1 + q^2) over phi. Both
-// functions below are that mean in closed form, from the integral of 1 / (1 + i q).
+// Ambient occlusion by the curvature of the surface (after Hattori et al. 2012): the surface around the point is its
+// quadric, cut at a radius, z(t, phi) = k(phi) t^2 / 2 with k(phi) = k_1 cos^2 phi + k_2 sin^2 phi, concave positive.
+// Seen from the point its edge stands at the horizon tan h = q(phi) = max(k(phi), 0) R / 2, and the occlusion is the
+// mean of sin^2 h = q^2 / (1 + q^2) over phi. Both functions below are that mean in closed form, from the integral of
+// 1 / (1 + i q).
 
 // Occlusion in a bowl or a furrow: 1 - Re 1 / sqrt((1 + i a) (1 + i b)).
 // a, b: k_1 R / 2 and k_2 R / 2, both in [0, 4096]. (b down to -1e-4 changes the result by less than 1e-8.)
@@ -23,8 +24,8 @@ float gloam_occlusion_bowl(float a, float b) {
     return gloam_unit_interval(1.0 - gloam_sqrt(part) / size);
 }
 
-// Occlusion on a saddle, of the directions in which it rises: (2 / pi) (phi_0 - Re atan(t sqrt(B / A)) / sqrt(A B)), A = 1 + i a,
-// B = 1 + i b, t = tan phi_0 = sqrt(-a / b).
+// Occlusion on a saddle, of the directions in which it rises: (2 / pi) (phi_0 - Re atan(t sqrt(B / A)) / sqrt(A B)),
+// A = 1 + i a, B = 1 + i b, t = tan phi_0 = sqrt(-a / b).
 // a: k_1 R / 2 in (0, 4096]. b: k_2 R / 2 in [-4096, -1e-4].
 // Returns occlusion in [0, 1]. Error: 8e-7.
 float gloam_occlusion_saddle(float a, float b) {
@@ -39,10 +40,10 @@ float gloam_occlusion_saddle(float a, float b) {
 }
 
 // Occlusion of a surface by its principal curvatures.
-// k_1, k_2: principal curvatures, 1 / world units, in any order, positive where the surface is concave. radius: R, where the
-// surface around the point ends, world units, > 0.
-// Returns occlusion in [0, 1]: 0 where neither is positive (plane, ridge, ball), 1/2 for k_1 = k_2 = 2 / R. k R / 2 is taken into
-// [-4096, 4096]. 0 for a radius not positive and for NaN. Error: 8e-7.
+// k_1, k_2: principal curvatures, 1 / world units, in any order, positive where the surface is concave. radius: R,
+// where the surface around the point ends, world units, > 0.
+// Returns occlusion in [0, 1]: 0 where neither is positive (plane, ridge, ball), 1/2 for k_1 = k_2 = 2 / R. k R / 2
+// is taken into [-4096, 4096]. 0 for a radius not positive and for NaN. Error: 8e-7.
 float gloam_occlusion_curvature(float k_1, float k_2, float radius) {
     float larger = 0.5 * radius * (k_1 > k_2 ? k_1 : k_2);
     float smaller = 0.5 * radius * (k_1 > k_2 ? k_2 : k_1);

@@ -8,13 +8,14 @@
 #include "gloam/occlusion/cosine.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Object-space occlusion (Bunnell, GPU Gems 2; Hoberock and Jia, GPU Gems 3): every element of the scene is a disc. Sum the contributions
-// of all discs and clamp. A second pass, in which each disc is weighted with its own visibility from the first, takes back what
-// hidden discs added.
+// Object-space occlusion (Bunnell, GPU Gems 2; Hoberock and Jia, GPU Gems 3): every element of the scene is a disc.
+// Sum the contributions of all discs and clamp. A second pass, in which each disc is weighted with its own visibility
+// from the first, takes back what hidden discs added.
 
 // How a disc shares the squared distance to its rim: (A / (A + pi D^2), pi D^2 / (A + pi D^2)).
 // area: A, world units squared, >= 0. distance_to: D of the centre, world units, >= 0.
-// Returns (a, 1 - a), each in [0, 1]; (0, 1) for an area not positive or NaN, and for a distance that is negative or NaN.
+// Returns (a, 1 - a), each in [0, 1]; (0, 1) for an area not positive or NaN, and for a distance that is negative or
+// NaN.
 // Error: 4e-7.
 vec2 gloam_disc_share(float area, float distance_to) {
     float radius = gloam_sqrt(area * 0.318309886);
@@ -26,25 +27,27 @@ vec2 gloam_disc_share(float area, float distance_to) {
     return min(wide ? vec2(larger, smaller) : vec2(smaller, larger), vec2(1.0));
 }
 
-// Contribution of a disc: (1 - 1 / sqrt(1 + A / (pi D^2))) max(-n_E . v / D, 0) min(4 max(n . v / D, 0), 1), D = |v|. The first factor is
-// exactly the part of the half space that the disc takes up where it is seen along its axis.
-// offset: v, from the point to the disc, world units. normal: n, unit vector, same space. emitter_normal: n_E, of the disc, unit vector.
+// Contribution of a disc: (1 - 1 / sqrt(1 + A / (pi D^2))) max(-n_E . v / D, 0) min(4 max(n . v / D, 0), 1), D = |v|.
+// The first factor is exactly the part of the half space that the disc takes up where it is seen along its axis.
+// offset: v, from the point to the disc, world units. normal: n, unit vector, same space. emitter_normal: n_E, of the
+// disc, unit vector.
 // area: A, world units squared, > 0. weight: visibility of the disc from the pass before, 1 in the first; [0, 1].
-// Returns a contribution in [0, 1]; 0 for a disc that faces away or lies below the tangent plane, for v = 0 and for what is not
-// finite. Error: 8e-7.
+// Returns a contribution in [0, 1]; 0 for a disc that faces away or lies below the tangent plane, for v = 0 and for
+// what is not finite. Error: 8e-7.
 float gloam_contribution_disc_proxy(vec3 offset, vec3 normal, vec3 emitter_normal, float area, float weight) {
     vec2 share = gloam_disc_share(area, gloam_length(offset));
     float facing = gloam_sample_cosine(-offset, emitter_normal) * min(4.0 * gloam_sample_cosine(offset, normal), 1.0);
     return gloam_unit_interval(weight) * facing * (share.x / (1.0 + gloam_sqrt(share.y)));
 }
 
-// Contribution of a disc, cosine-weighted: A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v / D, 0), exact for a disc above the point and
-// parallel to its tangent plane.
+// Contribution of a disc, cosine-weighted: A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v / D, 0), exact for a disc
+// above the point and parallel to its tangent plane.
 // offset, normal, emitter_normal, area, weight: as for gloam_contribution_disc_proxy.
 // Returns a contribution in [0, 1]; 0 as there. Error: 6e-7.
 float gloam_contribution_disc_proxy_cosine(vec3 offset, vec3 normal, vec3 emitter_normal, float area, float weight) {
     float share = gloam_disc_share(area, gloam_length(offset)).x;
-    return gloam_unit_interval(weight) * share * gloam_sample_cosine(-offset, emitter_normal) * gloam_sample_cosine(offset, normal);
+    return gloam_unit_interval(weight) * share * gloam_sample_cosine(-offset, emitter_normal) *
+           gloam_sample_cosine(offset, normal);
 }
 
 #endif

@@ -8,15 +8,16 @@
 
 // Adds a contribution.
 // accumulated: (sum, count) so far, starting at (0, 0). contribution: C(p, s_i).
-// Returns (sum + C, count + 1); unchanged for an infinite or NaN contribution, which is dropped and not counted. Counts are exact
-// up to 2^24. Error: 0.5 ULP of the sum for each addition.
+// Returns (sum + C, count + 1); unchanged for an infinite or NaN contribution, which is dropped and not counted.
+// Counts are exact up to 2^24. Error: 0.5 ULP of the sum for each addition.
 vec2 gloam_estimator_add(vec2 accumulated, float contribution) {
     return gloam_is_finite(contribution) ? accumulated + vec2(contribution, 1.0) : accumulated;
 }
 
 // Weighted mean of contributions.
 // weighted: (sum of contributions times weights, sum of weights).
-// Returns sum / weight inside [0, 1]; 0 for a weight not positive, for a subnormal one and for NaN. Error: 0.5 ULP, 1e-44 near 0.
+// Returns sum / weight inside [0, 1]; 0 for a weight not positive, for a subnormal one and for NaN. Error: 0.5 ULP,
+// 1e-44 near 0.
 float gloam_weighted_ratio(vec2 weighted) {
     if (!(weighted.y >= 1.175494351e-38 && weighted.x > 0.0)) return 0.0;
     return weighted.x < weighted.y ? min(weighted.x / weighted.y, 1.0) : 1.0;
@@ -32,7 +33,8 @@ float gloam_estimator_mean(vec2 accumulated) {
 
 // A weighted mean as if of a number of samples, for gloam_estimator_mean.
 // weighted: (sum of contributions times weights, sum of weights). count: of samples.
-// Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5 ULP, 5e-35 near 0.
+// Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5
+// ULP, 5e-35 near 0.
 vec2 gloam_estimator_of_weighted(vec2 weighted, uint count) {
     return float(count) * vec2(gloam_weighted_ratio(weighted), 1.0);
 }

@@ -2,11 +2,11 @@
 #ifndef GLOAM_OCCLUSION_FALLOFF_GLSL
 #define GLOAM_OCCLUSION_FALLOFF_GLSL
 
-// How much a hit counts, by its distance (the D of TSSAO-1): 1 at the shaded point, 0 at the radius of influence. All take the
-// magnitude of the distance and give 0 for NaN. A radius that is zero, subnormal, negative or NaN influences nothing; an infinite one
-// gives every finite distance the value at 0. The polynomials are built on 1 - d / R, formed as (R - d) / R: subtracting
-// before dividing keeps full relative accuracy up to the radius itself, where 1 - d / R would have lost it. The min() keep a
-// division or power that rounds up inside [0, 1].
+// How much a hit counts, by its distance (the D of TSSAO-1): 1 at the shaded point, 0 at the radius of influence. All
+// take the magnitude of the distance and give 0 for NaN. A radius that is zero, subnormal, negative or NaN influences
+// nothing; an infinite one gives every finite distance the value at 0. The polynomials are built on 1 - d / R, formed
+// as (R - d) / R: subtracting before dividing keeps full relative accuracy up to the radius itself, where 1 - d / R
+// would have lost it. The min() keep a division or power that rounds up inside [0, 1].
 
 // Step falloff (D-step): 1 if d <= R, else 0. The plain AO integral, cut off.
 // hit_distance: d, world units. radius: R, world units, >= 0; at 0 only d = 0 counts.
@@ -15,7 +15,8 @@ float gloam_falloff_step(float hit_distance, float radius) {
     return abs(hit_distance) <= radius ? 1.0 : 0.0;
 }
 
-// Linear falloff (D-lin): max(1 - d / R, 0). What TSSAO's kernel of uniform radii implies, and the usual ray-traced reference.
+// Linear falloff (D-lin): max(1 - d / R, 0). What TSSAO's kernel of uniform radii implies, and the usual ray-traced
+// reference.
 // hit_distance: d, world units. radius: R, world units, > 0.
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 1.5 ULP.
 float gloam_falloff_linear(float hit_distance, float radius) {
@@ -23,7 +24,8 @@ float gloam_falloff_linear(float hit_distance, float radius) {
     if (!(d < radius && radius >= 1.175494351e-38)) return 0.0;
     if (!(radius <= 3.402823466e38)) return 1.0;
     // Powers of two, so exact: they keep the difference normal and the divisor where division is accurate.
-    float scale = radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
+    float scale =
+        radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
     float r = radius * scale;
     return min((r - d * scale) / r, 1.0);
 }
@@ -36,8 +38,8 @@ float gloam_falloff_quadratic(float hit_distance, float radius) {
     return min(a * (2.0 - a), 1.0);
 }
 
-// Cubic falloff: max(1 - d^3 / R^3, 0), what a kernel uniform in the volume of the ball implies. With a = 1 - d / R it is
-// a (3 - a (3 - a)).
+// Cubic falloff: max(1 - d^3 / R^3, 0), what a kernel uniform in the volume of the ball implies. With a = 1 - d / R
+// it is a (3 - a (3 - a)).
 // hit_distance: d, world units. radius: R, world units, > 0.
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 5 ULP.
 float gloam_falloff_cubic(float hit_distance, float radius) {
@@ -53,20 +55,24 @@ float gloam_falloff_sao(float hit_distance, float radius) {
     return b * b * b;
 }
 
-// Exponential falloff (D-exp): exp(-d / R), cut to 0 where it falls below 1/255, beyond d = 5.5413 R: it would never end otherwise.
+// Exponential falloff (D-exp): exp(-d / R), cut to 0 where it falls below 1/255, beyond d = 5.5413 R: it would never
+// end otherwise.
 // hit_distance: d, world units. radius: R, world units, > 0: the distance at which 1/e is left.
-// Returns a weight in {0} and [1/255, 1]; 0 for R = 0. Error: 10 ULP; within 4 ULP of the cut a distance may fall to either side.
+// Returns a weight in {0} and [1/255, 1]; 0 for R = 0. Error: 10 ULP; within 4 ULP of the cut a distance may fall to
+// either side.
 float gloam_falloff_exponential(float hit_distance, float radius) {
     float d = abs(hit_distance);
     if (!(d <= 3.402823466e38 && radius >= 1.175494351e-38)) return 0.0;
     if (!(radius <= 3.402823466e38)) return 1.0;
-    float scale = radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
+    float scale =
+        radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
     float r = radius * scale;
     float scaled = d * scale;
     return scaled <= 5.541263545 * r ? min(exp(-(scaled / r)), 1.0) : 0.0;
 }
 
-// Alchemy's falloff (D-alch): u d / max(u, d)^2, that is u / d beyond u and d / u below: the obscurance of touching geometry vanishes.
+// Alchemy's falloff (D-alch): u d / max(u, d)^2, that is u / d beyond u and d / u below: the obscurance of touching
+// geometry vanishes.
 // hit_distance: d, world units. u: distance of the strongest influence, world units, > 0.
 // Returns a weight in [0, 1]; 0 (not 1) at d = 0, and 0 for u not positive, subnormal or NaN and for infinite d or u.
 // Error: 1 ULP.
@@ -75,7 +81,8 @@ float gloam_falloff_alchemy(float hit_distance, float u) {
     if (!(d <= 3.402823466e38 && u >= 1.175494351e-38 && u <= 3.402823466e38)) return 0.0;
     float smaller = d < u ? d : u;
     float larger = d < u ? u : d;
-    float scale = larger > 1.8446744e19 ? 5.421010862427522e-20 : (larger < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
+    float scale =
+        larger > 1.8446744e19 ? 5.421010862427522e-20 : (larger < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
     return min(smaller * scale / (larger * scale), 1.0);
 }
 
@@ -86,11 +93,12 @@ float gloam_falloff_one(float hit_distance) {
     return abs(hit_distance) >= 0.0 ? 1.0 : 0.0;
 }
 
-// Visibility (not occlusion) of Filion and McNaughton: clamp((D - R) / D, 0, 1): open behind the surface, blocked down to R before it,
-// open again as the surface moves further in front.
-// delta: D, how far the surface at the sample's pixel lies in front of the sample, world units. radius: R, world units, >= 0.
-// Returns visibility in [0, 1]: 1 for D <= 0 (D = 0 included), 0 for 0 < D <= R, 1 - R / D beyond; 1 for R = 0, subnormal D or
-// R, and NaN. Error: 1.5 ULP.
+// Visibility (not occlusion) of Filion and McNaughton: clamp((D - R) / D, 0, 1): open behind the surface, blocked
+// down to R before it, open again as the surface moves further in front.
+// delta: D, how far the surface at the sample's pixel lies in front of the sample, world units. radius: R, world
+// units, >= 0.
+// Returns visibility in [0, 1]: 1 for D <= 0 (D = 0 included), 0 for 0 < D <= R, 1 - R / D beyond; 1 for R = 0,
+// subnormal D or R, and NaN. Error: 1.5 ULP.
 float gloam_visibility_filion(float delta, float radius) {
     if (!(delta >= 1.175494351e-38 && radius >= 1.175494351e-38)) return 1.0;
     return gloam_falloff_linear(radius, delta);

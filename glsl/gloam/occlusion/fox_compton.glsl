@@ -5,15 +5,15 @@
 #include "gloam/numeric/length_ratio.glsl"
 #include "gloam/occlusion/cosine.glsl"
 
-// Contribution of the surface patch seen at a tap, after Fox and Compton's crease shading: no visibility test, the patch itself is
-// what blocks.
+// Contribution of the surface patch seen at a tap, after Fox and Compton's crease shading: no visibility test, the
+// patch itself is what blocks.
 
 // Contribution (TSSAO-12): max(cos(s - p, n), 0) / max(epsilon, |s - p|).
-// position: p, sample_position: s, world units, same space. normal: n, unit vector. epsilon: world units, > 0, 0.01 to 0.1 of the
-// kernel radius.
-// Returns a contribution in 1 / world units, at most 1 / epsilon: multiply by a length before it is read as occlusion. 0 for s = p, for
-// epsilon infinite or NaN, and where s - p is not finite. An epsilon of 0 or less bounds nothing. The larger of
-// epsilon and |s - p| is taken into [2^-126, 2^126], where division is accurate.
+// position: p, sample_position: s, world units, same space. normal: n, unit vector. epsilon: world units, > 0, 0.01
+// to 0.1 of the kernel radius.
+// Returns a contribution in 1 / world units, at most 1 / epsilon: multiply by a length before it is read as
+// occlusion. 0 for s = p, for epsilon infinite or NaN, and where s - p is not finite. An epsilon of 0 or less bounds
+// nothing. The larger of epsilon and |s - p| is taken into [2^-126, 2^126], where division is accurate.
 // Error: 3e-6 for an epsilon of 0.03 or more, 1e-7 / epsilon below.
 float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
@@ -26,8 +26,8 @@ float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_pos
 
 // The same times epsilon: max(cos(s - p, n), 0) epsilon / max(epsilon, |s - p|).
 // position: p, sample_position: s, world units, same space. normal: n, unit vector. epsilon: world units, >= 0.
-// Returns a contribution in [0, 1]: the cosine within epsilon of p, falling as epsilon / |s - p| beyond. 0 for s = p, epsilon <= 0
-// or NaN, and where s - p is not finite; the cosine for an infinite epsilon. Error: 3e-7.
+// Returns a contribution in [0, 1]: the cosine within epsilon of p, falling as epsilon / |s - p| beyond. 0 for s = p,
+// epsilon <= 0 or NaN, and where s - p is not finite; the cosine for an infinite epsilon. Error: 3e-7.
 float gloam_contribution_fox_compton_scaled(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
     float cosine = gloam_sample_cosine(offset, normal);

@@ -5,20 +5,22 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/finite.glsl"
 
-// What all methods of gloam/methods have in common: what they are asked for, what they answer, and the border at which they refuse what they
-// cannot use. Behind that border nothing overflows and nothing is NaN but the depths of taps, which gloam_tap_sees tells apart.
+// What all methods of gloam/methods have in common: what they are asked for, what they answer, and the border at
+// which they refuse what they cannot use. Behind that border nothing overflows and nothing is NaN but the depths of
+// taps, which gloam_tap_sees tells apart.
 
-// The samples that one pixel takes in one frame: points first + 1 ... first + count of a Halton sequence (TSSAO-4). The last three are choices;
-// where they are constants, the compiler leaves out what they do not ask for.
+// The samples that one pixel takes in one frame: points first + 1 ... first + count of a Halton sequence (TSSAO-4).
+// The last three are choices; where they are constants, the compiler leaves out what they do not ask for.
 struct GloamKernel {
     float radius;  // of influence, world units
-    float bias;    // world units: hides the rounding of positions and depths, so no less than a depth's spacing (2^-23 of it in
-                   // float32, 2^-10 in halves: 0.05 at 50 units); the presets have 1e-3 of the radius, whatever the depth,
-                   // and a share of the depth can be asked for besides (bias_depth)
+    float bias;  // world units: hides the rounding of positions and depths, so no less than a depth's spacing (2^-23 of
+                 // it in float32, 2^-10 in halves: 0.05 at 50 units); the presets have 1e-3 of the radius, whatever the
+                 // depth, and a share of the depth can be asked for besides (bias_depth)
     float angle;   // rotation of the kernel, radians; 0 once the pixel has converged (TSSAO-ROT)
     uint first;    // j, samples taken before
     uint count;    // k
-    float farthest;     // world units: of points, taps and slices, what lies further in front than this tells nothing (CS-REJ); infinity: all tells
+    float farthest;     // world units: of points, taps and slices, what lies further in front than this tells nothing
+                        // (CS-REJ); infinity: all tells
     int layers;         // of depth that the samples see, 1 to 4
     bool ends_marches;  // leave out taps that cannot change a march any more: the same result to the bit
 };
@@ -33,16 +35,19 @@ struct GloamEstimate {
 // No depth, position or length of a scene is as large: squares stay finite.
 const float GLOAM_FARTHEST = 1e18;
 
-// Whether there is anything to gather at a point: a surface in front of the eye with a normal, and a radius of influence.
+// Whether there is anything to gather at a point: a surface in front of the eye with a normal, and a radius of
+// influence.
 // position: view space, world units. normal: view space, any length. radius: world units.
-// Returns false for background depth, for a zero or non-finite normal, for a radius that is not in [1e-18, 1e18], a position or an element of
-// the camera that is not finite or beyond 1e18, elements of it below 1e-18, and an image without pixels.
+// Returns false for background depth, for a zero or non-finite normal, for a radius that is not in [1e-18, 1e18], and
+// for an image without pixels. Also where the position or an element of the camera is not finite or beyond 1e18, or an
+// element is below 1e-18.
 // Error: none.
 bool gloam_can_gather(vec3 position, vec3 normal, float radius, GloamCamera camera) {
     vec2 p = abs(camera.p00_p11);
     bool point = max(max(abs(position.x), abs(position.y)), -position.z) <= GLOAM_FARTHEST && -position.z >= 1e-18;
     bool facing = gloam_is_finite3(normal) && max(max(abs(normal.x), abs(normal.y)), abs(normal.z)) >= 1.175494351e-38;
-    bool projects = p.x >= 1e-18 && p.y >= 1e-18 && p.x <= GLOAM_FARTHEST && p.y <= GLOAM_FARTHEST && camera.size.x > 0 && camera.size.y > 0;
+    bool projects = p.x >= 1e-18 && p.y >= 1e-18 && p.x <= GLOAM_FARTHEST && p.y <= GLOAM_FARTHEST &&
+                    camera.size.x > 0 && camera.size.y > 0;
     return point && gloam_is_finite2(position.xy) && facing && projects && radius >= 1e-18 && radius <= GLOAM_FARTHEST;
 }
 
@@ -58,7 +63,8 @@ GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
     return GloamEstimate(mean, float(samples), 0u);
 }
 
-// Whether a depth read at a tap is that of a surface: false for 0, what is negative, beyond 1e18, infinite or NaN. Error: none.
+// Whether a depth read at a tap is that of a surface: false for 0, what is negative, beyond 1e18, infinite or NaN.
+// Error: none.
 bool gloam_tap_sees(float depth) {
     return depth > 0.0 && depth <= GLOAM_FARTHEST;
 }

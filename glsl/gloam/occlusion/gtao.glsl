@@ -7,14 +7,17 @@
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/numeric/sincos.glsl"
 
-// Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye, and between them the integral in
-// closed form. Each slice's amount is divided, in the end, by what its own half plane would hold: a bare plane is then open exactly, at any
-// tilt and with any number of slices. Divided by the number of slices alone it reads 0.50 to 1.41 when tilted by 60 degrees.
+// Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye, and between them
+// the integral in closed form. Each slice's amount is divided, in the end, by what its own half plane would hold: a
+// bare plane is then open exactly, at any tilt and with any number of slices. Divided by the number of slices alone
+// it reads 0.50 to 1.41 when tilted by 60 degrees.
 
 // The higher of the horizon so far and a sample's, which is first drawn towards the tangent plane as it loses weight.
-// horizon: cosine of the angle from the view vector, -1 to begin with (nothing seen). lowest: that of the tangent plane on this side, of
-// gloam_gtao_lowest. offset: s - p, view space, world units. view: to the eye, unit. weight: of the sample, [0, 1]: a falloff of |s - p|.
-// Returns a cosine in [-1, 1]; the horizon itself for a zero or non-finite offset, and for a weight not positive or NaN. Error: 4e-7.
+// horizon: cosine of the angle from the view vector, -1 to begin with (nothing seen). lowest: that of the tangent
+// plane on this side, of gloam_gtao_lowest. offset: s - p, view space, world units. view: to the eye, unit. weight:
+// of the sample, [0, 1]: a falloff of |s - p|.
+// Returns a cosine in [-1, 1]; the horizon itself for a zero or non-finite offset, and for a weight not positive or
+// NaN. Error: 4e-7.
 float gloam_gtao_horizon(float horizon, float lowest, vec3 offset, vec3 view, float weight) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     if (!(weight > 0.0 && dot(direction, direction) > 0.5)) return horizon;
@@ -28,11 +31,11 @@ vec2 gloam_gtao_lowest(GloamSlice slice) {
     return vec2(slice.normal.y, -slice.normal.y);
 }
 
-// How far a horizon on the positive side rises above the tangent plane within the slice: what lies behind the hemisphere is cut off. On the
-// negative side n changes its sign.
+// How far a horizon on the positive side rises above the tangent plane within the slice: what lies behind the
+// hemisphere is cut off. On the negative side n changes its sign.
 // horizon: cosine of gloam_gtao_horizon. angle: n, of the projected normal, radians.
-// Returns e, radians in [0, pi]: with h_1 = -acos(c_1) and h_2 = acos(c_2) as in the paper, e_1 = h_1 - (n - pi / 2) and
-// e_2 = (n + pi / 2) - h_2. 0 exactly for a horizon of -1, and for NaN. Error: 6e-7.
+// Returns e, radians in [0, pi]: with h_1 = -acos(c_1) and h_2 = acos(c_2) as in the paper, e_1 = h_1 - (n - pi / 2)
+// and e_2 = (n + pi / 2) - h_2. 0 exactly for a horizon of -1, and for NaN. Error: 6e-7.
 float gloam_gtao_elevation(float horizon, float angle) {
     float e = 1.570796327 + angle - gloam_acos(horizon);
     return e > 0.0 ? min(e, 3.141592654) : 0.0;
@@ -48,10 +51,11 @@ float gloam_gtao_inner(float horizon, float angle) {
     return visible > 0.0 ? min(visible, 1.570796327) : 0.0;
 }
 
-// What a horizon on the positive side takes from that: the integral over the angles between the horizon and the tangent plane,
-// 1/2 (e sin n + sin(e - n) sin e), where e = n + pi / 2 - h is the elevation: sin(e - n) = cos h and sin e = cos(h - n), so that no further sine is
-// needed. On the negative side n changes its sign.
-// elevation: e, radians in [0, pi], taken to the nearer end outside, NaN to 0. horizon: (cos h, sin h). normal: (cos n, sin n).
+// What a horizon on the positive side takes from that: the integral over the angles between the horizon and the
+// tangent plane, 1/2 (e sin n + sin(e - n) sin e), where e = n + pi / 2 - h is the elevation: sin(e - n) = cos h and
+// sin e = cos(h - n), so that no further sine is needed. On the negative side n changes its sign.
+// elevation: e, radians in [0, pi], taken to the nearer end outside, NaN to 0. horizon: (cos h, sin h). normal: (cos
+// n, sin n).
 // Returns an amount in [0, pi / 2]; 0 exactly for e = 0. Error: 3e-7.
 float gloam_gtao_arc(float elevation, vec2 horizon, vec2 normal) {
     if (!(elevation > 0.0)) return 0.0;
@@ -61,15 +65,16 @@ float gloam_gtao_arc(float elevation, vec2 horizon, vec2 normal) {
 
 // The same with every direction of the hemisphere weighted alike: 1/2 (sin n + sin(e - n)) = 1/2 (sin n + cos h).
 // horizon: cos h. sine: sin n.
-// Returns an amount in [0, 1]; 0 for a horizon below the tangent plane and for NaN. A free half plane holds 1. Error: 1e-7.
+// Returns an amount in [0, 1]; 0 for a horizon below the tangent plane and for NaN. A free half plane holds 1. Error:
+// 1e-7.
 float gloam_gtao_arc_uniform(float horizon, float sine) {
     float arc = 0.5 * (sine + horizon);
     return arc > 0.0 ? min(arc, 1.0) : 0.0;
 }
 
 // What a horizon takes from a slice, cosine-weighted: from its cosine.
-// horizon: cos h of gloam_gtao_horizon, taken to the nearer end outside [-1, 1]. angle: n, radians. normal: (cos n, sin n). Both for the positive
-// side; on the negative side -n.
+// horizon: cos h of gloam_gtao_horizon, taken to the nearer end outside [-1, 1]. angle: n, radians. normal: (cos n,
+// sin n). Both for the positive side; on the negative side -n.
 // Returns an amount in [0, pi / 2]; 0 for NaN. Error: 8e-7.
 float gloam_gtao_side(float horizon, float angle, vec2 normal) {
     float c = horizon > -1.0 ? min(horizon, 1.0) : -1.0;  // -1 for NaN: nothing taken
@@ -78,9 +83,10 @@ float gloam_gtao_side(float horizon, float angle, vec2 normal) {
 }
 
 // Adds a slice to the cosine-weighted occlusion.
-// accumulated: (occluded, whole) so far, (0, 0) to begin with. horizons: cosines of gloam_gtao_horizon, negative and positive side.
-// Returns (occluded, whole) with the slice: its weight times the amount behind the horizons, and its weight times cos n + n sin n. Unchanged for
-// a weight that is not positive or not finite. Error: 1.2e-6 a slice.
+// accumulated: (occluded, whole) so far, (0, 0) to begin with. horizons: cosines of gloam_gtao_horizon, negative and
+// positive side.
+// Returns (occluded, whole) with the slice: its weight times the amount behind the horizons, and its weight times cos
+// n + n sin n. Unchanged for a weight that is not positive or not finite. Error: 1.2e-6 a slice.
 vec2 gloam_gtao_add(vec2 accumulated, GloamSlice slice, vec2 horizons) {
     if (!(slice.weight > 0.0 && slice.weight <= 3.402823466e38)) return accumulated;
     float occluded = gloam_gtao_side(horizons.x, -slice.angle, vec2(slice.normal.x, -slice.normal.y)) +
@@ -90,17 +96,20 @@ vec2 gloam_gtao_add(vec2 accumulated, GloamSlice slice, vec2 horizons) {
 
 // Adds a slice to the occlusion that weighs all directions alike; every slice counts the same.
 // accumulated, horizons: as above.
-// Returns (occluded, whole) with the slice: the amount behind the horizons, and 1. Unchanged for a weight that is not positive.
+// Returns (occluded, whole) with the slice: the amount behind the horizons, and 1. Unchanged for a weight that is not
+// positive.
 // Error: 5e-7 a slice.
 vec2 gloam_gtao_add_uniform(vec2 accumulated, GloamSlice slice, vec2 horizons) {
     if (!(slice.weight > 0.0)) return accumulated;
-    float occluded = gloam_gtao_arc_uniform(horizons.x, -slice.normal.y) + gloam_gtao_arc_uniform(horizons.y, slice.normal.y);
+    float occluded =
+        gloam_gtao_arc_uniform(horizons.x, -slice.normal.y) + gloam_gtao_arc_uniform(horizons.y, slice.normal.y);
     return accumulated + vec2(occluded, 1.0);
 }
 
 // Occlusion of all slices: occluded / whole.
 // accumulated: (occluded, whole).
-// Returns occlusion in [0, 1]; 0 exactly where no horizon rises above the tangent plane, 0 where no slice counts and for NaN.
+// Returns occlusion in [0, 1]; 0 exactly where no horizon rises above the tangent plane, 0 where no slice counts and
+// for NaN.
 // Error: 0.5 ULP.
 float gloam_gtao_occlusion(vec2 accumulated) {
     if (!(accumulated.x > 0.0 && accumulated.y >= 1.175494351e-38 && accumulated.y <= 8.507059173e37)) return 0.0;

@@ -7,14 +7,18 @@
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/shading/remap.glsl"
 
-// Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): (1 / 2 pi) times the integral over directions of the image of
-// W (sin h - sin t), h the elevation of the horizon and t that of the tangent above the image plane. The cos of the integral is the
-// Jacobian of solid angle, not n . w: every direction counts the same, which is not the occlusion of TSSAO-1. A pit whose walls rise by
-// 45 degrees all around has 0.707 of it, but 0.5 of the cosine-weighted.
+// Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): (1 / 2 pi) times the integral over
+// directions of the image of W (sin h - sin t), h the elevation of the horizon and t that of the tangent above the
+// image plane. The cos of the integral is the Jacobian of solid angle, not n . w: every direction counts the same,
+// which is not the occlusion of TSSAO-1. A pit whose walls rise by 45 degrees all around has 0.707 of it, but 0.5 of
+// the cosine-weighted.
 
-// Slope of the tangent plane in a direction of the image, from the derivatives of the position: tan t = T.z / |T.xy|, T = x dP/du + y dP/dv.
-// direction: (x, y), in units of u and v. dpdu, dpdv: view space, world units; each the smaller of the two one-sided differences.
-// Returns a tangent in [-1e6, 1e6]; 0 where T is not finite or has no direction. Error: 6 ULP, and 8e-6 of the longest derivative over |T.xy|.
+// Slope of the tangent plane in a direction of the image, from the derivatives of the position: tan t = T.z / |T.xy|,
+// T = x dP/du + y dP/dv.
+// direction: (x, y), in units of u and v. dpdu, dpdv: view space, world units; each the smaller of the two one-sided
+// differences.
+// Returns a tangent in [-1e6, 1e6]; 0 where T is not finite or has no direction. Error: 6 ULP, and 8e-6 of the
+// longest derivative over |T.xy|.
 float gloam_tangent_slope(vec2 direction, vec3 dpdu, vec3 dpdv) {
     vec3 t = gloam_safe_normalize(direction.x * dpdu + direction.y * dpdv, vec3(0.0));
     float across = gloam_sqrt(dot(t.xy, t.xy));
@@ -32,22 +36,24 @@ float gloam_sine_of_tangent(float tangent) {
 
 // Elevation of the tangent plane above the image plane in a direction of the image: atan(-(n.xy . direction) / n.z).
 // normal: n, unit, view space. direction: unit, in the image plane, y as in view space.
-// Returns radians in [-pi / 2, pi / 2]; the nearer end for a normal that points away from the eye (n.z < 0), 0 for NaN. Error: 4e-7.
+// Returns radians in [-pi / 2, pi / 2]; the nearer end for a normal that points away from the eye (n.z < 0), 0 for
+// NaN. Error: 4e-7.
 float gloam_tangent_elevation(vec3 normal, vec2 direction) {
     return clamp(gloam_atan2(-dot(normal.xy, direction), normal.z), -1.570796327, 1.570796327);
 }
 
 // Where the march along a direction starts: (sin of the elevation from which on something blocks, 0 found so far).
-// tangent: t, elevation of the tangent plane, radians. bias: radians above it, >= 0, 0.3 to 0.52: hides the facets of coarse meshes.
+// tangent: t, elevation of the tangent plane, radians. bias: radians above it, >= 0, 0.3 to 0.52: hides the facets of
+// coarse meshes.
 // Returns (sin(min(t + bias, pi / 2)), 0). (1, 0), which nothing exceeds, for NaN. Error: 4e-7.
 vec2 gloam_hbao_start(float tangent, float bias) {
     float elevation = tangent + bias;
     return vec2(elevation < 1.570796327 ? gloam_sincos(max(elevation, -1.570796327)).y : 1.0, 0.0);
 }
 
-// Where the march starts in the shader of the comparative study (Aalund and Baerentzen 2013; CS-C): the biases are added as tangents,
-// h_0 = atan(tan t + tan bias). Steep planes keep part of the view above them: at t = 75 degrees sin h_0 is 0.971 for a bias of 0.3, where
-// t + bias is beyond the vertical and nothing could block.
+// Where the march starts in the shader of the comparative study (Aalund and Baerentzen 2013; CS-C): the biases are
+// added as tangents, h_0 = atan(tan t + tan bias). Steep planes keep part of the view above them: at t = 75 degrees
+// sin h_0 is 0.971 for a bias of 0.3, where t + bias is beyond the vertical and nothing could block.
 // slope: tan t, of the tangent plane, any float. bias: radians, [0, pi / 2).
 // Returns (sin h_0, 0). (1, 0), which nothing exceeds, for a bias outside and NaN. Error: 5e-7.
 vec2 gloam_hbao_start_slope(float slope, float bias) {
@@ -56,11 +62,13 @@ vec2 gloam_hbao_start_slope(float slope, float bias) {
     return vec2(gloam_sine_of_tangent(slope + turned.y / turned.x), 0.0);
 }
 
-// One step of the march: if the sample rises above the horizon, what it adds, weighted by W = 1 - |v|^2 / R^2, and the new horizon.
-// horizon: (sine of the horizon, occlusion so far) of gloam_hbao_start. offset: v = s - p, view space, world units. radius: R, world units.
-// Returns the new pair; the occlusion lies in [0, 2] (1 where the tangent is level). Unchanged for v = 0, |v| >= R, for a sample not above
-// the horizon, and for NaN. Error: 1e-6 for each step; one within 4 ULP of the
-// radius or of the horizon may fall to either side.
+// One step of the march: if the sample rises above the horizon, what it adds, weighted by W = 1 - |v|^2 / R^2, and
+// the new horizon.
+// horizon: (sine of the horizon, occlusion so far) of gloam_hbao_start. offset: v = s - p, view space, world units.
+// radius: R, world units.
+// Returns the new pair; the occlusion lies in [0, 2] (1 where the tangent is level). Unchanged for v = 0, |v| >= R,
+// for a sample not above the horizon, and for NaN. Error: 1e-6 for each step; one within 4 ULP of the radius or of
+// the horizon may fall to either side.
 vec2 gloam_hbao_step(vec2 horizon, vec3 offset, float radius) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     float x = dot(offset, direction) / radius;
@@ -71,10 +79,12 @@ vec2 gloam_hbao_step(vec2 horizon, vec3 offset, float radius) {
 }
 
 // How far apart the steps are, and how many.
-// radius: of the kernel's image, pixels. largest: upper bound of it, pixels: 0.1 of the image's smaller side keeps the march in the cache.
-// steps: N_s, >= 1. extra: 0 for R / N_s (the last step lies on the radius, where it counts nothing), 1 for R / (N_s + 1) (NVIDIA).
-// Returns (pixels between steps, number of steps): min(N_s, pixels) steps; (0, 0) for a radius below 1 pixel or NaN. Error: 1 ULP; a radius
-// within 1 ULP of a whole number may give a step more or less.
+// radius: of the kernel's image, pixels. largest: upper bound of it, pixels: 0.1 of the image's smaller side keeps
+// the march in the cache.
+// steps: N_s, >= 1. extra: 0 for R / N_s (the last step lies on the radius, where it counts nothing), 1 for R / (N_s
+// + 1) (NVIDIA).
+// Returns (pixels between steps, number of steps): min(N_s, pixels) steps; (0, 0) for a radius below 1 pixel or NaN.
+// Error: 1 ULP; a radius within 1 ULP of a whole number may give a step more or less.
 vec2 gloam_hbao_step_size(float radius, float largest, float steps, float extra) {
     float reach = radius < largest ? radius : largest;
     if (!(reach >= 1.0 && reach <= 8.507059173e37 && steps >= 1.0 && extra >= 0.0)) return vec2(0.0);
@@ -83,7 +93,8 @@ vec2 gloam_hbao_step_size(float radius, float largest, float steps, float extra)
 }
 
 // Visibility from the mean over directions: 1 - contrast occ / (1 - sin bias), what the bias took off given back.
-// occlusion: mean of the y of gloam_hbao_step. bias: radians, as given to gloam_hbao_start. contrast: 1, or NVIDIA's 1.25.
+// occlusion: mean of the y of gloam_hbao_step. bias: radians, as given to gloam_hbao_start. contrast: 1, or NVIDIA's
+// 1.25.
 // Returns visibility in [0, 1]; 1 for NaN and for a bias of 1.5 or more. Error: 5e-7 up to 0.8.
 float gloam_hbao_visibility(float occlusion, float bias, float contrast) {
     float rest = 1.0 - gloam_sincos(bias).y;
@@ -92,9 +103,11 @@ float gloam_hbao_visibility(float occlusion, float bias, float contrast) {
     return visibility > 0.0 ? visibility : (visibility <= 0.0 ? 0.0 : 1.0);
 }
 
-// NVIDIA's later simplification of one tap: sat(n . v / |v| - bias) sat(1 - |v|^2 / R^2) / (1 - bias). No horizon is kept: every tap counts.
+// NVIDIA's later simplification of one tap: sat(n . v / |v| - bias) sat(1 - |v|^2 / R^2) / (1 - bias). No horizon is
+// kept: every tap counts.
 // offset: v = s - p, view space, world units. normal: n, unit. radius: R, world units. bias: cosine, [0, 1), 0.1.
-// Returns a contribution in [0, 1] for gloam_visibility_hbao_simplified; 0 for v = 0, |v| >= R, a bias outside [0, 1), NaN. Error: 1e-6.
+// Returns a contribution in [0, 1] for gloam_visibility_hbao_simplified; 0 for v = 0, |v| >= R, a bias outside [0,
+// 1), NaN. Error: 1e-6.
 float gloam_contribution_hbao_simplified(vec3 offset, vec3 normal, float radius, float bias) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     float x = dot(offset, direction) / radius;

@@ -4,14 +4,15 @@
 
 #include "gloam/occlusion/cosine.glsl"
 
-// ISSAO, the improved screen-space ambient occlusion whose equations 2 to 6 are lost in the copies at hand: reconstructed from its
-// prose, which describes an Alchemy-like estimator with its own attenuation. ISSAO-3 is the integral of TSSAO-1, whose contribution is
-// gloam_contribution_uniform_directions.
+// ISSAO, the improved screen-space ambient occlusion whose equations 2 to 6 are lost in the copies at hand:
+// reconstructed from its prose, which describes an Alchemy-like estimator with its own attenuation. ISSAO-3 is the
+// integral of TSSAO-1, whose contribution is gloam_contribution_uniform_directions.
 
 // Attenuation (ISSAO-5): Q = phi |v| / max(mu, |v|)^2.
-// hit_distance: |v|, world units. phi: world units, >= 0, how dark. mu: world units, > 0, bounds the distance from below.
-// Returns a weight >= 0, at most phi / mu; phi / |v| beyond mu. 0 at distance 0, for mu or the larger of the two outside
-// [2^-126, 2^126], for phi not positive, and for NaN in any argument. Error: 2.5 ULP.
+// hit_distance: |v|, world units. phi: world units, >= 0, how dark. mu: world units, > 0, bounds the distance from
+// below.
+// Returns a weight >= 0, at most phi / mu; phi / |v| beyond mu. 0 at distance 0, for mu or the larger of the two
+// outside [2^-126, 2^126], for phi not positive, and for NaN in any argument. Error: 2.5 ULP.
 float gloam_issao_attenuation(float hit_distance, float phi, float mu) {
     float d = abs(hit_distance);
     float larger = d > mu ? d : mu;
@@ -21,8 +22,10 @@ float gloam_issao_attenuation(float hit_distance, float phi, float mu) {
 }
 
 // Contribution of a direction (the integrand of ISSAO-4): Q(|v|) max(v . n / |v|, 0), 0 from the radius on.
-// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi, mu: see gloam_issao_attenuation.
-// Returns a contribution in [0, phi / mu], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v| >= R and NaN.
+// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi, mu: see
+// gloam_issao_attenuation.
+// Returns a contribution in [0, phi / mu], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v|
+// >= R and NaN.
 // Error: 2e-7 of phi / mu; a point within 4 ULP of the radius may fall to either side.
 float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius, float phi, float mu) {
     float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
@@ -31,10 +34,12 @@ float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius
 }
 
 // Contribution of a tap (ISSAO-6): phi max(0, v . n - psi) / (v . v + sigma), 0 from the radius on.
-// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi: world units, >= 0, how dark.
-// bias: psi, world units, >= 0, constant or of gloam_depth_bias. sigma: world units squared, > 0, prevents 0 / 0 and grows with the scene.
-// Returns a contribution >= 0 for gloam_issao_occlusion; 0 for v = 0, for |v| >= R, in and below the tangent plane raised by psi, for
-// v . v + sigma outside [2^-126, 2^126], and for NaN in any argument. Error: 4e-7 of phi / |v|.
+// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi: world units, >= 0,
+// how dark.
+// bias: psi, world units, >= 0, constant or of gloam_depth_bias. sigma: world units squared, > 0, prevents 0 / 0 and
+// grows with the scene.
+// Returns a contribution >= 0 for gloam_issao_occlusion; 0 for v = 0, for |v| >= R, in and below the tangent plane
+// raised by psi, for v . v + sigma outside [2^-126, 2^126], and for NaN in any argument. Error: 4e-7 of phi / |v|.
 float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi, float bias, float sigma) {
     float squared = dot(offset, offset);
     float denominator = squared + sigma;

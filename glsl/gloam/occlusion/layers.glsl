@@ -5,9 +5,11 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// What more than one depth image says of a point: layers peeled one behind the other (Bavoil and Sainz 2009), or views of other cameras.
+// What more than one depth image says of a point: layers peeled one behind the other (Bavoil and Sainz 2009), or
+// views of other cameras.
 
-// Occlusion over layers or views: the largest, since each can only miss what the others see. A layer given twice changes nothing.
+// Occlusion over layers or views: the largest, since each can only miss what the others see. A layer given twice
+// changes nothing.
 // occlusion: largest so far, starting at 0. layer: of one more. Both in [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns occlusion in [0, 1]. Error: none.
 float gloam_layers_occlusion(float occlusion, float layer) {
@@ -15,7 +17,8 @@ float gloam_layers_occlusion(float occlusion, float layer) {
 }
 
 // Whether a sample point lies inside one object, between its front and its back: no guess of a thickness is needed.
-// sample_depth: of the point, eye-linear, world units. front, back: depths of the two sides at its pixel, world units. Background at the
+// sample_depth: of the point, eye-linear, world units. front, back: depths of the two sides at its pixel, world
+// units. Background at the
 // back: solid all the way.
 // Returns 1 if front <= sample_depth <= back, else 0; 0 for background in front and for a sample at or behind the eye.
 // Error: none.
@@ -25,17 +28,21 @@ float gloam_layer_blocked(float sample_depth, float front, float back) {
     return front <= sample_depth && before_back ? 1.0 : 0.0;
 }
 
-// Depth of a layer at a tap, of which the first is what the eye sees (CS-E, CS-LAYERS; Bavoil and Sainz 2009). Of the surfaces at a tap the one that
+// Depth of a layer at a tap, of which the first is what the eye sees (CS-E, CS-LAYERS; Bavoil and Sainz 2009). Of the
+// surfaces at a tap the one that
 // blocks most counts: each layer can only miss what the others show.
-// first: of what the eye sees. further: of layers 1 to 3 behind it, negative where seen from behind. layer: 0 to 3. Eye-linear, world units.
+// first: of what the eye sees. further: of layers 1 to 3 behind it, negative where seen from behind. layer: 0 to 3.
+// Eye-linear, world units.
 // Returns a depth without the sign. Error: none.
 float gloam_layer_depth(float first, vec3 further, int layer) {
     if (layer == 0) return first;
     return abs(layer == 1 ? further.x : (layer == 2 ? further.y : further.z));
 }
 
-// What the layers at a sample point, the first of them first, say of it together. With further layers a point behind the back of what is in front of it is
-// open: no guess of a thickness is needed. What is behind the last layer nobody knows: of three or more, a back that is the last closes nothing.
+// What the layers at a sample point, the first of them first, say of it together. With further layers a point behind
+// the back of what is in front of it is
+// open: no guess of a thickness is needed. What is behind the last layer nobody knows: of three or more, a back that
+// is the last closes nothing.
 struct GloamLayersSeen {
     float occlusion;  // so far, [0, 1]; 0 to begin with
     float before;     // as it was before the last layer; 0 to begin with
@@ -43,10 +50,11 @@ struct GloamLayersSeen {
 };
 
 // Adds a layer.
-// blocked: whether it blocks the point, 0 to 1. further: signed depths of layers 1 to 3. depth: of the point, eye-linear, world units. layer: 0 to
-// layers - 1. layers: 1 to 4.
+// blocked: whether it blocks the point, 0 to 1. further: signed depths of layers 1 to 3. depth: of the point,
+// eye-linear, world units. layer: 0 to layers - 1. layers: 1 to 4.
 // Returns what is seen with it. Error: none.
-GloamLayersSeen gloam_layers_add(GloamLayersSeen seen, float blocked, vec3 further, float depth, int layer, int layers) {
+GloamLayersSeen gloam_layers_add(GloamLayersSeen seen, float blocked, vec3 further, float depth, int layer,
+                                 int layers) {
     if (layer == 0) return GloamLayersSeen(blocked, 0.0, true);
     float next = layer == 1 ? further.x : (layer == 2 ? further.y : further.z);
     bool closes = seen.front && next < 0.0;

@@ -7,13 +7,14 @@
 #include "gloam/occlusion/falloff.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): a small kernel at each of several resolutions, the coarser ones
-// reaching further in the world, and what is made of their results.
+// Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): a small kernel at each of several resolutions, the
+// coarser ones reaching further in the world, and what is made of their results.
 
-// Contribution of the surface point under a tap, at one level: (1 - min(1, (d / d_max)^2)) max(n . v / |v|, 0), d = |v|.
+// Contribution of the surface point under a tap, at one level: (1 - min(1, (d / d_max)^2)) max(n . v / |v|, 0), d =
+// |v|.
 // offset: v = s - p, world units, any space. normal: n, unit vector, same space. radius: d_max, world units, > 0.
-// Returns a contribution in [0, 1]; 0 for v = 0, below the tangent plane, at and beyond the radius, for a radius not positive, subnormal
-// or NaN, and for what is not finite. Error: 7e-7, for radii of 1e-30 or more.
+// Returns a contribution in [0, 1]; 0 for v = 0, below the tangent plane, at and beyond the radius, for a radius not
+// positive, subnormal or NaN, and for what is not finite. Error: 7e-7, for radii of 1e-30 or more.
 float gloam_contribution_mssao(vec3 offset, vec3 normal, float radius) {
     return gloam_falloff_quadratic(gloam_length(offset), radius) * gloam_sample_cosine(offset, normal);
 }

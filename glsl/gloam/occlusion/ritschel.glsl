@@ -4,12 +4,14 @@
 
 #include "gloam/sampling/unit_interval.glsl"
 
-// Contribution of one sample point to the occlusion. Which form to average depends on how the directions are distributed; only the
-// two at the end estimate TSSAO-1. Every argument is read inside [0, 1]: taken to the nearer end, NaN to 0.
+// Contribution of one sample point to the occlusion. Which form to average depends on how the directions are
+// distributed; only the two at the end estimate TSSAO-1. Every argument is read inside [0, 1]: taken to the nearer
+// end, NaN to 0.
 
-// Contribution as printed (TSSAO-3): V D max(cos, 0). Averaged over uniform directions it gives half the occlusion, over
-// cosine-weighted ones two thirds of it where everything is blocked: use the forms below for an estimate.
-// blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the normal.
+// Contribution as printed (TSSAO-3): V D max(cos, 0). Averaged over uniform directions it gives half the occlusion,
+// over cosine-weighted ones two thirds of it where everything is blocked: use the forms below for an estimate.
+// blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
+// normal.
 // Returns a contribution in [0, 1]. Error: 1.5 ULP.
 float gloam_contribution_ritschel(float blocked, float falloff, float cosine) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
@@ -23,7 +25,8 @@ float gloam_contribution_cosine_directions(float blocked, float falloff) {
 }
 
 // Contribution for uniform directions (density 1 / (2 pi)): 2 V D max(cos, 0).
-// blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the normal.
+// blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
+// normal.
 // Returns a contribution in [0, 2] whose mean is the occlusion: clamp the mean, not the contribution. Error: 1.5 ULP.
 float gloam_contribution_uniform_directions(float blocked, float falloff, float cosine) {
     return 2.0 * gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);

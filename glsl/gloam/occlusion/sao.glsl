@@ -6,16 +6,18 @@
 #include "gloam/occlusion/visibility.glsl"
 #include "gloam/shading/remap.glsl"
 
-// Scalable Ambient Obscurance (McGuire, Mara and Luebke 2012): what the surface point under a tap counts, and what is made of the sum.
-// v = s - p. All contributions but the last are in 1 / world units and sum up through gloam_estimator_add for gloam_visibility_sao;
-// those that the reference shader states for a radius of one metre are divided by the power of the radius that makes them so.
+// Scalable Ambient Obscurance (McGuire, Mara and Luebke 2012): what the surface point under a tap counts, and what is
+// made of the sum. v = s - p. All contributions but the last are in 1 / world units and sum up through
+// gloam_estimator_add for gloam_visibility_sao; those that the reference shader states for a radius of one metre are
+// divided by the power of the radius that makes them so.
 
 // The part 1 - v^2 / r^2 of the falloffs, without a square root.
 // squared_distance: v^2, world units squared, >= 0. radius: r, world units, in [1.1e-19, 9.2e18].
 // Returns a weight in [0, 1]; 0 at and beyond the radius, for a radius outside its range and for NaN. Error: 3e-7.
 float gloam_sao_window(float squared_distance, float radius) {
     float r2 = radius * radius;
-    bool inside = squared_distance >= 0.0 && squared_distance < r2 && r2 >= 1.175494351e-38 && r2 <= 8.507059173e37 && radius > 0.0;
+    bool inside = squared_distance >= 0.0 && squared_distance < r2 && r2 >= 1.175494351e-38 && r2 <= 8.507059173e37 &&
+                  radius > 0.0;
     return inside ? min((r2 - squared_distance) / r2, 1.0) : 0.0;
 }
 
@@ -28,9 +30,10 @@ float gloam_sao_height(vec3 offset, vec3 normal, float bias) {
 }
 
 // The quotient h / (v^2 + epsilon).
-// height: h, world units, >= 0. squared_distance: v^2, world units squared, >= 0. epsilon: world units squared, > 0: 0.01 m^2 (a large
-// one keeps cracks from turning black).
-// Returns 1 / world units, at most 1 / (2 sqrt(epsilon)) for h <= |v|; 0 where v^2 + epsilon is not in [2^-126, 2^126], and for h NaN.
+// height: h, world units, >= 0. squared_distance: v^2, world units squared, >= 0. epsilon: world units squared, > 0:
+// 0.01 m^2 (a large one keeps cracks from turning black).
+// Returns 1 / world units, at most 1 / (2 sqrt(epsilon)) for h <= |v|; 0 where v^2 + epsilon is not in [2^-126,
+// 2^126], and for h NaN.
 // Error: 2 ULP; 3.5 by any device that keeps Vulkan's rules for division.
 float gloam_sao_quotient(float height, float squared_distance, float epsilon) {
     float denominator = squared_distance + epsilon;
@@ -39,10 +42,10 @@ float gloam_sao_quotient(float height, float squared_distance, float epsilon) {
 }
 
 // Contribution of SAO as recommended: (1 - v^2 / r^2)^3 max(v . n - bias, 0) / (v^2 + epsilon), for |v| < r.
-// offset: v, world units. normal: n, unit vector, same space. radius: r, world units, in [1.1e-19, 9.2e18]: 1 m. bias: world units,
-// 0.01 m. epsilon: world units squared, > 0: 0.01 m^2.
-// Returns a contribution >= 0 in 1 / world units; 0 for v = 0, at and beyond the radius, below the plane raised by the bias, and for
-// what is not finite. Error: 3e-6 for an epsilon of 0.01 or more.
+// offset: v, world units. normal: n, unit vector, same space. radius: r, world units, in [1.1e-19, 9.2e18]: 1 m.
+// bias: world units, 0.01 m. epsilon: world units squared, > 0: 0.01 m^2.
+// Returns a contribution >= 0 in 1 / world units; 0 for v = 0, at and beyond the radius, below the plane raised by
+// the bias, and for what is not finite. Error: 3e-6 for an epsilon of 0.01 or more.
 float gloam_contribution_sao(vec3 offset, vec3 normal, float radius, float bias, float epsilon) {
     float vv = dot(offset, offset);
     float window = gloam_sao_window(vv, radius);
@@ -52,8 +55,8 @@ float gloam_contribution_sao(vec3 offset, vec3 normal, float radius, float bias,
 
 // Alternative A, of the paper: 0.6 max(v . n - bias, 0) / (v^2 + epsilon), for |v| < r: no falloff.
 // offset, normal, radius, bias, epsilon: as for gloam_contribution_sao.
-// Returns a contribution >= 0 in 1 / world units; 0 as there. Error: 1.2e-6 for an epsilon of 0.01 or more, but for points within
-// rounding of the radius.
+// Returns a contribution >= 0 in 1 / world units; 0 as there. Error: 1.2e-6 for an epsilon of 0.01 or more, but for
+// points within rounding of the radius.
 float gloam_contribution_sao_paper(vec3 offset, vec3 normal, float radius, float bias, float epsilon) {
     float vv = dot(offset, offset);
     bool inside = gloam_sao_window(vv, radius) > 0.0;
@@ -70,14 +73,15 @@ float gloam_contribution_sao_medium(vec3 offset, vec3 normal, float radius, floa
 
 // Alternative D, low contrast: 2 max(v . n - bias, 0) / r^2, for |v| < r.
 // offset, normal, radius, bias: as for gloam_contribution_sao.
-// Returns a contribution >= 0 in 1 / world units, at most 2 / r; 0 as there. Error: 1e-6 for radii of 0.5 or more, but for points
-// within rounding of the radius.
+// Returns a contribution >= 0 in 1 / world units, at most 2 / r; 0 as there. Error: 1e-6 for radii of 0.5 or more,
+// but for points within rounding of the radius.
 float gloam_contribution_sao_low(vec3 offset, vec3 normal, float radius, float bias) {
     bool inside = gloam_sao_window(dot(offset, offset), radius) > 0.0;
     return inside ? 2.0 * gloam_sao_height(offset, normal, bias) / (radius * radius) : 0.0;
 }
 
-// The high-quality contribution of the deep G-buffer (Mara et al. 2016): (1 - v^2 / r^2) max(v . n - bias, 0) / sqrt(epsilon + v^2).
+// The high-quality contribution of the deep G-buffer (Mara et al. 2016): (1 - v^2 / r^2) max(v . n - bias, 0) /
+// sqrt(epsilon + v^2).
 // offset, normal, radius, bias, epsilon: as for gloam_contribution_sao.
 // Returns a contribution in [0, 1], for gloam_visibility_deep; 0 as there. Error: 5e-7.
 float gloam_contribution_deep(vec3 offset, vec3 normal, float radius, float bias, float epsilon) {
@@ -98,7 +102,8 @@ float gloam_visibility_sao(vec2 accumulated, float sigma) {
 
 // Visibility from the sum of high-quality contributions: A = max(0, 1 - sqrt(3 sum / count))^power.
 // accumulated: (sum, count) of gloam_contribution_deep. power: contrast, 1.
-// Returns visibility in [0, 1]; 1 for a count outside [1, 2^24], for a power of 0, and for NaN. Error: 1e-6 for a power of 1 or more.
+// Returns visibility in [0, 1]; 1 for a count outside [1, 2^24], for a power of 0, and for NaN. Error: 1e-6 for a
+// power of 1 or more.
 float gloam_visibility_deep(vec2 accumulated, float power) {
     if (!(accumulated.y >= 1.0 && accumulated.y <= 16777216.0)) return 1.0;
     return gloam_remap(gloam_visibility(gloam_sqrt(3.0 * (accumulated.x / accumulated.y))), 0.0, 1.0, power);

@@ -5,8 +5,8 @@
 #include "gloam/filter/gaussian.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Separable ambient occlusion (Huang et al. 2011): along one direction of a pair first, then along the other; the pair is turned at
-// random from pixel to pixel and a blur hides it. What stands only on the diagonals is missed.
+// Separable ambient occlusion (Huang et al. 2011): along one direction of a pair first, then along the other; the
+// pair is turned at random from pixel to pixel and a blur hides it. What stands only on the diagonals is missed.
 
 // The simple form: the mean of the two one-dimensional estimates, (AO_u + AO_v) / 2.
 // along_u, along_v: occlusion, [0, 1]; outside, the nearer end; 0 for NaN.
@@ -15,10 +15,13 @@ float gloam_separable_mean(float along_u, float along_v) {
     return 0.5 * (gloam_unit_interval(along_u) + gloam_unit_interval(along_v));
 }
 
-// Weight of a neighbour whose first-pass occlusion the second pass takes over (the transport form): exp(-|q - p|^2 / (2 sigma^2)) where q
-// lies in the tangent plane of p, |(q - p) . n| <= tolerance, else 0. For gloam_weighted_mean_add.
-// offset: q - p, world units. normal: n of p, unit vector, same space. sigma: world units, see gloam_gaussian. tolerance: world units.
-// Returns a weight in [0, 1]; 1 for q = p, 0 for what is not finite. Error: 5e-7, but for points within rounding of the tolerance.
+// Weight of a neighbour whose first-pass occlusion the second pass takes over (the transport form): exp(-|q - p|^2 /
+// (2 sigma^2)) where q lies in the tangent plane of p, |(q - p) . n| <= tolerance, else 0. For
+// gloam_weighted_mean_add.
+// offset: q - p, world units. normal: n of p, unit vector, same space. sigma: world units, see gloam_gaussian.
+// tolerance: world units.
+// Returns a weight in [0, 1]; 1 for q = p, 0 for what is not finite. Error: 5e-7, but for points within rounding of
+// the tolerance.
 float gloam_separable_weight(vec3 offset, vec3 normal, float sigma, float tolerance) {
     bool on_plane = abs(dot(offset, normal)) <= tolerance;
     return on_plane ? gloam_gaussian(dot(offset, offset), sigma) : 0.0;

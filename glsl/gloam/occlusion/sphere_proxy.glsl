@@ -7,8 +7,9 @@
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/occlusion/cosine.glsl"
 
-// A ball in the place of what a tap sees (Shanmugam and Arikan 2007; mixture sampling, Song 2010). Its radius r is half the width of
-// the tap's pixel in the world, gloam_filter_sigma with half a pixel. Balls that overlap count twice: clamp the sum.
+// A ball in the place of what a tap sees (Shanmugam and Arikan 2007; mixture sampling, Song 2010). Its radius r is
+// half the width of the tap's pixel in the world, gloam_filter_sigma with half a pixel. Balls that overlap count
+// twice: clamp the sum.
 
 // Part of the half space that a ball seen from outside takes up: 1 - sqrt(1 - (r / D)^2), by solid angle.
 // radius: r, distance_to: D of the centre, world units, same unit.
@@ -23,9 +24,11 @@ float gloam_sphere_fraction(float radius, float distance_to) {
 }
 
 // Contribution of a ball by its solid angle: (1 - sqrt(1 - (r / D)^2)) max(n . v / D, 0), D = |v|.
-// offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, > 0.
-// Returns a contribution in [0, 1]; 1 for a point inside the ball, 0 for a centre below the tangent plane, for an r not positive and for
-// what is not finite. Error: 8e-7 for D > 1.05 r; nearer to the ball the square root magnifies the error of D.
+// offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, >
+// 0.
+// Returns a contribution in [0, 1]; 1 for a point inside the ball, 0 for a centre below the tangent plane, for an r
+// not positive and for what is not finite. Error: 8e-7 for D > 1.05 r; nearer to the ball the square root magnifies
+// the error of D.
 float gloam_contribution_sphere(vec3 offset, vec3 normal, float radius) {
     if (!gloam_is_finite3(offset)) return 0.0;
     float reach = gloam_length(offset);
@@ -33,8 +36,10 @@ float gloam_contribution_sphere(vec3 offset, vec3 normal, float radius) {
     return reach <= radius ? fraction : fraction * gloam_sample_cosine(offset, normal);
 }
 
-// Contribution of a ball, cosine-weighted: (r / D)^2 max(n . v / D, 0). The exact occlusion of a ball that lies above the tangent plane.
-// offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, > 0.
+// Contribution of a ball, cosine-weighted: (r / D)^2 max(n . v / D, 0). The exact occlusion of a ball that lies above
+// the tangent plane.
+// offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, >
+// 0.
 // Returns a contribution in [0, 1]; 1 and 0 as gloam_contribution_sphere. Error: 5e-7, but within rounding of D = r.
 float gloam_contribution_sphere_cosine(vec3 offset, vec3 normal, float radius) {
     if (!(gloam_is_finite3(offset) && radius > 0.0)) return 0.0;
@@ -44,11 +49,13 @@ float gloam_contribution_sphere_cosine(vec3 offset, vec3 normal, float radius) {
     return x * x * gloam_sample_cosine(offset, normal);
 }
 
-// Whether a proxy stands above the horizon of its direction: only there does it block what the horizon does not (mixture sampling).
-// offset: from the point to the centre, view space, world units. tan_horizon: tangent of the horizon's elevation over the image plane, the
-// larger where the point is nearer to the eye.
-// Returns 1 if offset.z > tan_horizon |offset.xy|, else 0; straight towards the eye is above every horizon. 0 for an offset
-// that is not finite, and off that axis for a horizon that is NaN or +infinity. Error: none, but for a centre within rounding of the horizon.
+// Whether a proxy stands above the horizon of its direction: only there does it block what the horizon does not
+// (mixture sampling).
+// offset: from the point to the centre, view space, world units. tan_horizon: tangent of the horizon's elevation over
+// the image plane, the larger where the point is nearer to the eye.
+// Returns 1 if offset.z > tan_horizon |offset.xy|, else 0; straight towards the eye is above every horizon. 0 for an
+// offset that is not finite, and off that axis for a horizon that is NaN or +infinity. Error: none, but for a centre
+// within rounding of the horizon.
 float gloam_above_horizon(vec3 offset, float tan_horizon) {
     float across = gloam_length(vec3(offset.xy, 0.0));
     float horizon = across > 0.0 ? across * tan_horizon : 0.0;

@@ -7,14 +7,16 @@
 #include "gloam/occlusion/gtao.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Visibility bitmask (Therrien et al. 2023): the half plane of a slice is cut into 32 sectors, and each sample, taken to be of constant
-// thickness, covers those between its front and its back. Light passes behind thin things, where a horizon would block it. How the half
-// plane is measured decides what is estimated: gloam_slice_fraction_* below.
+// Visibility bitmask (Therrien et al. 2023): the half plane of a slice is cut into 32 sectors, and each sample, taken
+// to be of constant thickness, covers those between its front and its back. Light passes behind thin things, where a
+// horizon would block it. How the half plane is measured decides what is estimated: gloam_slice_fraction_* below.
 
 // Direction in the slice of a sample's back.
-// offset: s - p, view space, world units, the front of the sample. thickness: world units, along the view ray away from the eye.
-// Returns (along view, along tangent), unit; the direction of the front, which covers nothing, for a thickness not positive or not finite, and
-// for a zero or non-finite offset. A sample within rounding of the view ray through p covers one side only. Error: 1e-6.
+// offset: s - p, view space, world units, the front of the sample. thickness: world units, along the view ray away
+// from the eye.
+// Returns (along view, along tangent), unit; the direction of the front, which covers nothing, for a thickness not
+// positive or not finite, and for a zero or non-finite offset. A sample within rounding of the view ray through p
+// covers one side only. Error: 1e-6.
 vec2 gloam_bitmask_back(vec3 offset, GloamSlice slice, float thickness) {
     vec3 behind = offset - thickness * slice.view;
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
@@ -29,8 +31,8 @@ float gloam_slice_fraction_angle(vec2 direction, GloamSlice slice) {
     return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) * 0.3183098862 + 0.5);
 }
 
-// The same weighted by the cosine to the normal and by solid angle, as in GTAO: the mean over slices, each weighted by the length of the
-// projected normal times (cos n + n sin n), is the occlusion of TSSAO-1.
+// The same weighted by the cosine to the normal and by solid angle, as in GTAO: the mean over slices, each weighted
+// by the length of the projected normal times (cos n + n sin n), is the occlusion of TSSAO-1.
 // direction: (cos a, sin a) of gloam_slice_direction.
 // Returns a fraction in [0, 1], of NaN as well. Error: 5e-7.
 float gloam_slice_fraction_cosine(vec2 direction, GloamSlice slice) {
@@ -60,17 +62,19 @@ uint gloam_bit_range(uint first, uint last) {
     return below_last & ~below_first;
 }
 
-// Sectors that a sample covers: those of 32 whose centres lie in the range, lower <= (i + 1/2) / 32 < upper. The mean over ranges is right:
-// thin samples cover a sector as often as they should.
-// fractions: (lower, upper), those of gloam_slice_fraction_* of front and back in order, in [0, 1], taken to the nearer end outside, NaN to 0.
-// Returns bits, sector i as bit i; none for upper <= lower. Error: none, but a centre within rounding of an end may fall to either side.
+// Sectors that a sample covers: those of 32 whose centres lie in the range, lower <= (i + 1/2) / 32 < upper. The mean
+// over ranges is right: thin samples cover a sector as often as they should.
+// fractions: (lower, upper), those of gloam_slice_fraction_* of front and back in order, in [0, 1], taken to the
+// nearer end outside, NaN to 0.
+// Returns bits, sector i as bit i; none for upper <= lower. Error: none, but a centre within rounding of an end may
+// fall to either side.
 uint gloam_bitmask_sectors(vec2 fractions) {
     vec2 ends = ceil(32.0 * vec2(gloam_unit_interval(fractions.x), gloam_unit_interval(fractions.y)) - 0.5);
     return gloam_bit_range(uint(max(ends.x, 0.0)), uint(max(ends.y, 0.0)));
 }
 
-// The same by the rounding of the paper's listing: from sector floor(32 lower) on, ceil(32 (upper - lower)) of them. Every sample that is
-// seen covers a sector at least, so thin ones block too much.
+// The same by the rounding of the paper's listing: from sector floor(32 lower) on, ceil(32 (upper - lower)) of them.
+// Every sample that is seen covers a sector at least, so thin ones block too much.
 // fractions: (lower, upper), as above.
 // Returns bits, sector i as bit i. Error: none, but for ends within rounding of a border of sectors.
 uint gloam_bitmask_sectors_outward(vec2 fractions) {

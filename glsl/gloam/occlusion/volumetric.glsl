@@ -4,14 +4,16 @@
 
 #include "gloam/numeric/square_root.glsl"
 
-// Volumetric obscurance by line samples (Loos and Sloan 2010; CS-3.5): how much of a sphere around the point is solid. Each tap of a disc is a
-// chord of the sphere along the view ray, of which the depth buffer tells the solid part. A plane gives 1/2 at any tilt (the offset 0.5 of
-// gloam_remap undoes it), a one-sided groove of angle b 1/2 + b / (2 pi). The volume is the mean of the parts weighted by chord, for which
-// gloam_weighted_mean_add serves; the published shader takes the plain mean, which is too large in grooves (0.647 for 0.625 at 45
-// degrees), and begins it with (0.5, 1), a prior for few samples.
+// Volumetric obscurance by line samples (Loos and Sloan 2010; CS-3.5): how much of a sphere around the point is
+// solid. Each tap of a disc is a chord of the sphere along the view ray, of which the depth buffer tells the solid
+// part. A plane gives 1/2 at any tilt (the offset 0.5 of gloam_remap undoes it), a one-sided groove of angle b 1/2 +
+// b / (2 pi). The volume is the mean of the parts weighted by chord, for which gloam_weighted_mean_add serves; the
+// published shader takes the plain mean, which is too large in grooves (0.647 for 0.625 at 45 degrees), and begins it
+// with (0.5, 1), a prior for few samples.
 
 // Half the chord of the sphere at a tap: r sqrt(1 - |xi|^2).
-// xi: offset of the tap from the centre in the unit disc (the published shader takes the absolute texture coordinate, which is no offset).
+// xi: offset of the tap from the centre in the unit disc (the published shader takes the absolute texture coordinate,
+// which is no offset).
 // radius: r, world units, >= 0.
 // Returns a length in [0, r]; 0 for |xi| >= 1, r not positive, and NaN. Error: 3e-7 of r / sqrt(1 - |xi|^2).
 float gloam_chord_half_height(vec2 xi, float radius) {
@@ -19,9 +21,10 @@ float gloam_chord_half_height(vec2 xi, float radius) {
     return height > 0.0 ? height : 0.0;
 }
 
-// Solid part of a chord: clamp((h + z) / (2 h), 0, 1). This is the occluded part; the source's text calls it unoccluded.
-// height: z = z_s - z_p, view space, world units: of the surface at the tap above the centre, positive if nearer to the eye; -infinity for
-// background. half_height: h, world units.
+// Solid part of a chord: clamp((h + z) / (2 h), 0, 1). This is the occluded part; the source's text calls it
+// unoccluded.
+// height: z = z_s - z_p, view space, world units: of the surface at the tap above the centre, positive if nearer to
+// the eye; -infinity for background. half_height: h, world units.
 // Returns occlusion in [0, 1]; 1/2 for h that is not positive, subnormal or above 2^126, and for NaN. Error: 2e-7.
 float gloam_line_occlusion(float height, float half_height) {
     if (!(half_height >= 1.175494351e-38 && half_height <= 8.507059173e37)) return 0.5;
@@ -30,21 +33,25 @@ float gloam_line_occlusion(float height, float half_height) {
     return abs(height) < half_height ? 0.5 + 0.5 * (height / half_height) : 0.5;
 }
 
-// Where the surface at a tap lies along the chord: q* = (h + z) / (2 h), 0 at the far end, 1 at the near one, not clamped. It is what
-// gloam_line_pair tells another object by: a surface in front of the sphere has q* > 1, where the clamped fraction would say solid.
+// Where the surface at a tap lies along the chord: q* = (h + z) / (2 h), 0 at the far end, 1 at the near one, not
+// clamped. It is what
+// gloam_line_pair tells another object by: a surface in front of the sphere has q* > 1, where the clamped fraction
+// would say solid.
 // height, half_height: as above.
-// Returns any float; -infinity for background, 1/2 for h that is not positive, subnormal or above 2^126, and for NaN. Error: 2e-7, or 1.5 ULP,
-// up to 1e38.
+// Returns any float; -infinity for background, 1/2 for h that is not positive, subnormal or above 2^126, and for NaN.
+// Error: 2e-7, or 1.5 ULP, up to 1e38.
 float gloam_line_ratio(float height, float half_height) {
     if (!(half_height >= 1.175494351e-38 && half_height <= 8.507059173e37)) return 0.5;
     float ratio = 0.5 + 0.5 * (height / half_height);
     return abs(ratio) >= 0.0 ? ratio : 0.5;
 }
 
-// Pair of opposite taps: what lies in front of the sphere, or far behind the point, is another object, and the partner's complement stands
-// for it.
-// ratios: (q*_1, q*_2) of gloam_line_ratio, not clamped. lowest, highest: what is believed, 0.35 and 1 in the published shader.
-// Returns the two fractions, a disbelieved one replaced by 1 - the other; (0.5, 0.5) if neither is believed. NaN is not believed.
+// Pair of opposite taps: what lies in front of the sphere, or far behind the point, is another object, and the
+// partner's complement stands for it.
+// ratios: (q*_1, q*_2) of gloam_line_ratio, not clamped. lowest, highest: what is believed, 0.35 and 1 in the
+// published shader.
+// Returns the two fractions, a disbelieved one replaced by 1 - the other; (0.5, 0.5) if neither is believed. NaN is
+// not believed.
 // Error: 0.5 ULP.
 vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
     bool first = ratios.x >= lowest && ratios.x <= highest;
@@ -54,12 +61,12 @@ vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
     return second ? vec2(1.0 - ratios.y, ratios.y) : vec2(0.5);
 }
 
-// Half the chord, at a tap, of the sphere of half the radius that touches the surface from outside (Szirmay-Kalos et al. 2009): a plane
-// leaves it empty, and no offset is needed.
-// offset: s - p, view space, world units, of which x and y count. normal: n, unit. radius: r of the whole kernel, world units; the sphere's
-// centre is p + n r / 2.
-// Returns a length in [0, r / 2], the weight of the tap; 0 beside the sphere, for r not positive, and for NaN. Error: 4e-7 of r / 2, more
-// towards the sphere's outline.
+// Half the chord, at a tap, of the sphere of half the radius that touches the surface from outside (Szirmay-Kalos et
+// al. 2009): a plane leaves it empty, and no offset is needed.
+// offset: s - p, view space, world units, of which x and y count. normal: n, unit. radius: r of the whole kernel,
+// world units; the sphere's centre is p + n r / 2.
+// Returns a length in [0, r / 2], the weight of the tap; 0 beside the sphere, for r not positive, and for NaN. Error:
+// 4e-7 of r / 2, more towards the sphere's outline.
 float gloam_tangent_sphere_half_height(vec3 offset, vec3 normal, float radius) {
     if (!(radius >= 1.175494351e-38 && radius <= 8.507059173e37)) return 0.0;
     float half_radius = 0.5 * radius;

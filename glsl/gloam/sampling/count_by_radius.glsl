@@ -4,15 +4,17 @@
 
 // Number of samples by the projected size of the kernel (ISSAO-LOD, given in prose only: fewer samples far away):
 // clamp(round(most r / r_ref), least, most), a half rounded up.
-// radius: r, pixels. reference_radius: r_ref, pixels, > 0: from this size on every sample is taken. least, most: 0 <= least <= most <= 2^20.
-// Returns a count in [least, most]; least for r = 0, negative or NaN, most for r_ref not positive, subnormal or NaN. Error: none, but for
-// radii within 2 ULP of a half.
+// radius: r, pixels. reference_radius: r_ref, pixels, > 0: from this size on every sample is taken. least, most: 0 <=
+// least <= most <= 2^20.
+// Returns a count in [least, most]; least for r = 0, negative or NaN, most for r_ref not positive, subnormal or NaN.
+// Error: none, but for radii within 2 ULP of a half.
 int gloam_count_by_radius(float radius, float reference_radius, int least, int most) {
     if (!(reference_radius >= 1.175494351e-38)) return most;
     if (!(radius > 0.0)) return least;
     if (radius >= reference_radius) return most;
     // Less than 2^126 on either side of the division.
-    float share = reference_radius > 8.507059173e37 ? (radius * 0.25) / (reference_radius * 0.25) : radius / reference_radius;
+    float share =
+        reference_radius > 8.507059173e37 ? (radius * 0.25) / (reference_radius * 0.25) : radius / reference_radius;
     return clamp(int(floor(float(most) * share + 0.5)), least, most);
 }
 

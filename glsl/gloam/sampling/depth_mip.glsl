@@ -2,15 +2,18 @@
 #ifndef GLOAM_SAMPLING_DEPTH_MIP_GLSL
 #define GLOAM_SAMPLING_DEPTH_MIP_GLSL
 
-// The chain of ever smaller depth images that taps far from their pixel read instead of the full one (SAO): each pixel of a level is one
-// pixel of the level before, never a mean. Level l of an image of w x h pixels has max(w >> l, 1) x max(h >> l, 1).
+// The chain of ever smaller depth images that taps far from their pixel read instead of the full one (SAO): each
+// pixel of a level is one pixel of the level before, never a mean. Level l of an image of w x h pixels has max(w >>
+// l, 1) x max(h >> l, 1).
 
-// Level that a tap reads (SAO): one more for every doubling of its distance from the pixel, clamp(floor(log2(h / first)) + 1, 0, last).
-// pixels: h, distance of the tap from its pixel, in PIXELS of the full image (in texture coordinates it is always below `first`, and
-// every tap reads the full image). first: distance from which level 1 is read, pixels, > 0: 16. last: the chain's last level, at most
+// Level that a tap reads (SAO): one more for every doubling of its distance from the pixel, clamp(floor(log2(h /
+// first)) + 1, 0, last).
+// pixels: h, distance of the tap from its pixel, in PIXELS of the full image (in texture coordinates it is always
+// below `first`, and every tap reads the full image). first: distance from which level 1 is read, pixels, > 0: 16.
+// last: the chain's last level, at most
 // 30: 5.
-// Returns a level in [0, last]: with 16 and 5, 0 below 16 pixels, 1 from 16, 2 from 32, 5 from 256. 0 for a NaN, and for `first`
-// not positive or NaN. Error: none.
+// Returns a level in [0, last]: with 16 and 5, 0 below 16 pixels, 1 from 16, 2 from 32, 5 from 256. 0 for a NaN, and
+// for `first` not positive or NaN. Error: none.
 int gloam_depth_mip_level(float pixels, float first, int last) {
     int level = 0;
     if (!(first > 0.0)) return level;
@@ -31,14 +34,15 @@ ivec2 gloam_depth_mip_size(ivec2 size, int level) {
 
 // Pixel of a level that stands for a pixel of the full image.
 // tap: pixel of the full image. size: of the full image, pixels. level: 0 to 30; outside, the nearer end.
-// Returns tap >> level kept inside the level: the last column and row of an image of odd size stand in the level's last.
+// Returns tap >> level kept inside the level: the last column and row of an image of odd size stand in the level's
+// last.
 // Error: none.
 ivec2 gloam_depth_mip_pixel(ivec2 tap, ivec2 size, int level) {
     return clamp(tap >> clamp(level, 0, 30), ivec2(0), gloam_depth_mip_size(size, level) - 1);
 }
 
-// The pixel of the level before that a pixel of a level takes its depth from (SAO): (2 x + (y & 1), 2 y + (x & 1)), a rotated grid, so
-// that no row or column is left out.
+// The pixel of the level before that a pixel of a level takes its depth from (SAO): (2 x + (y & 1), 2 y + (x & 1)), a
+// rotated grid, so that no row or column is left out.
 // pixel: of the smaller level, inside it. size: of the level before (the larger), pixels; below 1 is read as 1.
 // Returns a pixel inside the larger level: the nearest one where a level is one pixel wide or high. Error: none.
 ivec2 gloam_rotated_grid(ivec2 pixel, ivec2 size) {
@@ -46,7 +50,8 @@ ivec2 gloam_rotated_grid(ivec2 pixel, ivec2 size) {
     return clamp(source, ivec2(0), max(size, ivec2(1)) - 1);
 }
 
-// The pixel of the full image whose depth a pixel of a level holds. Placing the tap there, and not where it was aimed, keeps a bare
+// The pixel of the full image whose depth a pixel of a level holds. Placing the tap there, and not where it was
+// aimed, keeps a bare
 // plane open at any tilt: the depth is that of this pixel.
 // pixel: of the level, inside it. size: of the full image, pixels. level: 0 to 30; outside, the nearer end.
 // Returns a pixel of the full image. Error: none.

@@ -5,14 +5,16 @@
 #include "gloam/sampling/radical_inverse.glsl"
 
 // Point of the two-dimensional Halton sequence (HALTON): radical inverses in bases 2 and 3.
-// index: number of the point, modulo 2^24. Start at 1: point 0 is the origin, which every map sends onto the shaded point.
+// index: number of the point, modulo 2^24. Start at 1: point 0 is the origin, which every map sends onto the shaded
+// point.
 // Returns a point in [0, 1)^2. Error: at most 2 ulp.
 vec2 gloam_halton_2d(uint index) {
     return vec2(gloam_radical_inverse_base2(index), gloam_radical_inverse(index, 3u));
 }
 
 // Point of the three-dimensional Halton sequence (HALTON): radical inverses in bases 2, 3 and 5.
-// index: number of the point, modulo 2^24. Start at 1: point 0 is the origin, which every map sends onto the shaded point.
+// index: number of the point, modulo 2^24. Start at 1: point 0 is the origin, which every map sends onto the shaded
+// point.
 // Returns a point in [0, 1)^3. Error: at most 2 ulp.
 vec3 gloam_halton_3d(uint index) {
     return vec3(gloam_halton_2d(index), gloam_radical_inverse(index, 5u));

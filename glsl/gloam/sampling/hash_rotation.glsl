@@ -4,8 +4,8 @@
 
 // Fractional part of h 10 / (2 pi), in units of 2^-32: the angle 10 h radians as a part of a turn.
 // h: any 32-bit integer.
-// Returns the floor of the fraction times 2^32, at most one off. Integer arithmetic, because 10 h in float has lost every
-// digit of the angle when h is large.
+// Returns the floor of the fraction times 2^32, at most one off. Integer arithmetic, because 10 h in float has lost
+// every digit of the angle when h is large.
 uint gloam_hash_turn(uint h) {
     // frac(10 / (2 pi)) = 0x976FC893C3AA34E9 / 2^64. The product is kept modulo 2^64 and its high word returned.
     uint h0 = h & 0xFFFFu;

@@ -5,9 +5,10 @@
 #include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 
-// Point of the half ball before it is rotated, uniform in direction and radius: what all pixels share of a sample (halton.glsl).
-// index: number of the Halton point, 1 for the first. Returns the point in tangent space, z along the normal. Error: 2e-6, where the square root magnifies
-// that of the Halton point.
+// Point of the half ball before it is rotated, uniform in direction and radius: what all pixels share of a sample
+// (halton.glsl).
+// index: number of the Halton point, 1 for the first. Returns the point in tangent space, z along the normal. Error:
+// 2e-6, where the square root magnifies that of the Halton point.
 vec3 gloam_hemisphere_uniform_point(uint index) {
     return gloam_hemisphere_uniform(gloam_halton_3d(index));
 }

@@ -10,13 +10,15 @@
 
 // The reading that fits the prose: r_max e_1 (sin 2 pi e_2, cos 2 pi e_2), inside the disc, its radius uniform.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.
-// Returns an offset in that unit, no longer than the radius but for rounding; (0, 0) for e_1 = 0. Error: 4e-7 of the radius.
+// Returns an offset in that unit, no longer than the radius but for rounding; (0, 0) for e_1 = 0. Error: 4e-7 of the
+// radius.
 vec2 gloam_issao_offset_polar(vec2 e, float radius) {
     vec2 p = gloam_sincos_turns(gloam_unit_interval(e.y));
     return radius * (gloam_unit_interval(e.x) * p.yx);
 }
 
-// As printed: r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1). 3.1 % of these leave the disc, up to 1.26 r_max: they are moved to its border.
+// As printed: r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1). 3.1 % of these leave the disc, up to 1.26 r_max: they are
+// moved to its border.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.
 // Returns an offset in that unit, no longer than the radius but for rounding. Error: 6e-7 of the radius.
 vec2 gloam_issao_offset_printed(vec2 e, float radius) {

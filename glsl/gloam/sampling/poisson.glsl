@@ -8,7 +8,8 @@
 // Poisson-disc condition between two samples: |candidate - other| > min_distance.
 // candidate, other: points of the unit disc (coordinates below 1e18).
 // min_distance: smallest allowed distance, in [0, 2]; a negative one is met by every pair of points.
-// Returns whether the candidate may stand beside the other point; false if anything is NaN. Differences below 1e-19 count as 0.
+// Returns whether the candidate may stand beside the other point; false if anything is NaN. Differences below 1e-19
+// count as 0.
 // Error: none, but for distances within rounding of min_distance.
 bool gloam_poisson_accepts(vec2 candidate, vec2 other, float min_distance) {
     vec2 offset = candidate - other;
@@ -18,8 +19,8 @@ bool gloam_poisson_accepts(vec2 candidate, vec2 other, float min_distance) {
 
 // Disc point lifted onto the hemisphere above it (Sourimant): (x, y, sqrt(1 - x^2 - y^2)).
 // disc: point of the unit disc; one outside is pulled to the rim.
-// Returns a unit vector in tangent space (z along the normal). Uniform disc points become cosine-weighted directions, so an
-// average over them carries no further cosine. The normal (0, 0, 1) for an infinite or NaN point.
+// Returns a unit vector in tangent space (z along the normal). Uniform disc points become cosine-weighted directions,
+// so an average over them carries no further cosine. The normal (0, 0, 1) for an infinite or NaN point.
 // Error: 6e-6, where the point is within 1e-9 of the rim; 2e-7 elsewhere.
 vec3 gloam_hemisphere_lift(vec2 disc) {
     vec3 rim = gloam_safe_normalize(vec3(disc, 0.0), vec3(0.0, 0.0, 1.0));

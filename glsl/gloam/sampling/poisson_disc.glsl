@@ -2,9 +2,9 @@
 #ifndef GLOAM_SAMPLING_POISSON_DISC_GLSL
 #define GLOAM_SAMPLING_POISSON_DISC_GLSL
 
-// Poisson disc of 64 points, each prefix of which is spread evenly: squared radii (i' + 1/2) / 64, i' the index with its 6 bits reversed;
-// each point at that of 4096 angles (the first at 0) where the nearest of those before it is farthest away. For Sourimant's directions
-// lift them with gloam_hemisphere_lift.
+// Poisson disc of 64 points, each prefix of which is spread evenly: squared radii (i' + 1/2) / 64, i' the index with
+// its 6 bits reversed; each point at that of 4096 angles (the first at 0) where the nearest of those before it is
+// farthest away. For Sourimant's directions lift them with gloam_hemisphere_lift.
 // index: of the point; its lowest 6 bits count.
 // Returns a point of the unit disc. No two are nearer than 0.15 to each other; 0.3 among the first 16. Error: none.
 vec2 gloam_poisson_disc(uint index) {

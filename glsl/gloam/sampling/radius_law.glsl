@@ -5,9 +5,9 @@
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Where the samples of a kernel lie along their directions decides the falloff that a plain average over them estimates: a
-// sample at radius r blocks whatever hit lies nearer, so a hit at distance x of the kernel radius counts 1 - F(x), with F the
-// distribution of r.
+// Where the samples of a kernel lie along their directions decides the falloff that a plain average over them
+// estimates: a sample at radius r blocks whatever hit lies nearer, so a hit at distance x of the kernel radius counts
+// 1 - F(x), with F the distribution of r.
 
 // Radius whose distribution is F(x) = x: the average has the linear falloff 1 - x (that of TSSAO-14).
 // zeta: uniform number in [0, 1); taken to the nearer end outside, 0 for NaN.
@@ -25,8 +25,8 @@ float gloam_radius_quadratic(float zeta) {
 
 // Radius whose distribution is F(x) = x^3 (uniform volume of a ball): the average has the falloff 1 - x^3.
 // zeta: uniform number in [0, 1); taken to the nearer end outside, 0 for NaN; a subnormal number is read as 0.
-// Returns the cube root of zeta, the radius as a fraction of the kernel's. Error: at most 1.5 ulp; 5e-7 by any device that
-// keeps Vulkan's rules for exp2() and log2().
+// Returns the cube root of zeta, the radius as a fraction of the kernel's. Error: at most 1.5 ulp; 5e-7 by any device
+// that keeps Vulkan's rules for exp2() and log2().
 float gloam_radius_cubic(float zeta) {
     float x = gloam_unit_interval(zeta);
     if (x < 1.175494351e-38) return 0.0;

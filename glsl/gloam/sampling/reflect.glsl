@@ -6,7 +6,8 @@
 
 // Sample reflected at a random plane (Mittring's kernel rotation): s - 2 (s . n) n, n = normalize(2 encoded - 1).
 // s: sample point in any space, in units of the kernel radius (length below 1e19).
-// encoded: texel of a random texture, each channel in [0, 1], that stands for the direction 2 encoded - 1 of any length.
+// encoded: texel of a random texture, each channel in [0, 1], that stands for the direction 2 encoded - 1 of any
+// length.
 // Returns s reflected, of the same length; s itself where 2 encoded - 1 is zero (a grey texel) or not finite; the zero
 // vector for a longer, infinite or NaN s. Error: 16 ulp of the largest component, while
 // that is above 1e-30; shorter vectors may be flushed to 0.

@@ -4,7 +4,8 @@
 
 #include "gloam/numeric/sincos.glsl"
 
-// What rotates many samples by one angle turns them by its cosine and sine, computed once: not every driver moves them out of a loop.
+// What rotates many samples by one angle turns them by its cosine and sine, computed once: not every driver moves
+// them out of a loop.
 
 // Disc sample turned about the centre (TSSAO-ROT).
 // s: point of the unit disc (any vector of length below 1e19). turn: (cos, sin) of the angle, as gloam_sincos gives it.
@@ -16,9 +17,11 @@ vec2 gloam_turn_disc(vec2 s, vec2 turn) {
 }
 
 // Hemisphere sample turned about the normal (TSSAO-ROT).
-// s: point of the unit half ball in tangent space, z along the normal (any vector of length below 1e19). turn: as above.
-// Returns s rotated counter-clockwise seen from the tip of the normal: same length, same angle to the normal; the zero vector for a longer,
-// infinite or NaN s. Error: 3 ulp of the largest component, while that is above 1e-30; shorter vectors may be flushed to 0.
+// s: point of the unit half ball in tangent space, z along the normal (any vector of length below 1e19). turn: as
+// above.
+// Returns s rotated counter-clockwise seen from the tip of the normal: same length, same angle to the normal; the
+// zero vector for a longer, infinite or NaN s. Error: 3 ulp of the largest component, while that is above 1e-30;
+// shorter vectors may be flushed to 0.
 vec3 gloam_turn_hemisphere(vec3 s, vec2 turn) {
     if (!(dot(s, s) <= 1e38)) return vec3(0.0);
     return vec3(gloam_turn_disc(s.xy, turn), s.z);

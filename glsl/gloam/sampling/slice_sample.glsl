@@ -8,7 +8,8 @@
 
 // What is random of a slice.
 struct GloamSliceSample {
-    vec2 direction;  // unit, in the image; half a turn of directions makes all slices, the other half is their other side
+    vec2 direction;  // unit, in the image; half a turn of directions makes all slices, the other half is their other
+                     // side
     float jitter;    // part of a step, [0, 1)
     float share;     // [0, 1), for what else a method needs
 };

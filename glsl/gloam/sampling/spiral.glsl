@@ -9,8 +9,8 @@
 // index: number of the tap, 0 to count - 1.
 // count: number of taps, 1 to 32768.
 // turns: turns of the spiral (7 for 9 taps; best coprime with count); negative turns run clockwise.
-// Returns an offset in the unit disc: radii uniform, so the taps grow dense towards the centre. The zero vector for a count
-// or an index outside its range. Error: 5e-7.
+// Returns an offset in the unit disc: radii uniform, so the taps grow dense towards the centre. The zero vector for a
+// count or an index outside its range. Error: 5e-7.
 vec2 gloam_spiral_point(int index, int count, int turns) {
     if (count < 1 || count > 32768 || index < 0 || index >= count) return vec2(0.0);
     uint period = 2u * uint(count);
@@ -23,7 +23,8 @@ vec2 gloam_spiral_point(int index, int count, int turns) {
 }
 
 // Tap of a rotated spiral (SAO): the point above, turned by the phase.
-// index, count, turns: as above. phase: rotation of the whole spiral in radians, |phase| <= 65536; anything else, NaN included, counts as 0.
+// index, count, turns: as above. phase: rotation of the whole spiral in radians, |phase| <= 65536; anything else, NaN
+// included, counts as 0.
 // Returns an offset in the unit disc; the zero vector for a count or an index outside its range. Error: 5e-7.
 vec2 gloam_spiral_tap(int index, int count, int turns, float phase) {
     return gloam_rotate_disc(gloam_spiral_point(index, count, turns), phase);

@@ -7,8 +7,8 @@
 // Right-handed orthonormal frame around a normal, without branches that lose accuracy near any direction
 // (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"). The tangents jump where n.z changes its sign.
 // normal: direction in any space, of any length.
-// Returns the matrix of columns (t, b, n), t x b = n: it takes tangent space (z along the normal) to the space of the normal.
-// The identity for a zero, subnormal, infinite or NaN normal. Error: 7e-7 in each component.
+// Returns the matrix of columns (t, b, n), t x b = n: it takes tangent space (z along the normal) to the space of the
+// normal. The identity for a zero, subnormal, infinite or NaN normal. Error: 7e-7 in each component.
 mat3 gloam_tangent_frame(vec3 normal) {
     vec3 n = gloam_safe_normalize(normal, vec3(0.0, 0.0, 1.0));
     // The sign of n.z, also where n.z is flushed to 0 beside a huge component.

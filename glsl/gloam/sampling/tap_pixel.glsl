@@ -7,10 +7,10 @@
 // The last level of the depth chain that taps read.
 const int GLOAM_LAST_TAP_LEVEL = 5;
 
-// Pixel whose depth a tap reads (SAO): far from the shaded point that of the depth chain's texel, which holds the depth of one pixel
-// of the full image.
-// at, center: pixels of the tap and of the shaded point, inside the image. size: of the image. mip_distance: pixels from which level 1 is
-// read, twice as far level 2, and so on; 0, negative or NaN: none is.
+// Pixel whose depth a tap reads (SAO): far from the shaded point that of the depth chain's texel, which holds the
+// depth of one pixel of the full image.
+// at, center: pixels of the tap and of the shaded point, inside the image. size: of the image. mip_distance: pixels
+// from which level 1 is read, twice as far level 2, and so on; 0, negative or NaN: none is.
 // Returns a pixel of the full image. Error: none.
 ivec2 gloam_tap_pixel(ivec2 at, ivec2 center, ivec2 size, float mip_distance) {
     ivec2 apart = abs(at - center);

@@ -2,7 +2,8 @@
 #ifndef GLOAM_SAMPLING_WHOLE_SAMPLES_GLSL
 #define GLOAM_SAMPLING_WHOLE_SAMPLES_GLSL
 
-// Samples that a method takes where so many are asked for, when it takes them in units. What follows in the sequence begins that many samples later.
+// Samples that a method takes where so many are asked for, when it takes them in units. What follows in the sequence
+// begins that many samples later.
 
 // Those of whole slices, rays or crosses, at least of one.
 // count: k. unit: taps of one; 0 counts as 1. Returns a multiple of the unit. Error: none.

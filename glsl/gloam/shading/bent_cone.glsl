@@ -10,27 +10,30 @@
 
 // Half angle from the length of the mean direction, as published (Klehm et al. 2011): (1 - max(0, 2 L - 1)) pi / 2.
 // agreement: L of gloam_bent_length, [0, 1]; outside, the nearer end; 0 for NaN.
-// Returns radians in [0, pi / 2]. Right for an open hemisphere and for a point, 15 degrees too small for a cap of 60. Error: 2e-7.
+// Returns radians in [0, pi / 2]. Right for an open hemisphere and for a point, 15 degrees too small for a cap of 60.
+// Error: 2e-7.
 float gloam_cone_angle_linear(float agreement) {
     return (1.0 - max(2.0 * gloam_unit_interval(agreement) - 1.0, 0.0)) * 1.570796327;
 }
 
-// Half angle from the length of the mean direction, exact for directions uniform in a cap, L = (1 + cos a) / 2: arccos(2 L - 1).
+// Half angle from the length of the mean direction, exact for directions uniform in a cap, L = (1 + cos a) / 2:
+// arccos(2 L - 1).
 // agreement: L of gloam_bent_length, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]: an L below 1/2 is not that of a cap, and gives pi / 2. Error: 4e-7.
 float gloam_cone_angle(float agreement) {
     return gloam_acos(max(2.0 * gloam_unit_interval(agreement) - 1.0, 0.0));
 }
 
-// Half angle from visibility alone, uniform measure (each solid angle counts the same): arccos(1 - v), which is 2 arcsin(sqrt(v / 2)).
+// Half angle from visibility alone, uniform measure (each solid angle counts the same): arccos(1 - v), which is 2
+// arcsin(sqrt(v / 2)).
 // visibility: v in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]. Error: 6e-7.
 float gloam_cone_angle_uniform(float visibility) {
     return 2.0 * gloam_asin(gloam_sqrt(0.5 * gloam_unit_interval(visibility)));
 }
 
-// Half angle from visibility alone, cosine measure (that of ambient occlusion), sin^2 a = v: arcsin(sqrt(v)), for a cone around the
-// normal.
+// Half angle from visibility alone, cosine measure (that of ambient occlusion), sin^2 a = v: arcsin(sqrt(v)), for a
+// cone around the normal.
 // visibility: v in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]. Error: 4e-7.
 float gloam_cone_angle_cosine(float visibility) {

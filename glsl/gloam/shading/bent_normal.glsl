@@ -6,13 +6,14 @@
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Bent normal (Klehm et al. 2011): the mean of the directions in which the point is open, from the samples of any estimator that has
-// directions.
+// Bent normal (Klehm et al. 2011): the mean of the directions in which the point is open, from the samples of any
+// estimator that has directions.
 
 // Adds a direction.
-// bent: (sum of V w, sum of V) so far, starting at 0. direction: w, unit vector, any space; of uniform density for the cones of
-// gloam_cone_angle. visibility: V in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
-// Returns the sums with the direction; unchanged for a direction that is not finite. Error: 1 ULP of the sums for each addition.
+// bent: (sum of V w, sum of V) so far, starting at 0. direction: w, unit vector, any space; of uniform density for
+// the cones of gloam_cone_angle. visibility: V in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
+// Returns the sums with the direction; unchanged for a direction that is not finite. Error: 1 ULP of the sums for
+// each addition.
 vec4 gloam_bent_add(vec4 bent, vec3 direction, float visibility) {
     return gloam_is_finite3(direction) ? bent + gloam_unit_interval(visibility) * vec4(direction, 1.0) : bent;
 }
@@ -24,10 +25,11 @@ vec3 gloam_bent_normal(vec4 bent, vec3 normal) {
     return bent.w > 0.0 ? gloam_safe_normalize(bent.xyz, normal) : normal;
 }
 
-// How much the open directions agree: L = |sum of V w| / sum of V, 1/2 for an open hemisphere, 1 for a single direction.
+// How much the open directions agree: L = |sum of V w| / sum of V, 1/2 for an open hemisphere, 1 for a single
+// direction.
 // bent: sums of gloam_bent_add.
-// Returns L in [0, 1]; 1 where nothing is open, so that no cone is left; 0 where the sum of V w is not finite. Error: 4e-7 for sums
-// from 1e-18 to 1e18.
+// Returns L in [0, 1]; 1 where nothing is open, so that no cone is left; 0 where the sum of V w is not finite. Error:
+// 4e-7 for sums from 1e-18 to 1e18.
 float gloam_bent_length(vec4 bent) {
     bool some = bent.w >= 1.175494351e-38 && bent.w <= 8.507059173e37;
     float agreement = some ? gloam_length(bent.xyz) / bent.w : 1.0;

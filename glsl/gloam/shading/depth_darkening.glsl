@@ -4,12 +4,13 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Depth darkening, the unsharp mask of the depth buffer (Luft, Colditz and Deussen 2006): lambda min(G * D - D, 0), to be added to the
-// colour. It darkens what lies behind a nearer object, next to its outline; it is no occlusion, but was what came before.
-// depth: D, eye-linear, any unit (parts of the scene's depth are usual). blurred_depth: G * D, a wide Gaussian of the same image. strength:
-// lambda, colour per unit of depth, >= 0.
-// Returns a number <= 0, not below -FLT_MAX; 0 for background on either side, and for a strength not positive or NaN. Error: 2 ULP of
-// lambda times the larger depth.
+// Depth darkening, the unsharp mask of the depth buffer (Luft, Colditz and Deussen 2006): lambda min(G * D - D, 0),
+// to be added to the colour. It darkens what lies behind a nearer object, next to its outline; it is no occlusion,
+// but was what came before.
+// depth: D, eye-linear, any unit (parts of the scene's depth are usual). blurred_depth: G * D, a wide Gaussian of the
+// same image. strength: lambda, colour per unit of depth, >= 0.
+// Returns a number <= 0, not below -FLT_MAX; 0 for background on either side, and for a strength not positive or NaN.
+// Error: 2 ULP of lambda times the larger depth.
 float gloam_depth_darkening(float depth, float blurred_depth, float strength) {
     if (gloam_is_background(depth) || gloam_is_background(blurred_depth) || !(strength > 0.0)) return 0.0;
     float difference = blurred_depth - depth;

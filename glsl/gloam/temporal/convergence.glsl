@@ -4,8 +4,8 @@
 
 // How far a pixel has converged (TSSAO-6): w / w_max.
 // weight: w, accumulated samples. weight_max: w_max, in samples.
-// Returns convergence in [0, 1]: 0 for a weight that is 0, negative or NaN, 1 from w_max on. 1 for w_max zero, subnormal, negative or
-// NaN: nothing is to be accumulated then, so nothing is missing. Error: 0.5 ULP.
+// Returns convergence in [0, 1]: 0 for a weight that is 0, negative or NaN, 1 from w_max on. 1 for w_max zero,
+// subnormal, negative or NaN: nothing is to be accumulated then, so nothing is missing. Error: 0.5 ULP.
 float gloam_convergence(float weight, float weight_max) {
     if (!(weight_max >= 1.175494351e-38)) return 1.0;
     if (!(weight > 0.0)) return 0.0;

@@ -4,14 +4,15 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Whether the surface that the history remembers is the one shaded now (TSSAO-8): |1 - expected / stored| < epsilon, as
-// |stored - expected| < epsilon stored. Not symmetric: accepts expected depths in (stored (1 - epsilon), stored (1 + epsilon)).
+// Whether the surface that the history remembers is the one shaded now (TSSAO-8): |1 - expected / stored| < epsilon,
+// as |stored - expected| < epsilon stored. Not symmetric: accepts expected depths in (stored (1 - epsilon), stored (1
+// + epsilon)).
 // stored_depth: d_(f-1), eye-linear, read without interpolation at the reprojected point, world units.
-// expected_depth: depth that the current surface point had in the previous camera (gloam_previous_depth), world units. Its depth in the
-// current camera would reject every pixel of a camera that moves forward.
+// expected_depth: depth that the current surface point had in the previous camera (gloam_previous_depth), world
+// units. Its depth in the current camera would reject every pixel of a camera that moves forward.
 // epsilon: relative, 0.01 to 0.05; at 0, negative or NaN nothing passes.
-// Returns false as well if either depth is background or NaN (both: see gloam_both_background). A difference within rounding of
-// the threshold may fall to either side. Depths above 1e-30.
+// Returns false as well if either depth is background or NaN (both: see gloam_both_background). A difference within
+// rounding of the threshold may fall to either side. Depths above 1e-30.
 bool gloam_depth_consistent(float stored_depth, float expected_depth, float epsilon) {
     if (gloam_is_background(stored_depth) || gloam_is_background(expected_depth)) return false;
     return abs(stored_depth - expected_depth) < epsilon * stored_depth;

@@ -4,8 +4,8 @@
 
 #include "gloam/geometry/background.glsl"
 
-// What a pixel remembers from frame to frame (TSSAO-BUF). Occlusion and weight may be fetched with interpolation; the index and the
-// depth must not (TSSAO-7).
+// What a pixel remembers from frame to frame (TSSAO-BUF). Occlusion and weight may be fetched with interpolation; the
+// index and the depth must not (TSSAO-7).
 struct GloamHistory {
     float occlusion;  // blended occlusion, 1 = blocked
     float weight;     // accumulated samples
@@ -23,19 +23,22 @@ GloamHistory gloam_history_empty(float depth) {
     return GloamHistory(0.0, 0.0, 0u, gloam_is_background(depth) ? gloam_background_depth() : depth);
 }
 
-// History made safe to use: one whose occlusion is outside [0, 1] or NaN, whose weight is not positive and finite, or whose pixel is
-// background becomes the empty history of its depth, index 0 included so that a fresh start is always the same. The index is
-// taken modulo 2^24. Subnormal numbers of either sign are read as 0.
+// History made safe to use: one whose occlusion is outside [0, 1] or NaN, whose weight is not positive and finite, or
+// whose pixel is background becomes the empty history of its depth, index 0 included so that a fresh start is always
+// the same. The index is taken modulo 2^24. Subnormal numbers of either sign are read as 0.
 // h: any history. Error: none.
 GloamHistory gloam_history_sanitize(GloamHistory h) {
-    bool usable = h.occlusion > -1.175494351e-38 && h.occlusion <= 1.0 && h.weight >= 1.175494351e-38 && h.weight <= 3.402823466e38;
+    bool usable = h.occlusion > -1.175494351e-38 && h.occlusion <= 1.0 && h.weight >= 1.175494351e-38 &&
+                  h.weight <= 3.402823466e38;
     if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
-    return GloamHistory(h.occlusion >= 1.175494351e-38 ? h.occlusion : 0.0, h.weight, h.index % GLOAM_LARGEST_TABLE, h.depth);
+    return GloamHistory(h.occlusion >= 1.175494351e-38 ? h.occlusion : 0.0, h.weight, h.index % GLOAM_LARGEST_TABLE,
+                        h.depth);
 }
 
-// Texel of the history buffer: (occlusion, weight, index, depth), each as a float, sanitized first. 32 bits a channel hold everything
-// exactly; 16 bits hold integers to 2048 only (index and weight), make the depth too coarse for TSSAO-9, and stop the mean short of where
-// it should be by up to 2.5e-4 (w_max + k) / k: 0.0041 for k = 32 and w_max = 500, 0.046 for 8 and 1500 (docs/stress.md).
+// Texel of the history buffer: (occlusion, weight, index, depth), each as a float, sanitized first. 32 bits a channel
+// hold everything exactly; 16 bits hold integers to 2048 only (index and weight), make the depth too coarse for
+// TSSAO-9, and stop the mean short of where it should be by up to 2.5e-4 (w_max + k) / k: 0.0041 for k = 32 and w_max
+// = 500, 0.046 for 8 and 1500 (docs/stress.md).
 // h: any history. Error: none.
 vec4 gloam_history_pack(GloamHistory h) {
     GloamHistory s = gloam_history_sanitize(h);
@@ -43,7 +46,8 @@ vec4 gloam_history_pack(GloamHistory h) {
 }
 
 // History from a texel, sanitized; whatever the texel holds, the result is usable.
-// texel: (occlusion, weight, index, depth). An index that is negative, 2^24 or more or NaN is read as 0, a fraction is dropped.
+// texel: (occlusion, weight, index, depth). An index that is negative, 2^24 or more or NaN is read as 0, a fraction
+// is dropped.
 // Error: none.
 GloamHistory gloam_history_unpack(vec4 texel) {
     uint index = texel.z >= 1.0 && texel.z < 16777216.0 ? uint(texel.z) : 0u;
@@ -51,8 +55,8 @@ GloamHistory gloam_history_unpack(vec4 texel) {
 }
 
 // Start index of the next frame: (j + k) mod N (TSSAO-BUF).
-// index: j. k: samples taken. table_size: N, samples until the sequence starts over, at most 2^24; 0 and more than that count as 2^24
-// (at most 2048 for a 16-bit buffer).
+// index: j. k: samples taken. table_size: N, samples until the sequence starts over, at most 2^24; 0 and more than
+// that count as 2^24 (at most 2048 for a 16-bit buffer).
 // Returns an index in [0, N - 1], without overflow. Error: none.
 uint gloam_next_index(uint index, uint k, uint table_size) {
     uint size = table_size > 0u && table_size < GLOAM_LARGEST_TABLE ? table_size : GLOAM_LARGEST_TABLE;

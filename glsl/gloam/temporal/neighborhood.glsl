@@ -5,13 +5,15 @@
 #include "gloam/geometry/finite.glsl"
 #include "gloam/numeric/square_root.glsl"
 
-// How much the distance between a shaded point and a surface point near it has changed since the last frame (TSSAO-9):
-// d = | |s - p| - |s' - p'| |. Common motion of both leaves it 0. With a = s - p and b = s' - p' it is |(a - b) . (a + b)| / (|a| + |b|),
+// How much the distance between a shaded point and a surface point near it has changed since the last frame
+// (TSSAO-9): d = | |s - p| - |s' - p'| |. Common motion of both leaves it 0. With a = s - p and b = s' - p' it is |(a
+// - b) . (a + b)| / (|a| + |b|),
 // which subtracts before squaring: the error is that of a and b, not that of their lengths.
-// sample_position: s, position: p, of this frame; previous_sample: s', previous_position: p', of the previous one. World units, one
-// space for each frame; camera-centred positions keep s - p exact.
-// Returns the change in world units, >= 0; the largest float, which no threshold exceeds, where a position or difference is infinite
-// or NaN. Error: 6 ULP where s - p and s' - p' are exact, else 2e-7 of the larger length besides.
+// sample_position: s, position: p, of this frame; previous_sample: s', previous_position: p', of the previous one.
+// World units, one space for each frame; camera-centred positions keep s - p exact.
+// Returns the change in world units, >= 0; the largest float, which no threshold exceeds, where a position or
+// difference is infinite or NaN. Error: 6 ULP where s - p and s' - p' are exact, else 2e-7 of the larger length
+// besides.
 float gloam_neighborhood_change(vec3 sample_position, vec3 position, vec3 previous_sample, vec3 previous_position) {
     vec3 a = sample_position - position;
     vec3 b = previous_sample - previous_position;
@@ -20,7 +22,8 @@ float gloam_neighborhood_change(vec3 sample_position, vec3 position, vec3 previo
     float largest = max(max(bounds.x, bounds.y), bounds.z);
     if (!(largest >= 1.175494351e-38)) return 0.0;
     // Powers of two, so exact: lengths beyond 2^32 or below 2^-32 are squared on another scale.
-    float scale = largest > 4294967296.0 ? 8.271806125530277e-25 : (largest < 2.3283064365386963e-10 ? 1.2089258196146292e24 : 1.0);
+    float scale = largest > 4294967296.0 ? 8.271806125530277e-25
+                                         : (largest < 2.3283064365386963e-10 ? 1.2089258196146292e24 : 1.0);
     a *= scale;
     b *= scale;
     float sum = gloam_sqrt(dot(a, a)) + gloam_sqrt(dot(b, b));
@@ -34,10 +37,11 @@ bool gloam_neighborhood_unchanged(float change, float epsilon) {
     return change < epsilon;
 }
 
-// Whether a surface point can tell anything about the occlusion of another: it lies above the tangent plane, (s - p) . n > 0. What lies
-// below cannot block, however it moves.
+// Whether a surface point can tell anything about the occlusion of another: it lies above the tangent plane, (s - p)
+// . n > 0. What lies below cannot block, however it moves.
 // offset: s - p, world units. normal: n, unit vector, same space.
-// Returns false for an offset that is zero, infinite or NaN. A point within rounding of the plane may fall to either side.
+// Returns false for an offset that is zero, infinite or NaN. A point within rounding of the plane may fall to either
+// side.
 bool gloam_probe_useful(vec3 offset, vec3 normal) {
     return gloam_is_finite3(offset) && dot(offset, normal) > 0.0;
 }

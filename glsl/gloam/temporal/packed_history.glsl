@@ -25,7 +25,8 @@ uint gloam_round_half_up(float x) {
 
 // Eye-linear depth in 16 bits: six of exponent and ten of mantissa, rounded to nearest.
 // depth: world units; from 2^-31 to 2^32: nearer and further ones become the nearest and the furthest of these.
-// Returns 1 to 64513; 65535 for background. Error: none; gloam_depth_from_code is within 2^-11 of the depth, relatively.
+// Returns 1 to 64513; 65535 for background. Error: none; gloam_depth_from_code is within 2^-11 of the depth,
+// relatively.
 uint gloam_depth_to_code(float depth) {
     if (gloam_is_background(depth)) return 65535u;
     const uint dropped = 13u;          // bits of a float's mantissa
@@ -42,25 +43,27 @@ float gloam_depth_from_code(uint code) {
     return uintBitsToFloat(((code - 1u) << 13u) + (96u << 23u));
 }
 
-// A history in 64 bits, sanitized first. The mean stops short of where it should be by up to 1.6e-5 (w_max + k) / k: 2.5e-4 for k = 32 and
-// w_max = 500; its limits are GLOAM_PACKED_WEIGHT_MAX and GLOAM_PACKED_TABLE. h: any history.
+// A history in 64 bits, sanitized first. The mean stops short of where it should be by up to 1.6e-5 (w_max + k) / k:
+// 2.5e-4 for k = 32 and w_max = 500; its limits are GLOAM_PACKED_WEIGHT_MAX and GLOAM_PACKED_TABLE. h: any history.
 // Each member fits 16 bits. Error: none but the rounding to what the members hold.
 GloamPackedHistory gloam_history_encode(GloamHistory h) {
     GloamHistory s = gloam_history_sanitize(h);
     return GloamPackedHistory(gloam_round_half_up(s.occlusion * 32768.0),
-                              gloam_round_half_up(min(s.weight, GLOAM_PACKED_WEIGHT_MAX) * 16.0), s.index % GLOAM_PACKED_TABLE,
-                              gloam_depth_to_code(s.depth));
+                              gloam_round_half_up(min(s.weight, GLOAM_PACKED_WEIGHT_MAX) * 16.0),
+                              s.index % GLOAM_PACKED_TABLE, gloam_depth_to_code(s.depth));
 }
 
-// The texel that 64 bits stand for, as gloam_history_pack gives it but not sanitized: for gloam_history_unpack, and what reads through it.
+// The texel that 64 bits stand for, as gloam_history_pack gives it but not sanitized: for gloam_history_unpack, and
+// what reads through it.
 // texel: members are taken modulo 65536. Returns (occlusion, weight, index, depth). Error: none.
 vec4 gloam_packed_texel(GloamPackedHistory texel) {
     const uint mask = 0xFFFFu;
-    return vec4(float(texel.occlusion & mask) * (1.0 / 32768.0), float(texel.weight & mask) * (1.0 / 16.0), float(texel.index & mask),
-                gloam_depth_from_code(texel.depth & mask));
+    return vec4(float(texel.occlusion & mask) * (1.0 / 32768.0), float(texel.weight & mask) * (1.0 / 16.0),
+                float(texel.index & mask), gloam_depth_from_code(texel.depth & mask));
 }
 
-// The history of 64 bits, sanitized; whatever they hold, the result is usable. Zeros are the empty history of background.
+// The history of 64 bits, sanitized; whatever they hold, the result is usable. Zeros are the empty history of
+// background.
 // texel: members are taken modulo 65536. Error: none.
 GloamHistory gloam_history_decode(GloamPackedHistory texel) {
     return gloam_history_unpack(gloam_packed_texel(texel));

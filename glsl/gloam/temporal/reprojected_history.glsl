@@ -12,15 +12,16 @@
 // Defined by the user: texel of the history buffer of the previous frame (gloam_history_pack), for a pixel inside it.
 vec4 gloam_fetch_history(ivec2 pixel);
 
-// History of a surface point, from where it was in the previous image (TSSAO-RP, -7, -8): occlusion and weight interpolated between
-// those of the four texels around that hold the same surface, the index from the one of them that counts most (it must not be
-// interpolated).
-// uv: previous texture coordinates, in [0, 1]^2. size: of the history buffer, texels. expected_depth: that the point had in the
-// previous camera (gloam_previous_depth), eye-linear, world units. epsilon: relative tolerance of the depth, see
-// gloam_depth_consistent; infinity accepts every surface.
-// Returns the history with the expected depth; the empty one where no texel holds the surface (disoccluded), outside the image, and
-// for NaN. Error of occlusion and weight: that of the fractions (gloam_texel_position) times the spread of the four texels, 2e-5 of
-// the largest for images of 40 texels; a depth within rounding of the tolerance may fall to either side.
+// History of a surface point, from where it was in the previous image (TSSAO-RP, -7, -8): occlusion and weight
+// interpolated between those of the four texels around that hold the same surface, the index from the one of them
+// that counts most (it must not be interpolated).
+// uv: previous texture coordinates, in [0, 1]^2. size: of the history buffer, texels. expected_depth: that the point
+// had in the previous camera (gloam_previous_depth), eye-linear, world units. epsilon: relative tolerance of the
+// depth, see gloam_depth_consistent; infinity accepts every surface.
+// Returns the history with the expected depth; the empty one where no texel holds the surface (disoccluded), outside
+// the image, and for NaN. Error of occlusion and weight: that of the fractions (gloam_texel_position) times the
+// spread of the four texels, 2e-5 of the largest for images of 40 texels; a depth within rounding of the tolerance
+// may fall to either side.
 GloamHistory gloam_reprojected_history(vec2 uv, ivec2 size, float expected_depth, float epsilon) {
     GloamHistory history = gloam_history_empty(expected_depth);
     if (!gloam_inside_unit(uv) || size.x < 1 || size.y < 1) return history;

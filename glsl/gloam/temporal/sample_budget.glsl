@@ -5,7 +5,8 @@
 // Samples to take in this frame (TSSAO-AS): k_initial while conv < c_spatial, then k_converged.
 // convergence: conv in [0, 1], of the reprojected and validated history. c_spatial: 0.3.
 // k_initial: 32. k_converged: 8 to 16.
-// Returns a count >= 0 (a negative k counts as 0); k_initial as well for NaN in either: an unknown convergence is none. Error: none.
+// Returns a count >= 0 (a negative k counts as 0); k_initial as well for NaN in either: an unknown convergence is
+// none. Error: none.
 int gloam_sample_count(float convergence, float c_spatial, int k_initial, int k_converged) {
     return max(convergence >= c_spatial ? k_converged : k_initial, 0);
 }

@@ -4,9 +4,9 @@
 
 #include "gloam/sampling/unit_interval.glsl"
 
-// What happens to the weight of a pixel whose neighbourhood has changed but which itself has not been disoccluded (TSSAO-SI; a
-// disoccluded pixel starts again with weight 0). Two forms are published: (a) clamps the sample count to 32 to 64 samples, (b) scales
-// it by a confidence with a factor of 15 to 30. The numbers are different quantities.
+// What happens to the weight of a pixel whose neighbourhood has changed but which itself has not been disoccluded
+// (TSSAO-SI; a disoccluded pixel starts again with weight 0). Two forms are published: (a) clamps the sample count to
+// 32 to 64 samples, (b) scales it by a confidence with a factor of 15 to 30. The numbers are different quantities.
 
 // Form (a): min(w, w_small).
 // weight: w, accumulated samples. weight_small: w_small, 32 to 64 samples.
@@ -16,8 +16,10 @@ float gloam_invalidate_clamp(float weight, float weight_small) {
     return weight < weight_small ? weight : weight_small;
 }
 
-// Form (b), confidence in the history after a change: 1 / (1 + S d). Of several neighbours the smallest confidence counts.
-// change: d >= 0 (gloam_neighborhood_change; its magnitude is taken), over the kernel radius to be independent of scale.
+// Form (b), confidence in the history after a change: 1 / (1 + S d). Of several neighbours the smallest confidence
+// counts.
+// change: d >= 0 (gloam_neighborhood_change; its magnitude is taken), over the kernel radius to be independent of
+// scale.
 // factor: S >= 0, 15 to 30, in 1 / unit of the change; a negative factor is read as 0.
 // Returns a confidence in [0, 1]: 1 for no change, 1/2 at d = 1 / S; 0 for an infinite or NaN change or factor, and
 // where it would be subnormal. Error: 3 ULP.

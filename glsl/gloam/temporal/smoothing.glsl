@@ -4,12 +4,13 @@
 
 #include "gloam/sampling/unit_interval.glsl"
 
-// Temporal filter of Gears of War 2: AO_n = AO_(n-1) + rate (AO - AO_(n-1)), an exponential mean. It hides noise that changes from frame
-// to frame, but gains nothing from frames in which nothing moves: for that see gloam_blend.
-// history: occlusion of the last frame at the reprojected place. valid: whether it is the same surface (inside the image, depth
-// agrees). current: occlusion of this frame. rate: in (0, 1], 0.1; above 1 counts as 1, below 0 as 0, NaN as 1.
-// Returns occlusion in [0, 1], between history and current; current where the history is not valid or not in [0, 1], the history where
-// current is not in [0, 1], 0 where neither is. Error: 2e-7.
+// Temporal filter of Gears of War 2: AO_n = AO_(n-1) + rate (AO - AO_(n-1)), an exponential mean. It hides noise that
+// changes from frame to frame, but gains nothing from frames in which nothing moves: for that see gloam_blend.
+// history: occlusion of the last frame at the reprojected place. valid: whether it is the same surface (inside the
+// image, depth agrees). current: occlusion of this frame. rate: in (0, 1], 0.1; above 1 counts as 1, below 0 as 0,
+// NaN as 1.
+// Returns occlusion in [0, 1], between history and current; current where the history is not valid or not in [0, 1],
+// the history where current is not in [0, 1], 0 where neither is. Error: 2e-7.
 float gloam_temporal_smooth(float history, bool valid, float current, float rate) {
     bool has_history = valid && history >= 0.0 && history <= 1.0;
     bool has_current = current >= 0.0 && current <= 1.0;

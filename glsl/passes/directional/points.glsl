@@ -2,8 +2,9 @@
 #ifndef GLOAM_DIRECTIONAL_POINTS_GLSL
 #define GLOAM_DIRECTIONAL_POINTS_GLSL
 
-// What the passes share that ask in which directions a point is open: their bindings, and the samples, which are those of Ritschel et al.
-// (2009): points of the half ball around the normal, uniform in direction and radius, each blocked or not as for the method hemisphere.
+// What the passes share that ask in which directions a point is open: their bindings, and the samples, which are
+// those of Ritschel et al. (2009): points of the half ball around the normal, uniform in direction and radius, each
+// blocked or not as for the method hemisphere.
 //
 // Descriptor set 0 of each of them:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
@@ -87,7 +88,8 @@ float blocked_at(ivec2 pixel, float depth) {
     vec3 further = layers > 1 ? imageLoad(layer_image, pixel).xyz : vec3(0.0);
     GloamLayersSeen seen = GloamLayersSeen(0.0, 0.0, true);
     for (int layer = 0; layer < layers; ++layer) {
-        float blocked = gloam_sample_blocked(depth, gloam_layer_depth(first, further, layer), parameters.bias, method_values.range);
+        float blocked =
+            gloam_sample_blocked(depth, gloam_layer_depth(first, further, layer), parameters.bias, method_values.range);
         seen = gloam_layers_add(seen, blocked, further, depth, layer, layers);
     }
     return seen.occlusion;
@@ -100,7 +102,8 @@ Sample sample_of(Shaded shaded, uint i) {
     vec3 at = shaded.position + parameters.radius * along;
     ivec2 pixel = gloam_footprint_seen(shaded.footprint, at);
     bool counts = point != vec3(0.0) && at.z < 0.0;
-    float blocked = counts ? blocked_at(pixel, gloam_footprint_plane_depth(shaded.footprint, pixel, at, shaded.frame[2])) : 0.0;
+    float blocked =
+        counts ? blocked_at(pixel, gloam_footprint_plane_depth(shaded.footprint, pixel, at, shaded.frame[2])) : 0.0;
     return Sample(gloam_safe_normalize(along, vec3(0.0)), 1.0 - blocked, pixel, counts);
 }
 

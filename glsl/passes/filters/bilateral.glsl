@@ -5,8 +5,8 @@
 #include "gloam/filter/bilateral_weight.glsl"
 #include "gloam/filter/weighted_mean.glsl"
 
-// Neighbours count by distance in the image and difference of depth (ISSAO-7), at most 16 on each side: gloam_bilateral_filter over the row, to
-// the bit. Reads sigma_pixels (sigma_d) and depth_scale (sigma_r).
+// Neighbours count by distance in the image and difference of depth (ISSAO-7), at most 16 on each side:
+// gloam_bilateral_filter over the row, to the bit. Reads sigma_pixels (sigma_d) and depth_scale (sigma_r).
 
 const int REACH = min(HALF_WIDTH, 16);
 
@@ -15,7 +15,8 @@ const int REACH = min(HALF_WIDTH, 16);
 
 // mean: what was added so far. center: depth of the filtered pixel. offset: of the tap from it, pixels.
 GloamWeightedMean with_tap(GloamWeightedMean mean, float center, Tap tap, int offset) {
-    float weight = gloam_bilateral_weight(vec2(float(offset), 0.0), tap.depth - center, parameters.sigma_pixels, parameters.depth_scale);
+    float weight = gloam_bilateral_weight(vec2(float(offset), 0.0), tap.depth - center, parameters.sigma_pixels,
+                                          parameters.depth_scale);
     return gloam_weighted_mean_add(mean, tap.occlusion, tap.surface ? weight : 0.0);
 }
 

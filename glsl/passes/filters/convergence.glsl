@@ -8,8 +8,8 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/temporal/convergence.glsl"
 
-// Pixels that have not converged take after those nearby in the world that have (TSSAO-10 and -11): gloam_convergence_filter over the row, to the
-// bit. Reads sigma_pixels, c_adaptive, weight_max and cap.
+// Pixels that have not converged take after those nearby in the world that have (TSSAO-10 and -11):
+// gloam_convergence_filter over the row, to the bit. Reads sigma_pixels, c_adaptive, weight_max and cap.
 
 const int REACH = HALF_WIDTH;
 
@@ -29,7 +29,8 @@ Tap tap_at(ivec2 pixel) {
     GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
     vec3 position = gloam_camera_position(pixel, source.depth, camera);
     bool surface = position.z < 0.0;  // the zero vector stands for background and for what is not finite
-    return Tap(position, surface, source.occlusion, surface ? gloam_convergence(source.samples, parameters.weight_max) : 0.0);
+    return Tap(position, surface, source.occlusion,
+               surface ? gloam_convergence(source.samples, parameters.weight_max) : 0.0);
 }
 
 #include "passes/tiles/row.glsl"
@@ -38,11 +39,13 @@ Tap tap_at(ivec2 pixel) {
 float scale_at(vec3 position) {
     float depth = orthographic ? 1.0 : -position.z;
     float tan_half_fovy = 1.0 / abs(parameters.p00_p11.y);
-    return gloam_gaussian_scale(gloam_filter_sigma(depth, tan_half_fovy, float(parameters.size.y), parameters.sigma_pixels));
+    return gloam_gaussian_scale(
+        gloam_filter_sigma(depth, tan_half_fovy, float(parameters.size.y), parameters.sigma_pixels));
 }
 
-// mean: what was added so far. offset: between the tap and the filtered pixel, whichever comes first in the row: then that of a pair is computed
-// once for both. coverage: part of the tap in the window. most: what a convergence counts at most.
+// mean: what was added so far. offset: between the tap and the filtered pixel, whichever comes first in the row: then
+// that of a pair is computed once for both. coverage: part of the tap in the window. most: what a convergence counts
+// at most.
 // Returns the mean with the tap, as gloam_filter_tap does.
 GloamWeightedMean with_tap(GloamWeightedMean mean, vec3 offset, Tap tap, float coverage, float scale, float most) {
     float weight = coverage * gloam_gaussian_scaled(dot(offset, offset), scale) * min(tap.convergence, most);
@@ -64,7 +67,8 @@ float filtered_occlusion(int position) {
         mean = with_tap(mean, own.position - before.position, before, coverage, scale, most);
         mean = with_tap(mean, after.position - own.position, after, coverage, scale, most);
     }
-    // Chosen afterwards and not by a branch around the taps, most of whose cost is that of the row, read for all its pixels.
+    // Chosen afterwards and not by a branch around the taps, most of whose cost is that of the row, read for all its
+    // pixels.
     bool filters = reach > 0.0 && own.surface;
     return gloam_weighted_mean_value(filters ? mean : gloam_weighted_mean_empty(), own.occlusion);
 }

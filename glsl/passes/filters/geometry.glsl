@@ -6,8 +6,8 @@
 #include "gloam/filter/weighted_mean.glsl"
 #include "gloam/geometry/background.glsl"
 
-// The comparative study's blur (CS-BLUR): neighbours count by their normal and their depth, however far they are in the image;
-// gloam_geometry_blur over the row, to the bit.
+// The comparative study's blur (CS-BLUR): neighbours count by their normal and their depth, however far they are in
+// the image; gloam_geometry_blur over the row, to the bit.
 // Reads depth_scale: the unit of depth, of which the study's scenes had ten to a radius.
 
 const int REACH = HALF_WIDTH;
@@ -36,7 +36,8 @@ Tap tap_at(ivec2 pixel) {
 
 // Weight of two pixels for each other, in the order of the row: then that of a pair is computed once for both.
 float weight_of(Tap first, Tap second) {
-    return gloam_geometry_weight(first.normal, second.normal, first.depth - second.depth, STUDY_POWERS.x, STUDY_POWERS.y);
+    return gloam_geometry_weight(first.normal, second.normal, first.depth - second.depth, STUDY_POWERS.x,
+                                 STUDY_POWERS.y);
 }
 
 // mean: what was added so far. weight: of the tap, as on a surface.

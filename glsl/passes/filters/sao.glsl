@@ -5,9 +5,10 @@
 #include "gloam/filter/sao_blur.glsl"
 #include "gloam/filter/weighted_mean.glsl"
 
-// The blur of scalable ambient obscurance (McGuire et al. 2012; CS-Q): at most four taps on each side, two pixels apart; one counts nothing from
-// depth_scale on, and linearly more before it.
-// Reads depth_scale: in print 0.15 m, the depth key's 300 m over 2000. The depth itself is at hand and stands for the key.
+// The blur of scalable ambient obscurance (McGuire et al. 2012; CS-Q): at most four taps on each side, two pixels
+// apart; one counts nothing from depth_scale on, and linearly more before it.
+// Reads depth_scale: in print 0.15 m, the depth key's 300 m over 2000. The depth itself is at hand and stands for the
+// key.
 
 const int SAO_STRIDE = 2;
 const int SAO_MOST_TAPS = 4;
@@ -27,7 +28,8 @@ GloamWeightedMean with_tap(GloamWeightedMean mean, float center, Tap tap, int nu
 float filtered_occlusion(int position) {
     Tap own = row_tap(position);
     GloamWeightedMean mean = gloam_weighted_mean_empty();
-    UNROLL for (int i = -SAO_TAPS; i <= SAO_TAPS; ++i) mean = with_tap(mean, own.depth, row_tap(position + SAO_STRIDE * i), i);
+    UNROLL for (int i = -SAO_TAPS; i <= SAO_TAPS; ++i) mean =
+        with_tap(mean, own.depth, row_tap(position + SAO_STRIDE * i), i);
     return gloam_weighted_mean_value(own.surface ? mean : gloam_weighted_mean_empty(), own.occlusion);
 }
 

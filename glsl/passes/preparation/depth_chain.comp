@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The depth chain of SAO, all levels in one pass: each texel is one pixel of the full image, so that none waits for another level. One
-// invocation for each texel of level 1. Bindings and constants: pass.glsl.
+// The depth chain of SAO, all levels in one pass: each texel is one pixel of the full image, so that none waits for
+// another level. One invocation for each texel of level 1. Bindings and constants: pass.glsl.
 //
 // Writes the depth in x, as it is in the full image.
 

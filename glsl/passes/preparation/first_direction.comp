@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Occlusion along the first of two directions, for separable.glsl (Huang et al. 2011): one invocation a pixel. Bindings and constants:
-// pass.glsl.
+// Occlusion along the first of two directions, for separable.glsl (Huang et al. 2011): one invocation a pixel.
+// Bindings and constants: pass.glsl.
 //
 // Writes the occlusion in x, 0 at the background.
 
@@ -24,5 +24,6 @@ float prepared(ivec2 pixel) {
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) imageStore(prepared_image, pixel, vec4(prepared(pixel)));
+    if (pixel.x < parameters.size.x && pixel.y < parameters.size.y)
+        imageStore(prepared_image, pixel, vec4(prepared(pixel)));
 }

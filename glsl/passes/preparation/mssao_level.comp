@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The occlusion of one level of MSSAO (CS-F), with that of the coarser ones, which have been written before: one invocation for each texel.
-// Bindings and constants: pass.glsl.
+// The occlusion of one level of MSSAO (CS-F), with that of the coarser ones, which have been written before: one
+// invocation for each texel. Bindings and constants: pass.glsl.
 //
 // Writes (largest occlusion of the levels so far, their mean, their number) into the pyramid's results.
 
@@ -36,7 +36,8 @@ void main() {
                                                            GLOAM_PYRAMID_NORMALS)).xyz;
     GloamLevels levels = GloamLevels(0.0, 0.0, 0.0);
     if (gloam_can_gather(position, normal, parameters.radius, this_camera())) {
-        levels = gloam_mssao_at(position, normal, parameters.level, this_camera(), texel_kernel(texel, -position.z), coarsest);
+        levels = gloam_mssao_at(position, normal, parameters.level, this_camera(), texel_kernel(texel, -position.z),
+                                coarsest);
     }
     ivec2 at = gloam_pyramid_texel(texel, parameters.level, parameters.size, GLOAM_PYRAMID_RESULTS);
     imageStore(prepared_image, at, vec4(levels.largest, levels.mean, levels.count, 0.0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The surfaces of one level of MSSAO's pyramid, from the level before (CS-F): one invocation for each texel. Bindings and constants: pass.glsl.
-// Reads range: how far apart in depth the pixels of one surface may be.
+// The surfaces of one level of MSSAO's pyramid, from the level before (CS-F): one invocation for each texel. Bindings
+// and constants: pass.glsl. Reads range: how far apart in depth the pixels of one surface may be.
 //
 // Writes the position and the normal of the pyramid's texel (pyramid.glsl), zeros for background.
 

@@ -2,18 +2,20 @@
 #ifndef GLOAM_PREPARATION_PASS_GLSL
 #define GLOAM_PREPARATION_PASS_GLSL
 
-// What the preparation passes have in common. They run before ambient_occlusion.comp, in the order of their method's list, and write
-// parts of one image that the method reads by gloam_fetch_prepared. Nothing of a frame stays in it.
+// What the preparation passes have in common. They run before ambient_occlusion.comp, in the order of their method's
+// list, and write parts of one image that the method reads by gloam_fetch_prepared. Nothing of a frame stays in it.
 //
-// The history is held as history_image.glsl says. Define GLOAM_PREPARED as r32f for the passes whose image has one channel
-// (first_direction.comp, depth_chain.comp), else it is rgba32f.
+// The history is held as history_image.glsl says. Define GLOAM_PREPARED as r32f for the passes whose image has one
+// channel (first_direction.comp, depth_chain.comp), else it is rgba32f.
 // Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
-//   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used, depth)
+//   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used,
+//   depth)
 //   3  prepared the prepared image, written and, by passes that build on others, read
 //   4  buffer   a MethodValues
-//   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is more than 1
+//   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is
+//   more than 1
 #include "../history_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
@@ -21,7 +23,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const int layers = 1;               // of depth that the samples see, 1 to 4
-layout(constant_id = 1) const bool reject_taps = false;     // leave out taps further in front than MethodValues::range (CS-REJ)
+layout(constant_id = 1) const
+    bool reject_taps = false;  // leave out taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 2) const bool keeps_history = true;    // else each frame stands by itself
 layout(constant_id = 3) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
 layout(constant_id = 4) const uint samples_converged = 16u;  // k_2, for each pixel that has
@@ -47,8 +50,10 @@ layout(push_constant) uniform Parameters {
     float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
     uint orthographic;     // 1, or 0 for perspective
     uint shade_border;     // 1: the band has occlusion as well; 0: it is left out
-    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many everywhere
-    float samples_radius;  // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many everywhere
+    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many
+                             // everywhere
+    float samples_radius;    // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many
+                             // everywhere
     uint samples_least;    // of those, at least
     float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
     float bias_depth;      // the bias is at least this share of the depth

@@ -2,9 +2,10 @@
 #ifndef GLOAM_SAMPLES_TABLE_GLSL
 #define GLOAM_SAMPLES_TABLE_GLSL
 
-// What all pixels share of their samples (gloam/sampling/points), in an image of 256 columns: sample number i is texel (i mod 256, i / 256). A pass that reads
-// it defines GLOAM_SAMPLE_TABLE as its binding, SAMPLE_POINT as the name of the points' function, and the guard of their file, so that the table takes
-// its place; and includes this file before the method. sample_table.comp writes it.
+// What all pixels share of their samples (gloam/sampling/points), in an image of 256 columns: sample number i is
+// texel (i mod 256, i / 256). A pass that reads it defines GLOAM_SAMPLE_TABLE as its binding, SAMPLE_POINT as the
+// name of the points' function, and the guard of their file, so that the table takes its place; and includes this
+// file before the method. sample_table.comp writes it.
 
 const uint SAMPLE_TABLE_COLUMNS = 256u;
 

@@ -4,8 +4,8 @@
 
 #include "list.glsl"
 
-// Lets a pass of one invocation a tile fill lists of tiles. Define GLOAM_LIST_BINDING as the binding of the lists, their counts 0 and
-// their `layers` 1 before the first pass that fills them.
+// Lets a pass of one invocation a tile fill lists of tiles. Define GLOAM_LIST_BINDING as the binding of the lists,
+// their counts 0 and their `layers` 1 before the first pass that fills them.
 
 layout(binding = GLOAM_LIST_BINDING, std430) buffer TileLists {
     TileList tile_lists[TILE_LISTS];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// How near to the eye the surfaces of each tile come: an upper bound of the inverse depth, affine in the image, since that of a plane is. One
-// invocation a tile. Perspective only.
+// How near to the eye the surfaces of each tile come: an upper bound of the inverse depth, affine in the image, since
+// that of a plane is. One invocation a tile. Perspective only.
 //
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f    eye-linear depth, world units; background 0 or not finite

@@ -4,9 +4,10 @@
 
 #include "list.glsl"
 
-// A pyramid of bounds of the inverse depth: of tiles, of blocks of 4 x 4 tiles, and of 4 x 4 of those, one level after the other in one buffer, each
-// by rows. A bound is (c, a, b, 1): at a pixel x, y from the block's first no surface of the block has an inverse depth above c + a x + b y, in
-// 1 / world units, rounding included; (0, 0, 0, 0) is that of a block without geometry.
+// A pyramid of bounds of the inverse depth: of tiles, of blocks of 4 x 4 tiles, and of 4 x 4 of those, one level
+// after the other in one buffer, each by rows. A bound is (c, a, b, 1): at a pixel x, y from the block's first no
+// surface of the block has an inverse depth above c + a x + b y, in 1 / world units, rounding included; (0, 0, 0, 0)
+// is that of a block without geometry.
 
 const int BOUND_LEVELS = 3;
 const int BLOCK_CHILDREN = 4;  // along each axis

@@ -2,8 +2,8 @@
 #ifndef GLOAM_PASSES_TILES_LIST_GLSL
 #define GLOAM_PASSES_TILES_LIST_GLSL
 
-// Tiles of 8 x 8 pixels, and lists of those that a pass has to run on. A list is its own indirect dispatch: rows of at most 32,768 groups,
-// since no device has to allow more than 65,535 along an axis.
+// Tiles of 8 x 8 pixels, and lists of those that a pass has to run on. A list is its own indirect dispatch: rows of
+// at most 32,768 groups, since no device has to allow more than 65,535 along an axis.
 struct TileList {
     uint columns;  // groups along x, y and z, as an indirect dispatch reads them
     uint rows;
@@ -23,8 +23,9 @@ const uint OPEN_TILES = 4u;        // of the shaded tiles: those where nothing c
 const uint SKIPPED_TILES = 5u;     // (background, settled, 0, filtered enough): no list, but counts
 const uint TILE_LISTS = 6u;
 
-// Tiles that a group takes where its invocations take several pixels of a tile each: 1, 2, 4 or 8. Of the filter, which takes them along x where it
-// runs over the whole image; and of the open tiles, which take so little that a group's own cost shows.
+// Tiles that a group takes where its invocations take several pixels of a tile each: 1, 2, 4 or 8. Of the filter,
+// which takes them along x where it runs over the whole image; and of the open tiles, which take so little that a
+// group's own cost shows.
 const uint FILTER_TILES = 8u;
 layout(constant_id = 13) const uint open_tiles_each = 1u;
 
@@ -34,8 +35,8 @@ uint tiles_of_group(uint list) {
     return list == FILTERED_X_TILES || list == FILTERED_Y_TILES ? FILTER_TILES : 1u;
 }
 
-// Of a list's entry: the tile's column, and its row from this bit on. A division by the columns would cost each invocation more than
-// the entry.
+// Of a list's entry: the tile's column, and its row from this bit on. A division by the columns would cost each
+// invocation more than the entry.
 const uint ENTRY_ROW_SHIFT = 15u;
 const uint ENTRY_COLUMN = 0x7FFFu;
 const uint ENTRY_NONE = 0xFFFFFFFFu;  // no tile: outside every image

@@ -4,8 +4,8 @@
 
 #include "list.glsl"
 
-// Lets a pass of 8 x 8 pixels a group run over a list of tiles, dispatched by the list itself, or over all of them. Define
-// GLOAM_LIST_BINDING as the binding of the lists; they are read when `listed` is set.
+// Lets a pass of 8 x 8 pixels a group run over a list of tiles, dispatched by the list itself, or over all of them.
+// Define GLOAM_LIST_BINDING as the binding of the lists; they are read when `listed` is set.
 
 layout(constant_id = 10) const bool listed = false;  // run over the list `which_list`; else over the whole image
 layout(constant_id = 11) const uint which_list = 0u;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// One level of the pyramid of bounds from the level below it: one invocation a block of 4 x 4. Of a plane the bound stays close.
+// One level of the pyramid of bounds from the level below it: one invocation a block of 4 x 4. Of a plane the bound
+// stays close.
 //
 // Dispatch ceil(blocks / 8) groups. Descriptor set 0:
 //   0  buffer  the pyramid (bounds.glsl): `level` is written from the level before
@@ -34,7 +35,8 @@ vec3 slopes_of(Block children) {
     return vec3(sum.xy / max(sum.z, 1.0), sum.z);
 }
 
-// Constant of a plane of these slopes that is nowhere below the child's bound. The difference of affine functions is largest at a corner.
+// Constant of a plane of these slopes that is nowhere below the child's bound. The difference of affine functions is
+// largest at a corner.
 float constant_over(ivec2 child, vec2 slopes, ivec2 origin) {
     vec4 bound = bound_of_child(child);
     if (bound.w == 0.0) return -3.402823466e38;
@@ -56,7 +58,9 @@ void main() {
     float largest = -3.402823466e38;
     ivec2 origin = block_at(at, parameters.level, parameters.size).first;
     for (int y = children.first.y; y <= children.last.y; ++y) {
-        for (int x = children.first.x; x <= children.last.x; ++x) largest = max(largest, constant_over(ivec2(x, y), slopes.xy, origin));
+        for (int x = children.first.x; x <= children.last.x; ++x)
+            largest = max(largest, constant_over(ivec2(x, y), slopes.xy, origin));
     }
-    bounds[bound_index(at, parameters.level, parameters.size)] = slopes.z == 0.0 ? vec4(0.0) : vec4(largest, slopes.xy, 1.0);
+    bounds[bound_index(at, parameters.level, parameters.size)] =
+        slopes.z == 0.0 ? vec4(0.0) : vec4(largest, slopes.xy, 1.0);
 }

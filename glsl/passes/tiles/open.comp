@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Finds the tiles of which it is certain that no sample of any pixel is blocked: nothing in reach rises above the pixels' tangent planes by as
-// much as the bias. One invocation a tile. Perspective only.
+// Finds the tiles of which it is certain that no sample of any pixel is blocked: nothing in reach rises above the
+// pixels' tangent planes by as much as the bias. One invocation a tile. Perspective only.
 //
-// A sample of the ball of radius R around p is compared at the centre q of its pixel, where the plane parallel to the tangent plane through it has a
-// depth of at most 1 / t(q), t(q) = n . ray(q) / n . p being that of the tangent plane. So no sample is blocked where every surface has an inverse depth
-//     1/s <= t + m t^2,   since then s >= 1/t - m,   m = bias - what rounding adds to the sample's depth.
-// t and the bound of a block (bounds.glsl) are affine, t^2 is no less than T (2 t - T) with T the least t of the block, and what is affine is nowhere
-// above 0 in a rectangle if it is not so at its corners. All pixels of a tile share the plane of one, lowered by the most that another lies below
-// it at that pixel, and by how much their slopes differ for each pixel from there.
+// A sample of the ball of radius R around p is compared at the centre q of its pixel, where the plane parallel to the
+// tangent plane through it has a depth of at most 1 / t(q), t(q) = n . ray(q) / n . p being that of the tangent
+// plane. So no sample is blocked where every surface has an inverse depth
+//     1/s <= t + m t^2,   since then s >= 1/t - m,   m = bias - what rounding adds to the sample's depth. t and the
+//     bound of a block (bounds.glsl) are affine, t^2 is no less than T (2 t - T) with T the least t of the block, and
+//     what is affine is nowhere above 0 in a rectangle if it is not so at its corners. All pixels of a tile share the
+//     plane of one, lowered by the most that another lies below it at that pixel, and by how much their slopes differ
+//     for each pixel from there.
 //
-// What rounding adds, with e = 2^-24 and each operation exact to 2 e, whichever way it rounds. N = -n . p; S_p and S_r are the sums of magnitudes of
-// the products in n . p and n . ray. A dot product of three whose result is N and whose magnitudes add up to S is exact to 3 e (S + N), since no partial sum
-// exceeds (S + N) / 2; positions are exact to 6 e along x and y, as documented. So n . sample is exact to e (11 S_p + 3 N + 64 R), which includes
-// that the directions lie above the plane to 2e-6, n . ray to e (9 S_r + 3 N t), the quotient and the difference to 7 e: together no more than
-// e ((11 S_p + 64 R) / N + 11 S_r / (N t) + 14) of the depth 1/t, while that is small.
-// A method that takes the height of surfaces above the plane, N (1 - t s), instead: <= bias where 1/s <= t + m t / N, and N t <= S_r; its rounding, 11 e
-// (S_p + S_r / t), is less than that above times max(1, S_r). Hence m = bias / max(1, S_r) - that above.
+// What rounding adds, with e = 2^-24 and each operation exact to 2 e, whichever way it rounds. N = -n . p; S_p and
+// S_r are the sums of magnitudes of the products in n . p and n . ray. A dot product of three whose result is N and
+// whose magnitudes add up to S is exact to 3 e (S + N), since no partial sum exceeds (S + N) / 2; positions are exact
+// to 6 e along x and y, as documented. So n . sample is exact to e (11 S_p + 3 N + 64 R), which includes that the
+// directions lie above the plane to 2e-6, n . ray to e (9 S_r + 3 N t), the quotient and the difference to 7 e:
+// together no more than e ((11 S_p + 64 R) / N + 11 S_r / (N t) + 14) of the depth 1/t, while that is small.
+// A method that takes the height of surfaces above the plane, N (1 - t s), instead: <= bias where 1/s <= t + m t / N,
+// and N t <= S_r; its rounding, 11 e (S_p + S_r / t), is less than that above times max(1, S_r). Hence m = bias /
+// max(1, S_r) - that above.
 //
-// A point is no further away than d + R besides, and at most half a pixel beside q, or beyond the edge of the image that q lies at: the plane through
-// it has at q at most (d + R) (1 + rise / t), rise being that of t from q to the point. What is further than that, and than its rounding, blocks nothing
+// A point is no further away than d + R besides, and at most half a pixel beside q, or beyond the edge of the image
+// that q lies at: the plane through it has at q at most (d + R) (1 + rise / t), rise being that of t from q to the
+// point. What is further than that, and than its rounding, blocks nothing
 // either: near the eye, where a ball is seen before what is far behind it.
 //
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
@@ -64,7 +69,8 @@ Block reach;     // pixels that samples are compared at: both included
 vec2 steepest_ray;  // largest magnitudes along x and y of the rays through them, at depth 1
 vec4 overshoot;  // how far the samples reach beyond the left, the top, the right and the bottom of the image, pixels
 
-// Slope of the ray that touches the ball around a point, on the side of larger slopes. slope, depth: of the point, further away than the radius.
+// Slope of the ray that touches the ball around a point, on the side of larger slopes. slope, depth: of the point,
+// further away than the radius.
 float touching(float slope, float depth) {
     float beyond = depth * depth * (1.0 + slope * slope) - parameters.radius * parameters.radius;
     float aside = parameters.radius / sqrt(beyond);
@@ -120,7 +126,8 @@ float beyond_points(Block seen, float lowest, float rounded) {
     vec2 rise = 0.51 * max(steepest.xy, steepest.zw);
     vec4 at_edge = vec4(equal(ivec4(seen.first, seen.last), ivec4(0, 0, parameters.size - 1)));
     float risen = rise.x + rise.y + dot(at_edge * overshoot, steepest);
-    return 0.999999 / ((pixels.position.z + 1.001 * parameters.radius) * (1.0 + 1.001 * risen / lowest) + rounded / lowest);
+    return 0.999999 /
+           ((pixels.position.z + 1.001 * parameters.radius) * (1.0 + 1.001 * risen / lowest) + rounded / lowest);
 }
 
 // Whether a surface of the block may rise above the tile's planes within reach.
@@ -205,8 +212,10 @@ TangentPlane plane_at(ivec2 pixel, float depth) {
 // Takes another pixel's plane into what is known of all.
 void include(TangentPlane plane) {
     ivec2 pixel = pixels.plane.pixel;
-    pixels.below = max(pixels.below, pixels.plane.inverse - inverse_depth(plane, pixel) + inverse_depth_error(plane, pixel));
-    pixels.diverging = max(pixels.diverging, abs(pixels.plane.slopes - plane.slopes) + plane.rounded * abs(plane.slopes));
+    pixels.below =
+        max(pixels.below, pixels.plane.inverse - inverse_depth(plane, pixel) + inverse_depth_error(plane, pixel));
+    pixels.diverging =
+        max(pixels.diverging, abs(pixels.plane.slopes - plane.slopes) + plane.rounded * abs(plane.slopes));
     pixels.height = min(pixels.height, plane.height);
     pixels.normal = max(pixels.normal, plane.normal);
     pixels.position = max(pixels.position, plane.position);
@@ -240,7 +249,8 @@ bool is_open(ivec2 at) {
     TangentPlane plane = plane_at(middle, depth);
     if (plane.height <= 0.0) return false;
     find_reach(tile, nearest);
-    pixels = Pixels(plane, 0.0, vec2(0.0), plane.height, plane.normal, plane.position, max(vec4(-plane.slopes, plane.slopes), vec4(0.0)));
+    pixels = Pixels(plane, 0.0, vec2(0.0), plane.height, plane.normal, plane.position,
+                    max(vec4(-plane.slopes, plane.slopes), vec4(0.0)));
     if (rises(at, 0) || any_rises() || !include_all(tile)) return false;
     // The shared plane's own rounding, where it is compared with the others' and where it is with blocks.
     pixels.below += 2.0 * inverse_depth_error(plane, middle);

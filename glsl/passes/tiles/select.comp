@@ -2,7 +2,8 @@
 #version 450
 // Says which tiles have to be shaded in this frame, and lists them: one invocation a tile. A tile is left out
 // - without any geometry, once the images show background all over it: nothing reads or writes it then;
-// - in a view that stands still, once none of its pixels has asked for a sample: both history images hold the same then, and will.
+// - in a view that stands still, once none of its pixels has asked for a sample: both history images hold the same
+// then, and will.
 //
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f    eye-linear depth, world units; background 0 or not finite
@@ -51,7 +52,8 @@ void main() {
     TileState before = states_before[tile];
     uint written = parameters.written << STATE_BLANK_SHIFT;
     uint blank_images = before.flags >> STATE_BLANK_SHIFT << STATE_BLANK_SHIFT;
-    bool settled = parameters.settled != 0u && without_samples(before, pixels_of_tile(at, parameters.size, parameters.band));
+    bool settled =
+        parameters.settled != 0u && without_samples(before, pixels_of_tile(at, parameters.size, parameters.band));
     // A settled tile is blank where it was blank before.
     bool blank = parameters.background != 0u && (settled ? blank_images != 0u : without_geometry(at));
     uint kept = blank ? blank_images : 0u;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Lists the tiles whose filtered occlusion has to be formed in this frame: along y those that the filter may change, where it reads a tile that is
-// shaded; and along x those whose result along x these read. Tiles that the filter leaves as they are have been written with the samples.
-// One invocation a tile.
+// Lists the tiles whose filtered occlusion has to be formed in this frame: along y those that the filter may change,
+// where it reads a tile that is shaded; and along x those whose result along x these read. Tiles that the filter
+// leaves as they are have been written with the samples. One invocation a tile.
 //
 // Dispatch ceil(tiles / 8) groups, after ambient_occlusion.comp. Descriptor set 0:
 //   0  buffer  the tiles' states of this frame

@@ -7,7 +7,8 @@
 // What is known of a tile after a frame.
 struct TileState {
     uint flags;    // STATE_*
-    uint samples;  // taken in that frame, 64 x 2048 at most, and from bit 24 on the pixels of which a march was ended (COUNT_ENDED)
+    uint samples;  // taken in that frame, 64 x 2048 at most, and from bit 24 on the pixels of which a march was ended
+                   // (COUNT_ENDED)
     uint pixels;   // how many of its pixels are what, COUNT_*; of a tile that was left out: when it was last shaded
 };
 

@@ -4,8 +4,8 @@
 
 #include "state.glsl"
 
-// Lets a pass count what its tiles take. Define GLOAM_STATE_BINDING as the binding of the tiles' states, whose counts are 0 before the
-// pass; they are touched when `counts` is set.
+// Lets a pass count what its tiles take. Define GLOAM_STATE_BINDING as the binding of the tiles' states, whose counts
+// are 0 before the pass; they are touched when `counts` is set.
 
 const uint COUNT_EACH = 1u;   // each invocation adds its own
 const uint COUNT_GROUP = 2u;  // the group adds its sum: what is far from the device is written once a tile

@@ -5,8 +5,8 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 
-// The tangent plane of a pixel. Its inverse depth is affine in the image, t(q) = n . ray(q) / n . p, and that of the surface at the pixel: written
-// from there on, t(q) = 1/d + slopes . (q - pixel), it is exact where samples are.
+// The tangent plane of a pixel. Its inverse depth is affine in the image, t(q) = n . ray(q) / n . p, and that of the
+// surface at the pixel: written from there on, t(q) = 1/d + slopes . (q - pixel), it is exact where samples are.
 struct TangentPlane {
     ivec2 pixel;
     float inverse;   // 1/d, 1 / world units
@@ -25,8 +25,9 @@ TangentPlane tangent_plane(ivec2 pixel, float depth, vec3 normal, GloamCamera ca
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     float height = -dot(n, position);
     vec2 slopes = n.xy * (-2.0 / (camera.p00_p11 * vec2(camera.size))) / height;
-    // The normal's components differ from those of the samples' by 4 e, but for a common factor, the rest of the quotient is exact to 14 e;
-    // n . p is to 3 e (S + N), with S the sum of magnitudes, and a position to 6 e; here the normal counts again: e (21 + 13 S / N).
+    // The normal's components differ from those of the samples' by 4 e, but for a common factor, the rest of the
+    // quotient is exact to 14 e; n . p is to 3 e (S + N), with S the sum of magnitudes, and a position to 6 e; here
+    // the normal counts again: e (21 + 13 S / N).
     float rounded = ROUNDING * (24.0 + 14.0 * (dot(abs(n), abs(position)) / height));
     return TangentPlane(pixel, 1.0 / depth, slopes, rounded, height, abs(n), abs(position));
 }

@@ -44,11 +44,12 @@ std::size_t pass_lines(const fs::path& glsl, const std::string& method) {
 std::string line_table(const fs::path& glsl, const std::vector<std::string>& files) {
     if (!files.empty()) return of_files(glsl, files);
     std::string text =
-        "# Lines of code\n\nOf each method as `gloam pack` writes it, without blank lines and comments: the "
-        "function alone "
-        "(`gloam pack gloam/methods/NAME.glsl`), and the pass that blends it into a history "
-        "(`ambient_occlusion.comp` of `gloam pack "
-        "--effect --method NAME`). This page is written by `gloam pack --lines`.\n\n"
+        "# Lines of code\n\n"
+        "Lines of each method as `gloam pack` writes it, without blank lines and comments. Function: the "
+        "method alone\n"
+        "(`gloam pack gloam/methods/NAME.glsl`). Pass: the one that blends it into a history "
+        "(`ambient_occlusion.comp` of\n"
+        "`gloam pack --effect --method NAME`). This page is written by `gloam pack --lines`.\n\n"
         "| method | function | pass |\n| --- | --- | --- |\n";
     for (const effect::MethodInfo& method : effect::methods()) {
         const fs::path file = glsl / "gloam" / "methods" / (method.name + ".glsl");
