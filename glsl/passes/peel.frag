@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT One more depth layer, fragments: the nearest surface behind the layer before (depth
+// SPDX-License-Identifier: MIT
+// One more depth layer, fragments: the nearest surface behind the layer before (depth
 // peeling; Bavoil and Sainz 2009). Run it once for each layer with gbuffer.vert, always the same pipeline, on what
 // the run before has written: one surface then has the same depth in every run to the bit, and no surface is found
 // twice.

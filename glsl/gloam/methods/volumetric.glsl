@@ -14,13 +14,12 @@
 // Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid share of a ball around the
 // point. A plane reads 1/2, which the remap's a = 0.5 undoes. What lies in front of the ball, or so far behind that
 // it leaves less than 0.35 of its chord solid, is another object's and counts by its opposite. So what stands in front
-// has no halo, but a one-sided groove of angle b reads 1/2 + sin(2 b) / (4 pi), 0.580 at 45 degrees, for the 1/2 + b
-// / (2 pi) of its ball.
+// has no halo. But a one-sided groove of angle b reads 1/2 + sin(2 b) / (4 pi), 0.580 at 45 degrees, instead of its
+// ball's 1/2 + b / (2 pi).
 
 // The surface at a chord is another object's below this share of the chord and beyond its near end, as the published
 // shader has it.
 const float GLOAM_LEAST_SOLID = 0.35;
-
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.
 // position: of the surface, view space, world units. normal: view space, any length.
