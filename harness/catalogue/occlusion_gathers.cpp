@@ -94,7 +94,7 @@ void append_hemisphere(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length()})}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.ulp = 3, .backward_ulp = 4},
+         .budget = {.ulp = 1, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised =
              make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,
@@ -146,7 +146,7 @@ void append_volumetric(Entries& entries) {
         {.domain =
              Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels()}.adjusted(
                  place_before_camera(0, 6)),
-         .budget = {.absolute = 1.5e-5, .backward_ulp = 4},
+         .budget = {.absolute = 3e-6, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,
                                                   const Kernel& k) { return usual_gather(p, n, c, k); }),

@@ -53,7 +53,7 @@ void append_poisson(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length(), integers(1, 4)})}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.ulp = 3, .backward_ulp = 4},
+         .budget = {.ulp = 1, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised =
              make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,
@@ -79,7 +79,7 @@ void append_sphere_proxy(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({uniform(0, 2).and_special()})}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 1.5e-5, .backward_ulp = 4},
+         .budget = {.absolute = 1e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised =
              make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,

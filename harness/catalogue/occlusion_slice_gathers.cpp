@@ -129,7 +129,7 @@ void append_slice_parts(Entries& entries) {
                         .source = "definition"},
                        GLOAM_REFERENCE(gloam_slice_axes),
                        {.domain = {slices(), unit_vector(3)},
-                        .budget = {.absolute = 5e-5},
+                        .budget = {.absolute = 1.5e-5},
                         .promised = make_predicate<Axes>([](const Slice& slice, const glm::vec3& n) {
                             const float turned = glm::dot(glm::cross(slice.tangent, slice.view), n);
                             return turned * turned < 0.9F;
@@ -142,7 +142,7 @@ void append_slice_parts(Entries& entries) {
          .formula = "a / (2 pi), 0 beyond 65536",
          .source = "definition"},
         GLOAM_REFERENCE(gloam_kernel_turns),
-        {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()}, .budget = {.ulp = 3}}));
+        {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()}, .budget = {.ulp = 1}}));
     using Sample = reference::GloamSliceSample<float>(unsigned, float);
     entries.push_back(equation<Sample>(
         {.id = "SLICE-sample",
@@ -153,7 +153,7 @@ void append_slice_parts(Entries& entries) {
          .source = "GTAO (Jimenez et al. 2016) with the sequence of TSSAO"},
         GLOAM_REFERENCE(gloam_slice_sample),
         {.domain = {log_integers(16777216), uniform(0, 1)},
-         .budget = {.absolute = 1e-6, .backward_ulp = 2},
+         .budget = {.absolute = 5e-7, .backward_ulp = 2},
          .codomain = {-1.000001, 1.000001}}));
     entries.push_back(equation<unsigned(unsigned, unsigned)>(
         {.id = "SAMPLES-whole",

@@ -4,9 +4,11 @@
 
 #include <gmock/gmock.h>
 
+#include <cstddef>
 #include <set>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
 #include "effect/preparation.hpp"
 #include "effect/presets.hpp"
@@ -90,7 +92,8 @@ TEST_F(PlanTest, TellsWhatIsTheViews) {
         EXPECT_TRUE(any(0, 4) && any(4, 4));    // p00_p11
         EXPECT_TRUE(any(8, 4) && any(12, 4));   // size
         EXPECT_TRUE(any(16, 4) && any(20, 4));  // border
-        EXPECT_FALSE(any(24, 56));              // radius to confidence_factor
+        constexpr std::size_t radius = offsetof(OcclusionParameters, radius);
+        EXPECT_FALSE(any(radius, offsetof(OcclusionParameters, still) - radius));  // to confidence_factor
     }
 }
 

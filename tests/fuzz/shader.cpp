@@ -14,7 +14,8 @@ namespace {
 shader::internal::ActiveText all_active(const std::string& text) {
     shader::internal::ActiveText active;
     active.given = 1;
-    shader::internal::TextFile& file = active.files.emplace_back("text", text);
+    shader::internal::TextFile& file =
+        active.files.emplace_back(shader::internal::TextFile{.name = "text", .text = text, .lines = {}});
     file.lines = shader::internal::split_lines(file.text);
     for (std::size_t i = 0; i < file.lines.size(); ++i) active.lines.push_back({0, i});
     return active;

@@ -27,7 +27,7 @@ endif()
 if(NOT output MATCHES "gloam_check:")
   message(FATAL_ERROR "expected the framework among the targets, got:\n${output}")
 endif()
-run("compile" "${CMAKE_COMMAND}" --build "${work}" --target CMakeFiles/consumer_test.dir/shader_test.cpp.o)
+run("compile" "${CMAKE_COMMAND}" --build "${work}" --target CMakeFiles/own_function_test.dir/shader_test.cpp.o)
 
 file(READ "${work}/compile_commands.json" commands)
 if(commands MATCHES "-Werror")
