@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Alchemy ambient occlusion in one draw call, as an OpenGL 3.3 or OpenGL ES 3.0 engine
-// has it: a triangle over the whole image, the depth in a texture.
+// Alchemy ambient occlusion in one draw call, as an OpenGL 3.3 or OpenGL ES 3.0 engine has it: a triangle over the
+// whole image, the depth in a texture.
 
 // What the engine has. The projection's y is up, as OpenGL's rows are.
 uniform sampler2D engine_depth;  // eye-linear, world units, R32F

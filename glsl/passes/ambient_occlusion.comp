@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Ambient occlusion of one frame, blended into the history (TSSAO-2 to -6, -12 to -14, BUF, ROT): one invocation a
-// pixel. The history
-// is that of the same pixel: move it first (reproject.comp) where the view has changed. Where objects move, the
-// samples tell as well whether the neighbourhood of the pixel has changed, and the history then counts less (TSSAO-9,
-// -SI).
+// pixel. The history is that of the same pixel: move it first (reproject.comp) where the view has changed. Where
+// objects move, the samples tell as well whether the neighbourhood of the pixel has changed, and the history then
+// counts less (TSSAO-9, -SI).
 //
 // The history is held as history_image.glsl says.
 // Define GLOAM_SAMPLE_TABLE as 11 for a table of what the samples share, and what samples/table.glsl asks for; else
-// it is computed for each of them. Define METHOD, and change the #include, for another method than the one below.
+// it is computed for each of them. Define METHOD, and change the include, for another method than the one below.
 // Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is
 // rgba32f. Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
@@ -16,15 +15,14 @@
 //   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none
 //   3  history  written: after, likewise; background (0, 0, 0, infinity)
 //   4  buffer   the tiles' states (tiles/state.glsl): what each took is added when counts is set, else it is never
-//   touched
-//   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects
-//   is set
+//               touched
+//   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
+//               set
 //   6  buffer   a MethodValues
 //   7  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
-//   some
+//               some
 //   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
-//   finite where there is
-//               none; read when layers is more than 1
+//               finite where there is none; read when layers is more than 1
 //   9  buffer   lists of tiles; read when listed is set
 //  10  r32f     written when shows is set, where the filter leaves pixels as they are: occlusion
 //  11  rgba32f  what the samples share (samples/table.glsl); read when GLOAM_SAMPLE_TABLE is defined

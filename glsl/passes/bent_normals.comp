@@ -4,9 +4,8 @@
 // angle of the cone around it that stands for the open directions. One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing
-//   is open the normal
-//               and 0; zeros at the background
+//   4  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is
+//               open the normal and 0; zeros at the background
 #include "directional/points.glsl"
 #include "gloam/shading/bent_cone.glsl"
 #include "gloam/shading/bent_normal.glsl"

@@ -4,12 +4,11 @@
 // CS-D). One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: radiance that leaves the surface in xyz, in the unit of the environment; 0 at the
-//   background. w is 0
+//   4  rgba32f  written: radiance that leaves the surface in xyz, in the unit of the environment; 0 at the background.
+//               w is 0
 //   5  rgba32f  diffuse albedo in xyz, [0, 1]
 //   6  rgba32f  radiance of the environment in xyz, over directions of the world: columns are longitudes, -z in the
-//   middle and +x
-//               to the right of it, rows polar angles from +y; each texel is one value
+//               middle and +x to the right of it, rows polar angles from +y; each texel is one value
 #include "directional/points.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/shading/directional_occlusion.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// G-buffer, vertices: view space in, clip and view space out. With GLOAM_MOTION each
-// vertex also says where it was in the view space of the frame before, and what it belongs to.
+// G-buffer, vertices: view space in, clip and view space out. With GLOAM_MOTION each vertex also says where it was in
+// the view space of the frame before, and what it belongs to.
 #version 450
 
 layout(location = 0) in vec3 position;

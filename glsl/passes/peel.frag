@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-// One more depth layer, fragments: the nearest surface behind the layer before (depth
-// peeling; Bavoil and Sainz 2009). Run it once for each layer with gbuffer.vert, always the same pipeline, on what
-// the run before has written: one surface then has the same depth in every run to the bit, and no surface is found
-// twice.
+// One more depth layer, fragments: the nearest surface behind the layer before (depth peeling; Bavoil and Sainz 2009).
+// Run it once for each layer with gbuffer.vert, always the same pipeline, on what the run before has written: one
+// surface then has the same depth in every run to the bit, and no surface is found twice.
 //
 // The comparison is exact. Surfaces at one depth are one layer; of two that nearly coincide, each is one.
-//   0  rgba32f  of the run before: (depth, value of the depth buffer, 0, 1 where there is a surface); for the first
-//   run (0, 2, 0, 1) with
-//               reversed depth, else (0, -1, 0, 1)
-//   output      likewise, cleared to 0. The depth is eye-linear, negative where the surface is seen from behind, 0
-//   where there is none
+//   0  rgba32f  of the run before: (depth, value of the depth buffer, 0, 1 where there is a surface); for the first run
+//               (0, 2, 0, 1) with reversed depth, else (0, -1, 0, 1) output      likewise, cleared to 0. The depth is
+//               eye-linear, negative where the surface is seen from behind, 0 where there is none
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "gloam/geometry/background.glsl"

@@ -6,12 +6,11 @@
 // The history is held as history_image.glsl says.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
-//   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects
-//   is set
+//   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
+//               set
 //   2  history  of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
-//   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0,
-//   0, 0, depth)
-//               for none
+//   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
+//               0, depth) for none
 //   4  buffer   lists of tiles; read when listed is set
 #include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

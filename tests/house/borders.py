@@ -205,8 +205,8 @@ def shader_include(source):
 
 
 def shader_reference(source):
-    """Every file of glsl/gloam with functions has its reference in C++, at the same place below harness/reference. Methods, and what
-    their loops share, are judged whole: each method has a descriptor, by which the tests try it."""
+    """Every file of glsl/gloam with functions has its reference in C++, at the same place below harness/reference.
+    Methods, and what their loops share, are judged whole: each method has a descriptor, by which the tests try it."""
     reference = Path("harness/reference", *source.path.parts[2:]).with_suffix(".hpp")
     judged_whole = source.path.parts[:3] in (("glsl", "gloam", "methods"), ("glsl", "gloam", "gather"))
     if source.is_shader_library and not judged_whole and "{" in source.text and not (source.root / reference).is_file():

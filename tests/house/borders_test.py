@@ -94,7 +94,10 @@ PLANTED = {
         ("glsl/gloam/occlusion/shade.glsl", shader('#include "depth.glsl"'), 5),
         ("glsl/gloam/occlusion/shade.glsl", shader('#include "passes/shade.comp"'), 5),
     ],
-    "shader_reference": [("glsl/gloam/occlusion/alone.glsl", shader("", guard="GLOAM_OCCLUSION_ALONE_GLSL"), 1)],
+    "shader_reference": [
+        ("glsl/gloam/occlusion/alone.glsl",
+         shader("// Stands alone.\nfloat gloam_alone() { return 1.0; }", guard="GLOAM_OCCLUSION_ALONE_GLSL"), 1),
+    ],
     "guard": [
         ("harness/gpu/wrong.hpp", SPDX + "#include <memory>\n", 1),
         ("glsl/gloam/occlusion/shade.glsl", SPDX + "// Shades.\nfloat gloam_shade() { return 1.0; }\n", 1),

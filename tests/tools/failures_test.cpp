@@ -73,7 +73,7 @@ TEST(Failures, RunItAgainReproducesToTheBit) {
     const fs::path failures = installation.file("failures");
     const fs::path first = installation.file("first.json");
     EXPECT_EQ(
-        check(installation, failures, {"--seed", "12345", "--variant", "strict", "--json", first.string()})
+        check(installation, failures, {"--seed", "12345", "--variant", "optimized", "--json", first.string()})
             .status,
         1);
     ASSERT_EQ(folders(failures).size(), 1U);
@@ -83,7 +83,7 @@ TEST(Failures, RunItAgainReproducesToTheBit) {
     const std::string mark = "Run it again: gloam ";
     const std::size_t begin = report.find(mark) + mark.size();
     const std::string command = report.substr(begin, report.find('\n', begin) - begin);
-    for (const char* part : {"--variant strict", "--device ", "--inputs 65536", "--seed 12345"})
+    for (const char* part : {"--variant optimized", "--device ", "--inputs 65536", "--seed 12345"})
         EXPECT_THAT(command, HasSubstr(part));
     const fs::path second = installation.file("second.json");
     const CommandResult again = run_program(

@@ -9,8 +9,7 @@
 // it is the mean of the quad.
 // visibility: A of the pixel, [0, 1]. difference: that of the odd pixel minus that of the even one, dFdx(A).
 // depth_difference: the same of the depth, world units. coordinate: of the pixel along the axis; its lowest bit alone
-// counts. edge: largest depth difference
-// that is still smoothed over, world units: 0.02 m.
+// counts. edge: largest depth difference that is still smoothed over, world units: 0.02 m.
 // Returns visibility in [0, 1]; A itself (1 for NaN) at an edge and where a difference is NaN. Error: 1e-7.
 float gloam_quad_box(float visibility, float difference, float depth_difference, int coordinate, float edge) {
     bool smooth_here = abs(depth_difference) < edge && abs(difference) <= 3.402823466e38;

@@ -6,16 +6,14 @@
 
 // A depth-buffer value b is the projection of the eye-linear depth d = -z. With the projection's elements P22 =
 // P[2][2] and P32 = P[3][2] (column-major), clip z is P22 z + P32 and clip w is -z (perspective) or 1 (orthographic).
-// Solving for d gives one
-// formula for every choice of planes: standard, reversed, and infinite far plane differ only in the two elements.
-// Where OpenGL's range [-1, 1] brings in a 2 b - 1, the 1 joins the element that it nearly cancels, which keeps that
-// difference exact.
+// Solving for d gives one formula for every choice of planes: standard, reversed, and infinite far plane differ only in
+// the two elements. Where OpenGL's range [-1, 1] brings in a 2 b - 1, the 1 joins the element that it nearly cancels,
+// which keeps that difference exact.
 
 // The quotient of the formulas below, or the background depth +infinity where it is not a depth: zero, subnormal or
 // huge denominator (a far plane at infinity), result not positive, not finite, NaN.
 // numerator, denominator: any floats.
-// Returns numerator / denominator, or +infinity. Error: at most 1.5 ulp; Vulkan's bound for a
-// quotient is 2.5.
+// Returns numerator / denominator, or +infinity. Error: at most 1.5 ulp; Vulkan's bound for a quotient is 2.5.
 float gloam_depth_quotient(float numerator, float denominator) {
     if (!(abs(denominator) >= 1.175494351e-38 && abs(denominator) <= 8.507059173e37)) return gloam_background_depth();
     float depth = numerator / denominator;

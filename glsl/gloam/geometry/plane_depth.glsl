@@ -6,11 +6,10 @@
 #include "gloam/geometry/camera.glsl"
 
 // Depth at which the view ray through a pixel's centre meets the plane through a point. A depth buffer holds the
-// surface at pixel
-// centres only: a point beside the centre is compared with it fairly when it is first moved there along the plane
-// that it belongs to; otherwise a bare plane seen at a grazing angle occludes itself by up to half a pixel's slope.
-// The ray is t (ndc.x / P00, ndc.y / P11, -1) in perspective, (ndc.x / P00, ndc.y / P11, -t) else; n . (ray - point)
-// = 0 gives t.
+// surface at pixel centres only: a point beside the centre is compared with it fairly when it is first moved there
+// along the plane that it belongs to; otherwise a bare plane seen at a grazing angle occludes itself by up to half a
+// pixel's slope. The ray is t (ndc.x / P00, ndc.y / P11, -1) in perspective, (ndc.x / P00, ndc.y / P11, -t) else; n .
+// (ray - point) = 0 gives t.
 // pixel: integer pixel. point: view space, world units, in front of the eye. normal: of the plane, view space, any
 // length.
 // Returns the eye-linear depth t in world units; the point's own depth where the plane does not face the eye on that

@@ -24,8 +24,8 @@ struct GloamMssao {
 // Surfaces at ever smaller resolutions, and what was found there, in one image of about the size of the full one:
 // positions of level 1, of half the resolution, in its upper left quarter, normals in the upper right, results in the
 // lower left, and in the fourth likewise the next level. A texel of level l stands for the block of 2^l x 2^l pixels
-// that it covers, and the last of a row for what is left of
-// one: sizes are rounded up, so that at any size texel i begins at pixel 2^l i and nothing drifts.
+// that it covers, and the last of a row for what is left of one: sizes are rounded up, so that at any size texel i
+// begins at pixel 2^l i and nothing drifts.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, in world units.
 float gloam_fetch_depth(ivec2 pixel);

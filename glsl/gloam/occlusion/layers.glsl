@@ -18,8 +18,7 @@ float gloam_layers_occlusion(float occlusion, float layer) {
 
 // Whether a sample point lies inside one object, between its front and its back: no guess of a thickness is needed.
 // sample_depth: of the point, eye-linear, world units. front, back: depths of the two sides at its pixel, world
-// units. Background at the
-// back: solid all the way.
+// units. Background at the back: solid all the way.
 // Returns 1 if front <= sample_depth <= back, else 0; 0 for background in front and for a sample at or behind the eye.
 // Error: none.
 float gloam_layer_blocked(float sample_depth, float front, float back) {
@@ -29,8 +28,7 @@ float gloam_layer_blocked(float sample_depth, float front, float back) {
 }
 
 // Depth of a layer at a tap, of which the first is what the eye sees (CS-E, CS-LAYERS; Bavoil and Sainz 2009). Of the
-// surfaces at a tap the one that
-// blocks most counts: each layer can only miss what the others show.
+// surfaces at a tap the one that blocks most counts: each layer can only miss what the others show.
 // first: of what the eye sees. further: of layers 1 to 3 behind it, negative where seen from behind. layer: 0 to 3.
 // Eye-linear, world units.
 // Returns a depth without the sign. Error: none.
@@ -40,9 +38,8 @@ float gloam_layer_depth(float first, vec3 further, int layer) {
 }
 
 // What the layers at a sample point, the first of them first, say of it together. With further layers a point behind
-// the back of what is in front of it is
-// open: no guess of a thickness is needed. What is behind the last layer nobody knows: of three or more, a back that
-// is the last closes nothing.
+// the back of what is in front of it is open: no guess of a thickness is needed. What is behind the last layer nobody
+// knows: of three or more, a back that is the last closes nothing.
 struct GloamLayersSeen {
     float occlusion;  // so far, [0, 1]; 0 to begin with
     float before;     // as it was before the last layer; 0 to begin with

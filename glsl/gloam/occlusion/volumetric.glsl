@@ -34,9 +34,8 @@ float gloam_line_occlusion(float height, float half_height) {
 }
 
 // Where the surface at a tap lies along the chord: q* = (h + z) / (2 h), 0 at the far end, 1 at the near one, not
-// clamped. It is what
-// gloam_line_pair tells another object by: a surface in front of the sphere has q* > 1, where the clamped fraction
-// would say solid.
+// clamped. It is what gloam_line_pair tells another object by: a surface in front of the sphere has q* > 1, where the
+// clamped fraction would say solid.
 // height, half_height: as above.
 // Returns any float; -infinity for background, 1/2 for h that is not positive, subnormal or above 2^126, and for NaN.
 // Error: 2e-7, or 1.5 ULP, up to 1e38.

@@ -51,8 +51,7 @@ ivec2 gloam_rotated_grid(ivec2 pixel, ivec2 size) {
 }
 
 // The pixel of the full image whose depth a pixel of a level holds. Placing the tap there, and not where it was
-// aimed, keeps a bare
-// plane open at any tilt: the depth is that of this pixel.
+// aimed, keeps a bare plane open at any tilt: the depth is that of this pixel.
 // pixel: of the level, inside it. size: of the full image, pixels. level: 0 to 30; outside, the nearer end.
 // Returns a pixel of the full image. Error: none.
 ivec2 gloam_depth_mip_source(ivec2 pixel, ivec2 size, int level) {

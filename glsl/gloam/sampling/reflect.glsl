@@ -9,8 +9,8 @@
 // encoded: texel of a random texture, each channel in [0, 1], that stands for the direction 2 encoded - 1 of any
 // length.
 // Returns s reflected, of the same length; s itself where 2 encoded - 1 is zero (a grey texel) or not finite; the zero
-// vector for a longer, infinite or NaN s. Error: 16 ulp of the largest component, while
-// that is above 1e-30; shorter vectors may be flushed to 0.
+// vector for a longer, infinite or NaN s. Error: 16 ulp of the largest component, while that is above 1e-30; shorter
+// vectors may be flushed to 0.
 vec3 gloam_reflect_sample(vec3 s, vec3 encoded) {
     if (!(dot(s, s) <= 1e38)) return vec3(0.0);
     vec3 n = gloam_safe_normalize(2.0 * encoded - 1.0, vec3(0.0));

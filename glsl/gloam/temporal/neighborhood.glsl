@@ -7,8 +7,8 @@
 
 // How much the distance between a shaded point and a surface point near it has changed since the last frame
 // (TSSAO-9): d = | |s - p| - |s' - p'| |. Common motion of both leaves it 0. With a = s - p and b = s' - p' it is |(a
-// - b) . (a + b)| / (|a| + |b|),
-// which subtracts before squaring: the error is that of a and b, not that of their lengths.
+// - b) . (a + b)| / (|a| + |b|), which subtracts before squaring: the error is that of a and b, not that of their
+// lengths.
 // sample_position: s, position: p, of this frame; previous_sample: s', previous_position: p', of the previous one.
 // World units, one space for each frame; camera-centred positions keep s - p exact.
 // Returns the change in world units, >= 0; the largest float, which no threshold exceeds, where a position or

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Occlusion at half the resolution, for dual_resolution.glsl (Bavoil and Sainz 2009): one invocation for each 2 x 2
-// pixels. Bindings and
-// constants: pass.glsl.
+// pixels. Bindings and constants: pass.glsl.
 //
 // Writes (occlusion of the pixel at the upper left of the four, its normal): occlusion 0 at the background.
 

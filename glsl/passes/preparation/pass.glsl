@@ -11,11 +11,11 @@
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used,
-//   depth)
+//               depth)
 //   3  prepared the prepared image, written and, by passes that build on others, read
 //   4  buffer   a MethodValues
 //   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is
-//   more than 1
+//               more than 1
 #include "../history_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f

@@ -24,8 +24,8 @@
 //
 // A point is no further away than d + R besides, and at most half a pixel beside q, or beyond the edge of the image
 // that q lies at: the plane through it has at q at most (d + R) (1 + rise / t), rise being that of t from q to the
-// point. What is further than that, and than its rounding, blocks nothing
-// either: near the eye, where a ball is seen before what is far behind it.
+// point. What is further than that, and than its rounding, blocks nothing either: near the eye, where a ball is seen
+// before what is far behind it.
 //
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite

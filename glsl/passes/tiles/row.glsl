@@ -3,9 +3,8 @@
 #define GLOAM_PASSES_TILES_ROW_GLSL
 
 // The row that an invocation of the filter reads: its PIXELS pixels, and REACH more on either side. A position in it
-// counts from its start. Define
-// before: HOLDS_ROW, PIXELS, REACH, filter_axis(); the type Tap of what is kept of a pixel, tap_at(pixel) of one
-// inside the image, and weightless(tap), the same where it shall not count.
+// counts from its start. Define before: HOLDS_ROW, PIXELS, REACH, filter_axis(); the type Tap of what is kept of a
+// pixel, tap_at(pixel) of one inside the image, and weightless(tap), the same where it shall not count.
 
 const int ROW_LENGTH = PIXELS + 2 * REACH;
 

@@ -16,7 +16,7 @@ TEST(Shapes, AllAreAsTheyMustBe) {
 // out the last pixel of each row.
 TEST(Shapes, NoticesWhatIsBroken) {
     for (const auto& [file, from, to] :
-         {std::array{"gloam/occlusion/blocked.glsl", "in_front > bias", "in_front > -10.0"},
+         {std::array{"gloam/methods/poisson.glsl", "in_front > kernel.bias", "in_front > -10.0"},
           std::array{"passes/ambient_occlusion.comp", "pixel.x < parameters.size.x &&",
                      "pixel.x < parameters.size.x - 1 &&"}}) {
         const gloam::test::Installation broken;
