@@ -34,8 +34,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
-layout(constant_id = 3) const
-    bool reject_taps = false;  // leave out taps further in front than MethodValues::range (CS-REJ)
+// leave out taps further in front than MethodValues::range (CS-REJ)
+layout(constant_id = 3) const bool reject_taps = false;
 layout(constant_id = 4) const bool shows = false;           // a filter follows, over lists of tiles: see binding 10
 layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
 layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least

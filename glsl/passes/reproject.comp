@@ -16,10 +16,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
-layout(constant_id = 1) const uint taps =
-    2u;  // 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
-layout(constant_id = 2) const
-    bool nearest_index = true;  // the index of one texel; else interpolated (for comparison: no sequence is)
+// 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
+layout(constant_id = 1) const uint taps = 2u;
+// the index of one texel; else interpolated (for comparison: no sequence is)
+layout(constant_id = 2) const bool nearest_index = true;
 layout(constant_id = 3) const bool orthographic = false;           // this frame's camera; else perspective
 layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
 

@@ -150,7 +150,9 @@ TEST_F(PackEffect, SettingsStandAtTheHead) {
     EXPECT_THAT(read(out() / "gloam_effect.h"), HasSubstr("    0.25f,  /* radius */\n"));
     const std::string shader = read(out() / "ambient_occlusion.comp");
     EXPECT_THAT(shader, HasSubstr("const bool keeps_history = false;"));
-    EXPECT_LT(shader.find("uniform Parameters"), shader.find("float gloam_"));
+    // What holds a history comes first, since the types of the bindings are made of it.
+    EXPECT_LT(shader.find("uniform Parameters"), shader.find("GloamEstimate gloam_crytek("));
+    EXPECT_LT(shader.find("uniform Parameters"), shader.find("vec3 gloam_view_position_perspective("));
 }
 
 TEST_F(PackEffect, BadInputLeavesNothing) {

@@ -23,8 +23,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const int layers = 1;               // of depth that the samples see, 1 to 4
-layout(constant_id = 1) const
-    bool reject_taps = false;  // leave out taps further in front than MethodValues::range (CS-REJ)
+// leave out taps further in front than MethodValues::range (CS-REJ)
+layout(constant_id = 1) const bool reject_taps = false;
 layout(constant_id = 2) const bool keeps_history = true;    // else each frame stands by itself
 layout(constant_id = 3) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
 layout(constant_id = 4) const uint samples_converged = 16u;  // k_2, for each pixel that has
