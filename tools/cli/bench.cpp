@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/bench/bar.hpp"
 #include "cli/bench/benchmark_command.hpp"
 #include "cli/bench/methods.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -9,6 +8,10 @@
 #include <vector>
 
 #include "report/check_report.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace gloam::cli {
 

@@ -2,6 +2,7 @@
 #include "cli/demo.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -57,20 +58,18 @@ RenderOptions options_for(const DemoOptions& demo, const std::string& source) {
     return options;
 }
 
-std::vector<Shown> render_scenes(const DemoOptions& demo, RenderBench& bench) {
+std::vector<Shown> demo_scenes() {
     std::error_code none;
-    const bool has_bunny = fs::is_regular_file(bunny, none);
-    std::vector<Shown> scenes{
-        {has_bunny ? "bunny" : "knot", "a mesh on a plane, in the sun", {}},
-        {"columns", "a hall of columns, lit by a lamp", {}},
-        {"moving", "a rolling ball and a turning box, followed with their history", {}}};
-    for (Shown& scene : scenes) {
-        const RenderOptions options = options_for(demo, scene.name == "bunny" ? bunny : scene.name);
-        const RenderInput input = open_input(options);
-        bench.forget_light();
-        scene.run = render(options, input, bench, {});
-    }
-    return scenes;
+    return {{fs::is_regular_file(bunny, none) ? "bunny" : "knot", "a mesh on a plane, in the sun", {}},
+            {"columns", "a hall of columns, lit by a lamp", {}},
+            {"moving", "a rolling ball and a turning box, followed with their history", {}}};
+}
+
+void render_scene(Shown& scene, const DemoOptions& demo, RenderBench& bench) {
+    const RenderOptions options = options_for(demo, scene.name == "bunny" ? bunny : scene.name);
+    const RenderInput input = open_input(options);
+    bench.forget_light();
+    scene.run = render(options, input, bench, {});
 }
 
 report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out) {
@@ -99,8 +98,7 @@ std::string pictures_line(const std::vector<Shown>& scenes) {
     const RenderReport& first = scenes.front().run.report;
     return fmt::format(
         "pictures  {} scenes of {} x {} pixels: a frame of the {} takes {:.3g} ms, its occlusion is {:.3f} "
-        "off "
-        "the truth",
+        "off the truth",
         scenes.size(), first.frames.back().extent.width, first.frames.back().extent.height, first.source,
         frame_ms(first), frame_error(first).value_or(0.0));
 }
@@ -123,13 +121,20 @@ std::string check_line(const CheckOutcome& outcome) {
                        colored(fmt::format("{} failed ({})", outcome.failures, names), Ink::bad));
 }
 
-// The pictures come first: the check takes longer than all of them.
+// The pictures come first, and of them the sheet: the check takes longer than all of them.
 int run_demo(const DemoOptions& demo) {
     report::OutputFolder out(demo.out);
+    const fs::path folder = fs::absolute(demo.out);
     RenderBench bench({.device = demo.device});
     say(demo, "device    " + bench.device.info().name);
-    const std::vector<Shown> scenes = render_scenes(demo, bench);
-    out.write("sheet.png", sheet_of({scenes.front().run}));
+    std::vector<Shown> scenes = demo_scenes();
+    for (Shown& scene : scenes) {
+        render_scene(scene, demo, bench);
+        if (&scene != &scenes.front()) continue;
+        out.write("sheet.png", sheet_of({scene.run}));
+        out.keep();
+        say(demo, "sheet     " + (folder / "sheet.png").string() + " (one picture)");
+    }
     report::Page page = page_of(scenes, out);
     out.write("index.html", page.html());
     out.keep();
@@ -140,9 +145,7 @@ int run_demo(const DemoOptions& demo) {
     out.write("index.html", page.html());
     out.keep();
     say(demo, check_line(outcome));
-    const fs::path folder = fs::absolute(demo.out);
     say(demo, "look at   " + (folder / "index.html").string() + " (sliders, and the check's table)");
-    say(demo, "          " + (folder / "sheet.png").string() + " (one picture)");
     say(demo, "next      gloam check --help, gloam render --help");
     return std::max(validation_status(bench.device), outcome.failures == 0 ? 0 : 1);
 }

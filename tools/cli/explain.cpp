@@ -2,6 +2,7 @@
 #include "cli/explain.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <bit>
 #include <charconv>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/help_examples.hpp"
 
+#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/mesh_reader.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "scene/mesh_reader.hpp"

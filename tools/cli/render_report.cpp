@@ -66,13 +66,6 @@ ordered_json truth_json(const TruthReport& truth) {
     return json;
 }
 
-ordered_json settings_json(const effect::Settings& settings) {
-    ordered_json json = ordered_json::object();
-    for (const effect::Setting& setting : effect::setting_table())
-        json[setting.name] = json_of(setting.get(settings));
-    return json;
-}
-
 ordered_json times_json(const std::vector<effect::PassTime>& times) {
     ordered_json json = ordered_json::object();
     for (const effect::PassTime& time : times) {
@@ -156,7 +149,7 @@ std::string to_json(const RenderReport& report) {
                       {"falloff", falloff_of(last.settings)},
                       {"width", last.extent.width},
                       {"height", last.extent.height},
-                      {"settings", settings_json(last.settings)},
+                      {"settings", json_of(last.settings)},
                       {"repeat", report.repeat},
                       {"truth", report.truth.empty() ? ordered_json(nullptr) : ordered_json(report.truth)}};
     json["frames"] = ordered_json::array();

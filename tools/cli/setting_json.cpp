@@ -31,4 +31,11 @@ ordered_json json_of(const effect::Setting& setting) {
     return json;
 }
 
+ordered_json json_of(const effect::Settings& settings) {
+    ordered_json json = ordered_json::object();
+    for (const effect::Setting& setting : effect::setting_table())
+        json[setting.name] = json_of(setting.get(settings));
+    return json;
+}
+
 }  // namespace gloam::cli

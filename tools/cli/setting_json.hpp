@@ -14,4 +14,7 @@ namespace gloam::cli {
 // preset `paper`'s, lengths for a radius of 1; "most" is null where there is none.
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::Setting& setting);
 
+// The value of every setting, by its name.
+[[nodiscard]] nlohmann::ordered_json json_of(const effect::Settings& settings);
+
 }  // namespace gloam::cli

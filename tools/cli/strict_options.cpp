@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/strict_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 namespace gloam::cli {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench/benchmark_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/bench/benchmark.hpp"

@@ -2,6 +2,7 @@
 #include "cli/bench/skips.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -94,7 +95,7 @@ std::string table_of(const std::vector<ShareRow>& rows) {
     return text;
 }
 
-ordered_json json_of(const ShareRow& row) {
+ordered_json row_json(const ShareRow& row) {
     const effect::SkipPair& t = row.times;
     return {{"part", row.made.skip_case.name},
             {"share", row.made.share},
@@ -109,7 +110,7 @@ ordered_json json_of(const ShareRow& row) {
             {"target", row.made.skip_case.target}};
 }
 
-ordered_json json_of(const Row& row) {
+ordered_json row_json(const Row& row) {
     const SkipTimes& t = row.times;
     ordered_json passes;
     for (const effect::PassTime& pass : t.passes) passes[pass.pass] = pass.ms;
@@ -165,9 +166,9 @@ int run_bench_skips(const BenchSkipsOptions& options) {
                           {"width", extent.width},
                           {"height", extent.height}};
     document["cases"] = ordered_json::array();
-    for (const Row& row : rows) document["cases"].push_back(json_of(row));
+    for (const Row& row : rows) document["cases"].push_back(row_json(row));
     document["shares"] = ordered_json::array();
-    for (const ShareRow& row : share_rows) document["shares"].push_back(json_of(row));
+    for (const ShareRow& row : share_rows) document["shares"].push_back(row_json(row));
     json.write(document.dump(2) + "\n");
     return validation_status(device);
 }

@@ -2,6 +2,7 @@
 #include "cli/bench/temporal.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <optional>

@@ -2,6 +2,7 @@
 #include "cli/check/worker.hpp"
 
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <cerrno>
 #include <cstdio>

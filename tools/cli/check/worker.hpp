@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "cli/check/checker.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace gloam::cli {
 

@@ -33,13 +33,6 @@ Json words_json(std::span<const std::byte> bytes) {
     return words;
 }
 
-Json settings_json(const effect::Settings& settings) {
-    Json json;
-    for (const effect::Setting& setting : effect::setting_table())
-        json[setting.name] = json_of(setting.get(settings));
-    return json;
-}
-
 Json image_json(const PackedEffect& effect, const effect::PlannedImage& image) {
     return {{"name", image.name},
             {"meaning", image.meaning},
@@ -124,7 +117,7 @@ Json pass_json(const PackedEffect& effect, std::size_t index) {
 std::string effect_json(const PackedEffect& effect) {
     Json json{{"gloam", effect.version},
               {"preset", effect.preset},
-              {"settings", settings_json(effect.settings)},
+              {"settings", json_of(effect.settings)},
               {"view", {{"width", effect.options.view.width}, {"height", effect.options.view.height}}},
               {"result", {{"image", effect.plan.result}, {"unit", effect.plan.result_unit}}},
               {"exchanged", effect.plan.exchanged}};

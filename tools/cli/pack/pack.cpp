@@ -2,6 +2,7 @@
 #include "cli/pack/pack.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <functional>
