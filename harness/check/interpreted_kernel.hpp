@@ -61,8 +61,6 @@ class InterpretedKernel {
     [[nodiscard]] interpreter::Value<Number> output(std::size_t word) const {
         return machine_.read(0, KernelBinding::outputs, first_ + word);
     }
-    // Whether it reached outside an image.
-    [[nodiscard]] bool faulted() const { return machine_.read(0, KernelBinding::faults, 0).bits() != 0; }
 
     [[nodiscard]] interpreter::Machine<Number>& machine() { return machine_; }
 

@@ -28,19 +28,6 @@ const char* kind_of(std::uint32_t storage) {
     }
 }
 
-// Words hold four characters each, the first in the lowest byte, up to a zero.
-std::string text_at(const Instruction& instruction, std::size_t first) {
-    std::string text;
-    for (std::size_t i = first; i < instruction.words.size(); ++i) {
-        for (unsigned shift = 0; shift < 32; shift += 8) {
-            const char c = static_cast<char>(instruction.words[i] >> shift & 0xffU);
-            if (c == '\0') return text;
-            text += c;
-        }
-    }
-    return text;
-}
-
 bool takes_pointers(std::uint32_t opcode) {
     switch (opcode) {
         case SpvOpLoad:
@@ -67,7 +54,7 @@ struct Module {
     void add(const Instruction& instruction, bool in_function) {
         switch (instruction.opcode) {
             case SpvOpName:
-                names[instruction.word(1)] = text_at(instruction, 2);
+                names[instruction.word(1)] = literal_string(instruction, 2);
                 break;
             case SpvOpTypePointer:
                 inside[instruction.word(1)] = instruction.word(3);

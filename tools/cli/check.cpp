@@ -106,9 +106,9 @@ std::filesystem::path journal_of(const CheckOptions& options) {
 // Prints rows as they come, keeps them in the journal, and shows how far the run is.
 class CheckRun {
   public:
-    CheckRun(const CheckOptions& options, std::size_t devices)
+    CheckRun(const CheckOptions& options, std::vector<CheckTask> tasks, std::size_t devices)
         : options_(options),
-          tasks_(tasks_of(options)),
+          tasks_(std::move(tasks)),
           journal_(journal_of(options),
                    {.versions = versions(),
                     .inputs = options.inputs,
@@ -226,9 +226,10 @@ std::vector<report::CheckReport> reports_of_file(const CheckOptions& options) {
 
 std::vector<report::CheckReport> reports_of_equations(const CheckOptions& options) {
     if (!options.ranges.empty()) throw std::invalid_argument("--range is for the functions of a shader file");
-    std::vector<report::CheckReport> reports = reports_of_bad_drivers(options, tasks_of(options).size());
+    std::vector<CheckTask> tasks = tasks_of(options);
+    std::vector<report::CheckReport> reports = reports_of_bad_drivers(options, tasks.size());
     const std::vector<std::string> devices = devices_to_check(options.device);
-    CheckRun run(options, devices.size());
+    CheckRun run(options, std::move(tasks), devices.size());
     for (const std::string& device : devices) reports.push_back(run.on_device(device));
     return reports;
 }
@@ -249,8 +250,10 @@ CheckOutcome check(const CheckOptions& options) {
     json.write(report::to_json(outcome.reports));
     junit.write(report::to_junit(outcome.reports));
     html.write(report::to_check_page(outcome.reports));
-    if (!options.json.empty())
-        std::filesystem::remove(journal_of(options));  // the results are kept elsewhere now
+    if (!options.json.empty() && !is_of_file(options)) {  // the results are kept elsewhere now
+        std::error_code still_there;                      // harmless: the next run begins it anew
+        std::filesystem::remove(journal_of(options), still_there);
+    }
     return outcome;
 }
 

@@ -51,12 +51,6 @@ template <class F, class... More>
     }
 }
 
-// The same for a function that also takes integers.
-template <class F>
-[[nodiscard]] float apply_with(const F& f, float x, int i) {
-    return f(x, i);
-}
-
 // A number that the module holds.
 template <class N>
 [[nodiscard]] N constant(double x) {
