@@ -7,7 +7,6 @@
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/disc_proxy.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/circle.glsl"
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/rotation.glsl"

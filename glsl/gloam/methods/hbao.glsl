@@ -4,7 +4,6 @@
 
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
-#include "gloam/occlusion/closed_march.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/hbao.glsl"

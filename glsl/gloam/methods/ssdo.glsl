@@ -3,7 +3,6 @@
 #define GLOAM_METHODS_SSDO_GLSL
 
 #include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/halton_point.glsl"
