@@ -21,8 +21,9 @@ class Kernel {
   public:
     using Inputs = typename SignatureOf<Function>::Inputs;
     using Outputs = typename SignatureOf<Function>::Outputs;
-    using Output = std::conditional_t<std::tuple_size_v<Outputs> == 1, std::tuple_element<0, Outputs>,
-                                      std::type_identity<Outputs>>::type;
+    using Output =
+        typename std::conditional_t<std::tuple_size_v<Outputs> == 1, std::tuple_element<0, Outputs>,
+                                    std::type_identity<Outputs>>::type;
 
     // Throws as Lab::kernel does.
     Kernel(const Lab& lab, const std::string& file, const std::string& function)

@@ -137,10 +137,10 @@ class Climb {
     void keep_the_worst() {
         std::ranges::stable_sort(pool_,
                                  [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-        const auto repeated = std::ranges::unique(pool_, [](const Candidate& a, const Candidate& b) {
+        const auto same = [](const Candidate& a, const Candidate& b) {
             return a.score == b.score && a.words == b.words;
-        });
-        pool_.erase(repeated.begin(), repeated.end());
+        };
+        pool_.erase(std::unique(pool_.begin(), pool_.end(), same), pool_.end());
         if (pool_.size() > pool_size) pool_.resize(pool_size);
     }
 

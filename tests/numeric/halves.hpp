@@ -31,8 +31,7 @@ inline const std::vector<double>& finite() {
             if (std::isfinite(value)) values.push_back(value);
         }
         std::ranges::sort(values);
-        const auto [first, last] = std::ranges::unique(values);
-        values.erase(first, last);
+        values.erase(std::unique(values.begin(), values.end()), values.end());
         return values;
     }();
     return all;

@@ -40,8 +40,9 @@ EShLanguage language_of(Stage stage) {
 
 // Without cascading errors, glslang ends with a made-up syntax error wherever the first error leaves it.
 EShMessages messages_of(Client client) {
-    const int rules = client == Client::vulkan ? EShMsgSpvRules | EShMsgVulkanRules : EShMsgDefault;
-    return static_cast<EShMessages>(rules | EShMsgCascadingErrors);
+    unsigned rules = EShMsgCascadingErrors;
+    if (client == Client::vulkan) rules |= unsigned{EShMsgSpvRules} | unsigned{EShMsgVulkanRules};
+    return static_cast<EShMessages>(rules);
 }
 
 void set_client(glslang::TShader& shader, EShLanguage language) {

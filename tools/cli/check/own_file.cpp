@@ -39,7 +39,8 @@ std::vector<shader::Function> asked_for(const OwnFileRun& run, const check::Lab&
 }
 
 void require_known(const check::Ranges& ranges, const std::vector<shader::Function>& functions) {
-    for (const auto& [name, range] : ranges) {
+    for (const auto& range : ranges) {
+        const std::string& name = range.first;
         const bool known = std::ranges::any_of(functions, [&](const shader::Function& function) {
             return std::ranges::find(function.parameters, name, &shader::Parameter::name) !=
                    function.parameters.end();
