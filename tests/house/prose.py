@@ -10,6 +10,7 @@ Files that do not keep a rule yet are listed in prose_exempt.txt, one "RULE FILE
 listed file that keeps the rule is a failure too. --list prints what the list would have to hold.
 """
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -103,10 +104,11 @@ def departures(root, name):
 
 
 def files_of(root):
-    listed = subprocess.run(["git", "-C", str(root), "ls-files", "-co", "--exclude-standard"], capture_output=True,
-                            text=True, check=False)
-    if listed.returncode == 0:
-        return sorted(name for name in listed.stdout.splitlines() if (root / name).is_file())
+    if shutil.which("git"):
+        listed = subprocess.run(["git", "-C", str(root), "ls-files", "-co", "--exclude-standard"], capture_output=True,
+                                text=True, check=False)
+        if listed.returncode == 0:
+            return sorted(name for name in listed.stdout.splitlines() if (root / name).is_file())
     skipped = {"build", ".git"}
     return sorted(str(path.relative_to(root)) for path in root.rglob("*")
                   if path.is_file() and path.relative_to(root).parts[0] not in skipped)
