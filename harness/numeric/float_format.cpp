@@ -3,7 +3,9 @@
 #include "numeric/constants.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace gloam::numeric {
@@ -16,21 +18,21 @@ double float32_down(double x) {
     return std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
 
+// floor(log2 |x|) of a normal double; less than any format's smallest exponent for zero and subnormal
+// doubles.
+int exponent_of(double x) {
+    constexpr int double_digits = 52;
+    constexpr int double_bias = 1023;
+    constexpr std::uint64_t exponent_bits = 0x7ff;
+    return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> double_digits & exponent_bits) - double_bias;
+}
+
 // The exponent of the last digit of the format's numbers around x.
 int last_place(const FloatFormat& format, double x) {
-    const int exponent = x == 0.0 ? format.min_exponent : std::ilogb(x);
-    return std::max(exponent, format.min_exponent) - (format.precision - 1);
+    return std::max(exponent_of(x), format.min_exponent) - (format.precision - 1);
 }
 
 }  // namespace
-
-double FloatFormat::smallest_subnormal() const {
-    return std::ldexp(1.0, min_exponent - (precision - 1));
-}
-
-double FloatFormat::largest() const {
-    return std::ldexp(2.0 - std::ldexp(1.0, 1 - precision), max_exponent);
-}
 
 double FloatFormat::round_down(double x) const {
     if (std::isinf(x)) return x;
@@ -38,7 +40,7 @@ double FloatFormat::round_down(double x) const {
     if (x > largest()) return largest();
     if (x < -largest()) return -infinity;
     const int place = last_place(*this, x);
-    return std::ldexp(std::floor(std::ldexp(x, -place)), place);
+    return std::floor(x * power_of_two(-place)) * power_of_two(place);
 }
 
 double FloatFormat::round_up(double x) const {
@@ -48,10 +50,9 @@ double FloatFormat::round_up(double x) const {
 double FloatFormat::ulp(double x) const {
     const double magnitude = std::min(std::abs(x), largest());
     int place = last_place(*this, magnitude);
-    const bool power_of_two = magnitude > smallest_normal() && std::ilogb(magnitude) <= max_exponent &&
-                              magnitude == std::ldexp(1.0, std::ilogb(magnitude));
-    if (power_of_two) --place;
-    return std::ldexp(1.0, place);
+    const bool at_a_power_of_two =
+        magnitude > smallest_normal() && magnitude == power_of_two(exponent_of(magnitude));
+    return power_of_two(at_a_power_of_two ? place - 1 : place);
 }
 
 }  // namespace gloam::numeric

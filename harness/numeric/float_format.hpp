@@ -13,11 +13,13 @@ struct FloatFormat {
     int min_exponent;  // of the smallest normal number, 2^min_exponent
     int max_exponent;  // of the binade of the largest number
 
-    [[nodiscard]] constexpr double smallest_normal() const {
-        return std::bit_cast<double>(static_cast<std::uint64_t>(double_bias + min_exponent) << double_digits);
+    [[nodiscard]] constexpr double smallest_normal() const { return power_of_two(min_exponent); }
+    [[nodiscard]] constexpr double smallest_subnormal() const {
+        return power_of_two(min_exponent - (precision - 1));
     }
-    [[nodiscard]] double smallest_subnormal() const;
-    [[nodiscard]] double largest() const;
+    [[nodiscard]] constexpr double largest() const {
+        return (2.0 - power_of_two(1 - precision)) * power_of_two(max_exponent);
+    }
 
     // The nearest value of the format at or below (above) x. Beyond the largest finite value: that value
     // towards zero, infinity away from it. Infinities stay; x must not be NaN.
@@ -32,8 +34,12 @@ struct FloatFormat {
     friend constexpr bool operator==(const FloatFormat&, const FloatFormat&) = default;
 
   private:
-    static constexpr int double_bias = 1023;
-    static constexpr int double_digits = 52;
+    // Of the exponents of normal doubles. The calls of the C library cost more than the rounding itself.
+    static constexpr double power_of_two(int exponent) {
+        constexpr int double_bias = 1023;
+        constexpr int double_digits = 52;
+        return std::bit_cast<double>(static_cast<std::uint64_t>(double_bias + exponent) << double_digits);
+    }
 };
 
 inline constexpr FloatFormat float32{.precision = 24, .min_exponent = -126, .max_exponent = 127};

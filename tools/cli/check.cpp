@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "catalogue/catalogue.hpp"
 #include "cli/check/check_journal.hpp"
@@ -98,6 +99,15 @@ std::chrono::milliseconds timeout_of(const CheckOptions& options) {
     return std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
 }
 
+// One worker a core, where each has enough to do for its start to pay.
+std::size_t jobs_of(const CheckOptions& options, std::size_t checks) {
+    constexpr std::size_t checks_that_pay = 64;
+    constexpr std::size_t most = 16;
+    if (options.jobs > 0) return options.jobs;
+    const std::size_t cores = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
+    return std::clamp<std::size_t>(checks / checks_that_pay, 1, cores);
+}
+
 // Where the rows are kept while the check runs; empty without a file for the results.
 std::filesystem::path journal_of(const CheckOptions& options) {
     return options.json.empty() ? "" : options.json.string() + ".journal";
@@ -123,7 +133,7 @@ class CheckRun {
         DeviceRun run{.checker = {.device = device, .validation = options_.validation, .timeout = timeout},
                       .tasks = tasks_,
                       .timeout = timeout,
-                      .jobs = options_.jobs,
+                      .jobs = jobs_of(options_, tasks_.size()),
                       .in_process = options_.in_process,
                       .known = [this](const auto& on, const CheckTask& task) { return known(on, task); },
                       .on_device = [this](const auto& on) { begin(on); },
@@ -321,7 +331,7 @@ void add_check(CLI::App& app, int& status) {
         ->capture_default_str();
     CLI::Option* jobs = command->add_option("--jobs", options->jobs, "worker processes for each device")
                             ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
-                            ->capture_default_str();
+                            ->default_str("one a core, fewer for a short check");
     command
         ->add_flag("--in-process", options->in_process,
                    "no worker processes, for a debugger: a driver that crashes then ends the whole run")

@@ -27,7 +27,7 @@ struct CheckOptions {
     std::string shard;  // see shard_from()
     bool validation = false;
     double timeout = 120.0;  // seconds for each check
-    std::size_t jobs = 1;    // worker processes
+    std::size_t jobs = 0;    // worker processes for each device; 0: as many as pay
     bool in_process = false;
     std::filesystem::path json;
     bool resume = false;  // go on from the journal beside `json`
