@@ -86,7 +86,7 @@ TEST_F(CheckResume, AKilledRunLeavesItsResultsAndTheNextGoesOnFromThere) {
     EXPECT_GT(rows.size(), seconds.size());
     for (const auto& [equation, time] : seconds) {
         const auto row = std::find_if(rows.begin(), rows.end(),
-                                      [&](const json& r) { return r.at("equation") == equation; });
+                                      [&name = equation](const json& r) { return r.at("equation") == name; });
         ASSERT_NE(row, rows.end()) << equation;
         EXPECT_EQ(row->at("seconds"), time) << equation << " was run again";
         EXPECT_THAT(resumed.out, HasSubstr(equation));

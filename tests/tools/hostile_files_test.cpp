@@ -90,9 +90,9 @@ TEST_F(HostileFiles, DamagedMeshes) {
         {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"}};
     std::minstd_rand random(1);
     for (const auto& [name, text] : whole) {
-        for (int i = 0; i < 12; ++i) {
+        for (std::size_t i = 0; i < 12; ++i) {
             std::string damaged = text.substr(0, i < 4 ? text.size() * (i + 1) / 5 : text.size());
-            for (int k = 0; k < i - 3; ++k)
+            for (std::size_t k = 3; k < i; ++k)
                 damaged[random() % damaged.size()] = "-0123456789e. \n"[random() % 15];
             const fs::path file = write(name, damaged);
             const fs::path out = folder() / "out";

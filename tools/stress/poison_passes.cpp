@@ -150,7 +150,8 @@ class Experiment {
                    const effect::Frame& clean, Damage& damage) {
         const Mask allowed = robust_.footprint(view, place.is_depth(), source);
         const Mask wide = widened(allowed, extent, robust_.filter_half_width());
-        put(view, place.target, static_cast<std::size_t>(source.y) * extent.width + source.x, value);
+        put(view, place.target,
+            static_cast<std::size_t>(source.y) * extent.width + static_cast<std::size_t>(source.x), value);
         const effect::Frame frame = both(view, damage);
         const Mask filtered = changed(frame.filtered, clean.filtered);
         damage.beyond_footprint += count_beyond(changed(frame.occlusion, clean.occlusion), allowed) +
