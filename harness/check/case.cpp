@@ -8,9 +8,10 @@ namespace gloam::check {
 namespace {
 
 // As many inputs as a constant kernel takes, from all kinds that a larger draw begins with.
-Domain::Inputs few_inputs(const Domain& domain, std::uint64_t seed, glm::ivec2 image_size) {
+Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t seed,
+                          glm::ivec2 image_size) {
     constexpr std::size_t spread = 16;
-    const Domain::Inputs many = domain.draw(spread * ConstantKernel::most_inputs, seed, image_size);
+    const Domain::Inputs many = domain.draw(spread * count, seed, image_size);
     Domain::Inputs few{.width = many.width};
     for (std::size_t i = 0; i < many.count(); i += spread) {
         const auto row = many.row(i);
@@ -18,6 +19,12 @@ Domain::Inputs few_inputs(const Domain& domain, std::uint64_t seed, glm::ivec2 i
         few.branch.push_back(many.branch[i]);
     }
     return few;
+}
+
+// Each input is code that is compiled: the scenarios of a case share them.
+std::size_t constants_of_each(std::size_t scenarios) {
+    constexpr std::size_t least = 8;
+    return std::max(least, ConstantKernel::most_inputs / std::max<std::size_t>(scenarios, 1));
 }
 
 }  // namespace
@@ -37,8 +44,9 @@ Result run(const Lab& lab, const Case& check_case, const RunOptions& options) {
             const internal::Trial trial(lab, check_case, kernel, scenario, options.seed, verdict);
             if (constants) {
                 const ConstantKernel folded(lab, check_case.file, check_case.function, check_case.signature);
-                trial.compare_constants(few_inputs(check_case.domain, trial.input_seed(), scenario.size),
-                                        folded, result);
+                const std::size_t count = constants_of_each(check_case.scenarios.size());
+                trial.compare_constants(
+                    few_inputs(check_case.domain, count, trial.input_seed(), scenario.size), folded, result);
             } else {
                 trial.evaluate(check_case.domain.draw(share, trial.input_seed(), scenario.size), result);
             }

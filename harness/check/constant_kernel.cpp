@@ -12,7 +12,7 @@ namespace {
 
 using Constants = shader::Variant::Constants;
 
-constexpr std::size_t module_inputs = 16;
+constexpr std::size_t module_inputs = 4;
 
 void add(KernelCore::Result& all, KernelCore::Result part, std::size_t first) {
     all.outputs.insert(all.outputs.end(), part.outputs.begin(), part.outputs.end());
