@@ -7,25 +7,25 @@
 
 namespace gloam::reference {
 
-// fetch_occlusion, fetch_depth: T(glm::ivec2).
-template <class T, class FetchOcclusion, class FetchDepth>
-GloamWeightedMean<T> gloam_bilateral_tap(GloamWeightedMean<T> mean, glm::ivec2 pixel, T center,
-                                         glm::ivec2 tap, glm::ivec2 size, T sigma_d, T sigma_r,
-                                         FetchOcclusion&& fetch_occlusion, FetchDepth&& fetch_depth) {
+// fetch_occlusion, fetch_depth: double(glm::ivec2).
+inline GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, glm::ivec2 pixel, double center,
+                                             glm::ivec2 tap, glm::ivec2 size, double sigma_d, double sigma_r,
+                                             const Fetch<double>& fetch_occlusion,
+                                             const Fetch<double>& fetch_depth) {
     if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
-    const T depth = fetch_depth(tap);
+    const double depth = fetch_depth(tap);
     if (gloam_is_background(depth)) return mean;
-    const vec2<T> offset(T(tap.x - pixel.x), T(tap.y - pixel.y));
-    const T weight = gloam_bilateral_weight(offset, depth - center, sigma_d, sigma_r);
+    const dvec2 offset(double(tap.x - pixel.x), double(tap.y - pixel.y));
+    const double weight = gloam_bilateral_weight(offset, depth - center, sigma_d, sigma_r);
     return gloam_weighted_mean_add(mean, fetch_occlusion(tap), weight);
 }
 
-template <class T, class FetchOcclusion, class FetchDepth>
-T gloam_bilateral_filter(glm::ivec2 pixel, glm::ivec2 half_width, glm::ivec2 size, T sigma_d, T sigma_r,
-                         FetchOcclusion&& fetch_occlusion, FetchDepth&& fetch_depth) {
-    const T own = fetch_occlusion(pixel);
-    const T center = fetch_depth(pixel);
-    GloamWeightedMean<T> mean = gloam_weighted_mean_empty<T>();
+inline double gloam_bilateral_filter(glm::ivec2 pixel, glm::ivec2 half_width, glm::ivec2 size, double sigma_d,
+                                     double sigma_r, const Fetch<double>& fetch_occlusion,
+                                     const Fetch<double>& fetch_depth) {
+    const double own = fetch_occlusion(pixel);
+    const double center = fetch_depth(pixel);
+    GloamWeightedMean mean = gloam_weighted_mean_empty();
     if (gloam_is_background(center)) return gloam_weighted_mean_value(mean, own);
     const glm::ivec2 reach(clamp(half_width.x, 0, 16), clamp(half_width.y, 0, 16));
     for (int y = -reach.y; y <= reach.y; ++y) {

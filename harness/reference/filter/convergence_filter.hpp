@@ -9,35 +9,35 @@
 
 namespace gloam::reference {
 
-// fetch_value: vec2<T>(glm::ivec2), (occlusion, convergence); fetch_position: vec3<T>(glm::ivec2).
-template <class T, class FetchValue, class FetchPosition>
-GloamWeightedMean<T> gloam_filter_tap(GloamWeightedMean<T> mean, vec3<T> center, glm::ivec2 tap, T coverage,
-                                      T scale, FetchValue&& fetch_value, FetchPosition&& fetch_position) {
-    const vec3<T> position = fetch_position(tap);
+// fetch_value: dvec2(glm::ivec2), (occlusion, convergence); fetch_position: dvec3(glm::ivec2).
+inline GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, dvec3 center, glm::ivec2 tap,
+                                          double coverage, double scale, const Fetch<dvec2>& fetch_value,
+                                          const Fetch<dvec3>& fetch_position) {
+    const dvec3 position = fetch_position(tap);
     if (!gloam_is_surface_position(position)) return mean;
-    const vec2<T> value = fetch_value(tap);
-    const vec3<T> offset = position - center;
-    const T weight =
+    const dvec2 value = fetch_value(tap);
+    const dvec3 offset = position - center;
+    const double weight =
         coverage * gloam_gaussian_scaled(dot(offset, offset), scale) * gloam_unit_interval(value.y);
     return gloam_weighted_mean_add(mean, value.x, weight);
 }
 
-template <class T, class FetchValue, class FetchPosition>
-T gloam_convergence_filter(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 size, int half_width, T c_adaptive,
-                           T sigma, FetchValue&& fetch_value, FetchPosition&& fetch_position) {
-    const vec2<T> own = fetch_value(pixel);
-    const T reach = T(max(half_width, 0)) * gloam_shrink(own.y, c_adaptive);
-    if (!(reach > T(0))) return gloam_unit_interval(own.x);
-    const vec3<T> center = fetch_position(pixel);
+inline double gloam_convergence_filter(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 size, int half_width,
+                                       double c_adaptive, double sigma, const Fetch<dvec2>& fetch_value,
+                                       const Fetch<dvec3>& fetch_position) {
+    const dvec2 own = fetch_value(pixel);
+    const double reach = double(max(half_width, 0)) * gloam_shrink(own.y, c_adaptive);
+    if (!(reach > 0.0)) return gloam_unit_interval(own.x);
+    const dvec3 center = fetch_position(pixel);
     if (!gloam_is_surface_position(center)) return gloam_unit_interval(own.x);
-    const T scale = gloam_gaussian_scale(sigma);
-    const auto add = [&](GloamWeightedMean<T> mean, glm::ivec2 tap, T coverage) {
+    const double scale = gloam_gaussian_scale(sigma);
+    const auto add = [&](GloamWeightedMean mean, glm::ivec2 tap, double coverage) {
         return gloam_filter_tap(mean, center, tap, coverage, scale, fetch_value, fetch_position);
     };
-    GloamWeightedMean<T> mean = add(gloam_weighted_mean_empty<T>(), pixel, T(1));
+    GloamWeightedMean mean = add(gloam_weighted_mean_empty(), pixel, 1.0);
     const int last = min(half_width, max(size.x, size.y));
-    for (int i = 1; i <= last && T(i) < reach + T(1); ++i) {
-        const T coverage = gloam_window_coverage(i, reach);
+    for (int i = 1; i <= last && double(i) < reach + 1.0; ++i) {
+        const double coverage = gloam_window_coverage(i, reach);
         const glm::ivec2 before = pixel - i * axis;
         const glm::ivec2 after = pixel + i * axis;
         if (before.x >= 0 && before.y >= 0) mean = add(mean, before, coverage);

@@ -5,17 +5,16 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_geometry_weight(vec3<T> normal, vec3<T> other, T depth_difference, T normal_power, T position_power) {
-    const T facing = T(0.5) * dot(normal, other) + T(0.5);
-    const T apart = T(1) + abs(depth_difference);
-    if (!(facing > T(0) && apart <= float_max<T>() && normal_power > T(0) && position_power >= T(0)))
-        return T(0);
-    const T by_normal = facing < T(1) ? normal_power * log2(facing) : T(0);
-    const T by_depth = apart > T(1) ? position_power * log2(apart) : T(0);
-    const T x = by_normal - by_depth;
-    const T weight = min(exp2(x), T(1));
-    return x >= T(-99.5) ? weight : T(0);
+inline double gloam_geometry_weight(dvec3 normal, dvec3 other, double depth_difference, double normal_power,
+                                    double position_power) {
+    const double facing = 0.5 * dot(normal, other) + 0.5;
+    const double apart = 1.0 + abs(depth_difference);
+    if (!(facing > 0.0 && apart <= float_max && normal_power > 0.0 && position_power >= 0.0)) return 0.0;
+    const double by_normal = facing < 1.0 ? normal_power * log2(facing) : 0.0;
+    const double by_depth = apart > 1.0 ? position_power * log2(apart) : 0.0;
+    const double x = by_normal - by_depth;
+    const double weight = min(exp2(x), 1.0);
+    return x >= -99.5 ? weight : 0.0;
 }
 
 }  // namespace gloam::reference

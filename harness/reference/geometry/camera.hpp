@@ -6,30 +6,26 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamCamera {
-    vec2<T> p00_p11;
+    dvec2 p00_p11;
     glm::ivec2 size;
     bool orthographic;
 };
 
-template <class T>
-vec2<T> gloam_camera_uv(vec3<T> view_position, GloamCamera<T> camera) {
+inline dvec2 gloam_camera_uv(dvec3 view_position, GloamCamera camera) {
     if (camera.orthographic) {
         return gloam_uv_from_ndc(gloam_ndc_orthographic(view_position, camera.p00_p11));
     }
     return gloam_uv_from_ndc(gloam_ndc_perspective(view_position, camera.p00_p11));
 }
 
-template <class T>
-vec3<T> gloam_camera_position(glm::ivec2 pixel, T depth, GloamCamera<T> camera) {
-    const vec2<T> ndc = gloam_ndc_from_pixel<T>(pixel, camera.size);
+inline dvec3 gloam_camera_position(glm::ivec2 pixel, double depth, GloamCamera camera) {
+    const dvec2 ndc = gloam_ndc_from_pixel(pixel, camera.size);
     if (camera.orthographic) return gloam_view_position_orthographic(ndc, depth, camera.p00_p11);
     return gloam_view_position_perspective(ndc, depth, camera.p00_p11);
 }
 
-template <class T>
-vec2<T> gloam_camera_radius(T radius, T depth, GloamCamera<T> camera) {
+inline dvec2 gloam_camera_radius(double radius, double depth, GloamCamera camera) {
     if (camera.orthographic) {
         return gloam_projected_radius_uv_orthographic(radius, depth, camera.p00_p11);
     }

@@ -8,25 +8,23 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_covering_radius_parallel(vec3<T> position, T radius, T largest) {
-    if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > T(0) && largest > T(0)))
-        return T(0);
-    const T depth = clamp(-position.z, float_min<T>(), T(0x1p126));
-    const T r = radius / depth;
+inline double gloam_covering_radius_parallel(dvec3 position, double radius, double largest) {
+    if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > 0.0 && largest > 0.0))
+        return 0.0;
+    const double depth = clamp(-position.z, float_min, 0x1p126);
+    const double r = radius / depth;
     return min(r, gloam_positive_length(largest));
 }
 
-template <class T>
-T gloam_covering_radius_perpendicular(vec3<T> position, T radius, T largest) {
-    if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > T(0) && largest > T(0)))
-        return T(0);
-    const T depth = -position.z;
-    const T across = gloam_sqrt(dot(vec2<T>(position.x, position.y), vec2<T>(position.x, position.y)));
-    const T along = gloam_sqrt(dot(position, position));
-    const T denominator = (depth / along) * (depth - radius * (across / along));
-    if (!(denominator >= float_min<T>())) return gloam_positive_length(largest);
-    const T r = radius / min(denominator, T(0x1p126));
+inline double gloam_covering_radius_perpendicular(dvec3 position, double radius, double largest) {
+    if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > 0.0 && largest > 0.0))
+        return 0.0;
+    const double depth = -position.z;
+    const double across = gloam_sqrt(dot(dvec2(position.x, position.y), dvec2(position.x, position.y)));
+    const double along = gloam_sqrt(dot(position, position));
+    const double denominator = (depth / along) * (depth - radius * (across / along));
+    if (!(denominator >= float_min)) return gloam_positive_length(largest);
+    const double r = radius / min(denominator, 0x1p126);
     return min(r, gloam_positive_length(largest));
 }
 

@@ -5,14 +5,13 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec3<T> gloam_into_slice(vec3<T> offset, vec3<T> axis, vec3<T> normal) {
-    const T turned = dot(axis, normal);
-    const T steep = T(1) - turned * turned;
-    vec3<T> across = axis;
-    if (steep > T(1e-3F)) across = (axis - turned * normal) / steep;
-    const vec3<T> moved = offset - dot(offset, axis) * across;
-    return gloam_is_finite3(moved) ? moved : vec3<T>(T(0), T(0), T(0));
+inline dvec3 gloam_into_slice(dvec3 offset, dvec3 axis, dvec3 normal) {
+    const double turned = dot(axis, normal);
+    const double steep = 1.0 - turned * turned;
+    dvec3 across = axis;
+    if (steep > double(1e-3F)) across = (axis - turned * normal) / steep;
+    const dvec3 moved = offset - dot(offset, axis) * across;
+    return gloam_is_finite3(moved) ? moved : dvec3(0.0);
 }
 
 }  // namespace gloam::reference

@@ -5,10 +5,9 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_length(vec3<T> v) {
-    const T along = dot(v, gloam_safe_normalize(v, vec3<T>(T(0), T(0), T(0))));
-    return along > T(0) ? along : T(0);
+inline double gloam_length(dvec3 v) {
+    const double along = dot(v, gloam_safe_normalize(v, dvec3(0.0)));
+    return along > 0.0 ? along : 0.0;
 }
 
 }  // namespace gloam::reference

@@ -8,15 +8,14 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_plane_depth(glm::ivec2 pixel, vec3<T> point, vec3<T> normal, GloamCamera<T> camera) {
-    if (gloam_is_background(T(-point.z))) return gloam_background_depth<T>();
-    const vec3<T> ray = gloam_camera_position(pixel, T(1), camera);
-    vec3<T> start(T(0), T(0), T(0));
-    if (camera.orthographic) start = vec3<T>(ray.x, ray.y, T(0));
-    const T along = dot(normal, ray - start);
-    const T depth = dot(normal, point - start) / (along < T(0) ? along : T(-1));
-    return along < T(0) && !gloam_is_background(depth) ? depth : T(-point.z);
+inline double gloam_plane_depth(glm::ivec2 pixel, dvec3 point, dvec3 normal, GloamCamera camera) {
+    if (gloam_is_background(-point.z)) return gloam_background_depth();
+    const dvec3 ray = gloam_camera_position(pixel, 1.0, camera);
+    dvec3 start(0.0);
+    if (camera.orthographic) start = dvec3(ray.x, ray.y, 0.0);
+    const double along = dot(normal, ray - start);
+    const double depth = dot(normal, point - start) / (along < 0.0 ? along : -1.0);
+    return along < 0.0 && !gloam_is_background(depth) ? depth : -point.z;
 }
 
 }  // namespace gloam::reference

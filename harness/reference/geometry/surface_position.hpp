@@ -5,9 +5,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-bool gloam_is_surface_position(vec3<T> position) {
-    return gloam_is_finite3(position) && (position.x != T(0) || position.y != T(0) || position.z != T(0));
+inline bool gloam_is_surface_position(dvec3 position) {
+    return gloam_is_finite3(position) && (position.x != 0.0 || position.y != 0.0 || position.z != 0.0);
 }
 
 }  // namespace gloam::reference

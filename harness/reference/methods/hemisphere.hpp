@@ -10,19 +10,17 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamHemisphere {
-    T range;
+    double range;
 };
 
-template <class T>
 struct HemisphereMethod {
-    vec3<T> point(unsigned index, T angle) const {
-        return gloam_rotate_hemisphere(gloam_hemisphere_cosine(gloam_halton_3d<T>(index)), angle);
+    dvec3 point(unsigned index, double angle) const {
+        return gloam_rotate_hemisphere(gloam_hemisphere_cosine(gloam_halton_3d(index)), angle);
     }
-    T occlusion(T depth, T buffer_depth, GloamKernel<T> kernel, GloamMethod<T> method) const {
-        const T blocked = gloam_sample_blocked(depth, buffer_depth, kernel.bias, method.range);
-        return gloam_contribution_cosine_directions(blocked, T(1));
+    double occlusion(double depth, double buffer_depth, GloamKernel kernel, GloamMethod method) const {
+        const double blocked = gloam_sample_blocked(depth, buffer_depth, kernel.bias, method.range);
+        return gloam_contribution_cosine_directions(blocked, 1.0);
     }
 };
 

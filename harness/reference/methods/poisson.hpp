@@ -10,30 +10,25 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamPoisson {
-    T range;
+    double range;
     unsigned steps;
 };
 
-template <class T>
 struct PoissonMethod {
-    GloamRay<T> ray(unsigned index, const mat3<T>& frame, GloamKernel<T> kernel,
-                    GloamMethod<T> /*method*/) const {
-        const T turn = T(6.283185307F) * gloam_radical_inverse_base2<T>(index / 64U);
-        const vec2<T> disc = gloam_rotate_disc(gloam_poisson_disc<T>(index), T(kernel.angle + turn));
-        const T jitter = fract(gloam_radical_inverse<T>(index + 1U, 3U) +
-                               gloam_unit_interval(T(kernel.angle / T(6.283185307F))));
-        return {frame * gloam_hemisphere_lift(disc), jitter, vec2<T>(T(0), T(0))};
+    GloamRay ray(unsigned index, const dmat3& frame, GloamKernel kernel, GloamMethod /*method*/) const {
+        const double turn = double(6.283185307F) * gloam_radical_inverse_base2(index / 64U);
+        const dvec2 disc = gloam_rotate_disc(gloam_poisson_disc(index), double(kernel.angle + turn));
+        const double jitter = fract(gloam_radical_inverse(index + 1U, 3U) +
+                                    gloam_unit_interval(double(kernel.angle / double(6.283185307F))));
+        return {frame * gloam_hemisphere_lift(disc), jitter, dvec2(0.0)};
     }
-    vec2<T> step(GloamRay<T> ray, GloamRayTap<T> tap, vec3<T> /*normal*/, GloamKernel<T> kernel,
-                 GloamMethod<T> method) const {
-        const T blocked = gloam_sample_blocked(tap.depth, tap.buffer_depth, kernel.bias, method.range);
-        return vec2<T>(max(ray.seen.x, blocked), T(0));
+    dvec2 step(GloamRay ray, GloamRayTap tap, dvec3 /*normal*/, GloamKernel kernel,
+               GloamMethod method) const {
+        const double blocked = gloam_sample_blocked(tap.depth, tap.buffer_depth, kernel.bias, method.range);
+        return dvec2(max(ray.seen.x, blocked), 0.0);
     }
-    vec2<T> end(GloamRay<T> ray, vec3<T> /*normal*/, GloamMethod<T> /*method*/) const {
-        return vec2<T>(ray.seen.x, T(1));
-    }
+    dvec2 end(GloamRay ray, dvec3 /*normal*/, GloamMethod /*method*/) const { return dvec2(ray.seen.x, 1.0); }
 };
 
 }  // namespace gloam::reference

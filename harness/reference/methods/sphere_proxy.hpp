@@ -7,16 +7,14 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamSphereProxy {
-    T intensity;
+    double intensity;
 };
 
-template <class T>
 struct SphereProxyMethod {
-    T occlusion(GloamProxy<T> proxy, vec3<T> normal, GloamCamera<T> /*camera*/, GloamKernel<T> /*kernel*/,
-                GloamMethod<T> /*method*/) const {
-        const T radius = T(0.5) * gloam_sqrt(T(proxy.size.x * proxy.size.y));
+    double occlusion(GloamProxy proxy, dvec3 normal, GloamCamera /*camera*/, GloamKernel /*kernel*/,
+                     GloamMethod /*method*/) const {
+        const double radius = 0.5 * gloam_sqrt(double(proxy.size.x * proxy.size.y));
         return gloam_contribution_sphere_cosine(proxy.offset, normal, radius);
     }
 };

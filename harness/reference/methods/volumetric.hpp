@@ -6,14 +6,13 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct VolumetricMethod {
-    vec2<T> occlusion(GloamPair<T> pair, GloamKernel<T> kernel, GloamMethod<T> /*method*/) const {
-        const T half_height = gloam_chord_half_height(pair.point, kernel.radius);
-        const T first = gloam_line_ratio(pair.heights.x, half_height);
-        const T second = gloam_line_ratio(pair.heights.y, half_height);
-        const vec2<T> solid = gloam_line_pair(vec2<T>(first, second), T(0.35F), T(1));
-        return half_height * vec2<T>(solid.x + solid.y, T(2));
+    dvec2 occlusion(GloamPair pair, GloamKernel kernel, GloamMethod /*method*/) const {
+        const double half_height = gloam_chord_half_height(pair.point, kernel.radius);
+        const double first = gloam_line_ratio(pair.heights.x, half_height);
+        const double second = gloam_line_ratio(pair.heights.y, half_height);
+        const dvec2 solid = gloam_line_pair(dvec2(first, second), double(0.35F), 1.0);
+        return half_height * dvec2(solid.x + solid.y, 2.0);
     }
 };
 

@@ -7,32 +7,29 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_slice_clearance(GloamSlice<T> slice, vec3<T> position, vec2<T> direction, vec2<T> end,
-                              GloamCamera<T> camera, T radius, T ball) {
-    const vec2<T> unknown(T(0), T(0));
-    if (!(min(end.x, end.y) >= T(0) && max(end.x, end.y) <= T(1) && ball >= T(0) && ball <= T(1)))
-        return unknown;
-    const vec2<T> pixels = gloam_camera_radius(radius, T(-position.z), camera) * vec2<T>(camera.size);
-    const T squared = slice.weight * slice.weight;
-    const vec2<T> shares(T(1) / pixels.x, T(1) / pixels.y);
-    const T beside = T(0.52F) * length(shares) * (T(1) + gloam_sqrt((T(1) - squared) / squared));
-    const T ratio = radius / length(position);
-    const T along = abs(direction.x * slice.tangent.x + direction.y * slice.tangent.y);
-    if (!(ratio <= T(0.5) && ratio >= T(0.0078125) && squared >= T(0.1F) && beside <= T(0.9F) &&
-          along <= T(1.001F))) {
+inline dvec2 gloam_slice_clearance(GloamSlice slice, dvec3 position, dvec2 direction, dvec2 end,
+                                   GloamCamera camera, double radius, double ball) {
+    const dvec2 unknown(0.0, 0.0);
+    if (!(min(end.x, end.y) >= 0.0 && max(end.x, end.y) <= 1.0 && ball >= 0.0 && ball <= 1.0)) return unknown;
+    const dvec2 pixels = gloam_camera_radius(radius, -position.z, camera) * dvec2(camera.size);
+    const double squared = slice.weight * slice.weight;
+    const dvec2 shares(1.0 / pixels.x, 1.0 / pixels.y);
+    const double beside = double(0.52F) * length(shares) * (1.0 + gloam_sqrt((1.0 - squared) / squared));
+    const double ratio = radius / length(position);
+    const double along = abs(direction.x * slice.tangent.x + direction.y * slice.tangent.y);
+    if (!(ratio <= 0.5 && ratio >= 0.0078125 && squared >= double(0.1F) && beside <= double(0.9F) &&
+          along <= double(1.001F))) {
         return unknown;
     }
-    const T nearer = (T(1) - ball * ratio) / (T(1) + ratio * (gloam_sqrt(T(1) - along * along) + beside));
-    return vec2<T>(nearer * along, nearer * beside + T(2e-4F));
+    const double nearer = (1.0 - ball * ratio) / (1.0 + ratio * (gloam_sqrt(1.0 - along * along) + beside));
+    return dvec2(nearer * along, nearer * beside + double(2e-4F));
 }
 
-template <class T>
-unsigned gloam_slice_taps(vec2<T> clearance, T ball, T jitter, unsigned steps) {
-    if (ball <= T(0)) return 0U;
-    if (!(ball < T(1) && clearance.x > T(0))) return steps;
-    const T end = T(steps) * gloam_sqrt((ball + clearance.y) / clearance.x) - jitter;
-    return end < T(steps) ? static_cast<unsigned>(to_int(max(T(ceil(end)), T(0)))) : steps;
+inline unsigned gloam_slice_taps(dvec2 clearance, double ball, double jitter, unsigned steps) {
+    if (ball <= 0.0) return 0U;
+    if (!(ball < 1.0 && clearance.x > 0.0)) return steps;
+    const double end = double(steps) * gloam_sqrt((ball + clearance.y) / clearance.x) - jitter;
+    return end < double(steps) ? unsigned((max(double(ceil(end)), 0.0))) : steps;
 }
 
 }  // namespace gloam::reference

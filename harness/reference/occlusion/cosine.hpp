@@ -5,10 +5,9 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_sample_cosine(vec3<T> offset, vec3<T> normal) {
-    const T cosine = dot(gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0))), normal);
-    return cosine > T(0) ? (cosine < T(1) ? cosine : T(1)) : T(0);
+inline double gloam_sample_cosine(dvec3 offset, dvec3 normal) {
+    const double cosine = dot(gloam_safe_normalize(offset, dvec3(0.0)), normal);
+    return cosine > 0.0 ? (cosine < 1.0 ? cosine : 1.0) : 0.0;
 }
 
 }  // namespace gloam::reference

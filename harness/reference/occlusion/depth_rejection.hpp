@@ -5,8 +5,7 @@
 
 namespace gloam::reference {
 
-template <class T>
-bool gloam_tap_rejected(T depth, T tap_depth, T threshold) {
+inline bool gloam_tap_rejected(double depth, double tap_depth, double threshold) {
     if (gloam_is_background(depth) || gloam_is_background(tap_depth)) return false;
     return depth - tap_depth > threshold;
 }

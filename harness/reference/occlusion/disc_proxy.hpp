@@ -9,31 +9,29 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_disc_share(T area, T distance_to) {
-    const T radius = gloam_sqrt(area * (exact_number<T> ? T(1) / pi<T>() : T(0.318309886)));
-    if (!(radius > T(0) && distance_to >= T(0))) return vec2<T>(T(0), T(1));
+inline dvec2 gloam_disc_share(double area, double distance_to) {
+    const double radius = gloam_sqrt(area * (1.0 / pi));
+    if (!(radius > 0.0 && distance_to >= 0.0)) return dvec2(0.0, 1.0);
     const bool wide = radius > distance_to;
-    const T x = gloam_length_ratio(wide ? distance_to : radius, wide ? radius : distance_to);
-    const T larger = T(1) / (T(1) + x * x);
-    const T smaller = x * x / (T(1) + x * x);
-    return min(wide ? vec2<T>(larger, smaller) : vec2<T>(smaller, larger), vec2<T>(T(1), T(1)));
+    const double x = gloam_length_ratio(wide ? distance_to : radius, wide ? radius : distance_to);
+    const double larger = 1.0 / (1.0 + x * x);
+    const double smaller = x * x / (1.0 + x * x);
+    return min(wide ? dvec2(larger, smaller) : dvec2(smaller, larger), dvec2(1.0, 1.0));
 }
 
-template <class T>
-T gloam_contribution_disc_proxy(vec3<T> offset, vec3<T> normal, vec3<T> emitter_normal, T area, T weight) {
-    const vec2<T> share = gloam_disc_share(area, gloam_length(offset));
-    const vec3<T> back(-offset.x, -offset.y, -offset.z);
-    const T facing =
-        gloam_sample_cosine(back, emitter_normal) * min(T(4) * gloam_sample_cosine(offset, normal), T(1));
-    return gloam_unit_interval(weight) * facing * (share.x / (T(1) + gloam_sqrt(share.y)));
+inline double gloam_contribution_disc_proxy(dvec3 offset, dvec3 normal, dvec3 emitter_normal, double area,
+                                            double weight) {
+    const dvec2 share = gloam_disc_share(area, gloam_length(offset));
+    const dvec3 back(-offset.x, -offset.y, -offset.z);
+    const double facing =
+        gloam_sample_cosine(back, emitter_normal) * min(4.0 * gloam_sample_cosine(offset, normal), 1.0);
+    return gloam_unit_interval(weight) * facing * (share.x / (1.0 + gloam_sqrt(share.y)));
 }
 
-template <class T>
-T gloam_contribution_disc_proxy_cosine(vec3<T> offset, vec3<T> normal, vec3<T> emitter_normal, T area,
-                                       T weight) {
-    const T share = gloam_disc_share(area, gloam_length(offset)).x;
-    const vec3<T> back(-offset.x, -offset.y, -offset.z);
+inline double gloam_contribution_disc_proxy_cosine(dvec3 offset, dvec3 normal, dvec3 emitter_normal,
+                                                   double area, double weight) {
+    const double share = gloam_disc_share(area, gloam_length(offset)).x;
+    const dvec3 back(-offset.x, -offset.y, -offset.z);
     return gloam_unit_interval(weight) * share * gloam_sample_cosine(back, emitter_normal) *
            gloam_sample_cosine(offset, normal);
 }

@@ -8,74 +8,63 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_gtao_horizon(T horizon, T lowest, vec3<T> offset, vec3<T> view, T weight) {
-    const vec3<T> direction = gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0)));
-    if (!(weight > T(0) && dot(direction, direction) > T(0.5))) return horizon;
-    const T cosine = lowest + (dot(direction, view) - lowest) * min(weight, T(1));
-    return cosine > horizon ? min(cosine, T(1)) : horizon;
+inline double gloam_gtao_horizon(double horizon, double lowest, dvec3 offset, dvec3 view, double weight) {
+    const dvec3 direction = gloam_safe_normalize(offset, dvec3(0.0));
+    if (!(weight > 0.0 && dot(direction, direction) > 0.5)) return horizon;
+    const double cosine = lowest + (dot(direction, view) - lowest) * min(weight, 1.0);
+    return cosine > horizon ? min(cosine, 1.0) : horizon;
 }
 
-template <class T>
-vec2<T> gloam_gtao_lowest(GloamSlice<T> slice) {
-    return vec2<T>(slice.normal.y, -slice.normal.y);
+inline dvec2 gloam_gtao_lowest(GloamSlice slice) {
+    return dvec2(slice.normal.y, -slice.normal.y);
 }
 
-template <class T>
-T gloam_gtao_elevation(T horizon, T angle) {
-    const T e = T(1.570796327) + angle - gloam_acos(horizon);
-    return e > T(0) ? min(e, T(3.141592654)) : T(0);
+inline double gloam_gtao_elevation(double horizon, double angle) {
+    const double e = 1.570796327 + angle - gloam_acos(horizon);
+    return e > 0.0 ? min(e, 3.141592654) : 0.0;
 }
 
-template <class T>
-T gloam_gtao_inner(T horizon, T angle) {
-    const vec2<T> n = gloam_sincos(angle);
-    const T visible = T(0.25) * (n.x - gloam_sincos(T(2) * horizon - angle).x + T(2) * horizon * n.y);
-    return visible > T(0) ? min(visible, T(1.570796327)) : T(0);
+inline double gloam_gtao_inner(double horizon, double angle) {
+    const dvec2 n = gloam_sincos(angle);
+    const double visible = 0.25 * (n.x - gloam_sincos(2.0 * horizon - angle).x + 2.0 * horizon * n.y);
+    return visible > 0.0 ? min(visible, 1.570796327) : 0.0;
 }
 
-template <class T>
-T gloam_gtao_arc(T elevation, vec2<T> horizon, vec2<T> normal) {
-    if (!(elevation > T(0))) return T(0);
-    const T arc = T(0.5) * (min(elevation, T(3.141592654)) * normal.y + horizon.x * dot(horizon, normal));
-    return arc > T(0) ? min(arc, T(1.570796327)) : T(0);
+inline double gloam_gtao_arc(double elevation, dvec2 horizon, dvec2 normal) {
+    if (!(elevation > 0.0)) return 0.0;
+    const double arc = 0.5 * (min(elevation, 3.141592654) * normal.y + horizon.x * dot(horizon, normal));
+    return arc > 0.0 ? min(arc, 1.570796327) : 0.0;
 }
 
-template <class T>
-T gloam_gtao_arc_uniform(T horizon, T sine) {
-    const T arc = T(0.5) * (sine + horizon);
-    return arc > T(0) ? min(arc, T(1)) : T(0);
+inline double gloam_gtao_arc_uniform(double horizon, double sine) {
+    const double arc = 0.5 * (sine + horizon);
+    return arc > 0.0 ? min(arc, 1.0) : 0.0;
 }
 
-template <class T>
-T gloam_gtao_side(T horizon, T angle, vec2<T> normal) {
-    const T c = horizon > T(-1) ? min(horizon, T(1)) : T(-1);
-    const T s = gloam_sqrt((T(1) - c) * (T(1) + c));
-    return gloam_gtao_arc(gloam_gtao_elevation(c, angle), vec2<T>(c, s), normal);
+inline double gloam_gtao_side(double horizon, double angle, dvec2 normal) {
+    const double c = horizon > -1.0 ? min(horizon, 1.0) : -1.0;
+    const double s = gloam_sqrt((1.0 - c) * (1.0 + c));
+    return gloam_gtao_arc(gloam_gtao_elevation(c, angle), dvec2(c, s), normal);
 }
 
-template <class T>
-vec2<T> gloam_gtao_add(vec2<T> accumulated, GloamSlice<T> slice, vec2<T> horizons) {
-    if (!(slice.weight > T(0) && slice.weight <= float_max<T>())) return accumulated;
-    const T occluded =
-        gloam_gtao_side(horizons.x, T(-slice.angle), vec2<T>(slice.normal.x, -slice.normal.y)) +
+inline dvec2 gloam_gtao_add(dvec2 accumulated, GloamSlice slice, dvec2 horizons) {
+    if (!(slice.weight > 0.0 && slice.weight <= float_max)) return accumulated;
+    const double occluded =
+        gloam_gtao_side(horizons.x, -slice.angle, dvec2(slice.normal.x, -slice.normal.y)) +
         gloam_gtao_side(horizons.y, slice.angle, slice.normal);
-    return accumulated + vec2<T>(occluded, gloam_slice_whole(slice)) * slice.weight;
+    return accumulated + dvec2(occluded, gloam_slice_whole(slice)) * slice.weight;
 }
 
-template <class T>
-vec2<T> gloam_gtao_add_uniform(vec2<T> accumulated, GloamSlice<T> slice, vec2<T> horizons) {
-    if (!(slice.weight > T(0))) return accumulated;
-    const T occluded = gloam_gtao_arc_uniform(horizons.x, T(-slice.normal.y)) +
-                       gloam_gtao_arc_uniform(horizons.y, slice.normal.y);
-    return accumulated + vec2<T>(occluded, T(1));
+inline dvec2 gloam_gtao_add_uniform(dvec2 accumulated, GloamSlice slice, dvec2 horizons) {
+    if (!(slice.weight > 0.0)) return accumulated;
+    const double occluded = gloam_gtao_arc_uniform(horizons.x, -slice.normal.y) +
+                            gloam_gtao_arc_uniform(horizons.y, slice.normal.y);
+    return accumulated + dvec2(occluded, 1.0);
 }
 
-template <class T>
-T gloam_gtao_occlusion(vec2<T> accumulated) {
-    if (!(accumulated.x > T(0) && accumulated.y >= float_min<T>() && accumulated.y <= T(0x1p126)))
-        return T(0);
-    return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, T(1)) : T(1);
+inline double gloam_gtao_occlusion(dvec2 accumulated) {
+    if (!(accumulated.x > 0.0 && accumulated.y >= float_min && accumulated.y <= 0x1p126)) return 0.0;
+    return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
 }
 
 }  // namespace gloam::reference

@@ -3,16 +3,15 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamMethod {
-    T range;
-    T epsilon;
-    T intensity;
-    T thickness;
-    T angle_bias;
-    T mip_distance;
+    double range;
+    double epsilon;
+    double intensity;
+    double thickness;
+    double angle_bias;
+    double mip_distance;
     unsigned steps;
-    T disagreement;
+    double disagreement;
 };
 
 }  // namespace gloam::reference

@@ -8,16 +8,14 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_contribution_mssao(vec3<T> offset, vec3<T> normal, T radius) {
+inline double gloam_contribution_mssao(dvec3 offset, dvec3 normal, double radius) {
     return gloam_falloff_quadratic(gloam_length(offset), radius) * gloam_sample_cosine(offset, normal);
 }
 
-template <class T>
-T gloam_mssao_combine(T largest, T mean) {
-    const T a = gloam_unit_interval(largest);
-    const T b = gloam_unit_interval(mean);
-    return min(a + b * (T(1) - a), T(1));
+inline double gloam_mssao_combine(double largest, double mean) {
+    const double a = gloam_unit_interval(largest);
+    const double b = gloam_unit_interval(mean);
+    return min(a + b * (1.0 - a), 1.0);
 }
 
 }  // namespace gloam::reference

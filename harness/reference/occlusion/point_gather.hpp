@@ -13,27 +13,26 @@
 // occlusion(depth, buffer_depth, kernel, method).
 namespace gloam::reference {
 
-template <class T, class Method, class Fetch>
-vec2<T> gloam_point_tap(vec2<T> accumulated, vec3<T> position, mat3<T> frame, GloamCamera<T> camera,
-                        GloamKernel<T> kernel, GloamMethod<T> parameters, vec3<T> point, Method method,
-                        Fetch&& fetch_depth) {
-    const vec3<T> at = position + kernel.radius * multiply(frame, point);
-    const bool none = point.x == T(0) && point.y == T(0) && point.z == T(0);
-    if (none || gloam_is_background(T(-at.z)) || !gloam_is_finite2(vec2<T>(at.x, at.y))) return accumulated;
+template <class Method>
+dvec2 gloam_point_tap(dvec2 accumulated, dvec3 position, dmat3 frame, GloamCamera camera, GloamKernel kernel,
+                      GloamMethod parameters, dvec3 point, Method method, const Fetch<double>& fetch_depth) {
+    const dvec3 at = position + kernel.radius * (frame * point);
+    const bool none = point.x == 0.0 && point.y == 0.0 && point.z == 0.0;
+    if (none || gloam_is_background(-at.z) || !gloam_is_finite2(dvec2(at.x, at.y))) return accumulated;
     const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
-    const T depth = gloam_plane_depth(pixel, at, vec3<T>(frame[2]), camera);
+    const double depth = gloam_plane_depth(pixel, at, dvec3(frame[2]), camera);
     return gloam_estimator_add(accumulated,
-                               method.occlusion(depth, T(fetch_depth(pixel)), kernel, parameters));
+                               method.occlusion(depth, double(fetch_depth(pixel)), kernel, parameters));
 }
 
-template <class T, class Method, class Fetch>
-vec2<T> gloam_point_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
-                           GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    vec2<T> accumulated(T(0), T(0));
+template <class Method>
+dvec2 gloam_point_gather(dvec3 position, dvec3 normal, GloamCamera camera, GloamKernel kernel,
+                         GloamMethod parameters, Method method, const Fetch<double>& fetch_depth) {
+    dvec2 accumulated(0.0, 0.0);
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return accumulated;
-    const mat3<T> frame = gloam_tangent_frame(normal);
+    const dmat3 frame = gloam_tangent_frame(normal);
     for (unsigned i = 0; i < kernel.count; ++i) {
-        const vec3<T> point = method.point(kernel.first + i + 1U, kernel.angle);
+        const dvec3 point = method.point(kernel.first + i + 1U, kernel.angle);
         accumulated = gloam_point_tap(accumulated, position, frame, camera, kernel, parameters, point, method,
                                       fetch_depth);
     }

@@ -16,53 +16,52 @@
 // kernel, method).
 namespace gloam::reference {
 
-template <class T>
 struct GloamProxy {
-    vec3<T> offset;
-    vec2<T> size;
+    dvec3 offset;
+    dvec2 size;
     glm::ivec2 pixel;
     int layer;
 };
 
-template <class T, class Method, class Fetch>
-T gloam_proxy_at(vec3<T> position, vec3<T> normal, glm::ivec2 at, GloamCamera<T> camera,
-                 GloamKernel<T> kernel, GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    const T depth = fetch_depth(at);
-    if (gloam_is_background(depth)) return T(0);
-    const vec3<T> offset = gloam_camera_position(at, depth, camera) - position;
+template <class Method>
+double gloam_proxy_at(dvec3 position, dvec3 normal, glm::ivec2 at, GloamCamera camera, GloamKernel kernel,
+                      GloamMethod parameters, Method method, const Fetch<double>& fetch_depth) {
+    const double depth = fetch_depth(at);
+    if (gloam_is_background(depth)) return 0.0;
+    const dvec3 offset = gloam_camera_position(at, depth, camera) - position;
     if (!(dot(offset, normal) > kernel.bias && gloam_length(offset) <= kernel.radius &&
-          kernel.radius <= float_max<T>()))
-        return T(0);
-    const vec2<T> size(T(camera.size.x), T(camera.size.y));
-    const vec2<T> pixels = gloam_camera_radius(kernel.radius, depth, camera) * size;
-    const GloamProxy<T> proxy{offset, kernel.radius / pixels, at, 0};
+          kernel.radius <= float_max))
+        return 0.0;
+    const dvec2 size(double(camera.size.x), double(camera.size.y));
+    const dvec2 pixels = gloam_camera_radius(kernel.radius, depth, camera) * size;
+    const GloamProxy proxy{offset, kernel.radius / pixels, at, 0};
     return method.occlusion(proxy, normal, camera, kernel, parameters);
 }
 
-template <class T, class Method, class Fetch>
-vec2<T> gloam_proxy_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
-                           GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    vec2<T> accumulated(T(0), T(0));
+template <class Method>
+dvec2 gloam_proxy_gather(dvec3 position, dvec3 normal, GloamCamera camera, GloamKernel kernel,
+                         GloamMethod parameters, Method method, const Fetch<double>& fetch_depth) {
+    dvec2 accumulated(0.0, 0.0);
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return accumulated;
-    const vec3<T> n = gloam_safe_normalize(normal, vec3<T>(T(0), T(0), T(0)));
-    const vec2<T> center = gloam_camera_uv(position, camera);
+    const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
+    const dvec2 center = gloam_camera_uv(position, camera);
     const glm::ivec2 pixel = gloam_nearest_pixel(center, camera.size);
-    const vec2<T> reach = gloam_camera_radius(kernel.radius, T(-position.z), camera);
-    const vec2<T> axes = reach * vec2<T>(T(camera.size.x), T(camera.size.y));
-    const T pixels = T(3.141592654F) * axes.x * axes.y;
+    const dvec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
+    const dvec2 axes = reach * dvec2(double(camera.size.x), double(camera.size.y));
+    const double pixels = double(3.141592654F) * axes.x * axes.y;
     for (unsigned i = 0; i < kernel.count; ++i) {
-        const vec2<T> zeta = gloam_halton_2d<T>(kernel.first + i + 1U);
-        const vec2<T> tap = gloam_rotate_disc(zeta.y * gloam_circle_point(zeta.x), kernel.angle);
+        const dvec2 zeta = gloam_halton_2d(kernel.first + i + 1U);
+        const dvec2 tap = gloam_rotate_disc(zeta.y * gloam_circle_point(zeta.x), kernel.angle);
         const glm::ivec2 at = gloam_nearest_pixel(center + reach * tap, camera.size);
-        const T piece =
-            at == pixel ? T(0)
+        const double piece =
+            at == pixel ? 0.0
                         : gloam_proxy_at(position, n, at, camera, kernel, parameters, method, fetch_depth);
-        const T share = piece > T(0) ? T(T(2) * zeta.y * pixels * piece) : T(0);
+        const double share = piece > 0.0 ? double(2.0 * zeta.y * pixels * piece) : 0.0;
         accumulated = gloam_estimator_add(accumulated, share);
     }
-    const T sum = parameters.intensity * accumulated.x;
-    const T bounded = sum > T(0) ? min(sum, accumulated.y) : T(0);
-    return vec2<T>(bounded, accumulated.y);
+    const double sum = parameters.intensity * accumulated.x;
+    const double bounded = sum > 0.0 ? min(sum, accumulated.y) : 0.0;
+    return dvec2(bounded, accumulated.y);
 }
 
 }  // namespace gloam::reference

@@ -17,59 +17,55 @@
 // step(ray, tap, normal, kernel, method) and end(ray, normal, method).
 namespace gloam::reference {
 
-template <class T>
 struct GloamRay {
-    vec3<T> direction;
-    T jitter;
-    vec2<T> seen;
+    dvec3 direction;
+    double jitter;
+    dvec2 seen;
 };
 
-template <class T>
 struct GloamRayTap {
-    vec3<T> offset;
-    T depth;
-    T buffer_depth;
+    dvec3 offset;
+    double depth;
+    double buffer_depth;
 };
 
-template <class T, class Method, class Fetch>
-GloamRay<T> gloam_ray_march(GloamRay<T> ray, vec3<T> position, vec3<T> normal, GloamCamera<T> camera,
-                            GloamKernel<T> kernel, GloamMethod<T> parameters, Method method,
-                            Fetch&& fetch_depth) {
+template <class Method>
+GloamRay gloam_ray_march(GloamRay ray, dvec3 position, dvec3 normal, GloamCamera camera, GloamKernel kernel,
+                         GloamMethod parameters, Method method, const Fetch<double>& fetch_depth) {
     const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(position, camera), camera.size);
     const int steps = static_cast<int>(parameters.steps);
-    for (int i = 0; i < steps && !(ray.seen.x >= T(1)); ++i) {
-        const vec3<T> at = gloam_eye_march(position, ray.direction, kernel.radius, i, steps, ray.jitter);
-        if (gloam_is_background(T(-at.z)) || !gloam_is_finite2(vec2<T>(at.x, at.y))) continue;
+    for (int i = 0; i < steps && !(ray.seen.x >= 1.0); ++i) {
+        const dvec3 at = gloam_eye_march(position, ray.direction, kernel.radius, i, steps, ray.jitter);
+        if (gloam_is_background(-at.z) || !gloam_is_finite2(dvec2(at.x, at.y))) continue;
         const glm::ivec2 there = gloam_nearest_pixel(gloam_camera_uv(at, camera), camera.size);
-        const T depth = fetch_depth(there);
+        const double depth = fetch_depth(there);
         if (there == pixel || gloam_is_background(depth)) continue;
-        const vec3<T> offset = gloam_camera_position(there, depth, camera) - position;
-        const GloamRayTap<T> tap{offset, gloam_plane_depth(there, at, normal, camera), depth};
+        const dvec3 offset = gloam_camera_position(there, depth, camera) - position;
+        const GloamRayTap tap{offset, gloam_plane_depth(there, at, normal, camera), depth};
         ray.seen = method.step(ray, tap, normal, kernel, parameters);
     }
     return ray;
 }
 
-template <class T>
-unsigned gloam_ray_samples(unsigned count, unsigned steps) {
+inline unsigned gloam_ray_samples(unsigned count, unsigned steps) {
     const unsigned taps = std::max(steps, 1U);
     return count < taps ? taps : count - count % taps;
 }
 
-template <class T, class Method, class Fetch>
-vec2<T> gloam_ray_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
-                         GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return vec2<T>(T(0), T(0));
-    const mat3<T> frame = gloam_tangent_frame(normal);
+template <class Method>
+dvec2 gloam_ray_gather(dvec3 position, dvec3 normal, GloamCamera camera, GloamKernel kernel,
+                       GloamMethod parameters, Method method, const Fetch<double>& fetch_depth) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return dvec2(0.0);
+    const dmat3 frame = gloam_tangent_frame(normal);
     const unsigned taps = std::max(parameters.steps, 1U);
-    vec2<T> weighted(T(0), T(0));
+    dvec2 weighted(0.0, 0.0);
     for (unsigned i = 0; i < std::max(kernel.count / taps, 1U); ++i) {
-        GloamRay<T> ray = method.ray(kernel.first / taps + i, frame, kernel, parameters);
-        ray = gloam_ray_march(ray, position, vec3<T>(frame[2]), camera, kernel, parameters, method,
-                              fetch_depth);
-        weighted += method.end(ray, vec3<T>(frame[2]), parameters);
+        GloamRay ray = method.ray(kernel.first / taps + i, frame, kernel, parameters);
+        ray =
+            gloam_ray_march(ray, position, dvec3(frame[2]), camera, kernel, parameters, method, fetch_depth);
+        weighted += method.end(ray, dvec3(frame[2]), parameters);
     }
-    return gloam_estimator_of_weighted(weighted, gloam_ray_samples<T>(kernel.count, parameters.steps));
+    return gloam_estimator_of_weighted(weighted, gloam_ray_samples(kernel.count, parameters.steps));
 }
 
 }  // namespace gloam::reference

@@ -13,26 +13,26 @@
 // occlusion(offset, normal, depth, kernel, method).
 namespace gloam::reference {
 
-template <class T, class Method, class Fetch>
-T gloam_tap_at(vec3<T> position, vec3<T> normal, glm::ivec2 at, GloamCamera<T> camera, GloamKernel<T> kernel,
-               GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    const T depth = fetch_depth(at);
-    if (gloam_is_background(depth)) return T(0);
-    const vec3<T> offset = gloam_camera_position(at, depth, camera) - position;
-    return method.occlusion(offset, normal, T(-position.z), kernel, parameters);
+template <class Method>
+double gloam_tap_at(dvec3 position, dvec3 normal, glm::ivec2 at, GloamCamera camera, GloamKernel kernel,
+                    GloamMethod parameters, Method method, const Fetch<double>& fetch_depth) {
+    const double depth = fetch_depth(at);
+    if (gloam_is_background(depth)) return 0.0;
+    const dvec3 offset = gloam_camera_position(at, depth, camera) - position;
+    return method.occlusion(offset, normal, -position.z, kernel, parameters);
 }
 
-template <class T, class Method, class Fetch>
-vec2<T> gloam_tap_gather(vec3<T> position, vec3<T> normal, GloamCamera<T> camera, GloamKernel<T> kernel,
-                         GloamMethod<T> parameters, Method method, Fetch&& fetch_depth) {
-    vec2<T> accumulated(T(0), T(0));
+template <class Method>
+dvec2 gloam_tap_gather(dvec3 position, dvec3 normal, GloamCamera camera, GloamKernel kernel,
+                       GloamMethod parameters, Method method, const Fetch<double>& fetch_depth) {
+    dvec2 accumulated(0.0, 0.0);
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return accumulated;
-    const vec3<T> n = gloam_safe_normalize(normal, vec3<T>(T(0), T(0), T(0)));
-    const vec2<T> center = gloam_camera_uv(position, camera);
+    const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
+    const dvec2 center = gloam_camera_uv(position, camera);
     const glm::ivec2 pixel = gloam_nearest_pixel(center, camera.size);
-    const vec2<T> reach = gloam_camera_radius(kernel.radius, -position.z, camera);
+    const dvec2 reach = gloam_camera_radius(kernel.radius, -position.z, camera);
     for (unsigned i = 0; i < kernel.count; ++i) {
-        const vec2<T> tap = method.tap(i, position, kernel);
+        const dvec2 tap = method.tap(i, position, kernel);
         const glm::ivec2 aimed = gloam_nearest_pixel(center + reach * tap, camera.size);
         const glm::ivec2 at = gloam_tap_pixel(aimed, pixel, camera.size, parameters.mip_distance);
         accumulated = gloam_estimator_add(

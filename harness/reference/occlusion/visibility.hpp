@@ -5,14 +5,12 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_visibility(T occlusion) {
-    return occlusion > T(0) ? (occlusion < T(1) ? T(1) - occlusion : T(0)) : T(1);
+inline double gloam_visibility(double occlusion) {
+    return occlusion > 0.0 ? (occlusion < 1.0 ? 1.0 - occlusion : 0.0) : 1.0;
 }
 
-template <class T>
-T gloam_visibility_clamp(T visibility) {
-    return visibility < T(1) ? (visibility > T(0) ? visibility : T(0)) : T(1);
+inline double gloam_visibility_clamp(double visibility) {
+    return visibility < 1.0 ? (visibility > 0.0 ? visibility : 0.0) : 1.0;
 }
 
 }  // namespace gloam::reference

@@ -6,8 +6,7 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_circle_point(T turn) {
+inline dvec2 gloam_circle_point(double turn) {
     return gloam_sincos_turns(gloam_unit_interval(turn));
 }
 

@@ -6,8 +6,7 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_disc_sample(vec2<T> zeta) {
+inline dvec2 gloam_disc_sample(dvec2 zeta) {
     return gloam_sqrt(gloam_unit_interval(zeta.y)) * gloam_circle_point(zeta.x);
 }
 

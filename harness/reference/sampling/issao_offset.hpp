@@ -7,18 +7,16 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_issao_offset_polar(vec2<T> e, T radius) {
-    const vec2<T> p = gloam_sincos_turns(gloam_unit_interval(e.y));
-    return (vec2<T>(p.y, p.x) * gloam_unit_interval(e.x)) * radius;
+inline dvec2 gloam_issao_offset_polar(dvec2 e, double radius) {
+    const dvec2 p = gloam_sincos_turns(gloam_unit_interval(e.y));
+    return (dvec2(p.y, p.x) * gloam_unit_interval(e.x)) * radius;
 }
 
-template <class T>
-vec2<T> gloam_issao_offset_printed(vec2<T> e, T radius) {
-    const vec2<T> u(gloam_unit_interval(e.x), gloam_unit_interval(e.y));
-    const vec2<T> offset = u * vec2<T>(gloam_sincos_turns(u.y).y, gloam_sincos_turns(u.x).x);
-    const T squared = dot(offset, offset);
-    return (squared > T(1) ? vec2<T>(offset / gloam_sqrt(squared)) : offset) * radius;
+inline dvec2 gloam_issao_offset_printed(dvec2 e, double radius) {
+    const dvec2 u(gloam_unit_interval(e.x), gloam_unit_interval(e.y));
+    const dvec2 offset = u * dvec2(gloam_sincos_turns(u.y).y, gloam_sincos_turns(u.x).x);
+    const double squared = dot(offset, offset);
+    return (squared > 1.0 ? dvec2(offset / gloam_sqrt(squared)) : offset) * radius;
 }
 
 }  // namespace gloam::reference

@@ -39,11 +39,10 @@ inline std::array<glm::vec2, 64> poisson_disc_points() {
     return rounded;
 }
 
-template <class T>
-vec2<T> gloam_poisson_disc(unsigned index) {
+inline dvec2 gloam_poisson_disc(unsigned index) {
     static const std::array<glm::vec2, 64> points = poisson_disc_points();
     const glm::vec2 point = points.at(index & 63U);
-    return vec2<T>(T(point.x), T(point.y));
+    return dvec2(point.x, point.y);
 }
 
 }  // namespace gloam::reference

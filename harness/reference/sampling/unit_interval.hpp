@@ -5,9 +5,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_unit_interval(T x) {
-    return x > T(0) ? (x < T(1) ? x : T(1)) : T(0);
+inline double gloam_unit_interval(double x) {
+    return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
 }
 
 }  // namespace gloam::reference

@@ -5,8 +5,7 @@
 
 namespace gloam::reference {
 
-template <class T>
-unsigned gloam_whole_samples(unsigned count, unsigned unit) {
+inline unsigned gloam_whole_samples(unsigned count, unsigned unit) {
     const unsigned taps = std::max(unit, 1U);
     return count < taps ? taps : count - count % taps;
 }

@@ -7,22 +7,19 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec4<T> gloam_bent_add(vec4<T> bent, vec3<T> direction, T visibility) {
+inline dvec4 gloam_bent_add(dvec4 bent, dvec3 direction, double visibility) {
     if (!gloam_is_finite3(direction)) return bent;
-    return bent + gloam_unit_interval(visibility) * vec4<T>(direction.x, direction.y, direction.z, T(1));
+    return bent + gloam_unit_interval(visibility) * dvec4(direction.x, direction.y, direction.z, 1.0);
 }
 
-template <class T>
-vec3<T> gloam_bent_normal(vec4<T> bent, vec3<T> normal) {
-    return bent.w > T(0) ? gloam_safe_normalize(vec3<T>(bent.x, bent.y, bent.z), normal) : normal;
+inline dvec3 gloam_bent_normal(dvec4 bent, dvec3 normal) {
+    return bent.w > 0.0 ? gloam_safe_normalize(dvec3(bent.x, bent.y, bent.z), normal) : normal;
 }
 
-template <class T>
-T gloam_bent_length(vec4<T> bent) {
-    const bool some = bent.w >= float_min<T>() && bent.w <= T(0x1p126);
-    const T agreement = some ? gloam_length(vec3<T>(bent.x, bent.y, bent.z)) / bent.w : T(1);
-    return agreement < T(1) ? agreement : T(1);
+inline double gloam_bent_length(dvec4 bent) {
+    const bool some = bent.w >= float_min && bent.w <= 0x1p126;
+    const double agreement = some ? gloam_length(dvec3(bent.x, bent.y, bent.z)) / bent.w : 1.0;
+    return agreement < 1.0 ? agreement : 1.0;
 }
 
 }  // namespace gloam::reference

@@ -6,43 +6,36 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamHistory {
-    T occlusion;
-    T weight;
+    double occlusion;
+    double weight;
     unsigned index;
-    T depth;
+    double depth;
 };
 
-template <class T>
-GloamHistory<T> gloam_history_empty(T depth) {
-    return GloamHistory<T>{T(0), T(0), 0U, gloam_is_background(depth) ? gloam_background_depth<T>() : depth};
+inline GloamHistory gloam_history_empty(double depth) {
+    return GloamHistory{0.0, 0.0, 0U, gloam_is_background(depth) ? gloam_background_depth() : depth};
 }
 
-template <class T>
-GloamHistory<T> gloam_history_sanitize(GloamHistory<T> h) {
-    const bool usable = h.occlusion > -float_min<T>() && h.occlusion <= T(1) && h.weight >= float_min<T>() &&
-                        h.weight <= float_max<T>();
+inline GloamHistory gloam_history_sanitize(GloamHistory h) {
+    const bool usable =
+        h.occlusion > -float_min && h.occlusion <= 1.0 && h.weight >= float_min && h.weight <= float_max;
     if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
-    return GloamHistory<T>{h.occlusion >= float_min<T>() ? h.occlusion : T(0), h.weight, h.index % 16777216U,
-                           h.depth};
+    return GloamHistory{h.occlusion >= float_min ? h.occlusion : 0.0, h.weight, h.index % 16777216U, h.depth};
 }
 
-template <class T>
-vec4<T> gloam_history_pack(GloamHistory<T> h) {
-    const GloamHistory<T> s = gloam_history_sanitize(h);
-    return vec4<T>(s.occlusion, s.weight, T(s.index), s.depth);
+inline dvec4 gloam_history_pack(GloamHistory h) {
+    const GloamHistory s = gloam_history_sanitize(h);
+    return dvec4(s.occlusion, s.weight, double(s.index), s.depth);
 }
 
-template <class T>
-GloamHistory<T> gloam_history_unpack(vec4<T> texel) {
+inline GloamHistory gloam_history_unpack(dvec4 texel) {
     unsigned index = 0U;
-    if (texel.z >= T(1) && texel.z < T(16777216)) index = static_cast<unsigned>(to_int(texel.z));
-    return gloam_history_sanitize(GloamHistory<T>{texel.x, texel.y, index, texel.w});
+    if (texel.z >= 1.0 && texel.z < 16777216.0) index = unsigned((texel.z));
+    return gloam_history_sanitize(GloamHistory{texel.x, texel.y, index, texel.w});
 }
 
-template <class T = double>
-unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size) {
+inline unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size) {
     const unsigned size = table_size > 0U && table_size < 16777216U ? table_size : 16777216U;
     return (index % size + k % size) % size;
 }

@@ -15,50 +15,44 @@ struct GloamPackedHistory {
     friend bool operator==(const GloamPackedHistory&, const GloamPackedHistory&) = default;
 };
 
-template <class T>
-unsigned gloam_round_half_up(T x) {
-    const T whole = floor(x);
-    return static_cast<unsigned>(to_int(whole)) + (x - whole >= T(0.5) ? 1U : 0U);
+inline unsigned gloam_round_half_up(double x) {
+    const double whole = floor(x);
+    return unsigned((whole)) + (x - whole >= 0.5 ? 1U : 0U);
 }
 
-template <class T>
-unsigned gloam_depth_to_code(T depth) {
+inline unsigned gloam_depth_to_code(double depth) {
     if (gloam_is_background(depth)) return 65535U;
     constexpr int smallest = -31;
     constexpr int largest = 32;
-    if (depth >= T(0x1p32)) return 64513U;
+    if (depth >= 0x1p32) return 64513U;
     int exponent = largest - 1;
-    while (exponent >= smallest && !(depth >= T(std::ldexp(1.0, exponent)))) --exponent;
+    while (exponent >= smallest && !(depth >= double(std::ldexp(1.0, exponent)))) --exponent;
     if (exponent < smallest) return 1U;
-    const T mantissa = depth * T(std::ldexp(1.0, -exponent)) - T(1);
-    return static_cast<unsigned>(exponent - smallest) * 1024U + gloam_round_half_up(mantissa * T(1024)) + 1U;
+    const double mantissa = depth * double(std::ldexp(1.0, -exponent)) - 1.0;
+    return static_cast<unsigned>(exponent - smallest) * 1024U + gloam_round_half_up(mantissa * 1024.0) + 1U;
 }
 
-template <class T = double>
-T gloam_depth_from_code(unsigned code) {
-    if (code == 0U) return T(0);
-    if (code >= 65535U) return gloam_background_depth<T>();
+inline double gloam_depth_from_code(unsigned code) {
+    if (code == 0U) return 0.0;
+    if (code >= 65535U) return gloam_background_depth();
     const unsigned number = code - 1U;
-    return T(number % 1024U + 1024U) * T(std::ldexp(1.0, static_cast<int>(number / 1024U) - 41));
+    return double(number % 1024U + 1024U) * double(std::ldexp(1.0, static_cast<int>(number / 1024U) - 41));
 }
 
-template <class T>
-GloamPackedHistory gloam_history_encode(GloamHistory<T> h) {
-    const GloamHistory<T> s = gloam_history_sanitize(h);
-    const T weight = s.weight < T(4095) ? s.weight : T(4095);
-    return {gloam_round_half_up(s.occlusion * T(32768)), gloam_round_half_up(weight * T(16)),
-            s.index % 65536U, gloam_depth_to_code(s.depth)};
+inline GloamPackedHistory gloam_history_encode(GloamHistory h) {
+    const GloamHistory s = gloam_history_sanitize(h);
+    const double weight = s.weight < 4095.0 ? s.weight : 4095.0;
+    return {gloam_round_half_up(s.occlusion * 32768.0), gloam_round_half_up(weight * 16.0), s.index % 65536U,
+            gloam_depth_to_code(s.depth)};
 }
 
-template <class T = double>
-vec4<T> gloam_packed_texel(GloamPackedHistory packed) {
-    return {T(packed.occlusion % 65536U) * T(0x1p-15), T(packed.weight % 65536U) * T(0x1p-4),
-            T(packed.index % 65536U), gloam_depth_from_code<T>(packed.depth % 65536U)};
+inline dvec4 gloam_packed_texel(GloamPackedHistory packed) {
+    return {double(packed.occlusion % 65536U) * 0x1p-15, double(packed.weight % 65536U) * 0x1p-4,
+            double(packed.index % 65536U), gloam_depth_from_code(packed.depth % 65536U)};
 }
 
-template <class T = double>
-GloamHistory<T> gloam_history_decode(GloamPackedHistory packed) {
-    return gloam_history_unpack(gloam_packed_texel<T>(packed));
+inline GloamHistory gloam_history_decode(GloamPackedHistory packed) {
+    return gloam_history_unpack(gloam_packed_texel(packed));
 }
 
 }  // namespace gloam::reference

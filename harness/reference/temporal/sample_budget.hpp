@@ -5,8 +5,7 @@
 
 namespace gloam::reference {
 
-template <class T>
-int gloam_sample_count(T convergence, T c_spatial, int k_initial, int k_converged) {
+inline int gloam_sample_count(double convergence, double c_spatial, int k_initial, int k_converged) {
     return max(convergence >= c_spatial ? k_converged : k_initial, 0);
 }
 

@@ -6,23 +6,20 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_invalidate_clamp(T weight, T weight_small) {
-    if (!(weight > T(0) && weight_small > T(0))) return T(0);
+inline double gloam_invalidate_clamp(double weight, double weight_small) {
+    if (!(weight > 0.0 && weight_small > 0.0)) return 0.0;
     return weight < weight_small ? weight : weight_small;
 }
 
-template <class T>
-T gloam_confidence(T change, T factor) {
-    const T d = abs(change);
-    if (!(d <= float_max<T>() && abs(factor) <= float_max<T>())) return T(0);
-    const T x = factor > T(0) ? factor * d : T(0);
-    return x <= T(0x1p126) ? min(T(1) / (T(1) + x), T(1)) : T(0);
+inline double gloam_confidence(double change, double factor) {
+    const double d = abs(change);
+    if (!(d <= float_max && abs(factor) <= float_max)) return 0.0;
+    const double x = factor > 0.0 ? factor * d : 0.0;
+    return x <= 0x1p126 ? min(1.0 / (1.0 + x), 1.0) : 0.0;
 }
 
-template <class T>
-T gloam_invalidate_confidence(T weight, T confidence) {
-    if (!(weight > T(0) && weight <= float_max<T>())) return T(0);
+inline double gloam_invalidate_confidence(double weight, double confidence) {
+    if (!(weight > 0.0 && weight <= float_max)) return 0.0;
     return weight * gloam_unit_interval(confidence);
 }
 
