@@ -8,7 +8,6 @@
 #include "check/values.hpp"
 #include "reference/geometry/camera.hpp"
 #include "reference/occlusion/gather_kernel.hpp"
-#include "reference/occlusion/method_parameters.hpp"
 
 // Inputs of the estimators of a pixel, which read depths through a prototype.
 namespace gloam::catalogue {

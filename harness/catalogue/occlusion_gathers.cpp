@@ -12,6 +12,7 @@
 #include "reference/sampling/halton_point.hpp"
 #include "reference/sampling/hemisphere_cosine_point.hpp"
 #include "reference/sampling/hemisphere_uniform_point.hpp"
+#include "reference/sampling/tap_pixel.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -22,7 +23,6 @@ using Kernel = reference::GloamKernel;
 using Estimate = reference::GloamEstimate;
 using reference::GloamCamera;
 using reference::GloamKernel;
-using reference::GloamMethod;
 
 constexpr double most_samples = 64;
 
@@ -86,9 +86,7 @@ void append_hemisphere(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamHemisphere& own) {
-            return reference::estimate_of(reference::gloam_point_gather(
-                position, normal, camera, kernel, GloamMethod{.range = own.range},
-                reference::HemisphereMethod{}, depth_of(images)));
+            return reference::gloam_hemisphere(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length()})}
@@ -112,9 +110,7 @@ void append_disc(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), eqs 2, 4, 12 and 13; Fox and Compton 2008"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamDisc& own) {
-            return reference::estimate_of(reference::gloam_tap_gather(
-                position, normal, camera, kernel, GloamMethod{.epsilon = own.epsilon},
-                reference::DiscMethod{}, depth_of(images)));
+            return reference::gloam_disc(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length()})}
@@ -138,9 +134,7 @@ void append_volumetric(Entries& entries) {
          .source = "volumetric obscurance (Loos and Sloan 2010), CS-3.5"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel) {
-            return reference::estimate_of(
-                reference::gloam_pair_gather(position, normal, camera, kernel, GloamMethod{},
-                                             reference::VolumetricMethod{}, depth_of(images)));
+            return reference::gloam_volumetric(position, normal, camera, kernel, depth_of(images));
         },
         {.domain =
              Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels()}.adjusted(

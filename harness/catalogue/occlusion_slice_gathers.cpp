@@ -19,7 +19,6 @@ using Estimate = reference::GloamEstimate;
 using Slice = reference::GloamSlice;
 using reference::GloamCamera;
 using reference::GloamKernel;
-using reference::GloamMethod;
 
 constexpr double most_samples = 64;
 
@@ -102,9 +101,7 @@ void append_gtao(Entries& entries) {
          .source = "GTAO (Jimenez et al. 2016)"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamGtao& own) {
-            return reference::estimate_of(reference::gloam_slice_gather(
-                position, normal, camera, kernel, GloamMethod{.steps = own.steps}, reference::GtaoMethod{},
-                depth_of(images)));
+            return reference::gloam_gtao(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({integers(1, 4)})}

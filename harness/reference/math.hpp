@@ -56,6 +56,17 @@ inline double fract(double x) {
     return x - std::floor(x);
 }
 
+// Finite as a float: what only a wider type can hold counts as infinite.
+inline bool is_finite(double x) {
+    return abs(x) <= float_max;
+}
+template <glm::length_t N>
+bool is_finite(const glm::vec<N, double>& v) {
+    for (glm::length_t i = 0; i < N; ++i)
+        if (!is_finite(v[i])) return false;
+    return true;
+}
+
 // The image that a GLSL prototype reads: the value at a pixel.
 template <class Value>
 using Fetch = std::function<Value(glm::ivec2)>;

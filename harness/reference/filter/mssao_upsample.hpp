@@ -2,20 +2,15 @@
 #pragma once
 
 #include "reference/sampling/unit_interval.hpp"
-#include "reference/shading/remap.hpp"
 
 namespace gloam::reference {
 
 inline double gloam_mssao_upsample_weight(double bilinear, double depth_difference, double normal_cosine,
                                           double depth_power, double normal_power) {
-    const double apart = abs(depth_difference);
-    const bool known =
-        apart <= 1e30 && abs(normal_cosine) >= 0.0 && depth_power >= 0.0 && normal_power >= 0.0;
-    if (!known) return 0.0;
-    const double depth = gloam_remap(1.0 / (1.0 + apart), 0.0, 1.0, depth_power);
-    const double facing = gloam_unit_interval(0.5 * normal_cosine + 0.5);
-    const double normal = gloam_remap(facing, 0.0, 1.0, normal_power);
-    return gloam_unit_interval(bilinear) * depth * normal;
+    const bool known = abs(depth_difference) <= 1e30 && !std::isnan(normal_cosine);
+    if (!known || !(depth_power >= 0.0 && normal_power >= 0.0)) return 0.0;
+    return gloam_unit_interval(bilinear) * pow(1.0 / (1.0 + abs(depth_difference)), depth_power) *
+           pow((glm::clamp(normal_cosine, -1.0, 1.0) + 1.0) / 2.0, normal_power);
 }
 
 }  // namespace gloam::reference

@@ -8,13 +8,11 @@
 namespace gloam::reference {
 
 inline double gloam_sao_blur_weight(int tap, double key_difference, double slope) {
-    if (tap == 0) return 0.153170;
-    if (tap > 4 || tap < -4) return 0.0;
-    const int r = std::abs(tap);
-    const double g = r == 1 ? 0.144893 : (r == 2 ? 0.122649 : (r == 3 ? 0.092902 : 0.062970));
-    const double difference = abs(key_difference);
-    const double fall = difference == 0.0 || slope <= 0.0 ? 0.0 : difference * slope;
-    return fall < 1.0 ? (0.3 + g) * (1.0 - fall) : 0.0;
+    constexpr double gaussian[] = {0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
+    if (tap < -4 || tap > 4) return 0.0;
+    if (tap == 0) return gaussian[0];
+    const double fall = key_difference == 0.0 || slope <= 0.0 ? 0.0 : slope * abs(key_difference);
+    return std::isnan(fall) ? 0.0 : (0.3 + gaussian[std::abs(tap)]) * max(0.0, 1.0 - fall);
 }
 
 }  // namespace gloam::reference

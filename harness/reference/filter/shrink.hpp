@@ -6,13 +6,14 @@
 namespace gloam::reference {
 
 inline double gloam_shrink(double convergence, double c_adaptive) {
-    if (!(c_adaptive >= 1e-30) || convergence >= c_adaptive) return 0.0;
-    if (!(convergence > 0.0) || c_adaptive > float_max) return 1.0;
-    return min((c_adaptive - convergence) / c_adaptive, 1.0);
+    if (!(c_adaptive >= 1e-30)) return 0.0;
+    if (std::isnan(convergence)) return 1.0;
+    if (std::isinf(c_adaptive)) return std::isinf(convergence) && convergence > 0.0 ? 0.0 : 1.0;
+    return max(c_adaptive - max(convergence, 0.0), 0.0) / c_adaptive;
 }
 
 inline double gloam_window_coverage(int offset, double reach) {
-    return gloam_unit_interval(reach - double(offset - 1));
+    return gloam_unit_interval(reach - (offset - 1.0));
 }
 
 }  // namespace gloam::reference

@@ -5,21 +5,20 @@
 
 namespace gloam::reference {
 
-// Finite as a float: a number that only a wider type can hold counts as infinite.
 inline bool gloam_is_finite(double x) {
-    return abs(x) <= float_max;
+    return is_finite(x);
 }
 
 inline bool gloam_is_finite2(dvec2 v) {
-    return gloam_is_finite(v.x) && gloam_is_finite(v.y);
+    return is_finite(v);
 }
 
 inline bool gloam_is_finite3(dvec3 v) {
-    return gloam_is_finite(v.x) && gloam_is_finite(v.y) && gloam_is_finite(v.z);
+    return is_finite(v);
 }
 
 inline bool gloam_is_finite4(dvec4 v) {
-    return gloam_is_finite(v.x) && gloam_is_finite(v.y) && gloam_is_finite(v.z) && gloam_is_finite(v.w);
+    return is_finite(v);
 }
 
 }  // namespace gloam::reference

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "reference/geometry/into_slice.hpp"
 #include "reference/geometry/safe_normalize.hpp"
-#include "reference/numeric/inverse_trigonometry.hpp"
-#include "reference/numeric/square_root.hpp"
+#include "reference/numeric/sincos.hpp"
 
 namespace gloam::reference {
 
@@ -15,31 +15,26 @@ struct GloamSlice {
     double weight;
 };
 
+// The normal's part in the plane of the view vector and the direction, by its length and its angle.
 inline GloamSlice gloam_slice(dvec2 direction, dvec3 view, dvec3 normal) {
-    const dvec3 none(0.0);
-    const dvec3 along(direction.x, direction.y, 0.0);
-    const dvec3 tangent = gloam_safe_normalize(along - view * dot(along, view), none);
-    const double x = dot(normal, tangent);
-    const double y = dot(normal, view);
-    const double weight = gloam_sqrt(x * x + y * y);
-    if (!(weight > 0.0 && dot(tangent, tangent) > 0.5))
-        return GloamSlice{dvec3(0.0, 0.0, 1.0), tangent, dvec2(1.0, 0.0), 0.0, 0.0};
-    const dvec3 ahead(1.0, 0.0, 0.0);
-    const dvec3 projected = gloam_safe_normalize(dvec3(max(y, 0.0), x, 0.0), ahead);
-    return GloamSlice{view, tangent, dvec2(projected.x, projected.y), gloam_atan2(projected.y, projected.x),
-                      min(weight, 1.0)};
+    const dvec3 along(direction, 0.0);
+    const dvec3 tangent = gloam_safe_normalize(along - dot(along, view) * view, dvec3(0.0));
+    const dvec2 part(dot(normal, view), dot(normal, tangent));
+    const double weight = length(part);
+    if (!(weight >= float_min && tangent != dvec3(0.0))) return {dvec3(0.0, 0.0, 1.0), tangent, {1.0, 0.0}, 0.0, 0.0};
+    const dvec3 ahead = gloam_safe_normalize({max(part.x, 0.0), part.y, 0.0}, {1.0, 0.0, 0.0});
+    const double angle = std::atan2(ahead.y, ahead.x);
+    return {view, tangent, on_circle(angle), angle, min(weight, 1.0)};
 }
 
-inline double gloam_slice_whole(GloamSlice slice) {
-    return slice.normal.x + slice.angle * slice.normal.y;
+inline double gloam_slice_whole(const GloamSlice& slice) {
+    return cos(slice.angle) + slice.angle * sin(slice.angle);
 }
 
-inline dvec2 gloam_slice_direction(dvec3 offset, GloamSlice slice) {
-    const dvec3 none(0.0);
-    const dvec3 direction = gloam_safe_normalize(offset, none);
+inline dvec2 gloam_slice_direction(dvec3 offset, const GloamSlice& slice) {
+    const dvec3 direction = gloam_safe_normalize(offset, dvec3(0.0));
     const dvec3 within(dot(direction, slice.view), dot(direction, slice.tangent), 0.0);
-    const dvec3 unit = gloam_safe_normalize(within, none);
-    return dvec2(unit.x, unit.y);
+    return gloam_safe_normalize(within, dvec3(0.0));
 }
 
 struct GloamSliceAxes {
@@ -47,13 +42,10 @@ struct GloamSliceAxes {
     dvec3 tangent;
 };
 
-// The products of the slice's vectors with offset - (offset . axis) across, as products with the offset.
-inline GloamSliceAxes gloam_slice_axes(GloamSlice slice, dvec3 normal) {
+// Such that offset . axes = gloam_into_slice(offset) . slice.
+inline GloamSliceAxes gloam_slice_axes(const GloamSlice& slice, dvec3 normal) {
     const dvec3 axis = cross(slice.tangent, slice.view);
-    const double turned = dot(axis, normal);
-    const double steep = 1.0 - turned * turned;
-    dvec3 across = axis;
-    if (steep > double(1e-3F)) across = (axis - turned * normal) / steep;
+    const dvec3 across = along_tangent_plane(axis, normal);
     return {slice.view - dot(across, slice.view) * axis, slice.tangent - dot(across, slice.tangent) * axis};
 }
 

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
+#include "reference/geometry/pixel_center.hpp"
+#include "reference/geometry/plane_depth.hpp"
 #include "reference/occlusion/blocked.hpp"
-#include "reference/occlusion/ray_gather.hpp"
+#include "reference/occlusion/gather_kernel.hpp"
+#include "reference/sampling/eye_march.hpp"
+#include "reference/sampling/halton.hpp"
 #include "reference/sampling/poisson.hpp"
 #include "reference/sampling/poisson_disc.hpp"
-#include "reference/sampling/radical_inverse.hpp"
 #include "reference/sampling/rotation.hpp"
+#include "reference/sampling/tangent_frame.hpp"
+#include "reference/sampling/whole_samples.hpp"
 
 namespace gloam::reference {
 
@@ -15,20 +22,33 @@ struct GloamPoisson {
     unsigned steps;
 };
 
-struct PoissonMethod {
-    GloamRay ray(unsigned index, const dmat3& frame, GloamKernel kernel, GloamMethod /*method*/) const {
-        const double turn = double(6.283185307F) * gloam_radical_inverse_base2(index / 64U);
-        const dvec2 disc = gloam_rotate_disc(gloam_poisson_disc(index), double(kernel.angle + turn));
-        const double jitter = fract(gloam_radical_inverse(index + 1U, 3U) +
-                                    gloam_unit_interval(double(kernel.angle / double(6.283185307F))));
-        return {frame * gloam_hemisphere_lift(disc), jitter, dvec2(0.0)};
+// The share of the rays of which a step is blocked. Each round through the disc is turned by another angle.
+inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCamera& camera,
+                                   const GloamKernel& kernel, const GloamPoisson& own,
+                                   const Fetch<double>& fetch_depth) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
+    const dmat3 frame = gloam_tangent_frame(normal);
+    const int steps = std::max(static_cast<int>(own.steps), 1);
+    const auto blocked = [&](dvec3 point) {
+        const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(point, camera), camera.size);
+        if (gloam_is_background(-point.z)) return false;
+        if (pixel == gloam_nearest_pixel(gloam_camera_uv(position, camera), camera.size)) return false;
+        const double depth = gloam_plane_depth(pixel, point, frame[2], camera);
+        return gloam_sample_blocked(depth, fetch_depth(pixel), kernel.bias, own.range) > 0.0;
+    };
+    const unsigned samples = gloam_whole_samples(kernel.count, steps);
+    const unsigned rays = samples / steps;
+    unsigned ended = 0U;
+    for (unsigned i = kernel.first / steps; i < kernel.first / steps + rays; ++i) {
+        const double turn = kernel.angle + 2.0 * pi * gloam_radical_inverse(i / 64U, 2U);
+        const dvec3 ray = frame * gloam_hemisphere_lift(gloam_rotate_disc(gloam_poisson_disc(i), turn));
+        const double jitter = fract(gloam_halton_3d(i + 1U).y + gloam_unit_interval(kernel.angle / (2.0 * pi)));
+        bool any = false;
+        for (int k = 0; k < steps; ++k)
+            any = any || blocked(gloam_eye_march(position, ray, kernel.radius, k, steps, jitter));
+        ended += any ? 1U : 0U;
     }
-    dvec2 step(GloamRay ray, GloamRayTap tap, dvec3 /*normal*/, GloamKernel kernel,
-               GloamMethod method) const {
-        const double blocked = gloam_sample_blocked(tap.depth, tap.buffer_depth, kernel.bias, method.range);
-        return dvec2(max(ray.seen.x, blocked), 0.0);
-    }
-    dvec2 end(GloamRay ray, dvec3 /*normal*/, GloamMethod /*method*/) const { return dvec2(ray.seen.x, 1.0); }
-};
+    return gloam_estimate(ended, rays, samples);
+}
 
 }  // namespace gloam::reference

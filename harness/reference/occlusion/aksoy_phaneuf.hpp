@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/length.hpp"
 #include "reference/occlusion/falloff.hpp"
 #include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
 inline double gloam_contribution_aksoy_phaneuf(dvec3 offset, dvec3 normal, double radius, double bias) {
-    const bool in_front = gloam_is_finite3(offset) && dot(offset, normal) > bias;
-    return in_front ? gloam_falloff_linear(gloam_length(offset), radius) : 0.0;
+    if (!is_finite(offset) || !(dot(offset, normal) > bias)) return 0.0;
+    return gloam_falloff_linear(length(offset), radius);
 }
 
 inline double gloam_two_radii_sum(double fine, double broad) {

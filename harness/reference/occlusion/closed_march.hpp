@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "reference/geometry/camera.hpp"
+#include "reference/geometry/pixel_center.hpp"
 #include "reference/geometry/slice.hpp"
-#include "reference/numeric/square_root.hpp"
 
 namespace gloam::reference {
 
-inline dvec2 gloam_slice_clearance(GloamSlice slice, dvec3 position, dvec2 direction, dvec2 end,
-                                   GloamCamera camera, double radius, double ball) {
-    const dvec2 unknown(0.0, 0.0);
-    if (!(min(end.x, end.y) >= 0.0 && max(end.x, end.y) <= 1.0 && ball >= 0.0 && ball <= 1.0)) return unknown;
+// What is seen at the share s of the radius lies nearer than x s - y to the view axis, in radii, where a tap may see
+// something within a ball: with a the part of the direction in the slice, b what half a pixel is beside it, D the
+// distance and B the ball, x = (1 - B / D) a / (1 + R / D ((1 - a^2)^(1/2) + b)).
+inline dvec2 gloam_slice_clearance(const GloamSlice& slice, dvec3 position, dvec2 direction, dvec2 end,
+                                   const GloamCamera& camera, double radius, double ball) {
+    if (!gloam_inside_unit(end) || !(ball >= 0.0 && ball <= 1.0)) return dvec2(0.0);
     const dvec2 pixels = gloam_camera_radius(radius, -position.z, camera) * dvec2(camera.size);
-    const double squared = slice.weight * slice.weight;
-    const dvec2 shares(1.0 / pixels.x, 1.0 / pixels.y);
-    const double beside = double(0.52F) * length(shares) * (1.0 + gloam_sqrt((1.0 - squared) / squared));
+    const double tangent = sqrt(max(pow(slice.weight, -2) - 1.0, 0.0));  // of the normal's angle to the slice
+    const double b = 0.52 * length(1.0 / pixels) * (1.0 + tangent);
     const double ratio = radius / length(position);
-    const double along = abs(direction.x * slice.tangent.x + direction.y * slice.tangent.y);
-    if (!(ratio <= 0.5 && ratio >= 0.0078125 && squared >= double(0.1F) && beside <= double(0.9F) &&
-          along <= double(1.001F))) {
-        return unknown;
-    }
-    const double nearer = (1.0 - ball * ratio) / (1.0 + ratio * (gloam_sqrt(1.0 - along * along) + beside));
-    return dvec2(nearer * along, nearer * beside + double(2e-4F));
+    const double a = abs(dot(direction, dvec2(slice.tangent)));
+    const bool known = ratio <= 0.5 && ratio >= 1.0 / 128.0 && pow(slice.weight, 2) >= 0.1F && b <= 0.9 && a <= 1.001;
+    if (!known) return dvec2(0.0);
+    const double nearer = (1.0 - ball * ratio) / (1.0 + ratio * (sqrt(max(1.0 - a * a, 0.0)) + b));
+    return {nearer * a, nearer * b + 2e-4};
 }
 
+// The first tap i with ((i + jitter) / steps)^2 x - y at or beyond the ball, and all that follow, see nothing in it.
 inline unsigned gloam_slice_taps(dvec2 clearance, double ball, double jitter, unsigned steps) {
     if (ball <= 0.0) return 0U;
     if (!(ball < 1.0 && clearance.x > 0.0)) return steps;
-    const double end = double(steps) * gloam_sqrt((ball + clearance.y) / clearance.x) - jitter;
-    return end < double(steps) ? unsigned((max(double(ceil(end)), 0.0))) : steps;
+    unsigned taps = 0;
+    while (taps < steps && pow((taps + jitter) / steps, 2) * clearance.x - clearance.y < ball) ++taps;
+    return taps;
 }
 
 }  // namespace gloam::reference

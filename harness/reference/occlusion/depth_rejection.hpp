@@ -6,8 +6,7 @@
 namespace gloam::reference {
 
 inline bool gloam_tap_rejected(double depth, double tap_depth, double threshold) {
-    if (gloam_is_background(depth) || gloam_is_background(tap_depth)) return false;
-    return depth - tap_depth > threshold;
+    return !gloam_is_background(depth) && !gloam_is_background(tap_depth) && depth - tap_depth > threshold;
 }
 
 }  // namespace gloam::reference

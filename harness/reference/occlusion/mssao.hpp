@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/length.hpp"
 #include "reference/occlusion/cosine.hpp"
 #include "reference/occlusion/falloff.hpp"
-#include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
@@ -13,9 +11,7 @@ inline double gloam_contribution_mssao(dvec3 offset, dvec3 normal, double radius
 }
 
 inline double gloam_mssao_combine(double largest, double mean) {
-    const double a = gloam_unit_interval(largest);
-    const double b = gloam_unit_interval(mean);
-    return min(a + b * (1.0 - a), 1.0);
+    return 1.0 - (1.0 - gloam_unit_interval(largest)) * (1.0 - gloam_unit_interval(mean));
 }
 
 }  // namespace gloam::reference

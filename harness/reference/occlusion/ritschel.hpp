@@ -10,11 +10,11 @@ inline double gloam_contribution_ritschel(double blocked, double falloff, double
 }
 
 inline double gloam_contribution_cosine_directions(double blocked, double falloff) {
-    return gloam_unit_interval(blocked) * gloam_unit_interval(falloff);
+    return gloam_contribution_ritschel(blocked, falloff, 1.0);
 }
 
 inline double gloam_contribution_uniform_directions(double blocked, double falloff, double cosine) {
-    return 2.0 * gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
+    return 2.0 * gloam_contribution_ritschel(blocked, falloff, cosine);
 }
 
 }  // namespace gloam::reference

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/math.hpp"
+#include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
 inline double gloam_visibility(double occlusion) {
-    return occlusion > 0.0 ? (occlusion < 1.0 ? 1.0 - occlusion : 0.0) : 1.0;
+    return 1.0 - gloam_unit_interval(occlusion);
 }
 
 inline double gloam_visibility_clamp(double visibility) {
-    return visibility < 1.0 ? (visibility > 0.0 ? visibility : 0.0) : 1.0;
+    return std::isnan(visibility) ? 1.0 : gloam_unit_interval(visibility);
 }
 
 }  // namespace gloam::reference

@@ -7,7 +7,7 @@
 namespace gloam::reference {
 
 inline dvec2 gloam_circle_point(double turn) {
-    return gloam_sincos_turns(gloam_unit_interval(turn));
+    return on_circle(2.0 * pi * gloam_unit_interval(turn));
 }
 
 }  // namespace gloam::reference

@@ -7,7 +7,7 @@
 namespace gloam::reference {
 
 inline dvec3 gloam_disc_point(unsigned index) {
-    return dvec3(gloam_disc_sample(gloam_halton_2d(index)), 0.0);
+    return {gloam_disc_sample(gloam_halton_2d(index)), 0.0};
 }
 
 }  // namespace gloam::reference

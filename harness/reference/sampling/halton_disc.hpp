@@ -8,8 +8,7 @@
 namespace gloam::reference {
 
 inline dvec2 gloam_halton_disc(unsigned index, dvec2 turn) {
-    const dvec2 zeta = gloam_halton_2d(index);
-    return gloam_turn_disc(gloam_disc_sample(zeta), turn);
+    return gloam_turn_disc(gloam_disc_sample(gloam_halton_2d(index)), turn);
 }
 
 }  // namespace gloam::reference

@@ -6,9 +6,8 @@
 namespace gloam::reference {
 
 inline dvec3 gloam_hemisphere_flip(dvec3 s, dvec3 normal) {
-    if (!(dot(s, s) <= 1e38)) return dvec3(0.0);
-    if (dot(s, normal) > 0.0) return s;
-    return -s;
+    if (!(length(s) <= 1e19)) return dvec3(0.0);
+    return dot(s, normal) > 0.0 ? s : -s;
 }
 
 }  // namespace gloam::reference

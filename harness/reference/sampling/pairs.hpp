@@ -6,9 +6,8 @@
 namespace gloam::reference {
 
 inline dvec2 gloam_paired_sample(dvec2 s, int index) {
-    if (!std::isfinite(s.x + s.y)) return dvec2(0.0);
-    if ((index & 1) == 0) return s;
-    return -s;
+    if (!is_finite(s)) return dvec2(0.0);
+    return index % 2 == 0 ? s : -s;
 }
 
 }  // namespace gloam::reference

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/numeric/square_root.hpp"
 #include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
@@ -11,13 +10,13 @@ inline double gloam_radius_linear(double zeta) {
 }
 
 inline double gloam_radius_quadratic(double zeta) {
-    return gloam_sqrt(gloam_unit_interval(zeta));
+    const double x = gloam_unit_interval(zeta);
+    return x < float_min ? 0.0 : sqrt(x);
 }
 
 inline double gloam_radius_cubic(double zeta) {
     const double x = gloam_unit_interval(zeta);
-    if (x < float_min) return 0.0;
-    return cbrt(x);
+    return x < float_min ? 0.0 : cbrt(x);
 }
 
 }  // namespace gloam::reference

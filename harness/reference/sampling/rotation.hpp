@@ -5,15 +5,15 @@
 
 namespace gloam::reference {
 
+// The matrix of the rotation with that cosine and sine.
 inline dvec2 gloam_turn_disc(dvec2 s, dvec2 turn) {
-    if (!(dot(s, s) <= 1e38)) return dvec2(0.0);
-    return dvec2(turn.x * s.x - turn.y * s.y, turn.y * s.x + turn.x * s.y);
+    if (!(length(s) <= 1e19)) return dvec2(0.0);
+    return dmat2(turn.x, turn.y, -turn.y, turn.x) * s;
 }
 
 inline dvec3 gloam_turn_hemisphere(dvec3 s, dvec2 turn) {
-    if (!(dot(s, s) <= 1e38)) return dvec3(0.0);
-    const dvec2 side = gloam_turn_disc(dvec2(s.x, s.y), turn);
-    return dvec3(side.x, side.y, s.z);
+    if (!(length(s) <= 1e19)) return dvec3(0.0);
+    return {gloam_turn_disc(s, turn), s.z};
 }
 
 inline dvec2 gloam_rotate_disc(dvec2 s, double angle) {

@@ -13,12 +13,13 @@ struct GloamSliceSample {
 };
 
 inline double gloam_kernel_turns(double angle) {
-    return abs(angle) <= 65536.0 ? angle / double(6.283185307F) : 0.0;
+    return abs(angle) <= 65536.0 ? angle / (2.0 * pi) : 0.0;
 }
 
+// Directions over half a turn; the kernel's angle shifts them and the jitter.
 inline GloamSliceSample gloam_slice_sample(unsigned index, double turns) {
     const dvec3 point = gloam_halton_3d(index);
-    return {gloam_circle_point(double(0.5 * fract(point.x + turns))), fract(point.y + turns), point.z};
+    return {on_circle(pi * fract(point.x + turns)), fract(point.y + turns), point.z};
 }
 
 }  // namespace gloam::reference

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "reference/math.hpp"
 
 namespace gloam::reference {
 
 inline double gloam_unit_interval(double x) {
-    return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
+    return std::isnan(x) ? 0.0 : std::clamp(x, 0.0, 1.0);
 }
 
 }  // namespace gloam::reference

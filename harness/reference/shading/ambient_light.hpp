@@ -6,7 +6,7 @@
 namespace gloam::reference {
 
 inline dvec3 gloam_ambient_light(dvec3 incident, double occlusion) {
-    return incident * (1.0 - gloam_unit_interval(occlusion));
+    return (1.0 - gloam_unit_interval(occlusion)) * incident;
 }
 
 }  // namespace gloam::reference

@@ -7,7 +7,7 @@ namespace gloam::reference {
 
 inline bool gloam_depth_consistent(double stored_depth, double expected_depth, double epsilon) {
     if (gloam_is_background(stored_depth) || gloam_is_background(expected_depth)) return false;
-    return abs(stored_depth - expected_depth) < epsilon * stored_depth;
+    return abs(1.0 - expected_depth / stored_depth) < epsilon;
 }
 
 inline bool gloam_both_background(double stored_depth, double expected_depth) {

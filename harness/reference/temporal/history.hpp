@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "reference/geometry/background.hpp"
-#include "reference/geometry/finite.hpp"
 
 namespace gloam::reference {
 
@@ -14,30 +15,32 @@ struct GloamHistory {
 };
 
 inline GloamHistory gloam_history_empty(double depth) {
-    return GloamHistory{0.0, 0.0, 0U, gloam_is_background(depth) ? gloam_background_depth() : depth};
+    return {0.0, 0.0, 0U, gloam_is_background(depth) ? infinity : depth};
 }
 
 inline GloamHistory gloam_history_sanitize(GloamHistory h) {
-    const bool usable =
-        h.occlusion > -float_min && h.occlusion <= 1.0 && h.weight >= float_min && h.weight <= float_max;
-    if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
-    return GloamHistory{h.occlusion >= float_min ? h.occlusion : 0.0, h.weight, h.index % 16777216U, h.depth};
+    const bool occludes = h.occlusion > -float_min && h.occlusion <= 1.0;
+    const bool weighs = h.weight >= float_min && h.weight <= float_max;
+    if (!occludes || !weighs || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
+    if (h.occlusion < float_min) h.occlusion = 0.0;
+    h.index %= 1U << 24U;
+    return h;
 }
 
-inline dvec4 gloam_history_pack(GloamHistory h) {
+inline dvec4 gloam_history_pack(const GloamHistory& h) {
     const GloamHistory s = gloam_history_sanitize(h);
-    return dvec4(s.occlusion, s.weight, double(s.index), s.depth);
+    return {s.occlusion, s.weight, s.index, s.depth};
 }
 
 inline GloamHistory gloam_history_unpack(dvec4 texel) {
-    unsigned index = 0U;
-    if (texel.z >= 1.0 && texel.z < 16777216.0) index = unsigned((texel.z));
-    return gloam_history_sanitize(GloamHistory{texel.x, texel.y, index, texel.w});
+    const double index = texel.z >= 0.0 && texel.z < 0x1p24 ? texel.z : 0.0;
+    return gloam_history_sanitize({texel.x, texel.y, static_cast<unsigned>(index), texel.w});
 }
 
+// (j + k) mod N, in 64 bits.
 inline unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size) {
-    const unsigned size = table_size > 0U && table_size < 16777216U ? table_size : 16777216U;
-    return (index % size + k % size) % size;
+    const std::uint64_t size = table_size - 1U < 1U << 24U ? table_size : 1U << 24U;
+    return static_cast<unsigned>((std::uint64_t{index} + k) % size);
 }
 
 }  // namespace gloam::reference
