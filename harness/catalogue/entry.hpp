@@ -73,12 +73,5 @@ template <class Signature, class Reference>
 
 }  // namespace gloam::catalogue
 
-// The reference function template of that name as a function object, for whichever number type it is called
-// with: the template's first parameter, given by a tag since not every function has an argument of it.
-#define GLOAM_REFERENCE(name)                                                  \
-    [](auto number, auto&&... arguments)                                       \
-        -> decltype(::gloam::reference::name<typename decltype(number)::type>( \
-            std::forward<decltype(arguments)>(arguments)...)) {                \
-        return ::gloam::reference::name<typename decltype(number)::type>(      \
-            std::forward<decltype(arguments)>(arguments)...);                  \
-    }
+// The reference function of that name.
+#define GLOAM_REFERENCE(name) (&::gloam::reference::name)

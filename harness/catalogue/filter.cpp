@@ -15,7 +15,7 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using Mean = reference::GloamWeightedMean<float>;
+using Mean = reference::GloamWeightedMean;
 
 constexpr double float_max = 0x1.fffffep127;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -139,13 +139,11 @@ constexpr const char* values_name = "gloam_fetch_occlusion_convergence";
 constexpr const char* positions_name = "gloam_fetch_position";
 constexpr const char* filter_file = "gloam/filter/convergence_filter.glsl";
 
-template <class T>
 auto values_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return images.at(values_name).at<reference::vec2<T>>(pixel); };
+    return [&images](glm::ivec2 pixel) { return images.at(values_name).at<glm::dvec2>(pixel); };
 }
-template <class T>
 auto positions_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return images.at(positions_name).at<reference::vec3<T>>(pixel); };
+    return [&images](glm::ivec2 pixel) { return images.at(positions_name).at<glm::dvec3>(pixel); };
 }
 
 float occlusion_or_worse(numeric::Random& random) {
@@ -212,23 +210,23 @@ void append_window(Entries& entries) {
 
 void append_filtering(Entries& entries) {
     using Tap = Mean(Mean, glm::vec3, glm::ivec2, float, float);
-    entries.push_back(
-        equation<Tap>({.id = "TSSAO-10-tap",
-                       .function = "gloam_filter_tap",
-                       .file = filter_file,
-                       .title = "one neighbour in the filter's mean",
-                       .formula = "(sum + w AO, K + w), w = coverage g(|p - x|) conv(x)",
-                       .source = "TSSAO (Mattausch et al.), eq 10"},
-                      []<class T>(const ImageSet& images, const reference::GloamWeightedMean<T>& mean,
-                                  reference::vec3<T> center, glm::ivec2 tap, T coverage, T scale) {
-                          return reference::gloam_filter_tap(mean, center, tap, coverage, scale,
-                                                             values_of<T>(images), positions_of<T>(images));
-                      },
-                      {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)),
-                                  vector({uniform(0, 0.4), uniform(0, 0.4), uniform(-3, -2)}), image_pixel(),
-                                  uniform(0, 1), scales()},
-                       .budget = {.absolute = 5e-7},
-                       .scenarios = surfaces()}));
+    entries.push_back(equation<Tap>({.id = "TSSAO-10-tap",
+                                     .function = "gloam_filter_tap",
+                                     .file = filter_file,
+                                     .title = "one neighbour in the filter's mean",
+                                     .formula = "(sum + w AO, K + w), w = coverage g(|p - x|) conv(x)",
+                                     .source = "TSSAO (Mattausch et al.), eq 10"},
+                                    [](const ImageSet& images, const reference::GloamWeightedMean& mean,
+                                       glm::dvec3 center, glm::ivec2 tap, double coverage, double scale) {
+                                        return reference::gloam_filter_tap(mean, center, tap, coverage, scale,
+                                                                           values_of(images),
+                                                                           positions_of(images));
+                                    },
+                                    {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)),
+                                                vector({uniform(0, 0.4), uniform(0, 0.4), uniform(-3, -2)}),
+                                                image_pixel(), uniform(0, 1), scales()},
+                                     .budget = {.absolute = 5e-7},
+                                     .scenarios = surfaces()}));
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
     entries.push_back(equation<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)>(
@@ -238,10 +236,10 @@ void append_filtering(Entries& entries) {
          .title = "smoothing that trusts neighbours as far as they have converged",
          .formula = "AO = (1/K) sum of g(|p - x|) conv(x) AO(x), K = sum of g(|p - x|) conv(x)",
          .source = "TSSAO (Mattausch et al.), eqs 10 and 11"},
-        []<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size,
-                    int half_width, T c_adaptive, T sigma) {
+        [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
+           double c_adaptive, double sigma) {
             return reference::gloam_convergence_filter(pixel, along, size, half_width, c_adaptive, sigma,
-                                                       values_of<T>(images), positions_of<T>(images));
+                                                       values_of(images), positions_of(images));
         },
         {.domain = {image_pixel(), axis, image_size(), integers(0, 6).and_near_integers({0, 2147483646L}),
                     uniform(0, 1).and_near({0.2}).and_special(), sigmas()},

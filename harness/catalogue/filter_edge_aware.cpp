@@ -16,9 +16,8 @@ constexpr const char* occlusion_name = "gloam_fetch_occlusion";
 constexpr const char* normal_name = "gloam_fetch_normal";
 constexpr const char* depth_name = "gloam_fetch_depth";
 
-template <class T>
 auto scalars_of(const ImageSet& images, const char* name) {
-    return [&images, name](glm::ivec2 pixel) { return images.at(name).at<T>(pixel); };
+    return [&images, name](glm::ivec2 pixel) { return images.at(name).at<double>(pixel); };
 }
 
 float occlusion_or_worse(numeric::Random& random) {
@@ -75,7 +74,7 @@ void append_bilateral(Entries& entries) {
 void append_bilateral_mean(Entries& entries) {
     constexpr const char* file = "gloam/filter/bilateral.glsl";
     constexpr const char* source = "ISSAO, eq 7; Tomasi and Manduchi 1998";
-    using Mean = reference::GloamWeightedMean<float>;
+    using Mean = reference::GloamWeightedMean;
     using Tap = Mean(Mean, glm::ivec2, float, glm::ivec2, glm::ivec2, float, float);
     const Values sigma_d = uniform(0.5, 4).and_special();
     const Values sigma_r = log_uniform(0.01, 2).and_special();
@@ -86,11 +85,11 @@ void append_bilateral_mean(Entries& entries) {
          .title = "one neighbour in the bilateral mean",
          .formula = "(sum + g s f, k + g s)",
          .source = source},
-        []<class T>(const ImageSet& images, const reference::GloamWeightedMean<T>& mean, glm::ivec2 pixel,
-                    T center, glm::ivec2 tap, glm::ivec2 size, T sigma_pixels, T sigma_depth) {
+        [](const ImageSet& images, const reference::GloamWeightedMean& mean, glm::ivec2 pixel, double center,
+           glm::ivec2 tap, glm::ivec2 size, double sigma_pixels, double sigma_depth) {
             return reference::gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_pixels, sigma_depth,
-                                                  scalars_of<T>(images, occlusion_name),
-                                                  scalars_of<T>(images, depth_name));
+                                                  scalars_of(images, occlusion_name),
+                                                  scalars_of(images, depth_name));
         },
         {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)), image_pixel(), uniform(1.9, 3.1),
                     either(image_pixel(), vector(2, integers(-4, 4))), image_size(), sigma_d, sigma_r},
@@ -106,11 +105,11 @@ void append_bilateral_mean(Entries& entries) {
          .title = "bilateral smoothing of occlusion",
          .formula = "(1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)), k the sum of g s",
          .source = source},
-        []<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 half, glm::ivec2 size, T sigma_d,
-                    T sigma_r) {
+        [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 half, glm::ivec2 size, double sigma_d,
+           double sigma_r) {
             return reference::gloam_bilateral_filter(pixel, half, size, sigma_d, sigma_r,
-                                                     scalars_of<T>(images, occlusion_name),
-                                                     scalars_of<T>(images, depth_name));
+                                                     scalars_of(images, occlusion_name),
+                                                     scalars_of(images, depth_name));
         },
         {.domain = {image_pixel(), half_width, image_size(), sigma_d, sigma_r},
          .budget = {.absolute = 6e-7},
@@ -118,9 +117,8 @@ void append_bilateral_mean(Entries& entries) {
          .scenarios = surfaces()}));
 }
 
-template <class T>
 auto normals_of(const ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return images.at(normal_name).at<reference::vec3<T>>(pixel); };
+    return [&images](glm::ivec2 pixel) { return images.at(normal_name).at<glm::dvec3>(pixel); };
 }
 
 constexpr const char* blur_source = "Aalund and Baerentzen 2013, geometry-aware blur";
@@ -150,7 +148,7 @@ void append_geometry_weight(Entries& entries) {
 }
 
 void append_geometry_blur(Entries& entries) {
-    using Mean = reference::GloamWeightedMean<float>;
+    using Mean = reference::GloamWeightedMean;
     using Tap = Mean(Mean, float, glm::vec3, glm::ivec2, glm::ivec2, glm::vec2);
     const Values powers = vector({uniform(1, 16), uniform(0, 1)});
     entries.push_back(equation<Tap>(
@@ -160,12 +158,11 @@ void append_geometry_blur(Entries& entries) {
          .title = "one neighbour in the geometry-aware blur",
          .formula = "(sum + w AO, K + w)",
          .source = blur_source},
-        []<class T>(const ImageSet& images, const reference::GloamWeightedMean<T>& mean, T center,
-                    reference::vec3<T> normal, glm::ivec2 tap, glm::ivec2 size,
-                    reference::vec2<T> exponents) {
-            return reference::gloam_geometry_blur_tap(
-                mean, center, normal, tap, size, exponents, scalars_of<T>(images, occlusion_name),
-                scalars_of<T>(images, depth_name), normals_of<T>(images));
+        [](const ImageSet& images, const reference::GloamWeightedMean& mean, double center, glm::dvec3 normal,
+           glm::ivec2 tap, glm::ivec2 size, glm::dvec2 exponents) {
+            return reference::gloam_geometry_blur_tap(mean, center, normal, tap, size, exponents,
+                                                      scalars_of(images, occlusion_name),
+                                                      scalars_of(images, depth_name), normals_of(images));
         },
         {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)), uniform(1.9, 3.1),
                     vector({uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(0.6, 0.8)}),
@@ -181,11 +178,11 @@ void append_geometry_blur(Entries& entries) {
          .title = "geometry-aware blur along one axis",
          .formula = "(1 / K) sum of w AO, K the sum of w",
          .source = blur_source},
-        []<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size,
-                    int half_width, reference::vec2<T> exponents) {
+        [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
+           glm::dvec2 exponents) {
             return reference::gloam_geometry_blur(pixel, along, size, half_width, exponents,
-                                                  scalars_of<T>(images, occlusion_name),
-                                                  scalars_of<T>(images, depth_name), normals_of<T>(images));
+                                                  scalars_of(images, occlusion_name),
+                                                  scalars_of(images, depth_name), normals_of(images));
         },
         {.domain = {image_pixel(), axis, image_size(), integers(0, 4).and_near_integers({0}), powers},
          .budget = {.absolute = 1e-6},

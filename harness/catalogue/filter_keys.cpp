@@ -178,8 +178,8 @@ void append_dual(Entries& entries) {
          .title = "where occlusion of half the resolution does not do",
          .formula = "max - min > tolerance over 3 x 3",
          .source = "derived, after Bavoil and Sainz 2009"},
-        []<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, T tolerance) {
-            const auto fetch = [&images](glm::ivec2 at) { return images.at(occlusion_name).at<T>(at); };
+        [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, double tolerance) {
+            const auto fetch = [&images](glm::ivec2 at) { return images.at(occlusion_name).at<double>(at); };
             return reference::gloam_dual_resolution_disagrees(pixel, size, tolerance, fetch);
         },
         {.domain = {image_pixel(), image_size(), uniform(0, 0.3).and_special()},

@@ -23,8 +23,8 @@ Values gather_length() {
     return log_uniform(0.01, 4).and_special();
 }
 
-bool usual_gather(const glm::vec3& position, const glm::vec3& normal,
-                  const reference::GloamCamera<float>& camera, const reference::GloamKernel<float>& kernel) {
+bool usual_gather(const glm::vec3& position, const glm::vec3& normal, const reference::GloamCamera& camera,
+                  const reference::GloamKernel& kernel) {
     return moderate(1e-9, 1e9, position, normal, camera.p00_p11, kernel.radius, kernel.bias);
 }
 

@@ -8,16 +8,14 @@
 #include "check/values.hpp"
 #include "reference/geometry/camera.hpp"
 #include "reference/occlusion/gather_kernel.hpp"
-#include "reference/occlusion/method_parameters.hpp"
 
 // Inputs of the estimators of a pixel, which read depths through a prototype.
 namespace gloam::catalogue {
 
 inline constexpr const char* depth_prototype = "gloam_fetch_depth";
 
-template <class T>
-[[nodiscard]] auto depth_of(const check::ImageSet& images) {
-    return [&images](glm::ivec2 pixel) { return images.at(depth_prototype).at<T>(pixel); };
+[[nodiscard]] inline auto depth_of(const check::ImageSet& images) {
+    return [&images](glm::ivec2 pixel) { return images.at(depth_prototype).at<double>(pixel); };
 }
 
 // vec3, drawn as (ndc, depth): see place_before_camera.
@@ -29,8 +27,7 @@ template <class T>
 
 // Where coordinates and lengths are such that no product overflows.
 [[nodiscard]] bool usual_gather(const glm::vec3& position, const glm::vec3& normal,
-                                const reference::GloamCamera<float>& camera,
-                                const reference::GloamKernel<float>& kernel);
+                                const reference::GloamCamera& camera, const reference::GloamKernel& kernel);
 
 // Depths, and layers behind them that nothing is in.
 [[nodiscard]] std::vector<check::ImageScenario> gather_scenarios();

@@ -13,7 +13,7 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using Camera = reference::GloamCamera<float>;
+using Camera = reference::GloamCamera;
 
 constexpr const char* file = "gloam/geometry/camera.glsl";
 constexpr double huge = 3.5e38;
@@ -25,7 +25,7 @@ using PlaneDepth = float(glm::ivec2, glm::vec3, glm::vec3, Camera);
 // Neither product that decides the depth cancels by more than a factor of 4.
 bool well_conditioned(glm::ivec2 pixel, glm::dvec3 point, glm::dvec3 normal, const Camera& c) {
     if (!moderate(smallest, largest, point, normal, c.p00_p11)) return false;
-    const reference::GloamCamera<double> camera{glm::dvec2(c.p00_p11), c.size, c.orthographic};
+    const reference::GloamCamera camera{glm::dvec2(c.p00_p11), c.size, c.orthographic};
     const glm::dvec3 ray = reference::gloam_camera_position(pixel, 1.0, camera);
     const glm::dvec3 start = c.orthographic ? glm::dvec3(ray.x, ray.y, 0.0) : glm::dvec3(0.0);
     const auto clear = [](glm::dvec3 a, glm::dvec3 b) {

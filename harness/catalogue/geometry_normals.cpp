@@ -111,7 +111,7 @@ void append_facing(Entries& entries) {
          .codomain = {-1.000001, 1.000001},
          .promised = make_predicate<DirectionSignature>([](glm::dvec3 x, glm::dvec3 y, glm::dvec3 viewer) {
              return moderate(1e-10, 2.0, x, y) && moderate(1e-10, 1e10, viewer) &&
-                    reference::is_finite(viewer) && well_conditioned(x, y, viewer);
+                    std::isfinite(viewer.x + viewer.y + viewer.z) && well_conditioned(x, y, viewer);
          })}));
 }
 
@@ -133,10 +133,9 @@ void append_safe_normalize(Entries& entries) {
 // A reference that fetches depths, from the images of a scenario.
 template <class Reference>
 auto fetching_depth(Reference reference) {
-    return [reference]<class T>(const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size,
-                                reference::vec2<T> scale) {
-        const auto fetch = [&images](glm::ivec2 at) { return images.at("gloam_fetch_depth").at<T>(at); };
-        return reference(std::type_identity<T>{}, pixel, size, scale, fetch);
+    return [reference](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, glm::dvec2 scale) {
+        const auto fetch = [&images](glm::ivec2 at) { return images.at("gloam_fetch_depth").at<double>(at); };
+        return reference(pixel, size, scale, fetch);
     };
 }
 

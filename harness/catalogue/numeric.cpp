@@ -2,7 +2,9 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/rooms.hpp"
 #include "reference/numeric/inverse_trigonometry.hpp"
+#include "reference/numeric/length_ratio.hpp"
 #include "reference/numeric/sincos.hpp"
+#include "reference/numeric/square_root.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -12,18 +12,17 @@
 #include "reference/sampling/halton_point.hpp"
 #include "reference/sampling/hemisphere_cosine_point.hpp"
 #include "reference/sampling/hemisphere_uniform_point.hpp"
+#include "reference/sampling/tap_pixel.hpp"
 
 namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using Camera = reference::GloamCamera<float>;
-using Kernel = reference::GloamKernel<float>;
-using Estimate = reference::GloamEstimate<float>;
+using Camera = reference::GloamCamera;
+using Kernel = reference::GloamKernel;
+using Estimate = reference::GloamEstimate;
 using reference::GloamCamera;
 using reference::GloamKernel;
-using reference::GloamMethod;
-using reference::vec3;
 
 constexpr double most_samples = 64;
 
@@ -77,7 +76,7 @@ void append_pairs(Entries& entries) {
 }
 
 void append_hemisphere(Entries& entries) {
-    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamHemisphere<float>);
+    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamHemisphere);
     entries.push_back(equation<Signature>(
         {.id = "TSSAO-2-hemisphere",
          .function = "gloam_hemisphere",
@@ -85,11 +84,9 @@ void append_hemisphere(Entries& entries) {
          .title = "occlusion of a pixel by points of the half ball",
          .formula = "mean of V(p, s_i), s_i of TSSAO-14, i = j + 1 ... j + k",
          .source = "TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009"},
-        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, const reference::GloamHemisphere<T>& own) {
-            return reference::estimate_of(reference::gloam_point_gather(
-                position, normal, camera, kernel, GloamMethod<T>{.range = own.range},
-                reference::HemisphereMethod<T>{}, depth_of<T>(images)));
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
+           const GloamKernel& kernel, const reference::GloamHemisphere& own) {
+            return reference::gloam_hemisphere(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length()})}
@@ -103,7 +100,7 @@ void append_hemisphere(Entries& entries) {
 }
 
 void append_disc(Entries& entries) {
-    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamDisc<float>);
+    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamDisc);
     entries.push_back(equation<Signature>(
         {.id = "TSSAO-2-disc",
          .function = "gloam_disc",
@@ -111,11 +108,9 @@ void append_disc(Entries& entries) {
          .title = "crease shading of a pixel by surface points under a disc",
          .formula = "mean of epsilon C(p, s_i), s_i under TSSAO-13, i = j + 1 ... j + k",
          .source = "TSSAO (Mattausch et al.), eqs 2, 4, 12 and 13; Fox and Compton 2008"},
-        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, const reference::GloamDisc<T>& own) {
-            return reference::estimate_of(reference::gloam_tap_gather(
-                position, normal, camera, kernel, GloamMethod<T>{.epsilon = own.epsilon},
-                reference::DiscMethod<T>{}, depth_of<T>(images)));
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
+           const GloamKernel& kernel, const reference::GloamDisc& own) {
+            return reference::gloam_disc(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length()})}
@@ -137,11 +132,9 @@ void append_volumetric(Entries& entries) {
          .title = "solid share of the ball around a pixel, by paired lines",
          .formula = "mean of q_i weighted by h_i",
          .source = "volumetric obscurance (Loos and Sloan 2010), CS-3.5"},
-        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel) {
-            return reference::estimate_of(
-                reference::gloam_pair_gather(position, normal, camera, kernel, GloamMethod<T>{},
-                                             reference::VolumetricMethod<T>{}, depth_of<T>(images)));
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
+           const GloamKernel& kernel) {
+            return reference::gloam_volumetric(position, normal, camera, kernel, depth_of(images));
         },
         {.domain =
              Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels()}.adjusted(

@@ -84,7 +84,7 @@ void append_tests_of_depth(Entries& entries) {
                                                               .source = bavoil},
                                                              GLOAM_REFERENCE(gloam_layer_depth),
                                                              {.domain = {plain, further, integers(0, 3)}}));
-    using Seen = reference::GloamLayersSeen<float>;
+    using Seen = reference::GloamLayersSeen;
     entries.push_back(equation<Seen(Seen, float, glm::vec3, float, int, int)>(
         {.id = "CS-LAYERS-together",
          .function = "gloam_layers_add",

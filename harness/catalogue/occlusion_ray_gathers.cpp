@@ -11,13 +11,11 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using Camera = reference::GloamCamera<float>;
-using Kernel = reference::GloamKernel<float>;
-using Estimate = reference::GloamEstimate<float>;
+using Camera = reference::GloamCamera;
+using Kernel = reference::GloamKernel;
+using Estimate = reference::GloamEstimate;
 using reference::GloamCamera;
 using reference::GloamKernel;
-using reference::GloamMethod;
-using reference::vec3;
 
 constexpr double most_samples = 64;
 
@@ -36,7 +34,7 @@ void append_disc(Entries& entries) {
 }
 
 void append_poisson(Entries& entries) {
-    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamPoisson<float>);
+    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamPoisson);
     entries.push_back(equation<Signature>(
         {.id = "RAY-gather",
          .function = "gloam_poisson",
@@ -44,11 +42,9 @@ void append_poisson(Entries& entries) {
          .title = "occlusion of a pixel by rays of a lifted Poisson disc",
          .formula = "share of the rays that are blocked",
          .source = "Sourimant et al. 2011, CS-J"},
-        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, const reference::GloamPoisson<T>& own) {
-            return reference::estimate_of(reference::gloam_ray_gather(
-                position, normal, camera, kernel, GloamMethod<T>{.range = own.range, .steps = own.steps},
-                reference::PoissonMethod<T>{}, depth_of<T>(images)));
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
+           const GloamKernel& kernel, const reference::GloamPoisson& own) {
+            return reference::gloam_poisson(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length(), integers(1, 4)})}
@@ -62,7 +58,7 @@ void append_poisson(Entries& entries) {
 }
 
 void append_sphere_proxy(Entries& entries) {
-    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamSphereProxy<float>);
+    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamSphereProxy);
     entries.push_back(equation<Signature>(
         {.id = "PROXY-gather",
          .function = "gloam_sphere_proxy",
@@ -70,11 +66,9 @@ void append_sphere_proxy(Entries& entries) {
          .title = "occlusion of a pixel by its surroundings as balls",
          .formula = "intensity times the sum of 2 rho_i M C(p, s_i), M the pixels of the disc, rho_i uniform",
          .source = "Shanmugam and Arikan 2007, CS-H"},
-        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, const reference::GloamSphereProxy<T>& own) {
-            return reference::estimate_of(reference::gloam_proxy_gather(
-                position, normal, camera, kernel, GloamMethod<T>{.intensity = own.intensity},
-                reference::SphereProxyMethod<T>{}, depth_of<T>(images)));
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
+           const GloamKernel& kernel, const reference::GloamSphereProxy& own) {
+            return reference::gloam_sphere_proxy(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({uniform(0, 2).and_special()})}

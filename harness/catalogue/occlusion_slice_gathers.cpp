@@ -13,14 +13,12 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using Camera = reference::GloamCamera<float>;
-using Kernel = reference::GloamKernel<float>;
-using Estimate = reference::GloamEstimate<float>;
-using Slice = reference::GloamSlice<float>;
+using Camera = reference::GloamCamera;
+using Kernel = reference::GloamKernel;
+using Estimate = reference::GloamEstimate;
+using Slice = reference::GloamSlice;
 using reference::GloamCamera;
 using reference::GloamKernel;
-using reference::GloamMethod;
-using reference::vec3;
 
 constexpr double most_samples = 64;
 
@@ -51,7 +49,7 @@ Values slices() {
     return made_by<Slice>([](numeric::Random& random) {
         const glm::vec3 view =
             glm::normalize(glm::vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1));
-        const glm::vec3 normal = glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1));
+        const glm::dvec3 normal = glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1));
         const auto turn = static_cast<float>(random.uniform(0, 3.1415926));
         return reference::gloam_slice(glm::vec2(std::cos(turn), std::sin(turn)), view, normal);
     });
@@ -93,7 +91,7 @@ void append_taps(Entries& entries) {
 }
 
 void append_gtao(Entries& entries) {
-    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamGtao<float>);
+    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamGtao);
     entries.push_back(equation<Signature>(
         {.id = "GTAO-gather",
          .function = "gloam_gtao",
@@ -101,11 +99,9 @@ void append_gtao(Entries& entries) {
          .title = "occlusion of a pixel by horizon slices",
          .formula = "weighted mean over slices",
          .source = "GTAO (Jimenez et al. 2016)"},
-        []<class T>(const ImageSet& images, vec3<T> position, vec3<T> normal, const GloamCamera<T>& camera,
-                    const GloamKernel<T>& kernel, const reference::GloamGtao<T>& own) {
-            return reference::estimate_of(reference::gloam_slice_gather(
-                position, normal, camera, kernel, GloamMethod<T>{.steps = own.steps},
-                reference::GtaoMethod<T>{}, depth_of<T>(images)));
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
+           const GloamKernel& kernel, const reference::GloamGtao& own) {
+            return reference::gloam_gtao(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({integers(1, 4)})}
@@ -119,21 +115,21 @@ void append_gtao(Entries& entries) {
 }
 
 void append_slice_parts(Entries& entries) {
-    using Axes = reference::GloamSliceAxes<float>(Slice, glm::vec3);
-    entries.push_back(
-        equation<Axes>({.id = "SLICE-axes",
-                        .function = "gloam_slice_axes",
-                        .file = "gloam/geometry/slice.glsl",
-                        .title = "vectors that take offsets into a slice along the tangent plane",
-                        .formula = "(v - (u . v) a, t - (u . t) a), u . n = 0, u . a = 1",
-                        .source = "definition"},
-                       GLOAM_REFERENCE(gloam_slice_axes),
-                       {.domain = {slices(), unit_vector(3)},
-                        .budget = {.absolute = 1.5e-5},
-                        .promised = make_predicate<Axes>([](const Slice& slice, const glm::vec3& n) {
-                            const float turned = glm::dot(glm::cross(slice.tangent, slice.view), n);
-                            return turned * turned < 0.9F;
-                        })}));
+    using Axes = reference::GloamSliceAxes(Slice, glm::vec3);
+    entries.push_back(equation<Axes>(
+        {.id = "SLICE-axes",
+         .function = "gloam_slice_axes",
+         .file = "gloam/geometry/slice.glsl",
+         .title = "vectors that take offsets into a slice along the tangent plane",
+         .formula = "(v - (u . v) a, t - (u . t) a), u . n = 0, u . a = 1",
+         .source = "definition"},
+        GLOAM_REFERENCE(gloam_slice_axes),
+        {.domain = {slices(), unit_vector(3)},
+         .budget = {.absolute = 1.5e-5},
+         .promised = make_predicate<Axes>([](const Slice& slice, const glm::vec3& n) {
+             const double turned = glm::dot(glm::cross(slice.tangent, slice.view), glm::dvec3(n));
+             return turned * turned < 0.9;
+         })}));
     entries.push_back(equation<float(float)>(
         {.id = "SLICE-turns",
          .function = "gloam_kernel_turns",
@@ -143,7 +139,7 @@ void append_slice_parts(Entries& entries) {
          .source = "definition"},
         GLOAM_REFERENCE(gloam_kernel_turns),
         {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()}, .budget = {.ulp = 1}}));
-    using Sample = reference::GloamSliceSample<float>(unsigned, float);
+    using Sample = reference::GloamSliceSample(unsigned, float);
     entries.push_back(equation<Sample>(
         {.id = "SLICE-sample",
          .function = "gloam_slice_sample",

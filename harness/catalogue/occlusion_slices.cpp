@@ -12,7 +12,7 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using Slice = reference::GloamSlice<float>;
+using Slice = reference::GloamSlice;
 
 constexpr const char* gtao_file = "gloam/occlusion/gtao.glsl";
 constexpr const char* gtao_source = "Jimenez et al. 2016";
@@ -49,9 +49,8 @@ Values slices() {
         const double azimuth = random.uniform(0, 3.14159265);
         const glm::dvec3 view = glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), 1.5));
         const glm::dvec3 normal = glm::normalize(glm::dvec3(random.uniform(-2, 2), random.uniform(-2, 2), 1));
-        const auto slice =
-            reference::gloam_slice(reference::vec2<double>(std::cos(azimuth), std::sin(azimuth)),
-                                   reference::vec3<double>(view), reference::vec3<double>(normal));
+        const auto slice = reference::gloam_slice(reference::dvec2(std::cos(azimuth), std::sin(azimuth)),
+                                                  reference::dvec3(view), reference::dvec3(normal));
         return Slice{glm::vec3(slice.view), glm::vec3(slice.tangent), glm::vec2(slice.normal),
                      static_cast<float>(slice.angle), static_cast<float>(slice.weight)};
     });

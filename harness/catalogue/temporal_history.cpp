@@ -8,7 +8,7 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using History = reference::GloamHistory<float>;
+using History = reference::GloamHistory;
 
 constexpr Origin origin{"gloam/temporal/history.glsl",
                         "TSSAO (Mattausch et al.), layout of the ambient-occlusion buffer"};

@@ -7,7 +7,7 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using History = reference::GloamHistory<float>;
+using History = reference::GloamHistory;
 using Packed = reference::GloamPackedHistory;
 
 constexpr Origin origin{"gloam/temporal/packed_history.glsl",

@@ -12,7 +12,7 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-using History = reference::GloamHistory<float>;
+using History = reference::GloamHistory;
 
 constexpr const char* file = "gloam/temporal/reprojected_history.glsl";
 constexpr const char* history_name = "gloam_fetch_history";
@@ -80,10 +80,9 @@ void append_reprojection(Entries& entries) {
          .formula = "mean of (AO, w) over the four texels with |d - d'| < epsilon d, by bilinear weights; j "
                     "of the heaviest",
          .source = "TSSAO (Mattausch et al.), eqs 7 and 8; validated bilinear taps"},
-        []<class T>(const ImageSet& images, reference::vec2<T> uv, glm::ivec2 size, T expected_depth,
-                    T epsilon) {
+        [](const ImageSet& images, glm::dvec2 uv, glm::ivec2 size, double expected_depth, double epsilon) {
             const auto fetch = [&images](glm::ivec2 pixel) {
-                return images.at(history_name).at<reference::vec4<T>>(pixel);
+                return images.at(history_name).at<glm::dvec4>(pixel);
             };
             return reference::gloam_reprojected_history(uv, size, expected_depth, epsilon, fetch);
         },

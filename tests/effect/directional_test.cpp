@@ -141,7 +141,7 @@ TEST_F(Directions, LightComesFromWhereItIs) {
 // One pixel's bounce by the references, from random points.
 glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, const Settings& settings,
                      glm::ivec2 pixel) {
-    const reference::GloamCamera<double> camera{
+    const reference::GloamCamera camera{
         glm::dvec2(view.camera.p00_p11()),
         {static_cast<int>(view.extent.width), static_cast<int>(view.extent.height)},
         view.camera.orthographic()};

@@ -191,7 +191,7 @@ TEST_P(ConvergenceFilter, IsItsReference) {
     const Field field = random_field({21, 13}, 0.3F);
     const FilterConstants parameters;
     const double converged = reference::gloam_convergence(50.0, double{parameters.weight_max});
-    const reference::GloamCamera<double> camera{{1.0, -1.0}, field.size, false};
+    const reference::GloamCamera camera{{1.0, -1.0}, field.size, false};
     const std::vector<float> expected =
         by_reference(field, [&](const Field& f, glm::ivec2 pixel, glm::ivec2 axis) {
             const double sigma =

@@ -11,7 +11,7 @@
 namespace gloam::reference {
 namespace packed_history_test {
 
-using History = GloamHistory<double>;
+using History = GloamHistory;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -60,8 +60,7 @@ TEST(PackedHistory, DepthsAreWithinTheirBound) {
 double stops_short(double k, double weight_max) {
     History h{0.0, 0.0, 0U, 8.0};
     for (int frame = 0; frame < 60000; ++frame) {
-        const vec2<double> blended =
-            gloam_blend(h.occlusion, h.weight, frame < 100 ? 0.1 : 0.9, k, weight_max);
+        const dvec2 blended = gloam_blend(h.occlusion, h.weight, frame < 100 ? 0.1 : 0.9, k, weight_max);
         h = gloam_history_decode(gloam_history_encode(History{blended.x, blended.y, 0U, 8.0}));
     }
     return 0.9 - h.occlusion;

@@ -13,12 +13,6 @@
 // compared, in double, with its equation as it stands in print (or the definition that it comes from).
 namespace gloam::reference::test {
 
-using dvec2 = vec2<double>;
-using dvec3 = vec3<double>;
-using dvec4 = vec4<double>;
-using dmat3 = mat3<double>;
-using dmat4 = mat4<double>;
-
 constexpr int draws = 2000;
 
 // Calls check(random) for many states of one random generator.

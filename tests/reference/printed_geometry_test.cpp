@@ -84,7 +84,7 @@ TEST(Printed, ProjectedRadius) {
 // n . (o + t w - q) = 0 with the ray's origin o and direction w, w.z = -1, so that t is the depth.
 TEST(Printed, PlaneDepthIsOnTheRayAndInThePlane) {
     for_random([](numeric::Random& random) {
-        const GloamCamera<double> camera{dvec2(1.5, -1.25), glm::ivec2(64, 48), random.below(2) == 0};
+        const GloamCamera camera{dvec2(1.5, -1.25), glm::ivec2(64, 48), random.below(2) == 0};
         const glm::ivec2 pixel(static_cast<int>(random.below(64)), static_cast<int>(random.below(48)));
         const dvec2 ndc = gloam_ndc_from_pixel(pixel, camera.size);
         const dvec2 side(ndc.x / 1.5, ndc.y / -1.25);

@@ -129,7 +129,7 @@ TEST(Printed, SlicesAreTheirIntegrals) {
         const double h = random.uniform(0, end);
         const auto weighted = [n](double a) { return std::cos(a - n) * std::abs(std::sin(a)); };
         const auto plain = [](double a) { return std::abs(std::sin(a)); };
-        const GloamSlice<double> slice{.normal = turned_by(n), .angle = n, .weight = 1.0};
+        const GloamSlice slice{.normal = turned_by(n), .angle = n, .weight = 1.0};
         EXPECT_NEAR(gloam_gtao_arc(end - h, turned_by(h), turned_by(n)), integral(h, end, weighted), 1e-8)
             << n << " " << h;
         EXPECT_NEAR(gloam_gtao_side(std::cos(h), n, turned_by(n)), integral(h, end, weighted), 1e-8);

@@ -95,13 +95,12 @@ TEST(Printed, MultiResolution) {
 
 TEST(Printed, ConesAndBentNormals) {
     for_random([](numeric::Random& random) {
-        const double angle = random.uniform(0, pi<double>() / 2);
+        const double angle = random.uniform(0, pi / 2);
         EXPECT_NEAR(gloam_cone_angle((1 + std::cos(angle)) / 2), angle, 1e-7);
         EXPECT_NEAR(gloam_cone_angle_uniform(1 - std::cos(angle)), angle, 1e-7);
         EXPECT_NEAR(gloam_cone_angle_cosine(std::pow(std::sin(angle), 2)), angle, 1e-7);
         const double agreement = random.unit();
-        expect_same(gloam_cone_angle_linear(agreement),
-                    (1 - std::max(0.0, 2 * agreement - 1)) * pi<double>() / 2, 1.0);
+        expect_same(gloam_cone_angle_linear(agreement), (1 - std::max(0.0, 2 * agreement - 1)) * pi / 2, 1.0);
         const dvec3 sum = point3(random);
         const dvec4 bent(sum.x, sum.y, sum.z, 2.0);
         expect_same(gloam_bent_normal(bent, dvec3(0, 0, 1)), sum / length(sum));
@@ -118,7 +117,7 @@ TEST(Printed, OcclusionByCurvature) {
         constexpr int steps = 4000;
         double sum = 0;
         for (int s = 0; s < steps; ++s) {
-            const double phi = pi<double>() * (s + 0.5) / steps;
+            const double phi = pi * (s + 0.5) / steps;
             const double k = a * std::pow(std::cos(phi), 2) + b * std::pow(std::sin(phi), 2);
             const double q = std::max(k, 0.0) / 2;
             sum += q * q / (1 + q * q);
@@ -139,7 +138,7 @@ TEST(Printed, ProxiesOfTheScene) {
         expect_same(gloam_contribution_sphere(v, n, r), (1 - std::sqrt(1 - r * r / (d * d))) * up, 1.0);
         expect_same(gloam_contribution_sphere_cosine(v, n, r), r * r / (d * d) * up, 1.0);
         const double area = log_uniform(random, 1e-3, 10);
-        const double squared = pi<double>() * d * d;
+        const double squared = pi * d * d;
         expect_same(gloam_contribution_disc_proxy(v, n, e, area, 0.5),
                     0.5 * (1 - 1 / std::sqrt(1 + area / squared)) * facing * std::min(4 * up, 1.0), 1.0);
         expect_same(gloam_contribution_disc_proxy_cosine(v, n, e, area, 1.0),

@@ -15,7 +15,7 @@
 namespace gloam::reference::test {
 namespace printed_sampling_test {
 
-const double two_pi = 2.0 * pi<double>();
+const double two_pi = 2.0 * pi;
 
 // a_0 / b + a_1 / b^2 + ... of the digits a_m of the index.
 double mirrored_digits(unsigned index, unsigned base) {

@@ -17,21 +17,21 @@ float gloam_gaussian_scale(float sigma) {
 
 // Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)), which is exp2(-(d
 // scale)^2).
-// squared_distance: d^2, world units squared, >= 0 (below 0 it is read as 0). scale: of gloam_gaussian_scale, 1 /
+// squared_distance: d^2, world units squared, of which the sign does not count. scale: of gloam_gaussian_scale, 1 /
 // world units.
 // Returns a weight in [0, 1], not below 1e-30 unless 0. 0 for infinity or NaN in either, else 1 for distance 0 or
 // scale 0.
 // Error: 3e-7; 5e-7 by any device that keeps Vulkan's rules for exp2(), 3 + 2 x ULP of a weight of 2^-x: the smallest
 // weights hold to 3e-5 of themselves.
 float gloam_gaussian_scaled(float squared_distance, float scale) {
-    float x = squared_distance * scale * scale;
-    float weight = min(exp2(-max(x, 0.0)), 1.0);
+    float x = abs(squared_distance) * scale * scale;
+    float weight = min(exp2(-x), 1.0);
     return x <= 99.5 ? weight : 0.0;
 }
 
 // Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)). Depth edges need no
 // further term.
-// squared_distance: d^2, world units squared, >= 0 (below 0 it is read as 0). sigma: world units, >= 0.
+// squared_distance: d^2, world units squared, of which the sign does not count. sigma: world units, >= 0.
 // Returns a weight in [0, 1], not below 1e-30 unless 0. For sigma zero, subnormal or negative: 1 at distance 0, else
 // 0. An infinite distance gives 0, an infinite sigma 1 at every finite one, NaN in either 0. Error: 3e-7; 1e-6 by any
 // device that keeps Vulkan's rules for exp2() and division.

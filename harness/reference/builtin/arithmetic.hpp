@@ -6,110 +6,80 @@
 // The operators and functions of GLSL themselves, each by the number type's own operation of that name.
 namespace gloam::reference {
 
-template <class T>
-T builtin_negate(T x) {
+inline double builtin_negate(double x) {
     return -x;
 }
-template <class T>
-T builtin_abs(T x) {
+inline double builtin_abs(double x) {
     return abs(x);
 }
-template <class T>
-T builtin_sign(T x) {
-    return sign(x);
+inline double builtin_sign(double x) {
+    return glm::sign(x);
 }
-template <class T>
-T builtin_min(T x, T y) {
+inline double builtin_min(double x, double y) {
     return min(x, y);
 }
-template <class T>
-T builtin_max(T x, T y) {
+inline double builtin_max(double x, double y) {
     return max(x, y);
 }
-template <class T>
-T builtin_clamp(T x, T low, T high) {
+inline double builtin_clamp(double x, double low, double high) {
     return clamp(x, low, high);
 }
-template <class T>
-T builtin_add(T x, T y) {
+inline double builtin_add(double x, double y) {
     return x + y;
 }
-template <class T>
-T builtin_subtract(T x, T y) {
+inline double builtin_subtract(double x, double y) {
     return x - y;
 }
-template <class T>
-T builtin_multiply(T x, T y) {
+inline double builtin_multiply(double x, double y) {
     return x * y;
 }
-template <class T>
-T builtin_divide(T x, T y) {
+inline double builtin_divide(double x, double y) {
     return x / y;
 }
-template <class T>
-T builtin_fma(T a, T b, T c) {
-    return fma(a, b, c);
+inline double builtin_fma(double a, double b, double c) {
+    return std::fma(a, b, c);
 }
-template <class T>
-T builtin_floor(T x) {
+inline double builtin_floor(double x) {
     return floor(x);
 }
-template <class T>
-T builtin_ceil(T x) {
+inline double builtin_ceil(double x) {
     return ceil(x);
 }
-template <class T>
-T builtin_fract(T x) {
+inline double builtin_fract(double x) {
     return fract(x);
 }
-template <class T>
-T builtin_trunc(T x) {
-    return trunc(x);
+inline double builtin_trunc(double x) {
+    return std::trunc(x);
 }
-template <class T>
-T builtin_round(T x) {
-    return round(x);
+inline double builtin_round(double x) {
+    return std::round(x);
 }
-template <class T>
-T builtin_round_even(T x) {
+inline double builtin_round_even(double x) {
     return round_even(x);
 }
-template <class T>
-T builtin_mod(T x, T y) {
-    return mod(x, y);
+inline double builtin_mod(double x, double y) {
+    return glm::mod(x, y);
 }
-template <class T>
-T builtin_modf(T x, T& whole) {
-    whole = trunc(x);
+inline double builtin_modf(double x, double& whole) {
+    whole = std::trunc(x);
     return x - whole;
 }
-// By halving and doubling, which are exact; 0 and subnormal numbers give (0, 0).
-template <class T>
-T builtin_frexp(T x, int& exponent) {
-    exponent = 0;
-    if (!(abs(x) >= float_min<T>())) return T(0);
-    for (; abs(x) >= T(1); ++exponent) x = x * T(0.5);
-    for (; abs(x) < T(0.5); --exponent) x = x * T(2);
-    return x;
+inline double builtin_frexp(double x, int& exponent) {
+    return std::frexp(x, &exponent);
 }
-template <class T>
-T builtin_ldexp(T x, int exponent) {
-    return ldexp(x, exponent);
+inline double builtin_ldexp(double x, int exponent) {
+    return std::ldexp(x, exponent);
 }
-template <class T>
-T builtin_step(T edge, T x) {
-    return step(edge, x);
+inline double builtin_step(double edge, double x) {
+    return glm::step(edge, x);
 }
-template <class T>
-T builtin_mix(T x, T y, T a) {
+inline double builtin_mix(double x, double y, double a) {
     return mix(x, y, a);
 }
-template <class T>
-T builtin_smoothstep(T edge0, T edge1, T x) {
-    return smoothstep(edge0, edge1, x);
+inline double builtin_smoothstep(double edge0, double edge1, double x) {
+    return glm::smoothstep(edge0, edge1, x);
 }
-template <class T>
-T builtin_quantize(T x) {
+inline double builtin_quantize(double x) {
     return quantize_to_half(x);
 }
 

@@ -5,44 +5,34 @@
 
 namespace gloam::reference {
 
-template <class T>
-T builtin_float_of_int(int i) {
-    return T(i);
+inline double builtin_float_of_int(int i) {
+    return i;
 }
-template <class T>
-T builtin_float_of_uint(unsigned i) {
-    return T(i);
+inline double builtin_float_of_uint(unsigned i) {
+    return i;
 }
-template <class T>
-int builtin_int_of_float(T x) {
-    return to_int(x);
+inline int builtin_int_of_float(double x) {
+    return int(x);
 }
-template <class T>
-unsigned builtin_uint_of_float(T x) {
-    return static_cast<unsigned>(to_int(x));
+inline unsigned builtin_uint_of_float(double x) {
+    return unsigned(x);
 }
-template <class T>
-bool builtin_isnan(T x) {
-    return is_nan(x);
+inline bool builtin_isnan(double x) {
+    return std::isnan(x);
 }
-template <class T>
-bool builtin_isinf(T x) {
-    return is_infinite(x);
+inline bool builtin_isinf(double x) {
+    return std::isinf(x);
 }
-template <class T>
-bool builtin_less(T x, T y) {
+inline bool builtin_less(double x, double y) {
     return x < y;
 }
-template <class T>
-bool builtin_less_or_equal(T x, T y) {
+inline bool builtin_less_or_equal(double x, double y) {
     return x <= y;
 }
-template <class T>
-bool builtin_equal(T x, T y) {
+inline bool builtin_equal(double x, double y) {
     return x == y;
 }
-template <class T>
-bool builtin_not_equal(T x, T y) {
+inline bool builtin_not_equal(double x, double y) {
     return x != y;
 }
 

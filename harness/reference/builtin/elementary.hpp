@@ -5,81 +5,62 @@
 
 namespace gloam::reference {
 
-template <class T>
-T builtin_exp(T x) {
+inline double builtin_exp(double x) {
     return exp(x);
 }
-template <class T>
-T builtin_exp2(T x) {
+inline double builtin_exp2(double x) {
     return exp2(x);
 }
-template <class T>
-T builtin_log(T x) {
+inline double builtin_log(double x) {
     return log(x);
 }
-template <class T>
-T builtin_log2(T x) {
+inline double builtin_log2(double x) {
     return log2(x);
 }
-template <class T>
-T builtin_inversesqrt(T x) {
-    return inversesqrt(x);
+inline double builtin_inversesqrt(double x) {
+    return 1.0 / sqrt(x);
 }
-template <class T>
-T builtin_sqrt(T x) {
+inline double builtin_sqrt(double x) {
     return sqrt(x);
 }
-template <class T>
-T builtin_radians(T x) {
-    return radians(x);
+inline double builtin_radians(double x) {
+    return glm::radians(x);
 }
-template <class T>
-T builtin_degrees(T x) {
-    return degrees(x);
+inline double builtin_degrees(double x) {
+    return glm::degrees(x);
 }
-template <class T>
-T builtin_sin(T x) {
+inline double builtin_sin(double x) {
     return sin(x);
 }
-template <class T>
-T builtin_cos(T x) {
+inline double builtin_cos(double x) {
     return cos(x);
 }
-template <class T>
-T builtin_tan(T x) {
+inline double builtin_tan(double x) {
     return tan(x);
 }
-template <class T>
-T builtin_asin(T x) {
+inline double builtin_asin(double x) {
     return asin(x);
 }
-template <class T>
-T builtin_acos(T x) {
+inline double builtin_acos(double x) {
     return acos(x);
 }
-template <class T>
-T builtin_atan(T x) {
+inline double builtin_atan(double x) {
     return atan(x);
 }
-template <class T>
-T builtin_sinh(T x) {
-    return sinh(x);
+inline double builtin_sinh(double x) {
+    return std::sinh(x);
 }
-template <class T>
-T builtin_cosh(T x) {
-    return cosh(x);
+inline double builtin_cosh(double x) {
+    return std::cosh(x);
 }
-template <class T>
-T builtin_tanh(T x) {
-    return tanh(x);
+inline double builtin_tanh(double x) {
+    return std::tanh(x);
 }
-template <class T>
-T builtin_pow(T x, T y) {
+inline double builtin_pow(double x, double y) {
     return pow(x, y);
 }
-template <class T>
-T builtin_atan2(T y, T x) {
-    return atan(y, x);
+inline double builtin_atan2(double y, double x) {
+    return std::atan2(y, x);
 }
 
 }  // namespace gloam::reference

@@ -7,34 +7,28 @@
 
 namespace gloam::reference {
 
-// fetch_occlusion, fetch_depth: T(glm::ivec2).
-template <class T, class FetchOcclusion, class FetchDepth>
-GloamWeightedMean<T> gloam_bilateral_tap(GloamWeightedMean<T> mean, glm::ivec2 pixel, T center,
-                                         glm::ivec2 tap, glm::ivec2 size, T sigma_d, T sigma_r,
-                                         FetchOcclusion&& fetch_occlusion, FetchDepth&& fetch_depth) {
-    if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
-    const T depth = fetch_depth(tap);
-    if (gloam_is_background(depth)) return mean;
-    const vec2<T> offset(T(tap.x - pixel.x), T(tap.y - pixel.y));
-    const T weight = gloam_bilateral_weight(offset, depth - center, sigma_d, sigma_r);
+inline GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, glm::ivec2 pixel, double center,
+                                             glm::ivec2 tap, glm::ivec2 size, double sigma_d, double sigma_r,
+                                             const Fetch<double>& fetch_occlusion,
+                                             const Fetch<double>& fetch_depth) {
+    if (tap != clamp(tap, glm::ivec2(0), size - 1) || gloam_is_background(fetch_depth(tap))) return mean;
+    const double weight = gloam_bilateral_weight(tap - pixel, fetch_depth(tap) - center, sigma_d, sigma_r);
     return gloam_weighted_mean_add(mean, fetch_occlusion(tap), weight);
 }
 
-template <class T, class FetchOcclusion, class FetchDepth>
-T gloam_bilateral_filter(glm::ivec2 pixel, glm::ivec2 half_width, glm::ivec2 size, T sigma_d, T sigma_r,
-                         FetchOcclusion&& fetch_occlusion, FetchDepth&& fetch_depth) {
-    const T own = fetch_occlusion(pixel);
-    const T center = fetch_depth(pixel);
-    GloamWeightedMean<T> mean = gloam_weighted_mean_empty<T>();
-    if (gloam_is_background(center)) return gloam_weighted_mean_value(mean, own);
-    const glm::ivec2 reach(clamp(half_width.x, 0, 16), clamp(half_width.y, 0, 16));
-    for (int y = -reach.y; y <= reach.y; ++y) {
-        for (int x = -reach.x; x <= reach.x; ++x) {
-            mean = gloam_bilateral_tap(mean, pixel, center, pixel + glm::ivec2(x, y), size, sigma_d, sigma_r,
-                                       fetch_occlusion, fetch_depth);
-        }
+// The sum over every pixel of the image that lies in the window.
+inline double gloam_bilateral_filter(glm::ivec2 pixel, glm::ivec2 half_width, glm::ivec2 size, double sigma_d,
+                                     double sigma_r, const Fetch<double>& fetch_occlusion,
+                                     const Fetch<double>& fetch_depth) {
+    const double center = fetch_depth(pixel);
+    const glm::ivec2 reach = clamp(half_width, 0, 16);
+    GloamWeightedMean mean = gloam_weighted_mean_empty();
+    for (int i = 0; i < size.x * size.y && !gloam_is_background(center); ++i) {
+        const glm::ivec2 tap(i % size.x, i / size.x);
+        if (glm::abs(tap - pixel) != min(glm::abs(tap - pixel), reach)) continue;
+        mean = gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_d, sigma_r, fetch_occlusion, fetch_depth);
     }
-    return gloam_weighted_mean_value(mean, own);
+    return gloam_weighted_mean_value(mean, fetch_occlusion(pixel));
 }
 
 }  // namespace gloam::reference

@@ -5,11 +5,10 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_bilateral_weight(vec2<T> offset, T depth_difference, T sigma_d, T sigma_r) {
-    const T weight = gloam_gaussian(dot(offset, offset), sigma_d) *
-                     gloam_gaussian(depth_difference * depth_difference, sigma_r);
-    return weight >= T(1e-30) ? weight : T(0);
+inline double gloam_bilateral_weight(dvec2 offset, double depth_difference, double sigma_d, double sigma_r) {
+    const double weight =
+        gloam_gaussian(dot(offset, offset), sigma_d) * gloam_gaussian(pow(depth_difference, 2), sigma_r);
+    return weight >= 1e-30 ? weight : 0.0;
 }
 
 }  // namespace gloam::reference

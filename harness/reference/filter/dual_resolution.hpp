@@ -5,20 +5,17 @@
 
 namespace gloam::reference {
 
-template <class T, class Fetch>
-bool gloam_dual_resolution_disagrees(glm::ivec2 pixel, glm::ivec2 size, T tolerance,
-                                     Fetch&& fetch_occlusion) {
-    T low = T(1);
-    T high = T(0);
-    const glm::ivec2 first = glm::max(pixel - 1, glm::ivec2(0));
-    const glm::ivec2 last = glm::min(pixel + 1, size - 1);
-    for (int y = first.y; y <= last.y; ++y) {
-        for (int x = first.x; x <= last.x; ++x) {
-            const T occlusion = fetch_occlusion(glm::ivec2(x, y));
-            if (!(occlusion >= T(0) && occlusion <= T(1))) return true;
-            low = min(low, occlusion);
-            high = max(high, occlusion);
-        }
+inline bool gloam_dual_resolution_disagrees(glm::ivec2 pixel, glm::ivec2 size, double tolerance,
+                                            const Fetch<double>& fetch_occlusion) {
+    double low = 1.0;
+    double high = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        const glm::ivec2 at = pixel + glm::ivec2(i % 3, i / 3) - 1;
+        if (at != clamp(at, glm::ivec2(0), size - 1)) continue;
+        const double occlusion = fetch_occlusion(at);
+        if (!(occlusion >= 0.0 && occlusion <= 1.0)) return true;
+        low = min(low, occlusion);
+        high = max(high, occlusion);
     }
     return !(high - low <= tolerance);
 }

@@ -2,34 +2,29 @@
 #pragma once
 
 #include "reference/geometry/background.hpp"
-#include "reference/geometry/finite.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_gaussian_scale(T sigma) {
-    if (!(abs(sigma) >= T(0))) return infinity<T>();
-    return sigma <= T(0x1p100) ? T(0.8493218002880191) / max(sigma, float_min<T>()) : T(0);
+inline double gloam_gaussian_scale(double sigma) {
+    if (std::isnan(sigma)) return infinity;
+    return sigma <= 0x1p100 ? sqrt(std::numbers::log2e / 2.0) / max(sigma, float_min) : 0.0;
 }
 
-template <class T>
-T gloam_gaussian_scaled(T squared_distance, T scale) {
-    const T x = squared_distance * scale * scale;
-    const T weight = min(exp2(-max(x, T(0))), T(1));
-    return x <= T(99.5) ? weight : T(0);
+inline double gloam_gaussian_scaled(double squared_distance, double scale) {
+    const double x = abs(squared_distance) * scale * scale;
+    return x <= 99.5 ? exp2(-x) : 0.0;
 }
 
-template <class T>
-T gloam_gaussian(T squared_distance, T sigma) {
-    return gloam_gaussian_scaled(squared_distance, gloam_gaussian_scale(sigma));
+inline double gloam_gaussian(double squared_distance, double sigma) {
+    if (!is_finite(squared_distance) || std::isnan(sigma)) return 0.0;
+    const double weight = exp(-abs(squared_distance) / (2.0 * pow(max(sigma, float_min), 2)));
+    return weight >= 1e-30 ? weight : 0.0;
 }
 
-template <class T>
-T gloam_filter_sigma(T depth, T tan_half_fovy, T height, T sigma_pixels) {
-    const bool known = tan_half_fovy > T(0) && height >= float_min<T>() && sigma_pixels > T(0);
-    if (gloam_is_background(depth) || !known) return T(0);
-    const T sigma = T(2) * tan_half_fovy * depth * (sigma_pixels / height);
-    return sigma <= float_max<T>() ? sigma : (sigma > T(0) ? float_max<T>() : T(0));
+inline double gloam_filter_sigma(double depth, double tan_half_fovy, double height, double sigma_pixels) {
+    const bool known = tan_half_fovy > 0.0 && height >= float_min && sigma_pixels > 0.0;
+    if (gloam_is_background(depth) || !known) return 0.0;
+    return min(sigma_pixels * 2.0 * depth * tan_half_fovy / height, float_max);
 }
 
 }  // namespace gloam::reference

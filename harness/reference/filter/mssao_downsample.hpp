@@ -2,50 +2,40 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "reference/geometry/background.hpp"
 #include "reference/geometry/safe_normalize.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-int gloam_depth_rank(vec4<T> depths, int index) {
+inline int gloam_depth_rank(dvec4 depths, int index) {
     const int own = std::clamp(index, 0, 3);
-    const T depth = depths[own];
     int rank = 0;
-    for (int i = 0; i < 4; ++i) {
-        if (depths[i] < depth || (depths[i] == depth && i < own)) ++rank;
-    }
+    for (int i = 0; i < 4; ++i) rank += std::pair(depths[i], i) < std::pair(depths[own], own) ? 1 : 0;
     return rank;
 }
 
-template <class T>
-vec4<T> gloam_mssao_weights(vec4<T> depths, T tolerance) {
-    vec4<T> weights(T(0), T(0), T(0), T(0));
-    vec4<T> d = depths;
-    int surfaces = 0;
-    for (int i = 0; i < 4; ++i) {
-        const bool background = gloam_is_background(depths[i]);
-        if (background) d[i] = gloam_background_depth<T>();
-        if (!background) ++surfaces;
+// A half each for the two in the middle of the order of depth, or one for the second.
+inline dvec4 gloam_mssao_weights(dvec4 depths, double tolerance) {
+    std::array<std::pair<double, int>, 4> order;
+    for (int i = 0; i < 4; ++i) order[i] = {gloam_is_background(depths[i]) ? infinity : depths[i], i};
+    std::ranges::sort(order);
+    dvec4 weights(0.0);
+    if (std::isinf(order[0].first)) return weights;
+    if (std::isinf(order[1].first)) {
+        weights[order[0].second] = 1.0;
+        return weights;
     }
-    if (surfaces == 0) return weights;
-    const int chosen = surfaces == 1 ? 0 : 1;
-    const T nearest = min(min(d.x, d.y), min(d.z, d.w));
-    const T farthest = max(max(d.x, d.y), max(d.z, d.w));
-    const bool together = surfaces == 4 && farthest - nearest <= tolerance;
-    for (int i = 0; i < 4; ++i) {
-        const int rank = gloam_depth_rank(d, i);
-        const bool taken = rank == chosen || (together && rank == 2);
-        weights[i] = taken ? (together ? T(0.5) : T(1)) : T(0);
-    }
+    const bool together = order[3].first - order[0].first <= tolerance && is_finite(order[3].first);
+    weights[order[1].second] = together ? 0.5 : 1.0;
+    weights[order[2].second] = together ? 0.5 : 0.0;
     return weights;
 }
 
-template <class T>
-vec3<T> gloam_mssao_normal(vec3<T> second, vec3<T> third) {
-    const vec3<T> alone = gloam_safe_normalize(second, vec3<T>(T(0), T(0), T(0)));
-    return gloam_safe_normalize(T(0.5) * (second + third), alone);
+inline dvec3 gloam_mssao_normal(dvec3 second, dvec3 third) {
+    return gloam_safe_normalize((second + third) / 2.0, gloam_safe_normalize(second, dvec3(0.0)));
 }
 
 }  // namespace gloam::reference

@@ -5,11 +5,11 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_quad_box(T visibility, T difference, T depth_difference, int coordinate, T edge) {
-    const bool smooth_here = abs(depth_difference) < edge && abs(difference) <= float_max<T>();
-    const T side = (coordinate & 1) == 1 ? T(0.5) : T(-0.5);
-    return gloam_visibility_clamp(smooth_here ? visibility - difference * side : visibility);
+inline double gloam_quad_box(double visibility, double difference, double depth_difference, int coordinate,
+                             double edge) {
+    const bool edge_between = !(abs(depth_difference) < edge) || !is_finite(difference);
+    const double part = edge_between ? 0.0 : difference * ((coordinate & 1) - 0.5);
+    return gloam_visibility_clamp(visibility - part);
 }
 
 }  // namespace gloam::reference

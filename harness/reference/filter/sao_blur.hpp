@@ -7,15 +7,12 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_sao_blur_weight(int tap, T key_difference, T slope) {
-    if (tap == 0) return T(0.153170);
-    if (tap > 4 || tap < -4) return T(0);
-    const int r = std::abs(tap);
-    const T g = r == 1 ? T(0.144893) : (r == 2 ? T(0.122649) : (r == 3 ? T(0.092902) : T(0.062970)));
-    const T difference = abs(key_difference);
-    const T fall = difference == T(0) || slope <= T(0) ? T(0) : difference * slope;
-    return fall < T(1) ? (T(0.3) + g) * (T(1) - fall) : T(0);
+inline double gloam_sao_blur_weight(int tap, double key_difference, double slope) {
+    constexpr double gaussian[] = {0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
+    if (tap < -4 || tap > 4) return 0.0;
+    if (tap == 0) return gaussian[0];
+    const double fall = key_difference == 0.0 || slope <= 0.0 ? 0.0 : slope * abs(key_difference);
+    return std::isnan(fall) ? 0.0 : (0.3 + gaussian[std::abs(tap)]) * max(0.0, 1.0 - fall);
 }
 
 }  // namespace gloam::reference

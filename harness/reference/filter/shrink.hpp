@@ -5,16 +5,15 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_shrink(T convergence, T c_adaptive) {
-    if (!(c_adaptive >= T(1e-30)) || convergence >= c_adaptive) return T(0);
-    if (!(convergence > T(0)) || c_adaptive > float_max<T>()) return T(1);
-    return min((c_adaptive - convergence) / c_adaptive, T(1));
+inline double gloam_shrink(double convergence, double c_adaptive) {
+    if (!(c_adaptive >= 1e-30)) return 0.0;
+    if (std::isnan(convergence)) return 1.0;
+    if (std::isinf(c_adaptive)) return std::isinf(convergence) && convergence > 0.0 ? 0.0 : 1.0;
+    return max(c_adaptive - max(convergence, 0.0), 0.0) / c_adaptive;
 }
 
-template <class T>
-T gloam_window_coverage(int offset, T reach) {
-    return gloam_unit_interval(reach - T(offset - 1));
+inline double gloam_window_coverage(int offset, double reach) {
+    return gloam_unit_interval(reach - (offset - 1.0));
 }
 
 }  // namespace gloam::reference

@@ -1,35 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/finite.hpp"
 #include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamWeightedMean {
-    T sum;
-    T weight;
-    T low;
-    T high;
+    double sum;
+    double weight;
+    double low;
+    double high;
 };
 
-template <class T = double>
-GloamWeightedMean<T> gloam_weighted_mean_empty() {
-    return GloamWeightedMean<T>{T(0), T(0), T(1), T(0)};
+inline GloamWeightedMean gloam_weighted_mean_empty() {
+    return {0.0, 0.0, 1.0, 0.0};
 }
 
-template <class T>
-GloamWeightedMean<T> gloam_weighted_mean_add(GloamWeightedMean<T> mean, T value, T weight) {
-    if (!(value >= T(0) && value <= T(1) && weight > T(0) && weight <= float_max<T>())) return mean;
-    return GloamWeightedMean<T>{mean.sum + weight * value, mean.weight + weight, min(mean.low, value),
-                                max(mean.high, value)};
+inline GloamWeightedMean gloam_weighted_mean_add(const GloamWeightedMean& mean, double value, double weight) {
+    if (!(value >= 0.0 && value <= 1.0 && weight > 0.0 && is_finite(weight))) return mean;
+    return {mean.sum + weight * value, mean.weight + weight, min(mean.low, value), max(mean.high, value)};
 }
 
-template <class T>
-T gloam_weighted_mean_value(GloamWeightedMean<T> mean, T fallback) {
-    if (mean.weight >= T(1e-8)) return clamp(mean.sum / mean.weight, mean.low, mean.high);
-    return fallback > T(0) ? (fallback < T(1) ? fallback : T(1)) : T(0);
+inline double gloam_weighted_mean_value(const GloamWeightedMean& mean, double fallback) {
+    if (mean.weight >= 1e-8) return clamp(mean.sum / mean.weight, mean.low, mean.high);
+    return gloam_unit_interval(fallback);
 }
 
 }  // namespace gloam::reference

@@ -5,14 +5,12 @@
 
 namespace gloam::reference {
 
-template <class T = double>
-T gloam_background_depth() {
-    return infinity<T>();
+inline double gloam_background_depth() {
+    return infinity;
 }
 
-template <class T>
-bool gloam_is_background(T depth) {
-    return !(depth >= float_min<T>() && depth <= float_max<T>());
+inline bool gloam_is_background(double depth) {
+    return !(depth >= float_min && depth <= float_max);
 }
 
 }  // namespace gloam::reference

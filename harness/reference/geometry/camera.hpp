@@ -6,34 +6,26 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamCamera {
-    vec2<T> p00_p11;
+    dvec2 p00_p11;
     glm::ivec2 size;
     bool orthographic;
 };
 
-template <class T>
-vec2<T> gloam_camera_uv(vec3<T> view_position, GloamCamera<T> camera) {
-    if (camera.orthographic) {
-        return gloam_uv_from_ndc(gloam_ndc_orthographic(view_position, camera.p00_p11));
-    }
-    return gloam_uv_from_ndc(gloam_ndc_perspective(view_position, camera.p00_p11));
+inline dvec2 gloam_camera_uv(dvec3 view_position, const GloamCamera& camera) {
+    const auto ndc = camera.orthographic ? gloam_ndc_orthographic : gloam_ndc_perspective;
+    return gloam_uv_from_ndc(ndc(view_position, camera.p00_p11));
 }
 
-template <class T>
-vec3<T> gloam_camera_position(glm::ivec2 pixel, T depth, GloamCamera<T> camera) {
-    const vec2<T> ndc = gloam_ndc_from_pixel<T>(pixel, camera.size);
-    if (camera.orthographic) return gloam_view_position_orthographic(ndc, depth, camera.p00_p11);
-    return gloam_view_position_perspective(ndc, depth, camera.p00_p11);
+inline dvec3 gloam_camera_position(glm::ivec2 pixel, double depth, const GloamCamera& camera) {
+    const auto position =
+        camera.orthographic ? gloam_view_position_orthographic : gloam_view_position_perspective;
+    return position(gloam_ndc_from_pixel(pixel, camera.size), depth, camera.p00_p11);
 }
 
-template <class T>
-vec2<T> gloam_camera_radius(T radius, T depth, GloamCamera<T> camera) {
-    if (camera.orthographic) {
-        return gloam_projected_radius_uv_orthographic(radius, depth, camera.p00_p11);
-    }
-    return gloam_projected_radius_uv(radius, depth, camera.p00_p11);
+inline dvec2 gloam_camera_radius(double radius, double depth, const GloamCamera& camera) {
+    const auto axes = camera.orthographic ? gloam_projected_radius_uv_orthographic : gloam_projected_radius_uv;
+    return axes(radius, depth, camera.p00_p11);
 }
 
 }  // namespace gloam::reference

@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/background.hpp"
-#include "reference/geometry/finite.hpp"
 #include "reference/geometry/projected_radius.hpp"
-#include "reference/numeric/square_root.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_covering_radius_parallel(vec3<T> position, T radius, T largest) {
-    if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > T(0) && largest > T(0)))
-        return T(0);
-    const T depth = clamp(-position.z, float_min<T>(), T(0x1p126));
-    const T r = radius / depth;
-    return min(r, gloam_positive_length(largest));
+inline double gloam_covering_radius_parallel(dvec3 position, double radius, double largest) {
+    const double depth = -position.z;
+    if (!is_finite(position) || gloam_is_background(depth) || !(radius > 0.0)) return 0.0;
+    return min(radius / depth, gloam_positive_length(largest));
 }
 
-template <class T>
-T gloam_covering_radius_perpendicular(vec3<T> position, T radius, T largest) {
-    if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > T(0) && largest > T(0)))
-        return T(0);
-    const T depth = -position.z;
-    const T across = gloam_sqrt(dot(vec2<T>(position.x, position.y), vec2<T>(position.x, position.y)));
-    const T along = gloam_sqrt(dot(position, position));
-    const T denominator = (depth / along) * (depth - radius * (across / along));
-    if (!(denominator >= float_min<T>())) return gloam_positive_length(largest);
-    const T r = radius / min(denominator, T(0x1p126));
-    return min(r, gloam_positive_length(largest));
+// R / (cos t (d - R sin t)), t the angle off the axis.
+inline double gloam_covering_radius_perpendicular(dvec3 position, double radius, double largest) {
+    const double depth = -position.z;
+    if (!is_finite(position) || gloam_is_background(depth) || !(radius > 0.0)) return 0.0;
+    const double t = atan(length(dvec2(position)) / depth);
+    const double divisor = cos(t) * (depth - radius * sin(t));
+    return divisor > 0.0 ? min(radius / divisor, gloam_positive_length(largest)) : gloam_positive_length(largest);
 }
 
 }  // namespace gloam::reference

@@ -5,25 +5,20 @@
 
 namespace gloam::reference {
 
-// Finite as a float: a number that only a wider type can hold counts as infinite.
-template <class T>
-bool gloam_is_finite(T x) {
-    return abs(x) <= float_max<T>();
+inline bool gloam_is_finite(double x) {
+    return is_finite(x);
 }
 
-template <class T>
-bool gloam_is_finite2(vec2<T> v) {
-    return gloam_is_finite(v.x) && gloam_is_finite(v.y);
+inline bool gloam_is_finite2(dvec2 v) {
+    return is_finite(v);
 }
 
-template <class T>
-bool gloam_is_finite3(vec3<T> v) {
-    return gloam_is_finite(v.x) && gloam_is_finite(v.y) && gloam_is_finite(v.z);
+inline bool gloam_is_finite3(dvec3 v) {
+    return is_finite(v);
 }
 
-template <class T>
-bool gloam_is_finite4(vec4<T> v) {
-    return gloam_is_finite(v.x) && gloam_is_finite(v.y) && gloam_is_finite(v.z) && gloam_is_finite(v.w);
+inline bool gloam_is_finite4(dvec4 v) {
+    return is_finite(v);
 }
 
 }  // namespace gloam::reference

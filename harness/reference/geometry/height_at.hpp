@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/finite.hpp"
+#include "reference/math.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_height_at(vec3<T> offset, vec3<T> aim, vec3<T> view, vec3<T> normal) {
-    const T facing = dot(view, normal);
-    const T height = dot(offset - aim, normal) / (facing <= T(1e-4F) ? T(1e-4F) : facing);
-    return gloam_is_finite(height) ? height : T(0);
+inline double gloam_height_at(dvec3 offset, dvec3 aim, dvec3 view, dvec3 normal) {
+    const double height = dot(offset - aim, normal) / max(dot(view, normal), 1e-4);
+    return is_finite(height) ? height : 0.0;
 }
 
 }  // namespace gloam::reference

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/finite.hpp"
+#include "reference/math.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-vec3<T> gloam_into_slice(vec3<T> offset, vec3<T> axis, vec3<T> normal) {
-    const T turned = dot(axis, normal);
-    const T steep = T(1) - turned * turned;
-    vec3<T> across = axis;
-    if (steep > T(1e-3F)) across = (axis - turned * normal) / steep;
-    const vec3<T> moved = offset - dot(offset, axis) * across;
-    return gloam_is_finite3(moved) ? moved : vec3<T>(T(0), T(0), T(0));
+// u of the tangent plane with u . axis = 1; the axis itself where the slice is within 2 degrees of that plane.
+inline dvec3 along_tangent_plane(dvec3 axis, dvec3 normal) {
+    const double cosine = dot(axis, normal);
+    const double sine_squared = 1.0 - cosine * cosine;
+    return sine_squared > 1e-3 ? (axis - cosine * normal) / sine_squared : axis;
+}
+
+inline dvec3 gloam_into_slice(dvec3 offset, dvec3 axis, dvec3 normal) {
+    const dvec3 moved = offset - dot(offset, axis) * along_tangent_plane(axis, normal);
+    return is_finite(moved) ? moved : dvec3(0.0);
 }
 
 }  // namespace gloam::reference

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/safe_normalize.hpp"
+#include <algorithm>
+
+#include "reference/math.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_length(vec3<T> v) {
-    const T along = dot(v, gloam_safe_normalize(v, vec3<T>(T(0), T(0), T(0))));
-    return along > T(0) ? along : T(0);
+// Whether a vector is finite and not zero; a subnormal component counts as zero.
+inline bool has_direction(dvec3 v) {
+    return is_finite(v) && std::max({abs(v.x), abs(v.y), abs(v.z)}) >= float_min;
+}
+
+inline double gloam_length(dvec3 v) {
+    return has_direction(v) ? length(v) : 0.0;
 }
 
 }  // namespace gloam::reference

@@ -1,64 +1,51 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "reference/geometry/into_slice.hpp"
 #include "reference/geometry/safe_normalize.hpp"
-#include "reference/numeric/inverse_trigonometry.hpp"
+#include "reference/numeric/sincos.hpp"
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamSlice {
-    vec3<T> view;
-    vec3<T> tangent;
-    vec2<T> normal;
-    T angle;
-    T weight;
+    dvec3 view;
+    dvec3 tangent;
+    dvec2 normal;
+    double angle;
+    double weight;
 };
 
-template <class T>
-GloamSlice<T> gloam_slice(vec2<T> direction, vec3<T> view, vec3<T> normal) {
-    const vec3<T> none(T(0), T(0), T(0));
-    const vec3<T> along(direction.x, direction.y, T(0));
-    const vec3<T> tangent = gloam_safe_normalize(along - view * dot(along, view), none);
-    const T x = dot(normal, tangent);
-    const T y = dot(normal, view);
-    const T weight = gloam_sqrt(x * x + y * y);
-    if (!(weight > T(0) && dot(tangent, tangent) > T(0.5)))
-        return GloamSlice<T>{vec3<T>(T(0), T(0), T(1)), tangent, vec2<T>(T(1), T(0)), T(0), T(0)};
-    const vec3<T> ahead(T(1), T(0), T(0));
-    const vec3<T> projected = gloam_safe_normalize(vec3<T>(max(y, T(0)), x, T(0)), ahead);
-    return GloamSlice<T>{view, tangent, vec2<T>(projected.x, projected.y),
-                         gloam_atan2(projected.y, projected.x), min(weight, T(1))};
+// The normal's part in the plane of the view vector and the direction, by its length and its angle.
+inline GloamSlice gloam_slice(dvec2 direction, dvec3 view, dvec3 normal) {
+    const dvec3 along(direction, 0.0);
+    const dvec3 tangent = gloam_safe_normalize(along - dot(along, view) * view, dvec3(0.0));
+    const dvec2 part(dot(normal, view), dot(normal, tangent));
+    const double weight = length(part);
+    if (!(weight >= float_min && tangent != dvec3(0.0))) return {dvec3(0.0, 0.0, 1.0), tangent, {1.0, 0.0}, 0.0, 0.0};
+    const dvec3 ahead = gloam_safe_normalize({max(part.x, 0.0), part.y, 0.0}, {1.0, 0.0, 0.0});
+    const double angle = std::atan2(ahead.y, ahead.x);
+    return {view, tangent, on_circle(angle), angle, min(weight, 1.0)};
 }
 
-template <class T>
-T gloam_slice_whole(GloamSlice<T> slice) {
-    return slice.normal.x + slice.angle * slice.normal.y;
+inline double gloam_slice_whole(const GloamSlice& slice) {
+    return cos(slice.angle) + slice.angle * sin(slice.angle);
 }
 
-template <class T>
-vec2<T> gloam_slice_direction(vec3<T> offset, GloamSlice<T> slice) {
-    const vec3<T> none(T(0), T(0), T(0));
-    const vec3<T> direction = gloam_safe_normalize(offset, none);
-    const vec3<T> within(dot(direction, slice.view), dot(direction, slice.tangent), T(0));
-    const vec3<T> unit = gloam_safe_normalize(within, none);
-    return vec2<T>(unit.x, unit.y);
+inline dvec2 gloam_slice_direction(dvec3 offset, const GloamSlice& slice) {
+    const dvec3 direction = gloam_safe_normalize(offset, dvec3(0.0));
+    const dvec3 within(dot(direction, slice.view), dot(direction, slice.tangent), 0.0);
+    return gloam_safe_normalize(within, dvec3(0.0));
 }
 
-template <class T>
 struct GloamSliceAxes {
-    vec3<T> view;
-    vec3<T> tangent;
+    dvec3 view;
+    dvec3 tangent;
 };
 
-// The products of the slice's vectors with offset - (offset . axis) across, as products with the offset.
-template <class T>
-GloamSliceAxes<T> gloam_slice_axes(GloamSlice<T> slice, vec3<T> normal) {
-    const vec3<T> axis = cross(slice.tangent, slice.view);
-    const T turned = dot(axis, normal);
-    const T steep = T(1) - turned * turned;
-    vec3<T> across = axis;
-    if (steep > T(1e-3F)) across = (axis - turned * normal) / steep;
+// Such that offset . axes = gloam_into_slice(offset) . slice.
+inline GloamSliceAxes gloam_slice_axes(const GloamSlice& slice, dvec3 normal) {
+    const dvec3 axis = cross(slice.tangent, slice.view);
+    const dvec3 across = along_tangent_plane(axis, normal);
     return {slice.view - dot(across, slice.view) * axis, slice.tangent - dot(across, slice.tangent) * axis};
 }
 

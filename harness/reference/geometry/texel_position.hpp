@@ -5,15 +5,13 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_texel_position(T u, int extent) {
-    if (!(u >= T(0) && u <= T(1)) || extent < 1) return vec2<T>(T(0), T(0));
-    const T position = u * T(extent) - T(0.5);
-    const T first = floor(position);
-    const T fraction = position - first;
-    if (fraction < T(0.00390625)) return vec2<T>(first, T(0));
-    if (fraction > T(0.99609375)) return vec2<T>(first + T(1), T(0));
-    return vec2<T>(first, fraction);
+// Within 1/256 of a texel's centre: that texel alone.
+inline dvec2 gloam_texel_position(double u, int extent) {
+    if (!(u >= 0.0 && u <= 1.0) || extent < 1) return dvec2(0.0);
+    const double position = u * extent - 0.5;
+    const double nearest = std::round(position);
+    if (abs(position - nearest) < 1.0 / 256.0) return {nearest, 0.0};
+    return {floor(position), fract(position)};
 }
 
 }  // namespace gloam::reference

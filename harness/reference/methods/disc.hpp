@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "reference/geometry/pixel_center.hpp"
 #include "reference/occlusion/fox_compton.hpp"
-#include "reference/occlusion/tap_gather.hpp"
+#include "reference/occlusion/gather_kernel.hpp"
 #include "reference/sampling/halton_disc.hpp"
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamDisc {
-    T epsilon;
+    double epsilon;
 };
 
-template <class T>
-struct DiscMethod {
-    vec2<T> tap(unsigned i, vec3<T> /*position*/, GloamKernel<T> kernel) const {
-        return gloam_halton_disc(kernel.first + i + 1U, gloam_sincos(kernel.angle));
+// The mean of epsilon C(p, s_i) over the surface points s_i under the taps; one beyond the radius, or no higher than
+// the bias above the tangent plane, contributes nothing.
+inline GloamEstimate gloam_disc(dvec3 position, dvec3 normal, const GloamCamera& camera, const GloamKernel& kernel,
+                                const GloamDisc& own, const Fetch<double>& fetch_depth) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
+    const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
+    const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
+    double sum = 0.0;
+    for (unsigned i = 1; i <= kernel.count; ++i) {
+        const dvec2 tap = gloam_halton_disc(kernel.first + i, gloam_sincos(kernel.angle));
+        const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
+        const dvec3 point = gloam_camera_position(pixel, fetch_depth(pixel), camera);
+        if (point == dvec3(0.0) || distance(point, position) > kernel.radius) continue;
+        if (dot(point - position, n) > kernel.bias)
+            sum += gloam_contribution_fox_compton_scaled(position, n, point, own.epsilon);
     }
-    T occlusion(vec3<T> offset, vec3<T> normal, T /*depth*/, GloamKernel<T> kernel,
-                GloamMethod<T> method) const {
-        const vec3<T> zero(T(0), T(0), T(0));
-        const bool inside = dot(offset, gloam_safe_normalize(offset, zero)) <= kernel.radius;
-        const bool above = dot(offset, normal) > kernel.bias;
-        if (!(inside && above)) return T(0);
-        return gloam_contribution_fox_compton_scaled(zero, normal, offset, method.epsilon);
-    }
-};
+    return gloam_estimate(sum, kernel.count, kernel.count);
+}
 
 }  // namespace gloam::reference

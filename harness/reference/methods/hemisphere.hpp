@@ -1,29 +1,40 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "reference/geometry/pixel_center.hpp"
+#include "reference/geometry/plane_depth.hpp"
 #include "reference/occlusion/blocked.hpp"
-#include "reference/occlusion/point_gather.hpp"
-#include "reference/occlusion/ritschel.hpp"
+#include "reference/occlusion/gather_kernel.hpp"
 #include "reference/sampling/halton.hpp"
 #include "reference/sampling/hemisphere.hpp"
 #include "reference/sampling/rotation.hpp"
+#include "reference/sampling/tangent_frame.hpp"
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamHemisphere {
-    T range;
+    double range;
 };
 
-template <class T>
-struct HemisphereMethod {
-    vec3<T> point(unsigned index, T angle) const {
-        return gloam_rotate_hemisphere(gloam_hemisphere_cosine(gloam_halton_3d<T>(index)), angle);
+// The mean over the points p + R s_i of whether the buffer blocks them, each moved along its plane to the pixel's
+// centre; a point behind the eye is not taken.
+inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamCamera& camera,
+                                      const GloamKernel& kernel, const GloamHemisphere& own,
+                                      const Fetch<double>& fetch_depth) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
+    const dmat3 frame = gloam_tangent_frame(normal);
+    double blocked = 0.0;
+    unsigned samples = 0U;
+    for (unsigned i = 1; i <= kernel.count; ++i) {
+        const dvec3 s = gloam_hemisphere_cosine(gloam_halton_3d(kernel.first + i));
+        const dvec3 point = position + kernel.radius * (frame * gloam_rotate_hemisphere(s, kernel.angle));
+        if (s == dvec3(0.0) || gloam_is_background(-point.z)) continue;
+        const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(point, camera), camera.size);
+        const double depth = gloam_plane_depth(pixel, point, frame[2], camera);
+        blocked += gloam_sample_blocked(depth, fetch_depth(pixel), kernel.bias, own.range);
+        ++samples;
     }
-    T occlusion(T depth, T buffer_depth, GloamKernel<T> kernel, GloamMethod<T> method) const {
-        const T blocked = gloam_sample_blocked(depth, buffer_depth, kernel.bias, method.range);
-        return gloam_contribution_cosine_directions(blocked, T(1));
-    }
-};
+    return gloam_estimate(blocked, samples, samples);
+}
 
 }  // namespace gloam::reference

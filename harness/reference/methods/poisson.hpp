@@ -1,39 +1,54 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
+#include "reference/geometry/pixel_center.hpp"
+#include "reference/geometry/plane_depth.hpp"
 #include "reference/occlusion/blocked.hpp"
-#include "reference/occlusion/ray_gather.hpp"
+#include "reference/occlusion/gather_kernel.hpp"
+#include "reference/sampling/eye_march.hpp"
+#include "reference/sampling/halton.hpp"
 #include "reference/sampling/poisson.hpp"
 #include "reference/sampling/poisson_disc.hpp"
-#include "reference/sampling/radical_inverse.hpp"
 #include "reference/sampling/rotation.hpp"
+#include "reference/sampling/tangent_frame.hpp"
+#include "reference/sampling/whole_samples.hpp"
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamPoisson {
-    T range;
+    double range;
     unsigned steps;
 };
 
-template <class T>
-struct PoissonMethod {
-    GloamRay<T> ray(unsigned index, const mat3<T>& frame, GloamKernel<T> kernel,
-                    GloamMethod<T> /*method*/) const {
-        const T turn = T(6.283185307F) * gloam_radical_inverse_base2<T>(index / 64U);
-        const vec2<T> disc = gloam_rotate_disc(gloam_poisson_disc<T>(index), T(kernel.angle + turn));
-        const T jitter = fract(gloam_radical_inverse<T>(index + 1U, 3U) +
-                               gloam_unit_interval(T(kernel.angle / T(6.283185307F))));
-        return {frame * gloam_hemisphere_lift(disc), jitter, vec2<T>(T(0), T(0))};
+// The share of the rays of which a step is blocked. Each round through the disc is turned by another angle.
+inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCamera& camera,
+                                   const GloamKernel& kernel, const GloamPoisson& own,
+                                   const Fetch<double>& fetch_depth) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
+    const dmat3 frame = gloam_tangent_frame(normal);
+    const int steps = std::max(static_cast<int>(own.steps), 1);
+    const auto blocked = [&](dvec3 point) {
+        const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(point, camera), camera.size);
+        if (gloam_is_background(-point.z)) return false;
+        if (pixel == gloam_nearest_pixel(gloam_camera_uv(position, camera), camera.size)) return false;
+        const double depth = gloam_plane_depth(pixel, point, frame[2], camera);
+        return gloam_sample_blocked(depth, fetch_depth(pixel), kernel.bias, own.range) > 0.0;
+    };
+    const unsigned samples = gloam_whole_samples(kernel.count, steps);
+    const unsigned rays = samples / steps;
+    unsigned ended = 0U;
+    for (unsigned i = kernel.first / steps; i < kernel.first / steps + rays; ++i) {
+        const double turn = kernel.angle + 2.0 * pi * gloam_radical_inverse(i / 64U, 2U);
+        const dvec3 ray = frame * gloam_hemisphere_lift(gloam_rotate_disc(gloam_poisson_disc(i), turn));
+        const double jitter = fract(gloam_halton_3d(i + 1U).y + gloam_unit_interval(kernel.angle / (2.0 * pi)));
+        bool any = false;
+        for (int k = 0; k < steps; ++k)
+            any = any || blocked(gloam_eye_march(position, ray, kernel.radius, k, steps, jitter));
+        ended += any ? 1U : 0U;
     }
-    vec2<T> step(GloamRay<T> ray, GloamRayTap<T> tap, vec3<T> /*normal*/, GloamKernel<T> kernel,
-                 GloamMethod<T> method) const {
-        const T blocked = gloam_sample_blocked(tap.depth, tap.buffer_depth, kernel.bias, method.range);
-        return vec2<T>(max(ray.seen.x, blocked), T(0));
-    }
-    vec2<T> end(GloamRay<T> ray, vec3<T> /*normal*/, GloamMethod<T> /*method*/) const {
-        return vec2<T>(ray.seen.x, T(1));
-    }
-};
+    return gloam_estimate(ended, rays, samples);
+}
 
 }  // namespace gloam::reference

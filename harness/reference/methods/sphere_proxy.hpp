@@ -1,24 +1,44 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/numeric/square_root.hpp"
-#include "reference/occlusion/proxy_gather.hpp"
+#include "reference/geometry/pixel_center.hpp"
+#include "reference/occlusion/gather_kernel.hpp"
 #include "reference/occlusion/sphere_proxy.hpp"
+#include "reference/sampling/circle.hpp"
+#include "reference/sampling/halton.hpp"
+#include "reference/sampling/rotation.hpp"
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamSphereProxy {
-    T intensity;
+    double intensity;
 };
 
-template <class T>
-struct SphereProxyMethod {
-    T occlusion(GloamProxy<T> proxy, vec3<T> normal, GloamCamera<T> /*camera*/, GloamKernel<T> /*kernel*/,
-                GloamMethod<T> /*method*/) const {
-        const T radius = T(0.5) * gloam_sqrt(T(proxy.size.x * proxy.size.y));
-        return gloam_contribution_sphere_cosine(proxy.offset, normal, radius);
+// The sum over the pixels of the disc, each a ball as wide as itself, from taps of density 1 / (2 pi rho): a tap
+// stands for 2 rho times the disc's pixels.
+inline GloamEstimate gloam_sphere_proxy(dvec3 position, dvec3 normal, const GloamCamera& camera,
+                                        const GloamKernel& kernel, const GloamSphereProxy& own,
+                                        const Fetch<double>& fetch_depth) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
+    const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
+    const dvec2 uv = gloam_camera_uv(position, camera);
+    const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
+    const double pixels = pi * axes.x * camera.size.x * axes.y * camera.size.y;
+    double sum = 0.0;
+    for (unsigned i = 1; i <= kernel.count; ++i) {
+        const dvec2 zeta = gloam_halton_2d(kernel.first + i);
+        const dvec2 tap = gloam_rotate_disc(zeta.y * gloam_circle_point(zeta.x), kernel.angle);
+        const glm::ivec2 pixel = gloam_nearest_pixel(uv + axes * tap, camera.size);
+        const double depth = fetch_depth(pixel);
+        const dvec3 offset = gloam_camera_position(pixel, depth, camera) - position;
+        const bool own_pixel = pixel == gloam_nearest_pixel(uv, camera.size);
+        if (own_pixel || gloam_is_background(depth) || length(offset) > kernel.radius) continue;
+        if (!(dot(offset, n) > kernel.bias)) continue;
+        const dvec2 across = kernel.radius / (gloam_camera_radius(kernel.radius, depth, camera) * dvec2(camera.size));
+        const double ball = sqrt(across.x * across.y) / 2.0;
+        sum += 2.0 * zeta.y * pixels * gloam_contribution_sphere_cosine(offset, n, ball);
     }
-};
+    return gloam_estimate(own.intensity * sum, kernel.count, kernel.count);
+}
 
 }  // namespace gloam::reference

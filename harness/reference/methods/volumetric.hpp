@@ -1,20 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/occlusion/pair_gather.hpp"
+#include "reference/geometry/height_at.hpp"
+#include "reference/geometry/pixel_center.hpp"
+#include "reference/geometry/safe_normalize.hpp"
+#include "reference/occlusion/gather_kernel.hpp"
 #include "reference/occlusion/volumetric.hpp"
+#include "reference/sampling/halton_disc.hpp"
+#include "reference/sampling/whole_samples.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-struct VolumetricMethod {
-    vec2<T> occlusion(GloamPair<T> pair, GloamKernel<T> kernel, GloamMethod<T> /*method*/) const {
-        const T half_height = gloam_chord_half_height(pair.point, kernel.radius);
-        const T first = gloam_line_ratio(pair.heights.x, half_height);
-        const T second = gloam_line_ratio(pair.heights.y, half_height);
-        const vec2<T> solid = gloam_line_pair(vec2<T>(first, second), T(0.35F), T(1));
-        return half_height * vec2<T>(solid.x + solid.y, T(2));
+// The solid share of the chords at pairs of opposite taps, weighted by the chords. The surface of a tap is moved along
+// its plane to the aimed place; background lies far behind.
+inline GloamEstimate gloam_volumetric(dvec3 position, dvec3 normal, const GloamCamera& camera,
+                                      const GloamKernel& kernel, const Fetch<double>& fetch_depth) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
+    const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
+    const dvec3 view = camera.orthographic ? dvec3(0.0, 0.0, 1.0) : normalize(-position);
+    const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
+    const auto ratio = [&](dvec2 tap) {
+        const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
+        const double seen = fetch_depth(pixel);
+        const double depth = gloam_is_background(seen) ? 1e4 * kernel.radius - position.z : seen;
+        const dvec3 aim(kernel.radius * tap * dvec2(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0), 0.0);
+        const double height = gloam_height_at(gloam_camera_position(pixel, depth, camera) - position, aim, view, n);
+        return gloam_line_ratio(height, gloam_chord_half_height(tap, kernel.radius));
+    };
+    double solid = 0.0;
+    double whole = 0.0;
+    for (unsigned i = 0; i < kernel.count; i += 2U) {
+        const dvec2 tap = gloam_halton_disc((kernel.first + i) / 2U + 1U, gloam_sincos(kernel.angle));
+        const dvec2 pair = gloam_line_pair({ratio(tap), ratio(-tap)}, 0.35, 1.0);
+        solid += gloam_chord_half_height(tap, kernel.radius) * (pair.x + pair.y);
+        whole += gloam_chord_half_height(tap, kernel.radius) * 2.0;
     }
-};
+    return gloam_estimate(solid, whole, gloam_paired_samples(kernel.count));
+}
 
 }  // namespace gloam::reference

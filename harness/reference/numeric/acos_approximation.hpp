@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "reference/math.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_clamp_cosine(T x) {
-    return abs(x) <= T(1) ? x : (x > T(1) ? T(1) : (x < T(-1) ? T(-1) : T(0)));
+inline double gloam_clamp_cosine(double x) {
+    return std::isnan(x) ? 0.0 : std::clamp(x, -1.0, 1.0);
 }
 
-template <class T>
-T gloam_acos_linear(T x) {
-    return T(1.570796327) - T(1.570796327) * gloam_clamp_cosine(x);
+inline double gloam_acos_linear(double x) {
+    return pi / 2.0 * (1.0 - gloam_clamp_cosine(x));
 }
 
-template <class T>
-T gloam_acos_quadratic(T x) {
-    const T c = gloam_clamp_cosine(x);
-    return T(1.570796327) - T(1.570796327) * (c * abs(c));
+inline double gloam_acos_quadratic(double x) {
+    return pi / 2.0 - std::copysign(pi / 2.0 * pow(gloam_clamp_cosine(x), 2), x);
 }
 
-template <class T>
-T gloam_acos_cubic(T x) {
-    const T c = gloam_clamp_cosine(x);
-    return clamp((T(-0.6981317008) * (c * c) - T(0.8726646260)) * c + T(1.570796327), T(0), T(3.141592654));
+// In degrees: 90 - 50 c - 40 c^3.
+inline double gloam_acos_cubic(double x) {
+    const double c = gloam_clamp_cosine(x);
+    return pi / 180.0 * (90.0 - 50.0 * c - 40.0 * pow(c, 3));
 }
 
 }  // namespace gloam::reference

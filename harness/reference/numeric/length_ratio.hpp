@@ -5,11 +5,10 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_length_ratio(T smaller, T larger) {
-    if (larger > float_max<T>()) return smaller > float_max<T>() ? T(1) : T(0);
-    const T scale = larger > T(0x1p126) ? T(0.25) : T(1);
-    return min(smaller * scale / (max(larger, float_min<T>()) * scale), T(1));
+// smaller / larger for 0 <= smaller <= larger; infinite lengths are equal.
+inline double gloam_length_ratio(double smaller, double larger) {
+    if (std::isinf(smaller)) return 1.0;
+    return min(smaller / max(larger, float_min), 1.0);
 }
 
 }  // namespace gloam::reference

@@ -5,11 +5,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_sqrt(T x) {
-    if (!(x >= float_min<T>())) return T(0);
-    if constexpr (exact_number<T>) return sqrt(x);
-    return x <= float_max<T>() ? x * inversesqrt(x) : x;
+inline double gloam_sqrt(double x) {
+    return x >= float_min ? sqrt(x) : 0.0;
 }
 
 }  // namespace gloam::reference

@@ -5,20 +5,16 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_contribution_alchemy(vec3<T> offset, vec3<T> normal, T bias, T epsilon) {
-    const T above = dot(offset, normal) - bias;
-    const T denominator = dot(offset, offset) + epsilon;
-    if (!(above > T(0) && epsilon >= T(0) && denominator >= float_min<T>() && denominator <= T(0x1p126)))
-        return T(0);
-    const T contribution = above / denominator;
-    return contribution <= float_max<T>() ? contribution : T(0);
+inline double gloam_contribution_alchemy(dvec3 offset, dvec3 normal, double bias, double epsilon) {
+    const double divisor = dot(offset, offset) + epsilon;
+    if (!(epsilon >= 0.0 && divisor >= float_min && divisor <= 0x1p126)) return 0.0;
+    const double above = dot(offset, normal) - bias;
+    return above > 0.0 && is_finite(above / divisor) ? above / divisor : 0.0;
 }
 
-template <class T>
-T gloam_visibility_alchemy(vec2<T> accumulated, T sigma, T k) {
-    if (!(accumulated.y >= T(1) && accumulated.x > T(0))) return T(1);
-    return gloam_remap(T(1) - T(2) * sigma * (accumulated.x / accumulated.y), T(0), T(1), k);
+inline double gloam_visibility_alchemy(dvec2 accumulated, double sigma, double k) {
+    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
+    return gloam_remap(1.0 - 2.0 * sigma / accumulated.y * accumulated.x, 0.0, 1.0, k);
 }
 
 }  // namespace gloam::reference

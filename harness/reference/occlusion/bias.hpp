@@ -5,13 +5,9 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_depth_bias(T bias, T depth, T reference_depth) {
-    if (gloam_is_background(depth) ||
-        !(bias > T(0) && reference_depth >= float_min<T>() && reference_depth <= T(0x1p126)))
-        return T(0);
-    const T scaled = bias * (depth / reference_depth);
-    return scaled <= float_max<T>() ? scaled : (scaled > T(0) ? float_max<T>() : T(0));
+inline double gloam_depth_bias(double bias, double depth, double reference_depth) {
+    const bool known = bias > 0.0 && reference_depth >= float_min && reference_depth <= 0x1p126;
+    return gloam_is_background(depth) || !known ? 0.0 : min(bias * depth / reference_depth, float_max);
 }
 
 }  // namespace gloam::reference

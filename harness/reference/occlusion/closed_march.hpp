@@ -1,38 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "reference/geometry/camera.hpp"
+#include "reference/geometry/pixel_center.hpp"
 #include "reference/geometry/slice.hpp"
-#include "reference/numeric/square_root.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_slice_clearance(GloamSlice<T> slice, vec3<T> position, vec2<T> direction, vec2<T> end,
-                              GloamCamera<T> camera, T radius, T ball) {
-    const vec2<T> unknown(T(0), T(0));
-    if (!(min(end.x, end.y) >= T(0) && max(end.x, end.y) <= T(1) && ball >= T(0) && ball <= T(1)))
-        return unknown;
-    const vec2<T> pixels = gloam_camera_radius(radius, T(-position.z), camera) * vec2<T>(camera.size);
-    const T squared = slice.weight * slice.weight;
-    const vec2<T> shares(T(1) / pixels.x, T(1) / pixels.y);
-    const T beside = T(0.52F) * length(shares) * (T(1) + gloam_sqrt((T(1) - squared) / squared));
-    const T ratio = radius / length(position);
-    const T along = abs(direction.x * slice.tangent.x + direction.y * slice.tangent.y);
-    if (!(ratio <= T(0.5) && ratio >= T(0.0078125) && squared >= T(0.1F) && beside <= T(0.9F) &&
-          along <= T(1.001F))) {
-        return unknown;
-    }
-    const T nearer = (T(1) - ball * ratio) / (T(1) + ratio * (gloam_sqrt(T(1) - along * along) + beside));
-    return vec2<T>(nearer * along, nearer * beside + T(2e-4F));
+// What is seen at the share s of the radius lies nearer than x s - y to the view axis, in radii, where a tap may see
+// something within a ball: with a the part of the direction in the slice, b what half a pixel is beside it, D the
+// distance and B the ball, x = (1 - B / D) a / (1 + R / D ((1 - a^2)^(1/2) + b)).
+inline dvec2 gloam_slice_clearance(const GloamSlice& slice, dvec3 position, dvec2 direction, dvec2 end,
+                                   const GloamCamera& camera, double radius, double ball) {
+    if (!gloam_inside_unit(end) || !(ball >= 0.0 && ball <= 1.0)) return dvec2(0.0);
+    const dvec2 pixels = gloam_camera_radius(radius, -position.z, camera) * dvec2(camera.size);
+    const double tangent = sqrt(max(pow(slice.weight, -2) - 1.0, 0.0));  // of the normal's angle to the slice
+    const double b = 0.52 * length(1.0 / pixels) * (1.0 + tangent);
+    const double ratio = radius / length(position);
+    const double a = abs(dot(direction, dvec2(slice.tangent)));
+    const bool known = ratio <= 0.5 && ratio >= 1.0 / 128.0 && pow(slice.weight, 2) >= 0.1F && b <= 0.9 && a <= 1.001;
+    if (!known) return dvec2(0.0);
+    const double nearer = (1.0 - ball * ratio) / (1.0 + ratio * (sqrt(max(1.0 - a * a, 0.0)) + b));
+    return {nearer * a, nearer * b + 2e-4};
 }
 
-template <class T>
-unsigned gloam_slice_taps(vec2<T> clearance, T ball, T jitter, unsigned steps) {
-    if (ball <= T(0)) return 0U;
-    if (!(ball < T(1) && clearance.x > T(0))) return steps;
-    const T end = T(steps) * gloam_sqrt((ball + clearance.y) / clearance.x) - jitter;
-    return end < T(steps) ? static_cast<unsigned>(to_int(max(T(ceil(end)), T(0)))) : steps;
+// The first tap i with ((i + jitter) / steps)^2 x - y at or beyond the ball, and all that follow, see nothing in it.
+inline unsigned gloam_slice_taps(dvec2 clearance, double ball, double jitter, unsigned steps) {
+    if (ball <= 0.0) return 0U;
+    if (!(ball < 1.0 && clearance.x > 0.0)) return steps;
+    unsigned taps = 0;
+    while (taps < steps && pow((taps + jitter) / steps, 2) * clearance.x - clearance.y < ball) ++taps;
+    return taps;
 }
 
 }  // namespace gloam::reference

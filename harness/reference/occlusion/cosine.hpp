@@ -2,13 +2,12 @@
 #pragma once
 
 #include "reference/geometry/safe_normalize.hpp"
+#include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_sample_cosine(vec3<T> offset, vec3<T> normal) {
-    const T cosine = dot(gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0))), normal);
-    return cosine > T(0) ? (cosine < T(1) ? cosine : T(1)) : T(0);
+inline double gloam_sample_cosine(dvec3 offset, dvec3 normal) {
+    return gloam_unit_interval(dot(gloam_safe_normalize(offset, dvec3(0.0)), normal));
 }
 
 }  // namespace gloam::reference

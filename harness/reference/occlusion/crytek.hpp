@@ -5,23 +5,19 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_contribution_crytek(T sample_depth, T buffer_depth) {
-    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return T(0);
-    return buffer_depth <= sample_depth ? T(1) : T(0);
+inline double gloam_contribution_crytek(double sample_depth, double buffer_depth) {
+    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
+    return buffer_depth <= sample_depth ? 1.0 : 0.0;
 }
 
-template <class T>
-T gloam_contribution_crytek_buffer(T sample_value, T buffer_value) {
-    return buffer_value < T(1) && buffer_value <= sample_value ? T(1) : T(0);
+inline double gloam_contribution_crytek_buffer(double sample_value, double buffer_value) {
+    return buffer_value < 1.0 && buffer_value <= sample_value ? 1.0 : 0.0;
 }
 
-template <class T>
-vec3<T> gloam_crytek_sample(vec2<T> uv, T buffer_value, vec3<T> s, T radius, T depth, T z_far) {
-    const vec3<T> center(uv.x, uv.y, buffer_value);
-    if (gloam_is_background(depth) || !(z_far >= T(1e-30) && z_far <= T(0x1p126))) return center;
-    const T a = radius / clamp(depth, T(1e-30), T(0x1p126));
-    return center + s * a * vec3<T>(T(1), T(1), buffer_value * (T(100) / z_far));
+inline dvec3 gloam_crytek_sample(dvec2 uv, double buffer_value, dvec3 s, double radius, double depth, double z_far) {
+    const dvec3 center(uv, buffer_value);
+    if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 0x1p126)) return center;
+    return center + radius / depth * s * dvec3(1.0, 1.0, 100.0 / z_far * buffer_value);
 }
 
 }  // namespace gloam::reference

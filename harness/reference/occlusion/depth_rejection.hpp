@@ -5,10 +5,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-bool gloam_tap_rejected(T depth, T tap_depth, T threshold) {
-    if (gloam_is_background(depth) || gloam_is_background(tap_depth)) return false;
-    return depth - tap_depth > threshold;
+inline bool gloam_tap_rejected(double depth, double tap_depth, double threshold) {
+    return !gloam_is_background(depth) && !gloam_is_background(tap_depth) && depth - tap_depth > threshold;
 }
 
 }  // namespace gloam::reference

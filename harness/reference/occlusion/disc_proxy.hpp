@@ -1,41 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/length.hpp"
-#include "reference/numeric/length_ratio.hpp"
-#include "reference/numeric/square_root.hpp"
 #include "reference/occlusion/cosine.hpp"
-#include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_disc_share(T area, T distance_to) {
-    const T radius = gloam_sqrt(area * (exact_number<T> ? T(1) / pi<T>() : T(0.318309886)));
-    if (!(radius > T(0) && distance_to >= T(0))) return vec2<T>(T(0), T(1));
-    const bool wide = radius > distance_to;
-    const T x = gloam_length_ratio(wide ? distance_to : radius, wide ? radius : distance_to);
-    const T larger = T(1) / (T(1) + x * x);
-    const T smaller = x * x / (T(1) + x * x);
-    return min(wide ? vec2<T>(larger, smaller) : vec2<T>(smaller, larger), vec2<T>(T(1), T(1)));
+inline dvec2 gloam_disc_share(double area, double distance_to) {
+    if (!(area >= float_min * float_min && distance_to >= 0.0)) return {0.0, 1.0};
+    if (std::isinf(area)) return std::isinf(distance_to) ? dvec2(0.5) : dvec2(1.0, 0.0);
+    const double larger = area / (area + pi * pow(distance_to, 2));
+    return {larger, 1.0 - larger};
 }
 
-template <class T>
-T gloam_contribution_disc_proxy(vec3<T> offset, vec3<T> normal, vec3<T> emitter_normal, T area, T weight) {
-    const vec2<T> share = gloam_disc_share(area, gloam_length(offset));
-    const vec3<T> back(-offset.x, -offset.y, -offset.z);
-    const T facing =
-        gloam_sample_cosine(back, emitter_normal) * min(T(4) * gloam_sample_cosine(offset, normal), T(1));
-    return gloam_unit_interval(weight) * facing * (share.x / (T(1) + gloam_sqrt(share.y)));
+inline double gloam_contribution_disc_proxy(dvec3 offset, dvec3 normal, dvec3 emitter_normal, double area,
+                                            double weight) {
+    const double open = gloam_disc_share(area, gloam_length(offset)).y;  // 1 / (1 + A / (pi D^2))
+    return gloam_unit_interval(weight) * (1.0 - sqrt(open)) * gloam_sample_cosine(-offset, emitter_normal) *
+           min(4.0 * gloam_sample_cosine(offset, normal), 1.0);
 }
 
-template <class T>
-T gloam_contribution_disc_proxy_cosine(vec3<T> offset, vec3<T> normal, vec3<T> emitter_normal, T area,
-                                       T weight) {
-    const T share = gloam_disc_share(area, gloam_length(offset)).x;
-    const vec3<T> back(-offset.x, -offset.y, -offset.z);
-    return gloam_unit_interval(weight) * share * gloam_sample_cosine(back, emitter_normal) *
-           gloam_sample_cosine(offset, normal);
+inline double gloam_contribution_disc_proxy_cosine(dvec3 offset, dvec3 normal, dvec3 emitter_normal, double area,
+                                                   double weight) {
+    return gloam_unit_interval(weight) * gloam_disc_share(area, gloam_length(offset)).x *
+           gloam_sample_cosine(-offset, emitter_normal) * gloam_sample_cosine(offset, normal);
 }
 
 }  // namespace gloam::reference

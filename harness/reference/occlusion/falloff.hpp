@@ -4,82 +4,50 @@
 #include "reference/math.hpp"
 
 namespace gloam::reference {
-namespace detail {
 
-// A power of two that keeps differences of lengths of that size normal, and quotients where division is
-// accurate.
-template <class T>
-T divisible_scale(T size) {
-    if (size > T(1.8446744e19)) return T(5.421010862427522e-20);
-    return size < T(5.421010862427522e-20) ? T(1.8446744073709552e19) : T(1);
+// d / R inside the radius of influence; 1, which counts nothing, beyond it and for what is not a radius.
+inline double falloff_ratio(double hit_distance, double radius) {
+    const double d = abs(hit_distance);
+    return d < radius && radius >= float_min ? d / radius : 1.0;
 }
 
-}  // namespace detail
-
-template <class T>
-T gloam_falloff_step(T hit_distance, T radius) {
-    return abs(hit_distance) <= radius ? T(1) : T(0);
+inline double gloam_falloff_step(double hit_distance, double radius) {
+    return abs(hit_distance) <= radius ? 1.0 : 0.0;
 }
 
-template <class T>
-T gloam_falloff_linear(T hit_distance, T radius) {
-    const T d = abs(hit_distance);
-    if (!(d < radius && radius >= float_min<T>())) return T(0);
-    if (!(radius <= float_max<T>())) return T(1);
-    const T scale = detail::divisible_scale(radius);
-    const T r = radius * scale;
-    return min((r - d * scale) / r, T(1));
+inline double gloam_falloff_linear(double hit_distance, double radius) {
+    return 1.0 - falloff_ratio(hit_distance, radius);
 }
 
-template <class T>
-T gloam_falloff_quadratic(T hit_distance, T radius) {
-    const T a = gloam_falloff_linear(hit_distance, radius);
-    return min(a * (T(2) - a), T(1));
+inline double gloam_falloff_quadratic(double hit_distance, double radius) {
+    return 1.0 - pow(falloff_ratio(hit_distance, radius), 2);
 }
 
-template <class T>
-T gloam_falloff_cubic(T hit_distance, T radius) {
-    const T a = gloam_falloff_linear(hit_distance, radius);
-    return min(a * (T(3) - a * (T(3) - a)), T(1));
+inline double gloam_falloff_cubic(double hit_distance, double radius) {
+    return 1.0 - pow(falloff_ratio(hit_distance, radius), 3);
 }
 
-template <class T>
-T gloam_falloff_sao(T hit_distance, T radius) {
-    const T b = gloam_falloff_quadratic(hit_distance, radius);
-    return b * b * b;
+inline double gloam_falloff_sao(double hit_distance, double radius) {
+    return pow(1.0 - pow(falloff_ratio(hit_distance, radius), 2), 3);
 }
 
-template <class T>
-T gloam_falloff_exponential(T hit_distance, T radius) {
-    const T d = abs(hit_distance);
-    if (!(d <= float_max<T>() && radius >= float_min<T>())) return T(0);
-    if (!(radius <= float_max<T>())) return T(1);
-    const T scale = detail::divisible_scale(radius);
-    const T r = radius * scale;
-    const T scaled = d * scale;
-    return scaled <= T(5.541263545) * r ? min(exp(-(scaled / r)), T(1)) : T(0);
+inline double gloam_falloff_exponential(double hit_distance, double radius) {
+    if (!is_finite(hit_distance) || !(radius >= float_min)) return 0.0;
+    const double weight = exp(-abs(hit_distance) / radius);
+    return weight >= 1.0 / 255.0 ? weight : 0.0;
 }
 
-template <class T>
-T gloam_falloff_alchemy(T hit_distance, T u) {
-    const T d = abs(hit_distance);
-    if (!(d <= float_max<T>() && u >= float_min<T>() && u <= float_max<T>())) return T(0);
-    const bool nearer = d < u;
-    const T smaller = nearer ? d : u;
-    const T larger = nearer ? u : d;
-    const T scale = detail::divisible_scale(larger);
-    return min(smaller * scale / (larger * scale), T(1));
+inline double gloam_falloff_alchemy(double hit_distance, double u) {
+    const double d = abs(hit_distance);
+    return is_finite(d) && is_finite(u) && u >= float_min ? u * d / pow(max(u, d), 2) : 0.0;
 }
 
-template <class T>
-T gloam_falloff_one(T hit_distance) {
-    return abs(hit_distance) >= T(0) ? T(1) : T(0);
+inline double gloam_falloff_one(double hit_distance) {
+    return std::isnan(hit_distance) ? 0.0 : 1.0;
 }
 
-template <class T>
-T gloam_visibility_filion(T delta, T radius) {
-    if (!(delta >= float_min<T>() && radius >= float_min<T>())) return T(1);
-    return gloam_falloff_linear(radius, delta);
+inline double gloam_visibility_filion(double delta, double radius) {
+    return delta >= float_min && radius >= float_min ? 1.0 - falloff_ratio(radius, delta) : 1.0;
 }
 
 }  // namespace gloam::reference

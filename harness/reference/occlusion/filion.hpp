@@ -2,16 +2,13 @@
 #pragma once
 
 #include "reference/geometry/background.hpp"
-#include "reference/numeric/length_ratio.hpp"
+#include "reference/occlusion/falloff.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_contribution_filion(T sample_depth, T buffer_depth, T radius) {
-    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return T(0);
-    const T in_front = sample_depth - buffer_depth;
-    if (!(in_front >= float_min<T>() && radius >= float_min<T>())) return T(0);
-    return in_front <= radius ? T(1) : gloam_length_ratio(radius, in_front);
+inline double gloam_contribution_filion(double sample_depth, double buffer_depth, double radius) {
+    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
+    return 1.0 - gloam_visibility_filion(sample_depth - buffer_depth, radius);
 }
 
 }  // namespace gloam::reference

@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/numeric/length_ratio.hpp"
+#include <algorithm>
+
 #include "reference/occlusion/cosine.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_contribution_fox_compton(vec3<T> position, vec3<T> normal, vec3<T> sample_position, T epsilon) {
-    const vec3<T> offset = sample_position - position;
-    const T cosine = gloam_sample_cosine(offset, normal);
-    if (!(cosine > T(0) && epsilon <= float_max<T>())) return T(0);
-    const T reach = dot(offset, gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0))));
-    return cosine / clamp(reach > epsilon ? reach : epsilon, float_min<T>(), T(0x1p126));
+inline double gloam_contribution_fox_compton(dvec3 position, dvec3 normal, dvec3 sample_position, double epsilon) {
+    const dvec3 offset = sample_position - position;
+    if (!(epsilon <= float_max) || !has_direction(offset)) return 0.0;
+    return gloam_sample_cosine(offset, normal) / std::clamp(max(epsilon, length(offset)), float_min, 0x1p126);
 }
 
-template <class T>
-T gloam_contribution_fox_compton_scaled(vec3<T> position, vec3<T> normal, vec3<T> sample_position,
-                                        T epsilon) {
-    const vec3<T> offset = sample_position - position;
-    const T cosine = gloam_sample_cosine(offset, normal);
-    if (!(cosine > T(0) && epsilon > T(0))) return T(0);
-    const T reach = dot(offset, gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0))));
-    return reach > epsilon ? cosine * gloam_length_ratio(epsilon, reach) : cosine;
+inline double gloam_contribution_fox_compton_scaled(dvec3 position, dvec3 normal, dvec3 sample_position,
+                                                    double epsilon) {
+    const dvec3 offset = sample_position - position;
+    if (!(epsilon > 0.0) || !has_direction(offset)) return 0.0;
+    const double share = length(offset) > epsilon ? epsilon / length(offset) : 1.0;
+    return gloam_sample_cosine(offset, normal) * share;
 }
 
 }  // namespace gloam::reference

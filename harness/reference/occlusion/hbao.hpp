@@ -1,90 +1,66 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/safe_normalize.hpp"
+#include "reference/geometry/length.hpp"
 #include "reference/numeric/inverse_trigonometry.hpp"
-#include "reference/numeric/sincos.hpp"
 #include "reference/shading/remap.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_tangent_slope(vec2<T> direction, vec3<T> dpdu, vec3<T> dpdv) {
-    const vec3<T> t =
-        gloam_safe_normalize(dpdu * direction.x + dpdv * direction.y, vec3<T>(T(0), T(0), T(0)));
-    const T across = gloam_sqrt(dot(vec2<T>(t.x, t.y), vec2<T>(t.x, t.y)));
-    if (across > T(1e-6)) return clamp(t.z / across, T(-1e6), T(1e6));
-    return t.z > T(0) ? T(1e6) : (t.z < T(0) ? T(-1e6) : T(0));
+inline double gloam_tangent_slope(dvec2 direction, dvec3 dpdu, dvec3 dpdv) {
+    const dvec3 t = direction.x * dpdu + direction.y * dpdv;
+    return has_direction(t) ? clamp(t.z / length(dvec2(t)), -1e6, 1e6) : 0.0;
 }
 
-template <class T>
-T gloam_sine_of_tangent(T tangent) {
-    const T magnitude = abs(tangent);
-    if (!(magnitude < T(1e6))) return tangent > T(0) ? T(1) : (tangent < T(0) ? T(-1) : T(0));
-    return clamp(tangent * inversesqrt(T(1) + magnitude * magnitude), T(-1), T(1));
+inline double gloam_sine_of_tangent(double tangent) {
+    return std::isnan(tangent) ? 0.0 : sin(atan(tangent));
 }
 
-template <class T>
-T gloam_tangent_elevation(vec3<T> normal, vec2<T> direction) {
-    return clamp(gloam_atan2(-dot(vec2<T>(normal.x, normal.y), direction), normal.z), T(-1.570796327),
-                 T(1.570796327));
+inline double gloam_tangent_elevation(dvec3 normal, dvec2 direction) {
+    return clamp(gloam_atan2(-dot(dvec2(normal), direction), normal.z), -pi / 2.0, pi / 2.0);
 }
 
-template <class T>
-vec2<T> gloam_hbao_start(T tangent, T bias) {
-    const T elevation = tangent + bias;
-    return vec2<T>(elevation < T(1.570796327) ? gloam_sincos(max(elevation, T(-1.570796327))).y : T(1), T(0));
+inline dvec2 gloam_hbao_start(double tangent, double bias) {
+    const double elevation = tangent + bias;
+    return {std::isnan(elevation) ? 1.0 : sin(clamp(elevation, -pi / 2.0, pi / 2.0)), 0.0};
 }
 
-// sin(atan(tan t + tan bias)) = x / (1 + x^2)^(1/2).
-template <class T>
-vec2<T> gloam_hbao_start_slope(T slope, T bias) {
-    if (!(bias >= T(0) && bias < T(1.570796251F) && abs(slope) >= T(0))) return vec2<T>(T(1), T(0));
-    const vec2<T> turned = gloam_sincos(bias);
-    return vec2<T>(gloam_sine_of_tangent(slope + turned.y / turned.x), T(0));
+inline dvec2 gloam_hbao_start_slope(double slope, double bias) {
+    if (!(bias >= 0.0 && bias < pi / 2.0) || std::isnan(slope)) return {1.0, 0.0};
+    return {sin(atan(slope + tan(bias))), 0.0};
 }
 
-template <class T>
-vec2<T> gloam_hbao_step(vec2<T> horizon, vec3<T> offset, T radius) {
-    const vec3<T> direction = gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0)));
-    const T x = dot(offset, direction) / radius;
-    const bool near =
-        radius >= float_min<T>() && radius <= T(0x1p126) && x < T(1) && dot(direction, direction) > T(0.5);
-    if (!(near && direction.z > horizon.x)) return horizon;
-    const T sine = min(direction.z, T(1));
-    return vec2<T>(sine, horizon.y + (sine - horizon.x) * (T(1) - x * x));
+inline dvec2 gloam_hbao_step(dvec2 horizon, dvec3 offset, double radius) {
+    const double r = length(offset);
+    if (!(has_direction(offset) && radius >= float_min && radius <= 0x1p126 && r < radius)) return horizon;
+    const double sine = offset.z / r;
+    if (!(sine > horizon.x)) return horizon;
+    return {sine, horizon.y + (1.0 - pow(r / radius, 2)) * (sine - horizon.x)};
 }
 
-template <class T>
-vec2<T> gloam_hbao_step_size(T radius, T largest, T steps, T extra) {
-    const T reach = radius < largest ? radius : largest;
-    if (!(reach >= T(1) && reach <= T(0x1p126) && steps >= T(1) && extra >= T(0))) return vec2<T>(T(0), T(0));
-    const T count = floor(steps < reach ? steps : reach);
-    return vec2<T>(reach / (count + extra), count);
+inline dvec2 gloam_hbao_step_size(double radius, double largest, double steps, double extra) {
+    const double reach = radius < largest ? radius : largest;
+    if (!(reach >= 1.0 && reach <= 0x1p126 && steps >= 1.0 && extra >= 0.0)) return dvec2(0.0);
+    const double count = floor(min(steps, reach));
+    return {reach / (count + extra), count};
 }
 
-template <class T>
-T gloam_hbao_visibility(T occlusion, T bias, T contrast) {
-    const T rest = T(1) - gloam_sincos(bias).y;
-    if (!(abs(bias) < T(1.5) && occlusion > T(0) && contrast > T(0))) return T(1);
-    const T visibility = T(1) - contrast * (occlusion / rest);
-    return visibility > T(0) ? visibility : (visibility <= T(0) ? T(0) : T(1));
+inline double gloam_hbao_visibility(double occlusion, double bias, double contrast) {
+    if (!(abs(bias) < 1.5 && occlusion > 0.0 && contrast > 0.0)) return 1.0;
+    return max(1.0 - contrast * occlusion / (1.0 - sin(bias)), 0.0);
 }
 
-template <class T>
-T gloam_contribution_hbao_simplified(vec3<T> offset, vec3<T> normal, T radius, T bias) {
-    const vec3<T> direction = gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0)));
-    const T x = dot(offset, direction) / radius;
-    const T above = dot(normal, direction) - bias;
-    const bool near = radius >= float_min<T>() && radius <= T(0x1p126) && x < T(1);
-    if (!(near && above > T(0) && bias >= T(0) && bias < T(1))) return T(0);
-    return min(above / (T(1) - bias), T(1)) * (T(1) - x * x);
+inline double gloam_contribution_hbao_simplified(dvec3 offset, dvec3 normal, double radius, double bias) {
+    const double r = length(offset);
+    const bool near = has_direction(offset) && radius >= float_min && radius <= 0x1p126 && r < radius;
+    const double above = dot(normal, offset) / r - bias;
+    if (!(near && above > 0.0 && bias >= 0.0 && bias < 1.0)) return 0.0;
+    return min(above / (1.0 - bias), 1.0) * (1.0 - pow(r / radius, 2));
 }
 
-template <class T>
-T gloam_visibility_hbao_simplified(vec2<T> accumulated, T power) {
-    if (!(accumulated.y >= T(1) && accumulated.x > T(0))) return T(1);
-    return gloam_remap(T(1) - T(2) * (accumulated.x / accumulated.y), T(0), T(1), power);
+inline double gloam_visibility_hbao_simplified(dvec2 accumulated, double power) {
+    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
+    return gloam_remap(1.0 - 2.0 * accumulated.x / accumulated.y, 0.0, 1.0, power);
 }
 
 }  // namespace gloam::reference

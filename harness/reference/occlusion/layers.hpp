@@ -8,41 +8,35 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_layers_occlusion(T occlusion, T layer) {
+inline double gloam_layers_occlusion(double occlusion, double layer) {
     return max(gloam_unit_interval(occlusion), gloam_unit_interval(layer));
 }
 
-template <class T>
-T gloam_layer_blocked(T sample_depth, T front, T back) {
-    if (gloam_is_background(sample_depth) || gloam_is_background(front)) return T(0);
-    const bool before_back = gloam_is_background(back) || sample_depth <= back;
-    return front <= sample_depth && before_back ? T(1) : T(0);
+inline double gloam_layer_blocked(double sample_depth, double front, double back) {
+    if (gloam_is_background(sample_depth) || gloam_is_background(front)) return 0.0;
+    return front <= sample_depth && (sample_depth <= back || gloam_is_background(back)) ? 1.0 : 0.0;
 }
 
-template <class T>
-T gloam_layer_depth(T first, vec3<T> further, int layer) {
-    return layer == 0 ? first : T(abs(further[std::min(layer, 3) - 1]));
+inline double gloam_layer_depth(double first, dvec3 further, int layer) {
+    return layer == 0 ? first : abs(further[std::min(layer, 3) - 1]);
 }
 
-template <class T>
 struct GloamLayersSeen {
-    T occlusion;
-    T before;
+    double occlusion;
+    double before;
     bool front;
 };
 
-// A back closes what the layers before it have in front of the point.
-template <class T>
-GloamLayersSeen<T> gloam_layers_add(GloamLayersSeen<T> seen, T blocked, vec3<T> further, T depth, int layer,
-                                    int layers) {
-    if (layer == 0) return {blocked, T(0), true};
-    const T signed_depth = further[std::min(layer, 3) - 1];
-    const bool back = seen.front && signed_depth < T(0);
-    const bool last_of_many = layers > 2 && layer >= layers - 1;
-    const bool ends = back && !last_of_many && (layers == 2 || layer + 1 < layers) && -signed_depth < depth;
-    const T left = ends ? seen.before : seen.occlusion;
-    return {back ? left : T(max(left, blocked)), left, signed_depth > T(0)};
+// A back right behind a front closes that object: where it lies before the point, what its front blocked is taken
+// back. The last of three or more layers closes nothing.
+inline GloamLayersSeen gloam_layers_add(const GloamLayersSeen& seen, double blocked, dvec3 further, double depth,
+                                        int layer, int layers) {
+    if (layer == 0) return {blocked, 0.0, true};
+    const double signed_depth = further[std::min(layer, 3) - 1];
+    const bool back = seen.front && signed_depth < 0.0;
+    const bool closes = back && (layers == 2 || layer < layers - 1) && -signed_depth < depth;
+    const double left = closes ? seen.before : seen.occlusion;
+    return {back ? left : max(left, blocked), left, signed_depth > 0.0};
 }
 
 }  // namespace gloam::reference

@@ -5,19 +5,16 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_contribution_ritschel(T blocked, T falloff, T cosine) {
+inline double gloam_contribution_ritschel(double blocked, double falloff, double cosine) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
 }
 
-template <class T>
-T gloam_contribution_cosine_directions(T blocked, T falloff) {
-    return gloam_unit_interval(blocked) * gloam_unit_interval(falloff);
+inline double gloam_contribution_cosine_directions(double blocked, double falloff) {
+    return gloam_contribution_ritschel(blocked, falloff, 1.0);
 }
 
-template <class T>
-T gloam_contribution_uniform_directions(T blocked, T falloff, T cosine) {
-    return T(2) * gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
+inline double gloam_contribution_uniform_directions(double blocked, double falloff, double cosine) {
+    return 2.0 * gloam_contribution_ritschel(blocked, falloff, cosine);
 }
 
 }  // namespace gloam::reference

@@ -6,15 +6,12 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_separable_mean(T along_u, T along_v) {
-    return T(0.5) * (gloam_unit_interval(along_u) + gloam_unit_interval(along_v));
+inline double gloam_separable_mean(double along_u, double along_v) {
+    return (gloam_unit_interval(along_u) + gloam_unit_interval(along_v)) / 2.0;
 }
 
-template <class T>
-T gloam_separable_weight(vec3<T> offset, vec3<T> normal, T sigma, T tolerance) {
-    const bool on_plane = abs(dot(offset, normal)) <= tolerance;
-    return on_plane ? gloam_gaussian(dot(offset, offset), sigma) : T(0);
+inline double gloam_separable_weight(dvec3 offset, dvec3 normal, double sigma, double tolerance) {
+    return abs(dot(offset, normal)) <= tolerance ? gloam_gaussian(dot(offset, offset), sigma) : 0.0;
 }
 
 }  // namespace gloam::reference

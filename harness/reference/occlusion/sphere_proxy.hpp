@@ -1,44 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/length.hpp"
-#include "reference/numeric/length_ratio.hpp"
-#include "reference/numeric/square_root.hpp"
 #include "reference/occlusion/cosine.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_sphere_fraction(T radius, T distance_to) {
-    if (!(radius > T(0) && distance_to >= T(0))) return T(0);
-    if (distance_to <= radius) return T(1);
-    const T x = gloam_length_ratio(radius, distance_to);
-    const T gap = gloam_length_ratio(distance_to - radius, distance_to);
-    return min(x * x / (T(1) + gloam_sqrt(gap * (T(1) + x))), T(1));
+inline double gloam_sphere_fraction(double radius, double distance_to) {
+    if (!(radius > 0.0 && distance_to >= 0.0)) return 0.0;
+    return distance_to <= radius ? 1.0 : 1.0 - sqrt(1.0 - pow(radius / distance_to, 2));
 }
 
-template <class T>
-T gloam_contribution_sphere(vec3<T> offset, vec3<T> normal, T radius) {
-    if (!gloam_is_finite3(offset)) return T(0);
-    const T reach = gloam_length(offset);
-    const T fraction = gloam_sphere_fraction(radius, reach);
-    return reach <= radius ? fraction : fraction * gloam_sample_cosine(offset, normal);
+inline double gloam_contribution_sphere(dvec3 offset, dvec3 normal, double radius) {
+    if (!is_finite(offset)) return 0.0;
+    const double cosine = gloam_length(offset) <= radius ? 1.0 : gloam_sample_cosine(offset, normal);
+    return gloam_sphere_fraction(radius, gloam_length(offset)) * cosine;
 }
 
-template <class T>
-T gloam_contribution_sphere_cosine(vec3<T> offset, vec3<T> normal, T radius) {
-    if (!(gloam_is_finite3(offset) && radius > T(0))) return T(0);
-    const T reach = gloam_length(offset);
-    if (reach <= radius) return T(1);
-    const T x = gloam_length_ratio(radius, reach);
-    return x * x * gloam_sample_cosine(offset, normal);
+inline double gloam_contribution_sphere_cosine(dvec3 offset, dvec3 normal, double radius) {
+    if (!is_finite(offset) || !(radius > 0.0)) return 0.0;
+    const double d = gloam_length(offset);
+    return d <= radius ? 1.0 : pow(radius / d, 2) * gloam_sample_cosine(offset, normal);
 }
 
-template <class T>
-T gloam_above_horizon(vec3<T> offset, T tan_horizon) {
-    const T across = gloam_length(vec3<T>(offset.x, offset.y, T(0)));
-    const T horizon = across > T(0) ? across * tan_horizon : T(0);
-    return gloam_is_finite3(offset) && offset.z > horizon ? T(1) : T(0);
+inline double gloam_above_horizon(dvec3 offset, double tan_horizon) {
+    const double across = gloam_length(dvec3(offset.x, offset.y, 0.0));
+    const double horizon = across > 0.0 ? tan_horizon * across : 0.0;
+    return is_finite(offset) && offset.z > horizon ? 1.0 : 0.0;
 }
 
 }  // namespace gloam::reference

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/math.hpp"
+#include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_visibility(T occlusion) {
-    return occlusion > T(0) ? (occlusion < T(1) ? T(1) - occlusion : T(0)) : T(1);
+inline double gloam_visibility(double occlusion) {
+    return 1.0 - gloam_unit_interval(occlusion);
 }
 
-template <class T>
-T gloam_visibility_clamp(T visibility) {
-    return visibility < T(1) ? (visibility > T(0) ? visibility : T(0)) : T(1);
+inline double gloam_visibility_clamp(double visibility) {
+    return std::isnan(visibility) ? 1.0 : gloam_unit_interval(visibility);
 }
 
 }  // namespace gloam::reference

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/finite.hpp"
+#include <algorithm>
+
 #include "reference/geometry/slice.hpp"
 #include "reference/numeric/bit_count.hpp"
 #include "reference/occlusion/gtao.hpp"
@@ -9,65 +10,57 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_bitmask_back(vec3<T> offset, GloamSlice<T> slice, T thickness) {
-    const vec3<T> behind = offset - slice.view * thickness;
-    const vec3<T> direction = gloam_safe_normalize(offset, vec3<T>(T(0), T(0), T(0)));
-    const bool thick = thickness > T(0) && dot(direction, direction) > T(0.5) && gloam_is_finite3(behind);
+inline dvec2 gloam_bitmask_back(dvec3 offset, const GloamSlice& slice, double thickness) {
+    const dvec3 behind = offset - thickness * slice.view;
+    const bool thick = thickness > 0.0 && has_direction(offset) && is_finite(behind);
     return gloam_slice_direction(thick ? behind : offset, slice);
 }
 
-template <class T>
-T gloam_slice_fraction_angle(vec2<T> direction, GloamSlice<T> slice) {
-    const T angle = gloam_atan2(direction.y, direction.x);
-    return gloam_unit_interval((angle - slice.angle) * T(0.3183098862) + T(0.5));
+inline double gloam_slice_fraction_angle(dvec2 direction, const GloamSlice& slice) {
+    return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) / pi + 0.5);
 }
 
-template <class T>
-T gloam_slice_fraction_cosine(vec2<T> direction, GloamSlice<T> slice) {
-    const bool negative = direction.y < T(0);
-    const vec2<T> normal = negative ? vec2<T>(slice.normal.x, -slice.normal.y) : slice.normal;
-    const vec2<T> horizon(direction.x, abs(direction.y));
-    const T elevation =
-        T(1.570796327) + (negative ? T(-slice.angle) : slice.angle) - gloam_atan2(horizon.y, horizon.x);
-    const T part = gloam_gtao_arc(elevation, horizon, normal) / gloam_slice_whole(slice);
-    return gloam_unit_interval(negative ? part : T(1) - part);
+// The part of the slice's integral below the direction: on the negative side what a horizon there takes, on the
+// positive side all but that.
+inline double gloam_slice_fraction_cosine(dvec2 direction, const GloamSlice& slice) {
+    const double side = direction.y < 0.0 ? -1.0 : 1.0;
+    const double elevation = side * slice.angle + pi / 2.0 - gloam_atan2(abs(direction.y), direction.x);
+    const double taken = gloam_gtao_arc(elevation, {direction.x, side * direction.y}, {slice.normal.x, side * slice.normal.y});
+    const double part = taken / gloam_slice_whole(slice);
+    return gloam_unit_interval(side < 0.0 ? part : 1.0 - part);
 }
 
-template <class T>
-T gloam_slice_fraction_uniform(vec2<T> direction, GloamSlice<T> slice) {
-    const bool negative = direction.y < T(0);
-    const T part = gloam_gtao_arc_uniform(direction.x, negative ? T(-slice.normal.y) : slice.normal.y);
-    return gloam_unit_interval(negative ? part : T(1) - part);
+inline double gloam_slice_fraction_uniform(dvec2 direction, const GloamSlice& slice) {
+    const double side = direction.y < 0.0 ? -1.0 : 1.0;
+    const double part = gloam_gtao_arc_uniform(direction.x, side * slice.normal.y);
+    return side < 0.0 ? part : 1.0 - part;
 }
 
-template <class T = double>
-unsigned gloam_bit_range(unsigned first, unsigned last) {
-    const unsigned below_last = last >= 32U ? 0xFFFFFFFFU : (1U << last) - 1U;
-    const unsigned below_first = first >= 32U ? 0xFFFFFFFFU : (1U << first) - 1U;
-    return below_last & ~below_first;
+inline unsigned gloam_bit_range(unsigned first, unsigned last) {
+    unsigned bits = 0U;
+    for (unsigned i = first; i < std::min(last, 32U); ++i) bits |= 1U << i;
+    return bits;
 }
 
-template <class T>
-unsigned gloam_bitmask_sectors(vec2<T> fractions) {
-    const T lower = ceil(T(32) * gloam_unit_interval(fractions.x) - T(0.5));
-    const T upper = ceil(T(32) * gloam_unit_interval(fractions.y) - T(0.5));
-    return gloam_bit_range(static_cast<unsigned>(to_int(max(lower, T(0)))),
-                           static_cast<unsigned>(to_int(max(upper, T(0)))));
+// Each sector by its centre.
+inline unsigned gloam_bitmask_sectors(dvec2 fractions) {
+    unsigned bits = 0U;
+    for (unsigned i = 0; i < 32U; ++i) {
+        const double center = (i + 0.5) / 32.0;
+        if (gloam_unit_interval(fractions.x) <= center && center < gloam_unit_interval(fractions.y)) bits |= 1U << i;
+    }
+    return bits;
 }
 
-template <class T>
-unsigned gloam_bitmask_sectors_outward(vec2<T> fractions) {
-    const T lower = gloam_unit_interval(fractions.x);
-    const T width = gloam_unit_interval(fractions.y) - lower;
-    const auto first = static_cast<unsigned>(to_int(floor(T(32) * lower)));
-    if (!(width > T(0))) return 0U;
-    return gloam_bit_range(first, min(first + static_cast<unsigned>(to_int(ceil(T(32) * width))), 32U));
+inline unsigned gloam_bitmask_sectors_outward(dvec2 fractions) {
+    const double lower = gloam_unit_interval(fractions.x);
+    const double width = gloam_unit_interval(fractions.y) - lower;
+    const auto first = static_cast<unsigned>(32.0 * lower);
+    return width > 0.0 ? gloam_bit_range(first, first + static_cast<unsigned>(std::ceil(32.0 * width))) : 0U;
 }
 
-template <class T = double>
-T gloam_bitmask_occlusion(unsigned sectors) {
-    return T(gloam_bit_count(sectors)) * T(0.03125);
+inline double gloam_bitmask_occlusion(unsigned sectors) {
+    return gloam_bit_count(sectors) / 32.0;
 }
 
 }  // namespace gloam::reference

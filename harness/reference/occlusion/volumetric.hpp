@@ -1,56 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/numeric/square_root.hpp"
+#include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_chord_half_height(vec2<T> xi, T radius) {
-    const T height = radius * gloam_sqrt(T(1) - dot(xi, xi));
-    return height > T(0) ? height : T(0);
+inline double gloam_chord_half_height(dvec2 xi, double radius) {
+    const double squared = 1.0 - dot(xi, xi);
+    return squared >= float_min && radius > 0.0 ? radius * sqrt(squared) : 0.0;
 }
 
-template <class T>
-T gloam_line_occlusion(T height, T half_height) {
-    if (!(half_height >= float_min<T>() && half_height <= T(0x1p126))) return T(0.5);
-    if (height >= half_height) return T(1);
-    if (height <= -half_height) return T(0);
-    return abs(height) < half_height ? T(0.5) + T(0.5) * (height / half_height) : T(0.5);
+inline double gloam_line_ratio(double height, double half_height) {
+    if (!(half_height >= float_min && half_height <= 0x1p126) || std::isnan(height)) return 0.5;
+    return (half_height + height) / (2.0 * half_height);
 }
 
-// The place of the surface on a line from the far end (0) of the chord to its near end (1).
-template <class T>
-T gloam_line_ratio(T height, T half_height) {
-    if (!(half_height >= float_min<T>() && half_height <= T(0x1p126))) return T(0.5);
-    const T ratio = T(0.5) + T(0.5) * (height / half_height);
-    return abs(ratio) >= T(0) ? ratio : T(0.5);
+inline double gloam_line_occlusion(double height, double half_height) {
+    return gloam_unit_interval(gloam_line_ratio(height, half_height));
 }
 
-template <class T>
-vec2<T> gloam_line_pair(vec2<T> ratios, T lowest, T highest) {
+inline dvec2 gloam_line_pair(dvec2 ratios, double lowest, double highest) {
     const bool first = ratios.x >= lowest && ratios.x <= highest;
     const bool second = ratios.y >= lowest && ratios.y <= highest;
-    if (first && second) return ratios;
-    if (first) return vec2<T>(ratios.x, T(1) - ratios.x);
-    return second ? vec2<T>(T(1) - ratios.y, ratios.y) : vec2<T>(T(0.5), T(0.5));
+    if (!first && !second) return dvec2(0.5);
+    return {first ? ratios.x : 1.0 - ratios.y, second ? ratios.y : 1.0 - ratios.x};
 }
 
-template <class T>
-T gloam_tangent_sphere_half_height(vec3<T> offset, vec3<T> normal, T radius) {
-    if (!(radius >= float_min<T>() && radius <= T(0x1p126))) return T(0);
-    const T half_radius = T(0.5) * radius;
-    const vec2<T> xi = vec2<T>(offset.x, offset.y) / half_radius - vec2<T>(normal.x, normal.y);
-    const T height = half_radius * gloam_sqrt(T(1) - dot(xi, xi));
-    return height > T(0) ? height : T(0);
+// Of the sphere of radius r / 2 around n r / 2.
+inline double gloam_tangent_sphere_half_height(dvec3 offset, dvec3 normal, double radius) {
+    if (!(radius >= float_min && radius <= 0x1p126)) return 0.0;
+    return gloam_chord_half_height(dvec2(offset) / (radius / 2.0) - dvec2(normal), radius / 2.0);
 }
 
-template <class T>
-T gloam_tangent_sphere_occlusion(vec3<T> offset, vec3<T> normal, T radius) {
-    const T half_height = gloam_tangent_sphere_half_height(offset, normal, radius);
-    const T height = offset.z - T(0.5) * radius * normal.z;
-    return half_height >= float_min<T>() && abs(height) >= T(0) ? gloam_line_occlusion(height, half_height)
-                                                                : T(0);
+inline double gloam_tangent_sphere_occlusion(dvec3 offset, dvec3 normal, double radius) {
+    const double half_height = gloam_tangent_sphere_half_height(offset, normal, radius);
+    const double height = offset.z - radius / 2.0 * normal.z;
+    return half_height >= float_min && !std::isnan(height) ? gloam_line_occlusion(height, half_height) : 0.0;
 }
 
 }  // namespace gloam::reference

@@ -6,9 +6,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_circle_point(T turn) {
-    return gloam_sincos_turns(gloam_unit_interval(turn));
+inline dvec2 gloam_circle_point(double turn) {
+    return on_circle(2.0 * pi * gloam_unit_interval(turn));
 }
 
 }  // namespace gloam::reference

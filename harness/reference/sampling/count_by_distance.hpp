@@ -7,12 +7,13 @@
 
 namespace gloam::reference {
 
-template <class T>
-int gloam_count_by_distance(T depth, T z_far, int base, int least) {
-    const T start = T(std::clamp(base, 0, 4096));
-    const bool placed = depth >= T(0) && z_far >= float_min<T>() && depth < z_far;
-    const T distance_part = placed ? (z_far <= T(0x1p126) ? depth / z_far : T(0)) : T(1);
-    return std::max(to_int(start / (T(1) + start * distance_part)), least);
+// max(floor(N / (1 + N d / z_far)), least); depths behind the far plane, and none, count as on it. A far plane
+// beyond 2^126 is at infinity.
+inline int gloam_count_by_distance(double depth, double z_far, int base, int least) {
+    const double most = std::clamp(base, 0, 4096);
+    const bool before = depth >= 0.0 && z_far >= float_min && depth < z_far;
+    const double share = before ? (z_far <= 0x1p126 ? depth / z_far : 0.0) : 1.0;
+    return std::max(int(most / (1.0 + most * share)), least);
 }
 
 }  // namespace gloam::reference

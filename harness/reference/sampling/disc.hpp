@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/numeric/square_root.hpp"
 #include "reference/sampling/circle.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_disc_sample(vec2<T> zeta) {
-    return gloam_sqrt(gloam_unit_interval(zeta.y)) * gloam_circle_point(zeta.x);
+inline dvec2 gloam_disc_sample(dvec2 zeta) {
+    const double squared = gloam_unit_interval(zeta.y);
+    return squared < float_min ? dvec2(0.0) : sqrt(squared) * gloam_circle_point(zeta.x);
 }
 
 }  // namespace gloam::reference

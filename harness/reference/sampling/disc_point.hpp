@@ -6,9 +6,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec3<T> gloam_disc_point(unsigned index) {
-    return vec3<T>(gloam_disc_sample(gloam_halton_2d<T>(index)), T(0));
+inline dvec3 gloam_disc_point(unsigned index) {
+    return {gloam_disc_sample(gloam_halton_2d(index)), 0.0};
 }
 
 }  // namespace gloam::reference

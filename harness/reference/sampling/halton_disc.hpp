@@ -7,10 +7,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_halton_disc(unsigned index, vec2<T> turn) {
-    const vec2<T> zeta = gloam_halton_2d<T>(index);
-    return gloam_turn_disc(gloam_disc_sample(zeta), turn);
+inline dvec2 gloam_halton_disc(unsigned index, dvec2 turn) {
+    return gloam_turn_disc(gloam_disc_sample(gloam_halton_2d(index)), turn);
 }
 
 }  // namespace gloam::reference

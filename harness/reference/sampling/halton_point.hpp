@@ -5,9 +5,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec3<T> gloam_halton_point(unsigned index) {
-    return gloam_halton_3d<T>(index);
+inline dvec3 gloam_halton_point(unsigned index) {
+    return gloam_halton_3d(index);
 }
 
 }  // namespace gloam::reference

@@ -6,9 +6,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec3<T> gloam_hemisphere_cosine_point(unsigned index) {
-    return gloam_hemisphere_cosine(gloam_halton_3d<T>(index));
+inline dvec3 gloam_hemisphere_cosine_point(unsigned index) {
+    return gloam_hemisphere_cosine(gloam_halton_3d(index));
 }
 
 }  // namespace gloam::reference

@@ -5,11 +5,9 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec3<T> gloam_hemisphere_flip(vec3<T> s, vec3<T> normal) {
-    if (!(dot(s, s) <= T(1e38))) return vec3<T>(T(0), T(0), T(0));
-    if (dot(s, normal) > T(0)) return s;
-    return -s;
+inline dvec3 gloam_hemisphere_flip(dvec3 s, dvec3 normal) {
+    if (!(length(s) <= 1e19)) return dvec3(0.0);
+    return dot(s, normal) > 0.0 ? s : -s;
 }
 
 }  // namespace gloam::reference

@@ -5,11 +5,9 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_paired_sample(vec2<T> s, int index) {
-    if (!is_finite(s)) return vec2<T>(T(0), T(0));
-    if ((index & 1) == 0) return s;
-    return -s;
+inline dvec2 gloam_paired_sample(dvec2 s, int index) {
+    if (!is_finite(s)) return dvec2(0.0);
+    return index % 2 == 0 ? s : -s;
 }
 
 }  // namespace gloam::reference

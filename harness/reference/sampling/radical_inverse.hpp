@@ -1,32 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "reference/math.hpp"
 
 namespace gloam::reference {
 
-template <class T = double>
-T gloam_radical_inverse_base2(unsigned index) {
-    unsigned bits = (index << 16U) | (index >> 16U);
-    bits = ((bits & 0x00FF00FFU) << 8U) | ((bits >> 8U) & 0x00FF00FFU);
-    bits = ((bits & 0x0F0F0F0FU) << 4U) | ((bits >> 4U) & 0x0F0F0F0FU);
-    bits = ((bits & 0x33333333U) << 2U) | ((bits >> 2U) & 0x33333333U);
-    bits = ((bits & 0x55555555U) << 1U) | ((bits >> 1U) & 0x55555555U);
-    return T(bits >> 8U) * T(5.9604644775390625e-8);
+// a_0 / b + a_1 / b^2 + ... of the digits a_m of the index.
+inline double gloam_radical_inverse(unsigned index, unsigned base) {
+    const unsigned b = std::clamp(base, 2U, 1U << 24U);
+    double sum = 0.0;
+    double place = 1.0;
+    for (unsigned rest = index % (1U << 24U); rest > 0U; rest /= b) sum += rest % b * (place /= b);
+    return sum;
 }
 
-template <class T = double>
-T gloam_radical_inverse(unsigned index, unsigned base) {
-    const unsigned radix = clamp(base, 2U, 0x01000000U);
-    unsigned rest = index & 0x00FFFFFFU;
-    unsigned mirrored = 0U;
-    unsigned power = 1U;
-    for (; rest >= radix; rest /= radix) {
-        mirrored = mirrored * radix + rest % radix;
-        power *= radix;
-    }
-    const T inverse = (T(mirrored) + T(rest) / T(radix)) / T(power);
-    return min(inverse, T(0.999999940395355));
+inline double gloam_radical_inverse_base2(unsigned index) {
+    return gloam_radical_inverse(index, 2U);
 }
 
 }  // namespace gloam::reference

@@ -5,26 +5,22 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec2<T> gloam_turn_disc(vec2<T> s, vec2<T> turn) {
-    if (!(dot(s, s) <= T(1e38))) return vec2<T>(T(0), T(0));
-    return vec2<T>(turn.x * s.x - turn.y * s.y, turn.y * s.x + turn.x * s.y);
+// The matrix of the rotation with that cosine and sine.
+inline dvec2 gloam_turn_disc(dvec2 s, dvec2 turn) {
+    if (!(length(s) <= 1e19)) return dvec2(0.0);
+    return dmat2(turn.x, turn.y, -turn.y, turn.x) * s;
 }
 
-template <class T>
-vec3<T> gloam_turn_hemisphere(vec3<T> s, vec2<T> turn) {
-    if (!(dot(s, s) <= T(1e38))) return vec3<T>(T(0), T(0), T(0));
-    const vec2<T> side = gloam_turn_disc(vec2<T>(s.x, s.y), turn);
-    return vec3<T>(side.x, side.y, s.z);
+inline dvec3 gloam_turn_hemisphere(dvec3 s, dvec2 turn) {
+    if (!(length(s) <= 1e19)) return dvec3(0.0);
+    return {gloam_turn_disc(s, turn), s.z};
 }
 
-template <class T>
-vec2<T> gloam_rotate_disc(vec2<T> s, T angle) {
+inline dvec2 gloam_rotate_disc(dvec2 s, double angle) {
     return gloam_turn_disc(s, gloam_sincos(angle));
 }
 
-template <class T>
-vec3<T> gloam_rotate_hemisphere(vec3<T> s, T angle) {
+inline dvec3 gloam_rotate_hemisphere(dvec3 s, double angle) {
     return gloam_turn_hemisphere(s, gloam_sincos(angle));
 }
 

@@ -6,22 +6,20 @@
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamSliceSample {
-    vec2<T> direction;
-    T jitter;
-    T share;
+    dvec2 direction;
+    double jitter;
+    double share;
 };
 
-template <class T>
-T gloam_kernel_turns(T angle) {
-    return abs(angle) <= T(65536) ? angle / T(6.283185307F) : T(0);
+inline double gloam_kernel_turns(double angle) {
+    return abs(angle) <= 65536.0 ? angle / (2.0 * pi) : 0.0;
 }
 
-template <class T>
-GloamSliceSample<T> gloam_slice_sample(unsigned index, T turns) {
-    const vec3<T> point = gloam_halton_3d<T>(index);
-    return {gloam_circle_point(T(T(0.5) * fract(point.x + turns))), fract(point.y + turns), point.z};
+// Directions over half a turn; the kernel's angle shifts them and the jitter.
+inline GloamSliceSample gloam_slice_sample(unsigned index, double turns) {
+    const dvec3 point = gloam_halton_3d(index);
+    return {on_circle(pi * fract(point.x + turns)), fract(point.y + turns), point.z};
 }
 
 }  // namespace gloam::reference

@@ -5,15 +5,15 @@
 
 namespace gloam::reference {
 
-template <class T>
-mat3<T> gloam_tangent_frame(vec3<T> normal) {
-    const vec3<T> n = gloam_safe_normalize(normal, vec3<T>(T(0), T(0), T(1)));
-    const T side = n.z > T(0) || !(normal.z < T(0)) ? T(1) : T(-1);
-    const T a = T(-1) / (side + n.z);
-    const T b = n.x * n.y * a;
-    const vec3<T> tangent(T(1) + side * n.x * n.x * a, side * b, -side * n.x);
-    const vec3<T> bitangent(b, side + n.y * n.y * a, -n.y);
-    return mat3<T>(tangent, bitangent, n);
+// Rodrigues' rotation of z onto n, 1 + K + K^2 / (1 + n.z) with K = (z x n) x; below the horizon of z that onto
+// -n, with y negated to stay right-handed.
+inline dmat3 gloam_tangent_frame(dvec3 normal) {
+    const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0, 0.0, 1.0));
+    const double side = n.z < 0.0 ? -1.0 : 1.0;
+    const dvec3 up = side * n;
+    const dmat3 k(0.0, 0.0, -up.x, 0.0, 0.0, -up.y, up.x, up.y, 0.0);
+    const dmat3 rotation = dmat3(1.0) + k + k * k / (1.0 + up.z);
+    return {rotation[0], side * rotation[1], n};
 }
 
 }  // namespace gloam::reference

@@ -9,13 +9,10 @@ namespace gloam::reference {
 
 inline constexpr int gloam_last_tap_level = 5;
 
-template <class T>
-glm::ivec2 gloam_tap_pixel(glm::ivec2 at, glm::ivec2 center, glm::ivec2 size, T mip_distance) {
+inline glm::ivec2 gloam_tap_pixel(glm::ivec2 at, glm::ivec2 center, glm::ivec2 size, double mip_distance) {
     const glm::ivec2 apart = glm::abs(at - center);
-    const int level =
-        gloam_depth_mip_level(T(std::max(apart.x, apart.y)), mip_distance, gloam_last_tap_level);
-    if (level == 0) return at;
-    return gloam_depth_mip_source(gloam_depth_mip_pixel(at, size, level), size, level);
+    const int level = gloam_depth_mip_level(std::max(apart.x, apart.y), mip_distance, gloam_last_tap_level);
+    return level == 0 ? at : gloam_depth_mip_source(gloam_depth_mip_pixel(at, size, level), size, level);
 }
 
 }  // namespace gloam::reference

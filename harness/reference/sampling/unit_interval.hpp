@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "reference/math.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_unit_interval(T x) {
-    return x > T(0) ? (x < T(1) ? x : T(1)) : T(0);
+inline double gloam_unit_interval(double x) {
+    return std::isnan(x) ? 0.0 : std::clamp(x, 0.0, 1.0);
 }
 
 }  // namespace gloam::reference

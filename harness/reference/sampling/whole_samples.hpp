@@ -5,10 +5,13 @@
 
 namespace gloam::reference {
 
-template <class T>
-unsigned gloam_whole_samples(unsigned count, unsigned unit) {
+inline unsigned gloam_whole_samples(unsigned count, unsigned unit) {
     const unsigned taps = std::max(unit, 1U);
-    return count < taps ? taps : count - count % taps;
+    return std::max(count / taps, 1U) * taps;
+}
+
+inline unsigned gloam_paired_samples(unsigned count) {
+    return count + count % 2U;
 }
 
 }  // namespace gloam::reference

@@ -5,9 +5,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec3<T> gloam_ambient_light(vec3<T> incident, T occlusion) {
-    return incident * (T(1) - gloam_unit_interval(occlusion));
+inline dvec3 gloam_ambient_light(dvec3 incident, double occlusion) {
+    return (1.0 - gloam_unit_interval(occlusion)) * incident;
 }
 
 }  // namespace gloam::reference

@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/length.hpp"
 #include "reference/geometry/safe_normalize.hpp"
 #include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-vec4<T> gloam_bent_add(vec4<T> bent, vec3<T> direction, T visibility) {
-    if (!gloam_is_finite3(direction)) return bent;
-    return bent + gloam_unit_interval(visibility) * vec4<T>(direction.x, direction.y, direction.z, T(1));
+inline dvec4 gloam_bent_add(dvec4 bent, dvec3 direction, double visibility) {
+    return is_finite(direction) ? bent + gloam_unit_interval(visibility) * dvec4(direction, 1.0) : bent;
 }
 
-template <class T>
-vec3<T> gloam_bent_normal(vec4<T> bent, vec3<T> normal) {
-    return bent.w > T(0) ? gloam_safe_normalize(vec3<T>(bent.x, bent.y, bent.z), normal) : normal;
+inline dvec3 gloam_bent_normal(dvec4 bent, dvec3 normal) {
+    return bent.w > 0.0 ? gloam_safe_normalize(bent, normal) : normal;
 }
 
-template <class T>
-T gloam_bent_length(vec4<T> bent) {
-    const bool some = bent.w >= float_min<T>() && bent.w <= T(0x1p126);
-    const T agreement = some ? gloam_length(vec3<T>(bent.x, bent.y, bent.z)) / bent.w : T(1);
-    return agreement < T(1) ? agreement : T(1);
+inline double gloam_bent_length(dvec4 bent) {
+    const bool some = bent.w >= float_min && bent.w <= 0x1p126;
+    return some ? min(gloam_length(bent) / bent.w, 1.0) : 1.0;
 }
 
 }  // namespace gloam::reference

@@ -1,43 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/length.hpp"
 #include "reference/occlusion/cosine.hpp"
 #include "reference/sampling/unit_interval.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-vec3<T> gloam_ssdo_radiance(vec3<T> radiance) {
-    return map(radiance, [](const T& x) { return x > T(0) ? min(x, T(65504)) : T(0); });
+inline dvec3 gloam_ssdo_radiance(dvec3 radiance) {
+    for (int i = 0; i < 3; ++i) radiance[i] = radiance[i] > 0.0 ? min(radiance[i], 65504.0) : 0.0;
+    return radiance;
 }
 
-template <class T>
-vec3<T> gloam_ssdo_direct(vec3<T> direction, vec3<T> normal, vec3<T> radiance, T visibility) {
-    return T(2) * gloam_unit_interval(visibility) * gloam_sample_cosine(direction, normal) *
-           gloam_ssdo_radiance(radiance);
+inline dvec3 gloam_ssdo_direct(dvec3 direction, dvec3 normal, dvec3 radiance, double visibility) {
+    return 2.0 * gloam_ssdo_radiance(radiance) * gloam_unit_interval(visibility) *
+           gloam_sample_cosine(direction, normal);
 }
 
-template <class T>
-vec3<T> gloam_ssdo_bounce(vec3<T> offset, vec3<T> normal, vec3<T> sender_normal, vec3<T> radiance, T radius,
-                          T least_distance, T visibility) {
-    const T reach = max(gloam_length(offset), least_distance);
-    const bool sized = radius >= float_min<T>() && least_distance >= float_min<T>() && reach <= T(0x1p126);
-    if (!sized) return vec3<T>(T(0), T(0), T(0));
-    const T ratio = min(radius / reach, T(1024));
-    const T cosines = gloam_sample_cosine(offset, normal) *
-                      gloam_sample_cosine(vec3<T>(-offset.x, -offset.y, -offset.z), sender_normal);
-    return (T(1) - gloam_unit_interval(visibility)) * cosines * (ratio * ratio) *
-           gloam_ssdo_radiance(radiance);
+inline dvec3 gloam_ssdo_bounce(dvec3 offset, dvec3 normal, dvec3 sender_normal, dvec3 radiance, double radius,
+                               double least_distance, double visibility) {
+    const double d = max(gloam_length(offset), least_distance);
+    if (!(radius >= float_min && least_distance >= float_min && d <= 0x1p126)) return dvec3(0.0);
+    const double cosines = gloam_sample_cosine(-offset, sender_normal) * gloam_sample_cosine(offset, normal);
+    return (1.0 - gloam_unit_interval(visibility)) * gloam_ssdo_radiance(radiance) *
+           pow(min(radius / d, 1024.0), 2) * cosines;
 }
 
-template <class T>
-vec3<T> gloam_ssdo_light(vec3<T> sum, T count, vec3<T> albedo) {
-    if (!(count >= T(1) && count <= T(16777216))) return vec3<T>(T(0), T(0), T(0));
-    const vec3<T> inside = map(albedo, [](const T& x) { return gloam_unit_interval(x); });
-    const vec3<T> mean =
-        map(sum, [&](const T& x) { return (x >= T(0) && x <= float_max<T>() ? x : T(0)) / count; });
-    return inside * mean;
+inline dvec3 gloam_ssdo_light(dvec3 sum, double count, dvec3 albedo) {
+    if (!(count >= 1.0 && count <= 0x1p24)) return dvec3(0.0);
+    for (int i = 0; i < 3; ++i)
+        sum[i] = sum[i] >= 0.0 && is_finite(sum[i]) ? gloam_unit_interval(albedo[i]) * sum[i] / count : 0.0;
+    return sum;
 }
 
 }  // namespace gloam::reference

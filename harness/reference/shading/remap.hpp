@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "reference/math.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_remap(T ao, T a, T b, T c) {
-    const T base = b * (ao + a);
-    if (!(base > T(0))) return base <= T(0) && c > T(0) ? T(0) : T(1);
-    const bool open = c > T(0) ? base >= T(1) : (c < T(0) ? base <= T(1) : true);
-    if (open) return T(1);
-    return c == T(1) ? base : clamp(pow(base, c), T(0), T(1));
+inline double gloam_remap(double ao, double a, double b, double c) {
+    const double base = b * (ao + a);
+    if (std::isnan(base) || std::isnan(c)) return 1.0;
+    return base > 0.0 ? std::clamp(pow(base, c), 0.0, 1.0) : (c > 0.0 ? 0.0 : 1.0);
 }
 
 }  // namespace gloam::reference

@@ -5,11 +5,10 @@
 
 namespace gloam::reference {
 
-template <class T>
-T gloam_convergence(T weight, T weight_max) {
-    if (!(weight_max >= float_min<T>())) return T(1);
-    if (!(weight > T(0))) return T(0);
-    return weight < weight_max ? min(weight / weight_max, T(1)) : T(1);
+inline double gloam_convergence(double weight, double weight_max) {
+    if (!(weight_max >= float_min)) return 1.0;
+    if (!(weight > 0.0)) return 0.0;
+    return weight < weight_max ? weight / weight_max : 1.0;
 }
 
 }  // namespace gloam::reference

@@ -5,14 +5,12 @@
 
 namespace gloam::reference {
 
-template <class T>
-bool gloam_depth_consistent(T stored_depth, T expected_depth, T epsilon) {
+inline bool gloam_depth_consistent(double stored_depth, double expected_depth, double epsilon) {
     if (gloam_is_background(stored_depth) || gloam_is_background(expected_depth)) return false;
-    return abs(stored_depth - expected_depth) < epsilon * stored_depth;
+    return abs(1.0 - expected_depth / stored_depth) < epsilon;
 }
 
-template <class T>
-bool gloam_both_background(T stored_depth, T expected_depth) {
+inline bool gloam_both_background(double stored_depth, double expected_depth) {
     return gloam_is_background(stored_depth) && gloam_is_background(expected_depth);
 }
 

@@ -1,50 +1,46 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "reference/geometry/background.hpp"
-#include "reference/geometry/finite.hpp"
 
 namespace gloam::reference {
 
-template <class T>
 struct GloamHistory {
-    T occlusion;
-    T weight;
+    double occlusion;
+    double weight;
     unsigned index;
-    T depth;
+    double depth;
 };
 
-template <class T>
-GloamHistory<T> gloam_history_empty(T depth) {
-    return GloamHistory<T>{T(0), T(0), 0U, gloam_is_background(depth) ? gloam_background_depth<T>() : depth};
+inline GloamHistory gloam_history_empty(double depth) {
+    return {0.0, 0.0, 0U, gloam_is_background(depth) ? infinity : depth};
 }
 
-template <class T>
-GloamHistory<T> gloam_history_sanitize(GloamHistory<T> h) {
-    const bool usable = h.occlusion > -float_min<T>() && h.occlusion <= T(1) && h.weight >= float_min<T>() &&
-                        h.weight <= float_max<T>();
-    if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
-    return GloamHistory<T>{h.occlusion >= float_min<T>() ? h.occlusion : T(0), h.weight, h.index % 16777216U,
-                           h.depth};
+inline GloamHistory gloam_history_sanitize(GloamHistory h) {
+    const bool occludes = h.occlusion > -float_min && h.occlusion <= 1.0;
+    const bool weighs = h.weight >= float_min && h.weight <= float_max;
+    if (!occludes || !weighs || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
+    if (h.occlusion < float_min) h.occlusion = 0.0;
+    h.index %= 1U << 24U;
+    return h;
 }
 
-template <class T>
-vec4<T> gloam_history_pack(GloamHistory<T> h) {
-    const GloamHistory<T> s = gloam_history_sanitize(h);
-    return vec4<T>(s.occlusion, s.weight, T(s.index), s.depth);
+inline dvec4 gloam_history_pack(const GloamHistory& h) {
+    const GloamHistory s = gloam_history_sanitize(h);
+    return {s.occlusion, s.weight, s.index, s.depth};
 }
 
-template <class T>
-GloamHistory<T> gloam_history_unpack(vec4<T> texel) {
-    unsigned index = 0U;
-    if (texel.z >= T(1) && texel.z < T(16777216)) index = static_cast<unsigned>(to_int(texel.z));
-    return gloam_history_sanitize(GloamHistory<T>{texel.x, texel.y, index, texel.w});
+inline GloamHistory gloam_history_unpack(dvec4 texel) {
+    const double index = texel.z >= 0.0 && texel.z < 0x1p24 ? texel.z : 0.0;
+    return gloam_history_sanitize({texel.x, texel.y, static_cast<unsigned>(index), texel.w});
 }
 
-template <class T = double>
-unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size) {
-    const unsigned size = table_size > 0U && table_size < 16777216U ? table_size : 16777216U;
-    return (index % size + k % size) % size;
+// (j + k) mod N, in 64 bits.
+inline unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size) {
+    const std::uint64_t size = table_size - 1U < 1U << 24U ? table_size : 1U << 24U;
+    return static_cast<unsigned>((std::uint64_t{index} + k) % size);
 }
 
 }  // namespace gloam::reference

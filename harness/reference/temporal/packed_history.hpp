@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 
 #include "reference/temporal/history.hpp"
 
@@ -15,50 +15,38 @@ struct GloamPackedHistory {
     friend bool operator==(const GloamPackedHistory&, const GloamPackedHistory&) = default;
 };
 
-template <class T>
-unsigned gloam_round_half_up(T x) {
-    const T whole = floor(x);
-    return static_cast<unsigned>(to_int(whole)) + (x - whole >= T(0.5) ? 1U : 0U);
+inline unsigned gloam_round_half_up(double x) {
+    return static_cast<unsigned>(std::floor(x + 0.5));
 }
 
-template <class T>
-unsigned gloam_depth_to_code(T depth) {
+// 1024 (e + m) + 1 of the depth 2^(e - 31) (1 + m).
+inline unsigned gloam_depth_to_code(double depth) {
     if (gloam_is_background(depth)) return 65535U;
-    constexpr int smallest = -31;
-    constexpr int largest = 32;
-    if (depth >= T(0x1p32)) return 64513U;
-    int exponent = largest - 1;
-    while (exponent >= smallest && !(depth >= T(std::ldexp(1.0, exponent)))) --exponent;
-    if (exponent < smallest) return 1U;
-    const T mantissa = depth * T(std::ldexp(1.0, -exponent)) - T(1);
-    return static_cast<unsigned>(exponent - smallest) * 1024U + gloam_round_half_up(mantissa * T(1024)) + 1U;
+    const double d = std::clamp(depth, 0x1p-31, 0x1p32);
+    const int exponent = std::ilogb(d);
+    return gloam_round_half_up(1024.0 * (exponent + 31 + d / std::ldexp(1.0, exponent) - 1.0)) + 1U;
 }
 
-template <class T = double>
-T gloam_depth_from_code(unsigned code) {
-    if (code == 0U) return T(0);
-    if (code >= 65535U) return gloam_background_depth<T>();
-    const unsigned number = code - 1U;
-    return T(number % 1024U + 1024U) * T(std::ldexp(1.0, static_cast<int>(number / 1024U) - 41));
+inline double gloam_depth_from_code(unsigned code) {
+    if (code == 0U) return 0.0;
+    if (code >= 65535U) return infinity;
+    const auto [exponent, mantissa] = std::div(static_cast<int>(code) - 1, 1024);
+    return std::ldexp(1.0 + mantissa / 1024.0, exponent - 31);
 }
 
-template <class T>
-GloamPackedHistory gloam_history_encode(GloamHistory<T> h) {
-    const GloamHistory<T> s = gloam_history_sanitize(h);
-    const T weight = s.weight < T(4095) ? s.weight : T(4095);
-    return {gloam_round_half_up(s.occlusion * T(32768)), gloam_round_half_up(weight * T(16)),
+inline GloamPackedHistory gloam_history_encode(const GloamHistory& h) {
+    const GloamHistory s = gloam_history_sanitize(h);
+    return {gloam_round_half_up(0x1p15 * s.occlusion), gloam_round_half_up(16.0 * min(s.weight, 4095.0)),
             s.index % 65536U, gloam_depth_to_code(s.depth)};
 }
 
-template <class T = double>
-vec4<T> gloam_packed_texel(GloamPackedHistory packed) {
-    return {T(packed.occlusion % 65536U) * T(0x1p-15), T(packed.weight % 65536U) * T(0x1p-4),
-            T(packed.index % 65536U), gloam_depth_from_code<T>(packed.depth % 65536U)};
+inline dvec4 gloam_packed_texel(const GloamPackedHistory& packed) {
+    return {(packed.occlusion % 65536U) / 0x1p15, (packed.weight % 65536U) / 16.0, packed.index % 65536U,
+            gloam_depth_from_code(packed.depth % 65536U)};
 }
 
-template <class T = double>
-GloamHistory<T> gloam_history_decode(GloamPackedHistory packed) {
-    return gloam_history_unpack(gloam_packed_texel<T>(packed));
+inline GloamHistory gloam_history_decode(const GloamPackedHistory& packed) {
+    return gloam_history_unpack(gloam_packed_texel(packed));
 }
 
 }  // namespace gloam::reference

@@ -5,9 +5,8 @@
 
 namespace gloam::reference {
 
-template <class T>
-bool gloam_rotation_enabled(T convergence, T c_rot) {
-    return !(convergence >= c_rot);
+inline bool gloam_rotation_enabled(double convergence, double c_rot) {
+    return !(convergence >= c_rot);  // NaN: an unknown convergence is none
 }
 
 }  // namespace gloam::reference

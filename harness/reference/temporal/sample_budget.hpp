@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "reference/math.hpp"
 
 namespace gloam::reference {
 
-template <class T>
-int gloam_sample_count(T convergence, T c_spatial, int k_initial, int k_converged) {
-    return max(convergence >= c_spatial ? k_converged : k_initial, 0);
+inline int gloam_sample_count(double convergence, double c_spatial, int k_initial, int k_converged) {
+    return std::max(convergence >= c_spatial ? k_converged : k_initial, 0);
 }
 
 }  // namespace gloam::reference

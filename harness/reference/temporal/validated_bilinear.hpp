@@ -5,22 +5,16 @@
 
 namespace gloam::reference {
 
-template <class T>
-vec4<T> gloam_bilinear_weights(vec2<T> fraction) {
-    const vec2<T> f(gloam_unit_interval(fraction.x), gloam_unit_interval(fraction.y));
-    const vec2<T> g = T(1) - f;
-    return vec4<T>(g.x * g.y, f.x * g.y, g.x * f.y, f.x * f.y);
+inline dvec4 gloam_bilinear_weights(dvec2 fraction) {
+    const double x = gloam_unit_interval(fraction.x);
+    const double y = gloam_unit_interval(fraction.y);
+    return {(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y};
 }
 
-template <class T>
-vec4<T> gloam_validated_weights(vec4<T> bilinear, glm::bvec4 valid) {
-    vec4<T> w(T(0), T(0), T(0), T(0));
-    for (int i = 0; i < 4; ++i) {
-        if (valid[i]) w[i] = gloam_unit_interval(bilinear[i]);
-    }
-    const T sum = (w.x + w.y) + (w.z + w.w);
-    if (!(sum >= float_min<T>())) return vec4<T>(T(0), T(0), T(0), T(0));
-    return min(w / sum, vec4<T>(T(1), T(1), T(1), T(1)));
+inline dvec4 gloam_validated_weights(dvec4 bilinear, glm::bvec4 valid) {
+    double sum = 0.0;
+    for (int i = 0; i < 4; ++i) sum += bilinear[i] = valid[i] ? gloam_unit_interval(bilinear[i]) : 0.0;
+    return sum >= float_min ? bilinear / sum : dvec4(0.0);
 }
 
 }  // namespace gloam::reference
