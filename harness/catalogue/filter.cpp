@@ -113,7 +113,8 @@ void append_mean(Entries& entries) {
                                         .title = "weighted mean of nothing",
                                         .formula = "(0, 0)",
                                         .source = source},
-                                       GLOAM_REFERENCE(gloam_weighted_mean_empty), {.domain = {}}));
+                                       GLOAM_REFERENCE(gloam_weighted_mean_empty),
+                                       {.domain = {}, .codomain = {0, 1}}));
     entries.push_back(equation<Mean(Mean, float, float)>(
         {.id = "TSSAO-10-add",
          .function = "gloam_weighted_mean_add",
@@ -121,7 +122,8 @@ void append_mean(Entries& entries) {
          .title = "one more value in a weighted mean",
          .formula = "(sum + w AO, K + w)",
          .source = source},
-        GLOAM_REFERENCE(gloam_weighted_mean_add), {.domain = {mean, value, weight}, .budget = {.ulp = 1.5}}));
+        GLOAM_REFERENCE(gloam_weighted_mean_add),
+        {.domain = {mean, value, weight}, .budget = {.ulp = 1.5}, .codomain = {0, float_max}}));
     entries.push_back(equation<float(Mean, float)>(
         {.id = "TSSAO-10-mean",
          .function = "gloam_weighted_mean_value",
@@ -226,6 +228,7 @@ void append_filtering(Entries& entries) {
                                                 vector({uniform(0, 0.4), uniform(0, 0.4), uniform(-3, -2)}),
                                                 image_pixel(), uniform(0, 1), scales()},
                                      .budget = {.absolute = 5e-7},
+                                     .codomain = {0, 6},
                                      .scenarios = surfaces()}));
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });

@@ -94,6 +94,7 @@ void append_bilateral_mean(Entries& entries) {
         {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)), image_pixel(), uniform(1.9, 3.1),
                     either(image_pixel(), vector(2, integers(-4, 4))), image_size(), sigma_d, sigma_r},
          .budget = {.absolute = 6e-7},
+         .codomain = {0, 3},
          .scenarios = surfaces()}));
     // Few taps: an interval has more ways through each of them than can be followed for long.
     const Values half_width = either(vector(2, integers(0, 1)), vector({integers(0, 3), integers(0, 0)}))
@@ -168,6 +169,7 @@ void append_geometry_blur(Entries& entries) {
                     vector({uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(0.6, 0.8)}),
                     either(image_pixel(), vector(2, integers(-4, 4))), image_size(), powers},
          .budget = {.absolute = 2e-6},
+         .codomain = {0, 3},
          .scenarios = surfaces()}));
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });

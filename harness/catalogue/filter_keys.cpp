@@ -132,6 +132,7 @@ void append_downsample(Entries& entries) {
                           GLOAM_REFERENCE(gloam_mssao_normal),
                           {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special()},
                            .budget = {.absolute = 4e-7},
+                           .codomain = {-1.000001, 1.000001},
                            .promised = make_predicate<Normals>([](glm::dvec3 a, glm::dvec3 b) {
                                return moderate(0.0, 1e18, a, b) && glm::length(a + b) >= 0.25;
                            })}));

@@ -5,6 +5,7 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
+#include "numeric/constants.hpp"
 #include "reference/geometry/background.hpp"
 #include "reference/geometry/finite.hpp"
 #include "reference/geometry/linear_depth.hpp"
@@ -68,7 +69,7 @@ void append_depth(Entries& entries, Description description, Reference reference
     check.domain =
         Domain{buffer_depths(), log_uniform(0.01, 10).and_special(), log_uniform(1.1, 1e5).and_special()}
             .adjusted(projection_elements(elements));
-    check.codomain = {0x1p-126, std::numeric_limits<double>::infinity()};
+    check.codomain = {0x1p-126, numeric::infinity};
     entries.push_back(equation<DepthSignature>(std::move(description), reference, std::move(check)));
 }
 
@@ -123,7 +124,8 @@ void append_background_depths(Entries& entries) {
                                          .title = "depth of a pixel without geometry",
                                          .formula = "+infinity",
                                          .source = "convention"},
-                                        GLOAM_REFERENCE(gloam_background_depth), {}));
+                                        GLOAM_REFERENCE(gloam_background_depth),
+                                        {.codomain = {numeric::infinity, numeric::infinity}}));
     const Values part = either(signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-30, 1e30));
     entries.push_back(equation<float(float, float)>(
         {.id = "DEPTH-quotient",
@@ -135,7 +137,7 @@ void append_background_depths(Entries& entries) {
         GLOAM_REFERENCE(gloam_depth_quotient),
         {.domain = {part.and_special(), part.and_special().and_near({0x1p126})},
          .budget = {.ulp = 1.5},
-         .codomain = {0x1p-126, std::numeric_limits<double>::infinity()},
+         .codomain = {0x1p-126, numeric::infinity},
          .promised = make_predicate<float(float, float)>(
              [](double a, double b) { return moderate(1e-30, 1e30, a) && !(std::abs(a / b) < 1e-37); })}));
 }

@@ -3,6 +3,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
+#include "numeric/constants.hpp"
 #include "reference/geometry/curvature.hpp"
 #include "reference/geometry/length.hpp"
 #include "reference/geometry/radius_cap.hpp"
@@ -32,6 +33,7 @@ void append_curvatures(Entries& entries) {
         GLOAM_REFERENCE(gloam_principal_curvatures),
         {.domain = {step, step, turn, turn},
          .budget = {.absolute = 1.1e-4},
+         .codomain = {-numeric::largest_float, numeric::largest_float},
          .promised =
              make_predicate<Signature>([](glm::dvec3 px, glm::dvec3 py, glm::dvec3 nx, glm::dvec3 ny) {
                  const double a = glm::length(px);
@@ -59,6 +61,7 @@ void append_geometry_lengths(Entries& entries) {
         GLOAM_REFERENCE(gloam_length),
         {.domain = {any},
          .budget = {.ulp = 4},
+         .codomain = {0, numeric::infinity},
          .promised = make_predicate<float(glm::vec3)>([](glm::dvec3 v) {
              return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e38) && glm::length(v) >= 1e-30;
          })}));

@@ -79,14 +79,16 @@ void append_guard_uv(Entries& entries) {
 }
 
 template <class Signature, class Reference>
-void append_guard(Entries& entries, Description description, Reference reference, Budget budget) {
+void append_guard(Entries& entries, Description description, Reference reference, Budget budget,
+                  Codomain codomain) {
     description.file = borders;
     description.source = "TSSAO (Mattausch et al.), frame borders";
     entries.push_back(equation<Signature>(
         std::move(description), reference,
         {.domain = {sizes(),
                     either(uniform(0, 1), uniform(0.05, 0.1)).and_near({0.05, 0.1, 0.25, 0.5}).and_special()},
-         .budget = budget}));
+         .budget = budget,
+         .codomain = codomain}));
 }
 
 void append_nearest(Entries& entries) {
@@ -129,21 +131,22 @@ void append_guard_sizes(Entries& entries) {
                                                  .function = "gloam_guard_band_border",
                                                  .title = "width of the guard band in pixels",
                                                  .formula = "floor(g size + 1/2)"},
-                                                GLOAM_REFERENCE(gloam_guard_band_border),
-                                                {.backward_ulp = 1});
+                                                GLOAM_REFERENCE(gloam_guard_band_border), {.backward_ulp = 1},
+                                                {0, 4194305});
     append_guard<glm::ivec2(glm::ivec2, float)>(entries,
                                                 {.id = "TSSAO-BORDER-size",
                                                  .function = "gloam_guard_band_size",
                                                  .title = "size of the image with its guard band",
                                                  .formula = "size + 2 border"},
-                                                GLOAM_REFERENCE(gloam_guard_band_size), {.backward_ulp = 1});
+                                                GLOAM_REFERENCE(gloam_guard_band_size), {.backward_ulp = 1},
+                                                {0, 12582915});
     append_guard<glm::vec2(glm::ivec2, float)>(entries,
                                                {.id = "TSSAO-BORDER-guard",
                                                 .function = "gloam_guard_band_guard",
                                                 .title = "guard actually rendered",
                                                 .formula = "border / size"},
                                                GLOAM_REFERENCE(gloam_guard_band_guard),
-                                               {.ulp = 5, .backward_ulp = 1});
+                                               {.ulp = 5, .backward_ulp = 1}, {0, 1});
 }
 
 }  // namespace

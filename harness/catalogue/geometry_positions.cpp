@@ -151,7 +151,8 @@ void append_coordinates(Entries& entries) {
          .title = "texture coordinates of normalised device coordinates",
          .formula = "ndc / 2 + 1/2",
          .source = "convention"},
-        GLOAM_REFERENCE(gloam_uv_from_ndc), {.domain = {ndcs()}, .budget = {.ulp = 1}}));
+        GLOAM_REFERENCE(gloam_uv_from_ndc),
+        {.domain = {ndcs()}, .budget = {.ulp = 1}, .codomain = {-huge, huge}}));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 #include "catalogue/rooms.hpp"
+#include "numeric/constants.hpp"
 #include "reference/numeric/inverse_trigonometry.hpp"
 #include "reference/numeric/length_ratio.hpp"
 #include "reference/numeric/sincos.hpp"
@@ -35,7 +36,8 @@ void append_sincos_parts(Entries& entries) {
          .formula = "(x, y), (-y, x), (-x, -y), (y, -x)",
          .source = "definition"},
         GLOAM_REFERENCE(gloam_quarter_turn),
-        {.domain = {vector(2, uniform(-1, 1)), integers(-9, 9).and_near_integers({2147483647})}}));
+        {.domain = {vector(2, uniform(-1, 1)), integers(-9, 9).and_near_integers({2147483647})},
+         .codomain = {-1, 1}}));
 }
 
 void append_sincos(Entries& entries) {
@@ -80,7 +82,8 @@ void append_square_root(Entries& entries) {
                                {.domain = {either(uniform(0, 4), any_float())
                                                .and_near({0x1p-126, 0x1p-125, 1.0, 0x1.fffffep127})
                                                .and_special()},
-                                .budget = {.ulp = 2}}));
+                                .budget = {.ulp = 2},
+                                .codomain = {0, numeric::infinity}}));
 }
 
 // One function of the file, of one argument.

@@ -3,6 +3,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
+#include "numeric/constants.hpp"
 #include "reference/occlusion/blocked.hpp"
 #include "reference/occlusion/cosine.hpp"
 #include "reference/occlusion/estimator.hpp"
@@ -146,7 +147,9 @@ void append_estimator(Entries& entries) {
          .formula = "(sum + C, n + 1), C finite",
          .source = "TSSAO (Mattausch et al.), eqs 2 and 4"},
         GLOAM_REFERENCE(gloam_estimator_add),
-        {.domain = {count, either(uniform(0, 2), any_float()).and_special()}, .budget = {.ulp = 0.5}}));
+        {.domain = {count, either(uniform(0, 2), any_float()).and_special()},
+         .budget = {.ulp = 0.5},
+         .codomain = {-numeric::largest_float, numeric::largest_float}}));
     entries.push_back(equation<float(glm::vec2)>({.id = "TSSAO-2",
                                                   .function = "gloam_estimator_mean",
                                                   .file = file,

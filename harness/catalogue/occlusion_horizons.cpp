@@ -136,6 +136,7 @@ void append_hbao_step_size(Entries& entries) {
                        .tied(0, 1)
                        .tied(2, 0),
          .budget = {.ulp = 2, .backward_ulp = 1},
+         .codomain = {0, 8.6e37},
          .promised = make_predicate<Size>([](double radius, double largest, double steps, double extra) {
              return moderate(1e-9, 1e9, radius, largest, steps, extra);
          })}));

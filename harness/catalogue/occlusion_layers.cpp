@@ -76,14 +76,15 @@ void append_tests_of_depth(Entries& entries) {
          .budget = {.backward_ulp = 1}}));
     const Values plain = either(uniform(0.5, 8), uniform(-8, -0.5));
     const Values further = vector(3, plain);
-    entries.push_back(equation<float(float, glm::vec3, int)>({.id = "CS-LAYERS-depth",
-                                                              .function = "gloam_layer_depth",
-                                                              .file = "gloam/occlusion/layers.glsl",
-                                                              .title = "depth of a layer at a tap",
-                                                              .formula = "d_0, |d_1|, |d_2|, |d_3|",
-                                                              .source = bavoil},
-                                                             GLOAM_REFERENCE(gloam_layer_depth),
-                                                             {.domain = {plain, further, integers(0, 3)}}));
+    entries.push_back(equation<float(float, glm::vec3, int)>(
+        {.id = "CS-LAYERS-depth",
+         .function = "gloam_layer_depth",
+         .file = "gloam/occlusion/layers.glsl",
+         .title = "depth of a layer at a tap",
+         .formula = "d_0, |d_1|, |d_2|, |d_3|",
+         .source = bavoil},
+        GLOAM_REFERENCE(gloam_layer_depth),
+        {.domain = {plain, further, integers(0, 3)}, .codomain = {-8, 8}}));
     using Seen = reference::GloamLayersSeen;
     entries.push_back(equation<Seen(Seen, float, glm::vec3, float, int, int)>(
         {.id = "CS-LAYERS-together",

@@ -227,7 +227,8 @@ void append_issao_light(Entries& entries) {
          .source = "ISSAO, eq 2, reconstructed"},
         GLOAM_REFERENCE(gloam_ambient_light),
         {.domain = {vector(3, uniform(0, 4)), uniform(0, 1).and_near({0.0, 1.0}).and_special()},
-         .budget = {.ulp = 1.5}}));
+         .budget = {.ulp = 1.5},
+         .codomain = {0, 4}}));
 }
 
 void append_covering_radii(Entries& entries) {
@@ -296,6 +297,7 @@ void append_crytek(Entries& entries) {
         {.domain = {vector(2, uniform(0, 1)), uniform(0, 1), vector_of_length(3, uniform(0, 1)),
                     log_uniform(0.1, 10), depths(), log_uniform(50, 2000).and_special()},
          .budget = {.ulp = 3, .absolute = 1e-6, .of_largest_component = true},
+         .codomain = {-float_max, float_max},
          .promised =
              make_predicate<Sample>([](glm::dvec2, double, glm::dvec3, double, double depth, double z_far) {
                  return moderate(0.5, 1e9, depth) && moderate(1, 1e9, z_far);

@@ -3,6 +3,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
+#include "numeric/constants.hpp"
 #include "reference/occlusion/aksoy_phaneuf.hpp"
 #include "reference/occlusion/disc_proxy.hpp"
 #include "reference/occlusion/sphere_proxy.hpp"
@@ -180,6 +181,7 @@ void append_sampling_marches(Entries& entries) {
                     either(integers(0, 16), integers(-2, 40)),
                     either(integers(1, 16), integers(-2, 100000000)), uniform(0, 1).and_special()},
          .budget = {.absolute = 1e-6},
+         .codomain = {-numeric::largest_float, numeric::largest_float},
          .promised = make_predicate<Signature>([](glm::dvec3, glm::dvec3 w, double radius, int, int, double) {
              return moderate(0.0, 2, w) && !(radius > 2) && !(radius < -2);
          })}));

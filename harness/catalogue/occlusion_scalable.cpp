@@ -105,6 +105,7 @@ void append_parts(Entries& entries) {
         GLOAM_REFERENCE(gloam_sao_quotient),
         {.domain = {either(uniform(0, 1), log_uniform(1e-37, 1e38)).and_special(), squares, epsilons()},
          .budget = {.ulp = 2},
+         .codomain = {0, infinity},
          .promised = make_predicate<Quotient>([](double h, double vv, double epsilon) {
              return moderate(1e-18, 1e18, h, vv, epsilon) && vv + epsilon > 1e-30;
          })}));

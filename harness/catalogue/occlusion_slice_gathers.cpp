@@ -126,19 +126,22 @@ void append_slice_parts(Entries& entries) {
         GLOAM_REFERENCE(gloam_slice_axes),
         {.domain = {slices(), unit_vector(3)},
          .budget = {.absolute = 1.5e-5},
+         .codomain = {-33, 33},
          .promised = make_predicate<Axes>([](const Slice& slice, const glm::vec3& n) {
              const double turned = glm::dot(glm::cross(slice.tangent, slice.view), glm::dvec3(n));
              return turned * turned < 0.9;
          })}));
-    entries.push_back(equation<float(float)>(
-        {.id = "SLICE-turns",
-         .function = "gloam_kernel_turns",
-         .file = "gloam/sampling/slice_sample.glsl",
-         .title = "turns of a kernel's angle",
-         .formula = "a / (2 pi), 0 beyond 65536",
-         .source = "definition"},
-        GLOAM_REFERENCE(gloam_kernel_turns),
-        {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()}, .budget = {.ulp = 1}}));
+    entries.push_back(
+        equation<float(float)>({.id = "SLICE-turns",
+                                .function = "gloam_kernel_turns",
+                                .file = "gloam/sampling/slice_sample.glsl",
+                                .title = "turns of a kernel's angle",
+                                .formula = "a / (2 pi), 0 beyond 65536",
+                                .source = "definition"},
+                               GLOAM_REFERENCE(gloam_kernel_turns),
+                               {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()},
+                                .budget = {.ulp = 1},
+                                .codomain = {-10430.4, 10430.4}}));
     using Sample = reference::GloamSliceSample(unsigned, float);
     entries.push_back(equation<Sample>(
         {.id = "SLICE-sample",

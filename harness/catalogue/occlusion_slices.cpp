@@ -4,6 +4,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
+#include "numeric/constants.hpp"
 #include "reference/geometry/slice.hpp"
 #include "reference/occlusion/gtao.hpp"
 #include "reference/occlusion/visibility_bitmask.hpp"
@@ -84,6 +85,7 @@ void append_slice(Entries& entries) {
         GLOAM_REFERENCE(gloam_slice),
         {.domain = {unit_vector(2), view, unit_vector(3).and_special()},
          .budget = {.absolute = 6e-7},
+         .codomain = {-numeric::largest_float, numeric::largest_float},
          .promised = make_predicate<Make>([](glm::dvec2 d, glm::dvec3 v, glm::dvec3 n) {
              const glm::dvec3 along(d, 0.0);
              const glm::dvec3 across = along - glm::dot(along, v) * v;
@@ -216,15 +218,15 @@ void append_gtao_sums(Entries& entries) {
     const Values sum = vector(2, uniform(0, 4));
     const Values horizons = vector(2, cosines());
     using Add = glm::vec2(glm::vec2, Slice, glm::vec2);
-    entries.push_back(
-        equation<Add>({.id = "GTAO-add",
-                       .function = "gloam_gtao_add",
-                       .file = gtao_file,
-                       .title = "one more slice in the cosine-weighted occlusion",
-                       .formula = "(sum + w (side(c_1, -n) + side(c_2, n)), whole + w (cos n + n sin n))",
-                       .source = gtao_source},
-                      GLOAM_REFERENCE(gloam_gtao_add),
-                      {.domain = {sum, slices(), horizons}, .budget = {.absolute = 1.2e-6}}));
+    entries.push_back(equation<Add>(
+        {.id = "GTAO-add",
+         .function = "gloam_gtao_add",
+         .file = gtao_file,
+         .title = "one more slice in the cosine-weighted occlusion",
+         .formula = "(sum + w (side(c_1, -n) + side(c_2, n)), whole + w (cos n + n sin n))",
+         .source = gtao_source},
+        GLOAM_REFERENCE(gloam_gtao_add),
+        {.domain = {sum, slices(), horizons}, .budget = {.absolute = 1.2e-6}, .codomain = {0, 7.2}}));
     entries.push_back(equation<Add>(
         {.id = "GTAO-add-uniform",
          .function = "gloam_gtao_add_uniform",

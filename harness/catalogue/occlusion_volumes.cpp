@@ -4,6 +4,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
+#include "numeric/constants.hpp"
 #include "reference/numeric/acos_approximation.hpp"
 #include "reference/occlusion/angle_based.hpp"
 #include "reference/occlusion/volumetric.hpp"
@@ -76,6 +77,7 @@ void append_lines(Entries& entries) {
         GLOAM_REFERENCE(gloam_chord_half_height),
         {.domain = {vector_of_length(2, uniform(0, 1.1)).and_special(), uniform(0.1, 2).and_special()},
          .budget = {.absolute = 8e-7},
+         .codomain = {0, numeric::infinity},
          .promised = make_predicate<float(glm::vec2, float)>([](glm::dvec2 xi, double radius) {
              const double squared = xi.x * xi.x + xi.y * xi.y;
              return !(squared > 0.99 && squared < 1.01) && moderate(1e-9, 2.1, radius);

@@ -102,6 +102,7 @@ void append_sampling_levels(Entries& entries) {
                           either(log_uniform(10, 1000), log_uniform(1e-37, 1e38)).and_special(),
                           either(integers(0, 64), integers(-2, 10000)), integers(0, 16)}
                        .tied(0, 1),
+         .codomain = {0, 4096},
          .promised = make_predicate<float(float, float, int, int)>(off_a_whole_number)}));
 }
 

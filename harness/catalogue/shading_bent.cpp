@@ -5,6 +5,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
+#include "numeric/constants.hpp"
 #include "reference/shading/bent_cone.hpp"
 #include "reference/shading/bent_normal.hpp"
 
@@ -41,6 +42,7 @@ void append_sums(Entries& entries) {
         GLOAM_REFERENCE(gloam_bent_add),
         {.domain = {sums(), unit_vector(3).and_special(), uniform(0, 1).and_special()},
          .budget = {.absolute = 1e-6},
+         .codomain = {-numeric::largest_float, numeric::largest_float},
          .promised = make_predicate<glm::vec4(glm::vec4, glm::vec3, float)>(
              [](glm::dvec4 bent, glm::dvec3 w, double) { return moderate(0.0, 16, bent, w); })}));
     entries.push_back(

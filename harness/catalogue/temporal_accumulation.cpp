@@ -48,7 +48,7 @@ void append_blend(Entries& entries) {
          .formula = "min(w', w_max) if 0 <= AO' <= 1, else 0",
          .source = "TSSAO (Mattausch et al.), edges of eq 5"},
         GLOAM_REFERENCE(gloam_history_weight),
-        {.domain = Domain{occlusions(), weights(), weights()}.tied(2, 1)}));
+        {.domain = Domain{occlusions(), weights(), weights()}.tied(2, 1), .codomain = {0, float_max}}));
 }
 
 }  // namespace

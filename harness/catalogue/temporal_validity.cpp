@@ -3,6 +3,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/temporal_parts.hpp"
+#include "numeric/constants.hpp"
 #include "reference/temporal/disocclusion.hpp"
 #include "reference/temporal/neighborhood.hpp"
 #include "reference/temporal/smooth_invalidation.hpp"
@@ -105,7 +106,8 @@ void append_invalidation(Entries& entries) {
                                        .formula = "w := min(w, w_small)",
                                        .source = "TSSAO (Mattausch et al.), notes on smooth invalidation"},
                                       GLOAM_REFERENCE(gloam_invalidate_clamp),
-                                      {.domain = Domain{weight, uniform(32, 64).and_special()}.tied(0, 1)}));
+                                      {.domain = Domain{weight, uniform(32, 64).and_special()}.tied(0, 1),
+                                       .codomain = {0, numeric::infinity}}));
     entries.push_back(equation<float(float, float)>(
         {.id = "TSSAO-SI-b",
          .function = "gloam_confidence",

@@ -23,7 +23,7 @@ namespace gloam::check {
 using Reference =
     std::function<void(const ImageSet& images, std::span<const Word> inputs, std::vector<double>& outputs)>;
 
-// The values that every float output must lie in, for every input whatever. NaN is never inside.
+// The values that every output but a truth value must lie in, for every input whatever. NaN is never inside.
 struct Codomain {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();

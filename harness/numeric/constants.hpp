@@ -6,5 +6,6 @@
 namespace gloam::numeric {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double largest_float = std::numeric_limits<float>::max();
 
 }  // namespace gloam::numeric

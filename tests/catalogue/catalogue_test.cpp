@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "catalogue/document.hpp"
@@ -64,6 +66,29 @@ TEST(Catalogue, EveryEntryIsDescribed) {
         EXPECT_FALSE(d.id.empty() || d.title.empty() || d.formula.empty() || d.source.empty()) << d.function;
         EXPECT_TRUE(fs::exists(fs::path(GLOAM_GLSL_DIR) / d.file)) << d.file;
         EXPECT_EQ(d.id.find(' '), std::string::npos) << d.id;
+    }
+}
+
+// Whether an entry returns a float: what holds for every input is then a statement of its own.
+bool returns_floats(const Entry& entry) {
+    return std::ranges::count(entry.check_case.signature.output_scalars(), shader::Scalar::float_) > 0;
+}
+
+// Results of which nothing is true for every input but that they are numbers, and why.
+const std::map<std::string, std::string> any_number{
+    {"CS-I-ratio", "a height over a half chord: any float, -infinity for background"},
+    {"CS-I-pair", "as far as its caller believes: any float from lowest to highest"},
+    {"CS-P-add", "a sum of products of any size"},
+};
+
+TEST(Catalogue, EveryResultIsHeldInsideItsCodomain) {
+    for (const Entry& entry : all_entries()) {
+        if (entry.check_case.only_rules || !returns_floats(entry)) continue;
+        const check::Codomain& codomain = entry.check_case.codomain;
+        const std::string& id = entry.description.id;
+        EXPECT_LE(codomain.low, codomain.high) << id;
+        const bool bounded = !(std::isinf(codomain.low) && codomain.low < 0.0 && std::isinf(codomain.high));
+        EXPECT_EQ(bounded, !any_number.contains(id)) << id << ": needs a codomain, or a reason for none";
     }
 }
 

@@ -110,6 +110,19 @@ TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
     EXPECT_FALSE(run(lab, check_case).passed());
 }
 
+TEST_F(JudgeTest, TheCodomainHoldsForIntegers) {
+    Case check_case{.file = "wrong.glsl",
+                    .function = "off_by_one",
+                    .signature = SignatureOf<int(float)>::describe(),
+                    .domain = {uniform(0, 1.5)},
+                    .reference = make_reference<int(float)>([](double x) { return std::floor(x) + 1.0; }),
+                    .codomain = {1, 2}};
+    EXPECT_TRUE(run(lab, check_case).passed());
+    check_case.promised = make_predicate<int(float)>([](float) { return false; });
+    check_case.codomain = {0, 1};
+    EXPECT_FALSE(run(lab, check_case).passed());
+}
+
 // What a function documents for zero, infinity and NaN is judged where its accuracy is not promised, in every
 // verdict.
 TEST_F(JudgeTest, TheEdgesHoldWhereNothingElseIsPromised) {

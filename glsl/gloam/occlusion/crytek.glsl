@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_CRYTEK_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/geometry/finite.glsl"
 
 // Crytek's screen-space ambient occlusion (Mittring 2007; CS-3.1): points of a whole ball around the surface against
 // the depth buffer, without falloff. On a plane half of the ball lies in the ground, so the mean is 1/2 (1/4 open in
@@ -31,13 +32,14 @@ float gloam_contribution_crytek_buffer(float sample_value, float buffer_value) {
 // is exact.
 // uv: of the pixel, texture coordinates. buffer_value: b, in [0, 1]. s: point of the unit ball. radius: R. depth: d,
 // eye-linear, world units. z_far: far plane, world units, > 0.
-// Returns (u, v, b) of the sample; (uv, b) itself for background depth and for z_far outside [1e-30, 2^126]. Error: 3
-// ULP of the largest of the value and its change.
+// Returns (u, v, b) of the sample; (uv, b) itself for background depth, for z_far outside [1e-30, 2^126], and where the
+// sample would not be finite. Error: 3 ULP of the largest of the value and its change.
 vec3 gloam_crytek_sample(vec2 uv, float buffer_value, vec3 s, float radius, float depth, float z_far) {
     vec3 center = vec3(uv, buffer_value);
     if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 8.507059173e37)) return center;
     float a = radius / clamp(depth, 1e-30, 8.507059173e37);
-    return center + a * s * vec3(1.0, 1.0, buffer_value * (100.0 / z_far));
+    vec3 point = center + a * s * vec3(1.0, 1.0, buffer_value * (100.0 / z_far));
+    return gloam_is_finite3(point) ? point : center;
 }
 
 #endif

@@ -13,13 +13,13 @@
 // units, >= 0. index: of the step, 0 to count - 1; outside, the nearer end. count: steps, up to 2^24; below 1 is read
 // as 1. jitter: in [0, 1], 1 for none (the last point at the radius, the first away from p); outside, the nearer end;
 // 0 for NaN.
-// Returns a point in view space; p itself for a direction or radius that is negative or not finite. Error: 1e-6 of R
-// and 1 ULP of p.
+// Returns a point in view space; p itself for a radius that is negative or NaN, and where the point would not be
+// finite. Error: 1e-6 of R and 1 ULP of p.
 vec3 gloam_eye_march(vec3 position, vec3 direction, float radius, int index, int count, float jitter) {
     int steps = clamp(count, 1, 16777216);
     float along = (float(clamp(index, 0, steps - 1)) + gloam_unit_interval(jitter)) / float(steps);
-    bool marches = gloam_is_finite3(direction) && radius >= 0.0 && gloam_is_finite(radius);
-    return marches ? position + radius * along * direction : position;
+    vec3 point = position + radius * along * direction;
+    return radius >= 0.0 && gloam_is_finite3(point) ? point : position;
 }
 
 #endif

@@ -43,8 +43,8 @@ Error BudgetJudge::measure(const Sample& sample) {
 
 bool BudgetJudge::inside_codomain(std::span<const Word> got) const {
     for (std::size_t i = 0; i < got.size(); ++i) {
-        if (scalars_.outputs[i] != Scalar::float_) continue;
-        const auto value = static_cast<double>(from_word<float>(got[i]));
+        if (scalars_.outputs[i] == Scalar::bool_) continue;
+        const double value = as_number(scalars_.outputs[i], got[i]);
         if (!(value >= rules_.codomain.low && value <= rules_.codomain.high)) return false;
     }
     return true;
