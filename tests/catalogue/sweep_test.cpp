@@ -12,6 +12,7 @@ namespace gloam::catalogue {
 namespace sweep_test {
 
 constexpr std::size_t inputs_per_equation = 65'536;
+constexpr std::size_t strict_inputs = 512;
 
 class Sweep : public testing::TestWithParam<Entry> {};
 
@@ -20,6 +21,16 @@ TEST_P(Sweep, StaysWithinItsBudget) {
     const check::Result result = check::run(lab, GetParam().check_case, {.inputs = inputs_per_equation});
     EXPECT_TRUE(result.passed()) << GetParam().description.id << ": " << result;
     EXPECT_EQ(result.census.inputs(), inputs_per_equation);
+}
+
+// Each operation rounded on its own: the narrowest bounds of Vulkan's rules, which budgets may hide errors
+// inside.
+TEST_P(Sweep, IsPermittedWhenStrict) {
+    const check::Lab lab = test::make_lab({}, shader::variant("strict"));
+    const check::Result result = check::run(lab, GetParam().check_case, {.inputs = strict_inputs});
+    EXPECT_TRUE(result.passed()) << GetParam().description.id << ": " << result;
+    EXPECT_EQ(result.verdict, check::Verdict::rules);
+    EXPECT_EQ(result.census.by_rules, strict_inputs);
 }
 
 std::string test_name(const testing::TestParamInfo<Entry>& info) {
