@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/case.hpp"
+#include "check/image_ends.hpp"
 
 // How an equation enters the catalogue. One call of equation<Signature>() holds all that the tests, the
 // command line, the tables and the documentation know of it:
@@ -25,8 +26,9 @@
 //          .codomain = {0, 1e9}}));                          // holds for every input whatever, NaN included
 //
 // `.promised = make_predicate<Signature>([](float x, ...) { return ...; })` limits where the budget is
-// promised; the codomain holds everywhere. `.scenarios` gives images to a function that reads some
-// (catalogue/scenarios.hpp); its reference then takes (const check::ImageSet&, arguments...).
+// promised; the codomain holds everywhere. Degenerate inputs and images of exact 0 and 1 are added to every
+// entry's own (check/degenerate.hpp, check/image_ends.hpp). `.scenarios` gives images to a function that
+// reads some (catalogue/scenarios.hpp); its reference then takes (const check::ImageSet&, arguments...).
 namespace gloam::catalogue {
 
 // What people read about an equation.
@@ -61,13 +63,13 @@ template <class Signature, class Reference>
     check::Case check_case{.file = description.file,
                            .function = description.function,
                            .signature = check::SignatureOf<Signature>::describe(),
-                           .domain = std::move(check.domain),
+                           .domain = check.domain.and_degenerate(check::SignatureOf<Signature>::describe()),
                            .reference = check::make_reference<Signature>(reference),
                            .budget = check.budget,
                            .codomain = check.codomain,
                            .promised = std::move(check.promised),
                            .only_rules = check.only_rules,
-                           .scenarios = std::move(check.scenarios)};
+                           .scenarios = with_exact_ends(std::move(check.scenarios))};
     return {.description = std::move(description), .check_case = std::move(check_case)};
 }
 

@@ -102,11 +102,12 @@ void append_mean(Entries& entries) {
     const Values weight = either(uniform(0, 1), log_uniform(1e-12, 1)).and_special();
     // Sums of a few values: (sum, weight, low, high) with low <= sum / weight <= high.
     const Values mean = made_by<glm::vec4>([](numeric::Random& random) {
-        const double low = random.unit();
-        const double high = random.uniform(low, 1);
-        const double weight = random.below(4) == 0 ? random.uniform(0, 3e-8) : random.uniform(0, 5);
-        return glm::vec4(random.uniform(low, high) * weight, weight, low, high);
-    });
+                            const double low = random.unit();
+                            const double high = random.uniform(low, 1);
+                            const double weight =
+                                random.below(4) == 0 ? random.uniform(0, 3e-8) : random.uniform(0, 5);
+                            return glm::vec4(random.uniform(low, high) * weight, weight, low, high);
+                        }).only_as_drawn();
     entries.push_back(equation<Mean()>({.id = "TSSAO-10-empty",
                                         .function = "gloam_weighted_mean_empty",
                                         .file = file,
@@ -212,24 +213,27 @@ void append_window(Entries& entries) {
 
 void append_filtering(Entries& entries) {
     using Tap = Mean(Mean, glm::vec3, glm::ivec2, float, float);
-    entries.push_back(equation<Tap>({.id = "TSSAO-10-tap",
-                                     .function = "gloam_filter_tap",
-                                     .file = filter_file,
-                                     .title = "one neighbour in the filter's mean",
-                                     .formula = "(sum + w AO, K + w), w = coverage g(|p - x|) conv(x)",
-                                     .source = "TSSAO (Mattausch et al.), eq 10"},
-                                    [](const ImageSet& images, const reference::GloamWeightedMean& mean,
-                                       glm::dvec3 center, glm::ivec2 tap, double coverage, double scale) {
-                                        return reference::gloam_filter_tap(mean, center, tap, coverage, scale,
-                                                                           values_of(images),
-                                                                           positions_of(images));
-                                    },
-                                    {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)),
-                                                vector({uniform(0, 0.4), uniform(0, 0.4), uniform(-3, -2)}),
-                                                image_pixel(), uniform(0, 1), scales()},
-                                     .budget = {.absolute = 5e-7},
-                                     .codomain = {0, 6},
-                                     .scenarios = surfaces()}));
+    entries.push_back(equation<Tap>(
+        {.id = "TSSAO-10-tap",
+         .function = "gloam_filter_tap",
+         .file = filter_file,
+         .title = "one neighbour in the filter's mean",
+         .formula = "(sum + w AO, K + w), w = coverage g(|p - x|) conv(x)",
+         .source = "TSSAO (Mattausch et al.), eq 10"},
+        [](const ImageSet& images, const reference::GloamWeightedMean& mean, glm::dvec3 center,
+           glm::ivec2 tap, double coverage, double scale) {
+            return reference::gloam_filter_tap(mean, center, tap, coverage, scale, values_of(images),
+                                               positions_of(images));
+        },
+        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)).only_as_drawn(),
+                    vector({uniform(0, 0.4), uniform(0, 0.4), uniform(-3, -2)}), image_pixel(), uniform(0, 1),
+                    scales()},
+         .budget = {.absolute = 5e-7},
+         .codomain = {0, 6},
+         .promised = make_predicate<Tap>([](const Mean&, glm::dvec3, glm::ivec2, double coverage, double) {
+             return moderate(1e-30, 1.0, coverage);
+         }),
+         .scenarios = surfaces()}));
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
     entries.push_back(equation<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)>(

@@ -66,8 +66,8 @@ void append_bilateral(Entries& entries) {
          .budget = {.absolute = 4e-7},
          .codomain = {0, 1},
          .promised = make_predicate<float(glm::vec2, float, float, float)>(
-             [](glm::dvec2, double difference, double, double) {
-                 return moderate(1e-15, 1e15, difference);
+             [](glm::dvec2 offset, double difference, double, double) {
+                 return moderate(1e-15, 1e15, offset, difference);
              })}));
 }
 
@@ -91,7 +91,7 @@ void append_bilateral_mean(Entries& entries) {
                                                   scalars_of(images, occlusion_name),
                                                   scalars_of(images, depth_name));
         },
-        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)), image_pixel(), uniform(1.9, 3.1),
+        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)).only_as_drawn(), image_pixel(), uniform(1.9, 3.1),
                     either(image_pixel(), vector(2, integers(-4, 4))), image_size(), sigma_d, sigma_r},
          .budget = {.absolute = 6e-7},
          .codomain = {0, 3},
@@ -165,7 +165,7 @@ void append_geometry_blur(Entries& entries) {
                                                       scalars_of(images, occlusion_name),
                                                       scalars_of(images, depth_name), normals_of(images));
         },
-        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)), uniform(1.9, 3.1),
+        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)).only_as_drawn(), uniform(1.9, 3.1),
                     vector({uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(0.6, 0.8)}),
                     either(image_pixel(), vector(2, integers(-4, 4))), image_size(), powers},
          .budget = {.absolute = 2e-6},

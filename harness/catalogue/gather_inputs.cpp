@@ -16,7 +16,7 @@ Values gather_kernels() {
     return vector({log_uniform(0.05, 2).and_special(), log_uniform(1e-3, 0.1).and_special(),
                    uniform(0, 6.2831853).and_special(),
                    log_integers(16777216).and_near_integers({16777216, 4294967295}), integers(0, 8),
-                   constant(1e18F), constant(1), constant(false)});
+                   either(constant(1e18F), uniform(-0.5, 2)).and_special(), constant(1), constant(false)});
 }
 
 Values gather_length() {

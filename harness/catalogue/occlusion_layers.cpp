@@ -94,8 +94,8 @@ void append_tests_of_depth(Entries& entries) {
          .formula = "the largest of the layers; a back in front of the point takes what it closes away",
          .source = bavoil},
         GLOAM_REFERENCE(gloam_layers_add),
-        {.domain = {vector({uniform(0, 1), uniform(0, 1), booleans()}), uniform(0, 1), vector(3, plain),
-                    uniform(0.5, 8), integers(0, 3), integers(1, 4)},
+        {.domain = {vector({uniform(0, 1), uniform(0, 1), booleans()}).only_as_drawn(), uniform(0, 1),
+                    vector(3, plain), uniform(0.5, 8), integers(0, 3), integers(1, 4)},
          .codomain = {0, 1}}));
     entries.push_back(equation<float(float, float, float)>(
         {.id = "CS-LAYERS-blocked",

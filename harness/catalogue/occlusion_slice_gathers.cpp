@@ -124,7 +124,7 @@ void append_slice_parts(Entries& entries) {
          .formula = "(v - (u . v) a, t - (u . t) a), u . n = 0, u . a = 1",
          .source = "definition"},
         GLOAM_REFERENCE(gloam_slice_axes),
-        {.domain = {slices(), unit_vector(3)},
+        {.domain = {slices().only_as_drawn(), unit_vector(3)},
          .budget = {.absolute = 1.5e-5},
          .codomain = {-33, 33},
          .promised = make_predicate<Axes>([](const Slice& slice, const glm::vec3& n) {

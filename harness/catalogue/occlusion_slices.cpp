@@ -57,6 +57,20 @@ Values slices() {
     });
 }
 
+// Slices, and some whose weight is zero, negative, infinite or NaN.
+Values slices_of_bad_weight() {
+    Values values = slices().only_as_drawn();
+    numeric::Random random(3);
+    DrawContext context{.random = random};
+    for (const float weight : {0.0F, -0.5F, INFINITY, NAN}) {
+        Values::Fixed slice;
+        values.draw(context, slice.words);
+        slice.words.back() = to_word(weight);
+        values.fixed.push_back(std::move(slice));
+    }
+    return values;
+}
+
 // Whether an offset lies mostly in a slice, neither longer nor shorter than floats can tell.
 bool lies_in_slice(glm::dvec3 offset, const Slice& slice) {
     const double length = glm::length(offset);
@@ -91,7 +105,9 @@ void append_slice(Entries& entries) {
              const glm::dvec3 across = along - glm::dot(along, v) * v;
              const double x = glm::dot(n, across);
              const double y = glm::dot(n, v);
-             return glm::dot(across, across) > 0.1 && x * x + y * y > 0.1 && moderate(1e-9, 2, v, n);
+             const bool one_way = y > 0.0 || std::abs(x) > 1e-6;
+             return one_way && glm::dot(across, across) > 0.1 && x * x + y * y > 0.1 &&
+                    moderate(1e-9, 2, v, n);
          })}));
 }
 
@@ -104,7 +120,7 @@ void append_slice_parts(Entries& entries) {
          .formula = "cos n + n sin n",
          .source = gtao_source},
         GLOAM_REFERENCE(gloam_slice_whole),
-        {.domain = {slices()}, .budget = {.absolute = 3e-7}, .codomain = {0.99999, 1.571}}));
+        {.domain = {slices().only_as_drawn()}, .budget = {.absolute = 3e-7}, .codomain = {0.99999, 1.571}}));
     using Direction = glm::vec2(glm::vec3, Slice);
     entries.push_back(equation<Direction>({.id = "GTAO-slice-direction",
                                            .function = "gloam_slice_direction",
@@ -133,14 +149,15 @@ void append_gtao_horizons(Entries& entries) {
                                       unit_vector(3), uniform(0, 1).and_near({0.0, 1.0}).and_special()},
                            .budget = {.absolute = 4e-7},
                            .codomain = {-1, 1}}));
-    entries.push_back(equation<glm::vec2(Slice)>({.id = "GTAO-lowest",
-                                                  .function = "gloam_gtao_lowest",
-                                                  .file = gtao_file,
-                                                  .title = "horizons of the tangent plane",
-                                                  .formula = "(cos(n - pi / 2), cos(n + pi / 2))",
-                                                  .source = gtao_source},
-                                                 GLOAM_REFERENCE(gloam_gtao_lowest),
-                                                 {.domain = {slices()}, .codomain = {-1.000001, 1.000001}}));
+    entries.push_back(equation<glm::vec2(Slice)>(
+        {.id = "GTAO-lowest",
+         .function = "gloam_gtao_lowest",
+         .file = gtao_file,
+         .title = "horizons of the tangent plane",
+         .formula = "(cos(n - pi / 2), cos(n + pi / 2))",
+         .source = gtao_source},
+        GLOAM_REFERENCE(gloam_gtao_lowest),
+        {.domain = {slices().only_as_drawn()}, .codomain = {-1.000001, 1.000001}}));
     entries.push_back(
         equation<float(float, float)>({.id = "GTAO-elevation",
                                        .function = "gloam_gtao_elevation",
@@ -217,6 +234,7 @@ void append_gtao_sides(Entries& entries) {
 void append_gtao_sums(Entries& entries) {
     const Values sum = vector(2, uniform(0, 4));
     const Values horizons = vector(2, cosines());
+    const Values any_weight = slices_of_bad_weight();
     using Add = glm::vec2(glm::vec2, Slice, glm::vec2);
     entries.push_back(equation<Add>(
         {.id = "GTAO-add",
@@ -226,7 +244,7 @@ void append_gtao_sums(Entries& entries) {
          .formula = "(sum + w (side(c_1, -n) + side(c_2, n)), whole + w (cos n + n sin n))",
          .source = gtao_source},
         GLOAM_REFERENCE(gloam_gtao_add),
-        {.domain = {sum, slices(), horizons}, .budget = {.absolute = 1.2e-6}, .codomain = {0, 7.2}}));
+        {.domain = {sum, any_weight, horizons}, .budget = {.absolute = 1.2e-6}, .codomain = {0, 7.2}}));
     entries.push_back(equation<Add>(
         {.id = "GTAO-add-uniform",
          .function = "gloam_gtao_add_uniform",
@@ -235,7 +253,7 @@ void append_gtao_sums(Entries& entries) {
          .formula = "(sum + arc(c_1, -n) + arc(c_2, n), whole + 1)",
          .source = gtao_source},
         GLOAM_REFERENCE(gloam_gtao_add_uniform),
-        {.domain = {sum, slices(), horizons}, .budget = {.absolute = 1e-6}, .codomain = {0, 8}}));
+        {.domain = {sum, any_weight, horizons}, .budget = {.absolute = 1e-6}, .codomain = {0, 8}}));
     entries.push_back(equation<float(glm::vec2)>({.id = "GTAO",
                                                   .function = "gloam_gtao_occlusion",
                                                   .file = gtao_file,

@@ -13,16 +13,17 @@ namespace {
 constexpr std::uint64_t all_fixed_chance = 2;
 constexpr std::uint64_t one_fixed_chance = 4;
 constexpr std::uint64_t tie_chance = 1;
+constexpr std::uint64_t degenerate_chance = 2;
+constexpr std::size_t nothing = SIZE_MAX;
 constexpr std::uint64_t chances = 16;
 
 }  // namespace
 
-// One input being drawn. `forced` names a parameter that takes a given fixed value.
-struct Domain::Row {
-    DrawContext& context;
-    Inputs& inputs;
-    std::size_t forced = SIZE_MAX;
-    std::size_t forced_value = 0;
+// What an input has to hold: a fixed value of a parameter, or a degenerate change.
+struct Domain::Forced {
+    std::size_t parameter = nothing;
+    std::size_t value = 0;
+    std::size_t change = nothing;
 };
 
 Domain Domain::tied(std::size_t target, std::size_t source, double factor) const {
@@ -50,36 +51,56 @@ bool Domain::apply_tie(DrawContext& context, std::span<Word> row,
     return true;
 }
 
-void Domain::append_row(Row& row) const {
-    const std::uint64_t lot = row.context.random.below(chances);
-    const bool all_fixed = lot < all_fixed_chance;
-    const bool one_fixed = !all_fixed && lot < all_fixed_chance + one_fixed_chance;
-    const std::uint64_t chosen =
-        one_fixed ? row.context.random.below(std::max<std::size_t>(parameters_.size(), 1)) : 0;
-    const bool forced_row = row.forced != SIZE_MAX;
-    std::vector<Word>& words = row.inputs.words;
+Domain Domain::and_degenerate(const Signature& signature) const {
+    Domain more = *this;
+    more.degenerate_ = Degenerate(signature, parameters_);
+    return more;
+}
+
+bool Domain::make_degenerate(DrawContext& context, std::span<Word> row, const Forced& forced) const {
+    if (forced.change != nothing) {
+        degenerate_.change(forced.change, row);
+        return true;
+    }
+    if (forced.parameter != nothing || context.random.below(chances) >= degenerate_chance) return false;
+    if (degenerate_.count() > 0 && context.random.below(4) == 0) {
+        degenerate_.change(context.random.below(degenerate_.count()), row);
+        return true;
+    }
+    const bool once = degenerate_.relate(context.random, row);
+    return degenerate_.relate(context.random, row) || once;
+}
+
+void Domain::append_row(DrawContext& context, Inputs& inputs, const Forced& forced) const {
+    const bool any_forced = forced.parameter != nothing || forced.change != nothing;
+    const std::uint64_t lot = context.random.below(chances);
+    const bool all_fixed = !any_forced && lot < all_fixed_chance;
+    const bool one_fixed = !any_forced && !all_fixed && lot < all_fixed_chance + one_fixed_chance;
+    const std::size_t chosen =
+        one_fixed && !parameters_.empty() ? context.random.below(parameters_.size()) : 0;
+    std::vector<Word>& words = inputs.words;
     const std::size_t first = words.size();
     std::vector<std::size_t> offsets;
     bool branch = false;
     for (std::size_t p = 0; p < parameters_.size(); ++p) {
         const Values& values = parameters_[p];
         offsets.push_back(words.size() - first);
-        const bool forced = p == row.forced;
-        const bool fixed = forced || (!forced_row && (all_fixed || (one_fixed && p == chosen)));
+        const bool fixed = p == forced.parameter || all_fixed || (one_fixed && p == chosen);
         if (fixed && !values.fixed.empty()) {
             const std::size_t pick =
-                forced ? row.forced_value : row.context.random.below(values.fixed.size());
+                p == forced.parameter ? forced.value : context.random.below(values.fixed.size());
             const Values::Fixed& value = values.fixed[pick];
             words.insert(words.end(), value.words.begin(), value.words.end());
             branch = branch || value.branch;
         } else {
-            values.draw(row.context, words);
+            values.draw(context, words);
         }
     }
     const std::span<Word> drawn = std::span(words).subspan(first);
-    branch = apply_tie(row.context, drawn, offsets) || branch;
-    row.inputs.branch.push_back(branch);
-    row.inputs.width = drawn.size();
+    branch = apply_tie(context, drawn, offsets) || branch;
+    branch = make_degenerate(context, drawn, forced) || branch;
+    inputs.branch.push_back(branch);
+    inputs.width = drawn.size();
 }
 
 Domain Domain::and_words(const std::vector<Word>& words) const {
@@ -96,16 +117,25 @@ void Domain::append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed,
                           glm::ivec2 image_size) const {
     numeric::Random random(seed);
     DrawContext context{.random = random, .image_size = image_size};
+    const std::vector<Forced> forced = all_forced();
+    const std::size_t room = count - inputs.count();
+    const std::size_t taken = forced.size() <= room / 2 ? forced.size() : (room + 1) / 2;
+    const std::size_t start = taken == forced.size() ? 0 : random.below(forced.size());
+    for (std::size_t i = 0; i < taken; ++i) {
+        append_row(context, inputs, forced[(start + i * forced.size() / taken) % forced.size()]);
+    }
+    while (inputs.count() < count) append_row(context, inputs, {});
+}
+
+std::vector<Domain::Forced> Domain::all_forced() const {
+    std::vector<Forced> all;
     for (std::size_t p = 0; p < parameters_.size(); ++p) {
-        for (std::size_t value = 0; value < parameters_[p].fixed.size() && inputs.count() < count; ++value) {
-            Row row{.context = context, .inputs = inputs, .forced = p, .forced_value = value};
-            append_row(row);
+        for (std::size_t value = 0; value < parameters_[p].fixed.size(); ++value) {
+            all.push_back({.parameter = p, .value = value});
         }
     }
-    while (inputs.count() < count) {
-        Row row{.context = context, .inputs = inputs};
-        append_row(row);
-    }
+    for (std::size_t change = 0; change < degenerate_.count(); ++change) all.push_back({.change = change});
+    return all;
 }
 
 bool Domain::holds(std::span<const Word> input, std::span<const Word> known) const {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "check/degenerate.hpp"
 #include "check/values.hpp"
 
 namespace gloam::check {
@@ -37,6 +38,9 @@ class Domain {
     }
     [[nodiscard]] Domain and_words(const std::vector<Word>& words) const;
 
+    // The same with degenerate inputs (check/degenerate.hpp) of a function with that signature.
+    [[nodiscard]] Domain and_degenerate(const Signature& signature) const;
+
     struct Inputs {
         std::vector<Word> words;   // one input after the other
         std::vector<bool> branch;  // input was placed at a branch point
@@ -48,9 +52,9 @@ class Domain {
         }
     };
 
-    // `count` inputs from the seed, the same on every machine: the given inputs, every fixed value at least
-    // once (when count allows), then a mixture of all-random inputs, inputs with one fixed value, and inputs
-    // of fixed values only.
+    // `count` inputs from the seed, the same on every machine: the given inputs; every fixed value and every
+    // degenerate change at least once, or some of them in half of the inputs; then a mixture of all-random
+    // inputs, inputs with one fixed value, inputs of fixed values only, and degenerate ones.
     [[nodiscard]] Inputs draw(std::size_t count, std::uint64_t seed,
                               glm::ivec2 image_size = glm::ivec2(1)) const;
 
@@ -71,8 +75,10 @@ class Domain {
         std::size_t source;
         double factor;
     };
-    struct Row;
-    void append_row(Row& row) const;
+    struct Forced;
+    [[nodiscard]] std::vector<Forced> all_forced() const;
+    void append_row(DrawContext& context, Inputs& inputs, const Forced& forced) const;
+    bool make_degenerate(DrawContext& context, std::span<Word> row, const Forced& forced) const;
     void append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const;
     bool apply_tie(DrawContext& context, std::span<Word> row, const std::vector<std::size_t>& offsets) const;
 
@@ -80,6 +86,7 @@ class Domain {
     std::vector<Tie> ties_;
     std::vector<std::function<void(std::span<Word>)>> adjustments_;
     std::vector<std::vector<Word>> given_;
+    Degenerate degenerate_;
 };
 
 }  // namespace gloam::check

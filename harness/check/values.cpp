@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -13,6 +14,9 @@ namespace gloam::check {
 namespace {
 
 using Words = std::vector<Word>;
+
+constexpr float denormal = std::numeric_limits<float>::denorm_min();
+constexpr float smallest_normal = std::numeric_limits<float>::min();
 
 Values float_values(double low, double high, std::function<double(numeric::Random&)> make) {
     Values values;
@@ -83,11 +87,23 @@ Values Values::and_near_integers(std::initializer_list<long> points) const {
     return more;
 }
 
+Values Values::only_as_drawn() const {
+    Values same = *this;
+    same.image_sizes.clear();
+    same.only_drawn = true;
+    return same;
+}
+
 Values uniform(double low, double high) {
     require_order(low, high);
-    return float_values(low, high, [low, high](numeric::Random& random) { return random.uniform(low, high); })
-        .and_value(static_cast<float>(low))
-        .and_value(static_cast<float>(high));
+    Values values =
+        float_values(low, high, [low, high](numeric::Random& random) { return random.uniform(low, high); })
+            .and_value(static_cast<float>(low))
+            .and_value(static_cast<float>(high));
+    for (const float side : {0.0F, -0.0F, denormal, -denormal, smallest_normal, -smallest_normal}) {
+        if (side >= low && side <= high) values = values.and_value(side);
+    }
+    return values;
 }
 
 Values log_uniform(double low, double high) {
@@ -183,14 +199,17 @@ Values vector(const std::vector<Values>& components) {
                                    [&](const Values& c) { return c.admits(words.subspan(next++, 1)); });
     };
     numeric::Random random(2);
-    for (std::size_t i = 0; i < components.size(); ++i) {
-        for (const Values::Fixed& fixed : components[i].fixed) {
+    std::size_t first = 0;
+    for (const Values& component : components) {
+        for (const std::size_t size : component.image_sizes) values.image_sizes.push_back(first + size);
+        for (const Values::Fixed& fixed : component.fixed) {
             DrawContext context{.random = random};
             Values::Fixed one{.words = {}, .branch = fixed.branch};
             values.draw(context, one.words);
-            one.words[i] = fixed.words.front();
+            std::ranges::copy(fixed.words, one.words.begin() + static_cast<std::ptrdiff_t>(first));
             values.fixed.push_back(std::move(one));
         }
+        first += words_of(component);
     }
     return values;
 }
@@ -267,6 +286,7 @@ Values image_pixel() {
 Values image_size() {
     Values values;
     values.draw = [](DrawContext& context, Words& words) { append_words(context.image_size, words); };
+    values.image_sizes = {0};
     return values;
 }
 

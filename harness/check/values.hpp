@@ -31,6 +31,9 @@ struct Values {
     // Whether a value is one that may be drawn; empty: nobody can tell. A search for worse inputs moves
     // inside.
     std::function<bool(std::span<const Word>)> contains;
+    // The words at which sizes of the run's images stand, two each.
+    std::vector<std::size_t> image_sizes;
+    bool only_drawn = false;  // see only_as_drawn
 
     // Whether a value may be an input: it is fixed, or it may be drawn.
     [[nodiscard]] bool admits(std::span<const Word> words) const;
@@ -44,6 +47,10 @@ struct Values {
     // Branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
     [[nodiscard]] Values and_near_integers(std::initializer_list<long> points) const;
 
+    // The same values and nothing degenerate (check/degenerate.hpp): for a parameter that callers get from a
+    // function of the library, and of which nothing else is documented.
+    [[nodiscard]] Values only_as_drawn() const;
+
     template <class T>
     [[nodiscard]] Values and_value(const T& value, bool branch = false) const {
         Values more = *this;
@@ -54,7 +61,8 @@ struct Values {
     }
 };
 
-// float, uniform in [low, high] (ends included as fixed values).
+// float, uniform in [low, high]. Fixed values: the ends, and where 0 lies between them both zeros, the
+// smallest normal and subnormal numbers of each side.
 [[nodiscard]] Values uniform(double low, double high);
 // float, its logarithm uniform between those of 0 < low < high.
 [[nodiscard]] Values log_uniform(double low, double high);

@@ -21,7 +21,8 @@ vec3 gloam_fetch_position(ivec2 pixel);
 
 // Adds the pixel at a tap.
 // mean: what was added so far. center: position of the filtered pixel, world units. tap: pixel inside the image.
-// coverage: part of the tap in the window, [0, 1]. scale: of gloam_gaussian_scale, 1 / world units.
+// coverage: part of the tap in the window, [0, 1]; below 1e-30 it may count as 0. scale: of gloam_gaussian_scale, 1 /
+// world units.
 // Returns the mean with the tap's occlusion, weighted by coverage, distance and convergence (read inside [0, 1], NaN
 // as 0). Unchanged for background and for occlusion outside [0, 1]. Error: 5e-7 of the tap.
 GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, vec3 center, ivec2 tap, float coverage, float scale) {

@@ -18,7 +18,8 @@ struct GloamSlice {
 // Slice of a direction of the image.
 // direction: in the image plane, unit, y as in view space; 0 to pi of angles make all slices. view: unit, view space
 // (orthographic: (0, 0, 1)).
-// normal: of the surface, unit, view space; the part of one that faces away is left out.
+// normal: of the surface, unit, view space; the part of one that faces away is left out, so that its angle is pi / 2
+// one way or the other: whichever way rounding falls for one opposite to the view vector.
 // Returns the slice; weight 0, for which it counts nothing, where the normal is perpendicular to it, for a direction
 // along the view vector, and for NaN. Error: 6e-7 for directions and normals well away from those; of the angle and
 // of the normal 2e-7 / weight.
@@ -30,7 +31,7 @@ GloamSlice gloam_slice(vec2 direction, vec3 view, vec3 normal) {
     float weight = gloam_sqrt(x * x + y * y);
     if (!(weight > 0.0 && dot(tangent, tangent) > 0.5))
         return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, vec2(1.0, 0.0), 0.0, 0.0);
-    vec3 projected = gloam_safe_normalize(vec3(max(y, 0.0), x, 0.0), vec3(1.0, 0.0, 0.0));
+    vec3 projected = gloam_safe_normalize(vec3(max(y, 0.0), x, 0.0), vec3(0.0, 1.0, 0.0));
     return GloamSlice(view, tangent, projected.xy, gloam_atan2(projected.y, projected.x), min(weight, 1.0));
 }
 

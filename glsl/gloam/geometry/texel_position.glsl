@@ -8,7 +8,7 @@
 // texel to that of the next; -1 at the border before texel 0. Within 1/256 of a centre the fraction is 0:
 // reprojection of a camera that stands still is exact to about 1e-6 and must not blur, frame by frame, into the
 // neighbours. (0, 0) for u outside [0, 1] or NaN, and for an extent below 1. Error of the fraction: 6e-8 of the
-// extent, besides the step of 1/256.
+// extent, and as near to 1/256 of a centre it may be taken for 0 or not.
 vec2 gloam_texel_position(float u, int extent) {
     if (!(u >= 0.0 && u <= 1.0) || extent < 1) return vec2(0.0);
     float position = u * float(extent) - 0.5;

@@ -4,6 +4,7 @@
 #include "reference/geometry/pixel_center.hpp"
 #include "reference/geometry/plane_depth.hpp"
 #include "reference/occlusion/blocked.hpp"
+#include "reference/occlusion/depth_rejection.hpp"
 #include "reference/occlusion/gather_kernel.hpp"
 #include "reference/sampling/halton.hpp"
 #include "reference/sampling/hemisphere.hpp"
@@ -16,8 +17,8 @@ struct GloamHemisphere {
     double range;
 };
 
-// The mean over the points p + R s_i of whether the buffer blocks them, each moved along its plane to the pixel's
-// centre; a point behind the eye is not taken.
+// The mean over the points p + R s_i of whether the buffer blocks them, each moved along its plane to the
+// pixel's centre; a point behind the eye is not taken.
 inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                       const GloamKernel& kernel, const GloamHemisphere& own,
                                       const Fetch<double>& fetch_depth) {
@@ -31,6 +32,7 @@ inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamC
         if (s == dvec3(0.0) || gloam_is_background(-point.z)) continue;
         const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(point, camera), camera.size);
         const double depth = gloam_plane_depth(pixel, point, frame[2], camera);
+        if (gloam_tap_rejected(-position.z, fetch_depth(pixel), kernel.farthest)) continue;
         blocked += gloam_sample_blocked(depth, fetch_depth(pixel), kernel.bias, own.range);
         ++samples;
     }
