@@ -21,7 +21,8 @@ inline GloamSlice gloam_slice(dvec2 direction, dvec3 view, dvec3 normal) {
     const dvec3 tangent = gloam_safe_normalize(along - dot(along, view) * view, dvec3(0.0));
     const dvec2 part(dot(normal, view), dot(normal, tangent));
     const double weight = length(part);
-    if (!(weight >= float_min && tangent != dvec3(0.0))) return {dvec3(0.0, 0.0, 1.0), tangent, {1.0, 0.0}, 0.0, 0.0};
+    if (!(weight >= float_min && tangent != dvec3(0.0)))
+        return {dvec3(0.0, 0.0, 1.0), tangent, {1.0, 0.0}, 0.0, 0.0};
     const dvec3 ahead = gloam_safe_normalize({max(part.x, 0.0), part.y, 0.0}, {1.0, 0.0, 0.0});
     const double angle = std::atan2(ahead.y, ahead.x);
     return {view, tangent, on_circle(angle), angle, min(weight, 1.0)};

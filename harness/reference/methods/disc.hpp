@@ -12,17 +12,19 @@ struct GloamDisc {
     double epsilon;
 };
 
-// The mean of epsilon C(p, s_i) over the surface points s_i under the taps; one beyond the radius, or no higher than
-// the bias above the tangent plane, contributes nothing.
-inline GloamEstimate gloam_disc(dvec3 position, dvec3 normal, const GloamCamera& camera, const GloamKernel& kernel,
-                                const GloamDisc& own, const Fetch<double>& fetch_depth) {
+// The mean of epsilon C(p, s_i) over the surface points s_i under the taps; one beyond the radius, or no
+// higher than the bias above the tangent plane, contributes nothing.
+inline GloamEstimate gloam_disc(dvec3 position, dvec3 normal, const GloamCamera& camera,
+                                const GloamKernel& kernel, const GloamDisc& own,
+                                const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
     const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
     double sum = 0.0;
     for (unsigned i = 1; i <= kernel.count; ++i) {
         const dvec2 tap = gloam_halton_disc(kernel.first + i, gloam_sincos(kernel.angle));
-        const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
+        const glm::ivec2 pixel =
+            gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
         const dvec3 point = gloam_camera_position(pixel, fetch_depth(pixel), camera);
         if (point == dvec3(0.0) || distance(point, position) > kernel.radius) continue;
         if (dot(point - position, n) > kernel.bias)

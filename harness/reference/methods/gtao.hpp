@@ -16,10 +16,11 @@ struct GloamGtao {
     unsigned steps;
 };
 
-// Slice by slice the highest horizon on either side, of the surface points at the shares ((i + jitter) / steps)^2 of
-// the radius.
-inline GloamEstimate gloam_gtao(dvec3 position, dvec3 normal, const GloamCamera& camera, const GloamKernel& kernel,
-                                const GloamGtao& own, const Fetch<double>& fetch_depth) {
+// Slice by slice the highest horizon on either side, of the surface points at the shares ((i + jitter) /
+// steps)^2 of the radius.
+inline GloamEstimate gloam_gtao(dvec3 position, dvec3 normal, const GloamCamera& camera,
+                                const GloamKernel& kernel, const GloamGtao& own,
+                                const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
     const dvec3 view = camera.orthographic ? dvec3(0.0, 0.0, 1.0) : normalize(-position);
@@ -37,7 +38,8 @@ inline GloamEstimate gloam_gtao(dvec3 position, dvec3 normal, const GloamCamera&
             double highest = -1.0;
             for (unsigned i = 0; i < steps; ++i) {
                 const double share = side * pow((i + sample.jitter) / steps, 2);
-                const glm::ivec2 pixel = gloam_nearest_pixel(uv + share * axes * sample.direction, camera.size);
+                const glm::ivec2 pixel =
+                    gloam_nearest_pixel(uv + share * axes * sample.direction, camera.size);
                 const dvec3 point = gloam_camera_position(pixel, fetch_depth(pixel), camera);
                 const bool own_pixel = pixel == gloam_nearest_pixel(uv, camera.size);
                 if (own_pixel || point == dvec3(0.0) || !(dot(point - position, n) > kernel.bias)) continue;

@@ -16,8 +16,8 @@ struct GloamHemisphere {
     double range;
 };
 
-// The mean over the points p + R s_i of whether the buffer blocks them, each moved along its plane to the pixel's
-// centre; a point behind the eye is not taken.
+// The mean over the points p + R s_i of whether the buffer blocks them, each moved along its plane to the
+// pixel's centre; a point behind the eye is not taken.
 inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                       const GloamKernel& kernel, const GloamHemisphere& own,
                                       const Fetch<double>& fetch_depth) {

@@ -14,8 +14,8 @@ struct GloamSphereProxy {
     double intensity;
 };
 
-// The sum over the pixels of the disc, each a ball as wide as itself, from taps of density 1 / (2 pi rho): a tap
-// stands for 2 rho times the disc's pixels.
+// The sum over the pixels of the disc, each a ball as wide as itself, from taps of density 1 / (2 pi rho): a
+// tap stands for 2 rho times the disc's pixels.
 inline GloamEstimate gloam_sphere_proxy(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                         const GloamKernel& kernel, const GloamSphereProxy& own,
                                         const Fetch<double>& fetch_depth) {
@@ -34,7 +34,8 @@ inline GloamEstimate gloam_sphere_proxy(dvec3 position, dvec3 normal, const Gloa
         const bool own_pixel = pixel == gloam_nearest_pixel(uv, camera.size);
         if (own_pixel || gloam_is_background(depth) || length(offset) > kernel.radius) continue;
         if (!(dot(offset, n) > kernel.bias)) continue;
-        const dvec2 across = kernel.radius / (gloam_camera_radius(kernel.radius, depth, camera) * dvec2(camera.size));
+        const dvec2 across =
+            kernel.radius / (gloam_camera_radius(kernel.radius, depth, camera) * dvec2(camera.size));
         const double ball = sqrt(across.x * across.y) / 2.0;
         sum += 2.0 * zeta.y * pixels * gloam_contribution_sphere_cosine(offset, n, ball);
     }

@@ -11,8 +11,8 @@
 
 namespace gloam::reference {
 
-// The solid share of the chords at pairs of opposite taps, weighted by the chords. The surface of a tap is moved along
-// its plane to the aimed place; background lies far behind.
+// The solid share of the chords at pairs of opposite taps, weighted by the chords. The surface of a tap is
+// moved along its plane to the aimed place; background lies far behind.
 inline GloamEstimate gloam_volumetric(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                       const GloamKernel& kernel, const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
@@ -20,11 +20,13 @@ inline GloamEstimate gloam_volumetric(dvec3 position, dvec3 normal, const GloamC
     const dvec3 view = camera.orthographic ? dvec3(0.0, 0.0, 1.0) : normalize(-position);
     const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
     const auto ratio = [&](dvec2 tap) {
-        const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
+        const glm::ivec2 pixel =
+            gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
         const double seen = fetch_depth(pixel);
         const double depth = gloam_is_background(seen) ? 1e4 * kernel.radius - position.z : seen;
         const dvec3 aim(kernel.radius * tap * dvec2(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0), 0.0);
-        const double height = gloam_height_at(gloam_camera_position(pixel, depth, camera) - position, aim, view, n);
+        const double height =
+            gloam_height_at(gloam_camera_position(pixel, depth, camera) - position, aim, view, n);
         return gloam_line_ratio(height, gloam_chord_half_height(tap, kernel.radius));
     };
     double solid = 0.0;
