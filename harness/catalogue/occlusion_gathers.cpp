@@ -185,7 +185,7 @@ void append_estimates(Entries& entries) {
 // What the samples of all pixels share.
 void append_shared_points(Entries& entries) {
     const auto add = [&](const char* id, const char* name, const char* formula, auto reference,
-                         double absolute) {
+                         double absolute, double most_third = 1.0) {
         entries.push_back(equation<glm::vec3(unsigned)>(
             {.id = id,
              .function = std::string("gloam_") + name + "_point",
@@ -196,14 +196,17 @@ void append_shared_points(Entries& entries) {
             reference,
             {.domain = {log_integers(16777216).and_near_integers({16777216, 4294967295})},
              .budget = {.absolute = absolute},
-             .codomain = {-1.000001, 1.000001}}));
+             .codomain = {-1.000001, 1.000001},
+             .promised = make_predicate<glm::vec3(unsigned)>([most_third](unsigned index) {
+                 return reference::gloam_radical_inverse(index, 5U) < most_third;
+             })}));
     };
     add("POINTS-halton", "halton", "HALTON in bases 2, 3, 5", GLOAM_REFERENCE(gloam_halton_point), 2e-7);
     add("POINTS-disc", "disc", "TSSAO-13 of the Halton point", GLOAM_REFERENCE(gloam_disc_point), 5e-7);
     add("POINTS-hemisphere-cosine", "hemisphere_cosine", "TSSAO-14 of the Halton point",
-        GLOAM_REFERENCE(gloam_hemisphere_cosine_point), 2.5e-6);
+        GLOAM_REFERENCE(gloam_hemisphere_cosine_point), 2.5e-6, 0.998);
     add("POINTS-hemisphere-uniform", "hemisphere_uniform", "TSSAO-14-uniform of the Halton point",
-        GLOAM_REFERENCE(gloam_hemisphere_uniform_point), 2e-6);
+        GLOAM_REFERENCE(gloam_hemisphere_uniform_point), 2e-6, 0.998);
 }
 
 }  // namespace

@@ -46,12 +46,10 @@ void append(const T& value, std::vector<double>& outputs) {
     visit_scalars(value, [&outputs](const auto& scalar) { outputs.push_back(static_cast<double>(scalar)); });
 }
 
-// Calls a reference: with a tag of the number type first, with the images first, or with the arguments alone.
+// Calls a reference: with the images first, or with the arguments alone.
 template <class Callable, class... Values>
 decltype(auto) call(const Callable& callable, const ImageSet& images, Values&... values) {
-    if constexpr (std::is_invocable_v<const Callable&, std::type_identity<double>, Values&...>) {
-        return callable(std::type_identity<double>{}, values...);
-    } else if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, Values&...>) {
+    if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, Values&...>) {
         return callable(images, values...);
     } else {
         return callable(values...);
@@ -63,7 +61,7 @@ struct ReferenceOf;
 
 template <class R, class... P>
 struct ReferenceOf<R(P...)> {
-    using Arguments = std::tuple<WithNumber<typename ParameterOf<P>::value, double>...>;
+    using Arguments = std::tuple<InDouble<typename ParameterOf<P>::value>...>;
     static constexpr auto indices = std::index_sequence_for<P...>{};
 
     template <std::size_t... I>
@@ -92,7 +90,7 @@ struct ReferenceOf<R(P...)> {
         if constexpr (std::is_void_v<R>) {
             std::apply(with, arguments);
         } else {
-            append(static_cast<WithNumber<R, double>>(std::apply(with, arguments)), outputs);
+            append(static_cast<InDouble<R>>(std::apply(with, arguments)), outputs);
         }
         append_outputs(arguments, outputs, indices);
     }
@@ -102,8 +100,7 @@ struct ReferenceOf<R(P...)> {
 
 // A reference from anything callable with the types of the signature, with double in the place of float:
 // (double, glm::dvec3) for float(float, glm::vec3); out and inout parameters as references; optionally the
-// images first (const ImageSet&), or std::type_identity<double>, for a template that cannot deduce its number
-// type.
+// images first (const ImageSet&).
 template <class Function, class Callable>
 [[nodiscard]] Reference make_reference(Callable callable) {
     return [callable](const ImageSet& images, std::span<const Word> words, std::vector<double>& outputs) {

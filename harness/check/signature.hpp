@@ -19,30 +19,25 @@ struct Out {
     using type = T;
 };
 
-// A type of the signature with another number type in the place of float, everywhere inside; Struct<float>
-// becomes Struct<Number>.
-template <class T, class Number>
-struct WithNumberOf {
+// A type of the signature with double in the place of float, which references calculate in.
+template <class T>
+struct InDoubleOf {
     using type = T;
 };
-template <class Number>
-struct WithNumberOf<float, Number> {
-    using type = Number;
+template <>
+struct InDoubleOf<float> {
+    using type = double;
 };
-template <glm::length_t N, class Number>
-struct WithNumberOf<glm::vec<N, float>, Number> {
-    using type = glm::vec<N, Number>;
+template <glm::length_t N>
+struct InDoubleOf<glm::vec<N, float>> {
+    using type = glm::vec<N, double>;
 };
-template <glm::length_t C, glm::length_t R, class Number>
-struct WithNumberOf<glm::mat<C, R, float>, Number> {
-    using type = glm::mat<C, R, Number>;
+template <glm::length_t C, glm::length_t R>
+struct InDoubleOf<glm::mat<C, R, float>> {
+    using type = glm::mat<C, R, double>;
 };
-template <template <class> class Struct, class Number>
-struct WithNumberOf<Struct<float>, Number> {
-    using type = Struct<Number>;
-};
-template <class T, class Number>
-using WithNumber = typename WithNumberOf<T, Number>::type;
+template <class T>
+using InDouble = typename InDoubleOf<T>::type;
 
 // One parameter type of a C++ signature.
 template <class P>

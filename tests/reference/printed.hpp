@@ -9,8 +9,6 @@
 #include "numeric/random.hpp"
 #include "reference/math.hpp"
 
-// The references follow the shaders operation by operation, so a slip could stand in both. Here each is
-// compared, in double, with its equation as it stands in print (or the definition that it comes from).
 namespace gloam::reference::test {
 
 constexpr int draws = 2000;
@@ -24,9 +22,6 @@ void for_random(Check check) {
 
 inline double log_uniform(numeric::Random& random, double low, double high) {
     return std::exp(random.uniform(std::log(low), std::log(high)));
-}
-inline dvec2 point2(numeric::Random& random, double extent = 1.0) {
-    return dvec2(random.uniform(-extent, extent), random.uniform(-extent, extent));
 }
 inline dvec3 point3(numeric::Random& random, double extent = 1.0) {
     return dvec3(random.uniform(-extent, extent), random.uniform(-extent, extent),

@@ -5,7 +5,7 @@
 // Square root that is 0 at 0. Vulkan derives sqrt() from 1 / inversesqrt(): 4.5 ulp, and undefined at 0.
 // x: any float.
 // Returns the square root; 0 for a number that is zero, subnormal, negative or NaN, infinity for infinity.
-// Error: 3 ulp whatever the rounding, 2 ulp where it is to nearest.
+// Error: 7 ulp whatever the rounding, 2 ulp where it is to nearest.
 float gloam_sqrt(float x) {
     float root = x <= 3.402823466e38 ? x * inversesqrt(x) : x;
     return x >= 1.175494351e-38 ? root : 0.0;

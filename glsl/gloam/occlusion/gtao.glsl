@@ -35,7 +35,8 @@ vec2 gloam_gtao_lowest(GloamSlice slice) {
 // hemisphere is cut off. On the negative side n changes its sign.
 // horizon: cosine of gloam_gtao_horizon. angle: n, of the projected normal, radians.
 // Returns e, radians in [0, pi]: with h_1 = -acos(c_1) and h_2 = acos(c_2) as in the paper, e_1 = h_1 - (n - pi / 2)
-// and e_2 = (n + pi / 2) - h_2. 0 exactly for a horizon of -1, and for NaN. Error: 6e-7.
+// and e_2 = (n + pi / 2) - h_2. 0 exactly for a horizon of -1, and for a NaN angle; a NaN horizon counts as 0. Error:
+// 6e-7.
 float gloam_gtao_elevation(float horizon, float angle) {
     float e = 1.570796327 + angle - gloam_acos(horizon);
     return e > 0.0 ? min(e, 3.141592654) : 0.0;

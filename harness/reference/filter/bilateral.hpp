@@ -26,7 +26,8 @@ inline double gloam_bilateral_filter(glm::ivec2 pixel, glm::ivec2 half_width, gl
     for (int i = 0; i < size.x * size.y && !gloam_is_background(center); ++i) {
         const glm::ivec2 tap(i % size.x, i / size.x);
         if (glm::abs(tap - pixel) != min(glm::abs(tap - pixel), reach)) continue;
-        mean = gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_d, sigma_r, fetch_occlusion, fetch_depth);
+        mean = gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_d, sigma_r, fetch_occlusion,
+                                   fetch_depth);
     }
     return gloam_weighted_mean_value(mean, fetch_occlusion(pixel));
 }

@@ -12,8 +12,8 @@
 // fetch_value: (occlusion, convergence) of a pixel inside the image.
 namespace gloam::reference {
 
-inline GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, dvec3 center, glm::ivec2 tap, double coverage,
-                                          double scale, const Fetch<dvec2>& fetch_value,
+inline GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, dvec3 center, glm::ivec2 tap,
+                                          double coverage, double scale, const Fetch<dvec2>& fetch_value,
                                           const Fetch<dvec3>& fetch_position) {
     const dvec3 position = fetch_position(tap);
     if (!gloam_is_surface_position(position)) return mean;
@@ -35,7 +35,8 @@ inline double gloam_convergence_filter(glm::ivec2 pixel, glm::ivec2 axis, glm::i
         if (tap != min(tap, size - 1)) break;
         const int apart = std::max(std::abs(tap.x - pixel.x), std::abs(tap.y - pixel.y));
         const double coverage = std::clamp(reach - (apart - 1.0), 0.0, 1.0);
-        mean = gloam_filter_tap(mean, center, tap, coverage, gloam_gaussian_scale(sigma), fetch_value, fetch_position);
+        mean = gloam_filter_tap(mean, center, tap, coverage, gloam_gaussian_scale(sigma), fetch_value,
+                                fetch_position);
     }
     return gloam_weighted_mean_value(mean, own.x);
 }

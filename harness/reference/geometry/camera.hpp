@@ -24,7 +24,8 @@ inline dvec3 gloam_camera_position(glm::ivec2 pixel, double depth, const GloamCa
 }
 
 inline dvec2 gloam_camera_radius(double radius, double depth, const GloamCamera& camera) {
-    const auto axes = camera.orthographic ? gloam_projected_radius_uv_orthographic : gloam_projected_radius_uv;
+    const auto axes =
+        camera.orthographic ? gloam_projected_radius_uv_orthographic : gloam_projected_radius_uv;
     return axes(radius, depth, camera.p00_p11);
 }
 

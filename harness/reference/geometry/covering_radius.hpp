@@ -17,7 +17,8 @@ inline double gloam_covering_radius_perpendicular(dvec3 position, double radius,
     if (!is_finite(position) || gloam_is_background(depth) || !(radius > 0.0)) return 0.0;
     const double t = atan(length(dvec2(position)) / depth);
     const double divisor = cos(t) * (depth - radius * sin(t));
-    return divisor > 0.0 ? min(radius / divisor, gloam_positive_length(largest)) : gloam_positive_length(largest);
+    return divisor > 0.0 ? min(radius / divisor, gloam_positive_length(largest))
+                         : gloam_positive_length(largest);
 }
 
 }  // namespace gloam::reference

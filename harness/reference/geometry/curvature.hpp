@@ -5,8 +5,8 @@
 
 namespace gloam::reference {
 
-// H + (H^2 - K)^(1/2) and H - (H^2 - K)^(1/2) of the mean and the Gaussian curvature, from the first and second
-// fundamental forms (e f; f g) and (l m; m n).
+// H + (H^2 - K)^(1/2) and H - (H^2 - K)^(1/2) of the mean and the Gaussian curvature, from the first and
+// second fundamental forms (e f; f g) and (l m; m n).
 inline dvec2 gloam_principal_curvatures(dvec3 position_x, dvec3 position_y, dvec3 normal_x, dvec3 normal_y) {
     const double e = dot(position_x, position_x);
     const double f = dot(position_x, position_y);

@@ -5,7 +5,8 @@
 
 namespace gloam::reference {
 
-// u of the tangent plane with u . axis = 1; the axis itself where the slice is within 2 degrees of that plane.
+// u of the tangent plane with u . axis = 1; the axis itself where the slice is within 2 degrees of that
+// plane.
 inline dvec3 along_tangent_plane(dvec3 axis, dvec3 normal) {
     const double cosine = dot(axis, normal);
     const double sine_squared = 1.0 - cosine * cosine;

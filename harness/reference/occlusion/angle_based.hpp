@@ -8,7 +8,8 @@
 
 namespace gloam::reference {
 
-// The cosine to the view vector of a direction, which is moved along the normal into the tangent plane from below it.
+// The cosine to the view vector of a direction, which is moved along the normal into the tangent plane from
+// below it.
 inline double gloam_lifted_cosine(dvec3 offset, dvec3 normal, dvec3 view) {
     dvec3 direction = gloam_safe_normalize(offset, dvec3(0.0));
     if (dot(direction, normal) < 0.0) direction -= dot(direction, normal) * normal;

@@ -9,9 +9,9 @@
 
 namespace gloam::reference {
 
-// What is seen at the share s of the radius lies nearer than x s - y to the view axis, in radii, where a tap may see
-// something within a ball: with a the part of the direction in the slice, b what half a pixel is beside it, D the
-// distance and B the ball, x = (1 - B / D) a / (1 + R / D ((1 - a^2)^(1/2) + b)).
+// Clearance x s - y, in radii, of what a tap at the share s sees: x = c a, y = c b + 2e-4 with
+// c = (1 - B / D) / (1 + R / D ((1 - a^2)^(1/2) + b)). a is the part of the direction in the slice, b what
+// half a pixel is beside it, D the distance of the point, B the radius of the ball.
 inline dvec2 gloam_slice_clearance(const GloamSlice& slice, dvec3 position, dvec2 direction, dvec2 end,
                                    const GloamCamera& camera, double radius, double ball) {
     if (!gloam_inside_unit(end) || !(ball >= 0.0 && ball <= 1.0)) return dvec2(0.0);
@@ -20,13 +20,15 @@ inline dvec2 gloam_slice_clearance(const GloamSlice& slice, dvec3 position, dvec
     const double b = 0.52 * length(1.0 / pixels) * (1.0 + tangent);
     const double ratio = radius / length(position);
     const double a = abs(dot(direction, dvec2(slice.tangent)));
-    const bool known = ratio <= 0.5 && ratio >= 1.0 / 128.0 && pow(slice.weight, 2) >= 0.1F && b <= 0.9 && a <= 1.001;
+    const bool known =
+        ratio <= 0.5 && ratio >= 1.0 / 128.0 && pow(slice.weight, 2) >= 0.1F && b <= 0.9 && a <= 1.001;
     if (!known) return dvec2(0.0);
     const double nearer = (1.0 - ball * ratio) / (1.0 + ratio * (sqrt(max(1.0 - a * a, 0.0)) + b));
     return {nearer * a, nearer * b + 2e-4};
 }
 
-// The first tap i with ((i + jitter) / steps)^2 x - y at or beyond the ball, and all that follow, see nothing in it.
+// The first tap i with ((i + jitter) / steps)^2 x - y at or beyond the ball, and all that follow, see nothing
+// in it.
 inline unsigned gloam_slice_taps(dvec2 clearance, double ball, double jitter, unsigned steps) {
     if (ball <= 0.0) return 0U;
     if (!(ball < 1.0 && clearance.x > 0.0)) return steps;

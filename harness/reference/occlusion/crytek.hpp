@@ -14,7 +14,8 @@ inline double gloam_contribution_crytek_buffer(double sample_value, double buffe
     return buffer_value < 1.0 && buffer_value <= sample_value ? 1.0 : 0.0;
 }
 
-inline dvec3 gloam_crytek_sample(dvec2 uv, double buffer_value, dvec3 s, double radius, double depth, double z_far) {
+inline dvec3 gloam_crytek_sample(dvec2 uv, double buffer_value, dvec3 s, double radius, double depth,
+                                 double z_far) {
     const dvec3 center(uv, buffer_value);
     if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 0x1p126)) return center;
     return center + radius / depth * s * dvec3(1.0, 1.0, 100.0 / z_far * buffer_value);

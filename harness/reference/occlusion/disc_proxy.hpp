@@ -19,8 +19,8 @@ inline double gloam_contribution_disc_proxy(dvec3 offset, dvec3 normal, dvec3 em
            min(4.0 * gloam_sample_cosine(offset, normal), 1.0);
 }
 
-inline double gloam_contribution_disc_proxy_cosine(dvec3 offset, dvec3 normal, dvec3 emitter_normal, double area,
-                                                   double weight) {
+inline double gloam_contribution_disc_proxy_cosine(dvec3 offset, dvec3 normal, dvec3 emitter_normal,
+                                                   double area, double weight) {
     return gloam_unit_interval(weight) * gloam_disc_share(area, gloam_length(offset)).x *
            gloam_sample_cosine(-offset, emitter_normal) * gloam_sample_cosine(offset, normal);
 }

@@ -7,7 +7,8 @@
 
 namespace gloam::reference {
 
-inline double gloam_contribution_fox_compton(dvec3 position, dvec3 normal, dvec3 sample_position, double epsilon) {
+inline double gloam_contribution_fox_compton(dvec3 position, dvec3 normal, dvec3 sample_position,
+                                             double epsilon) {
     const dvec3 offset = sample_position - position;
     if (!(epsilon <= float_max) || !has_direction(offset)) return 0.0;
     return gloam_sample_cosine(offset, normal) / std::clamp(max(epsilon, length(offset)), float_min, 0x1p126);

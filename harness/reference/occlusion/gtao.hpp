@@ -53,8 +53,8 @@ inline double gloam_gtao_side(double horizon, double angle, dvec2 normal) {
     return gloam_gtao_arc(angle + pi / 2.0 - h, {c, sin(h)}, normal);
 }
 
-// Cosine-weighted: all of the slice, cos n + n sin n, less what is visible between the horizons, the printed inner
-// integrals; the horizons lie within the hemisphere.
+// Cosine-weighted: all of the slice, cos n + n sin n, less what is visible between the horizons, the printed
+// inner integrals; the horizons lie within the hemisphere.
 inline dvec2 gloam_gtao_add(dvec2 accumulated, const GloamSlice& slice, dvec2 horizons) {
     if (!(slice.weight > 0.0 && is_finite(slice.weight))) return accumulated;
     const double n = slice.angle;
@@ -68,8 +68,9 @@ inline dvec2 gloam_gtao_add(dvec2 accumulated, const GloamSlice& slice, dvec2 ho
 inline dvec2 gloam_gtao_add_uniform(dvec2 accumulated, const GloamSlice& slice, dvec2 horizons) {
     if (!(slice.weight > 0.0)) return accumulated;
     const double n = slice.angle;
-    return accumulated + dvec2(gloam_gtao_arc_uniform(horizons.x, sin(-n)) + gloam_gtao_arc_uniform(horizons.y, sin(n)),
-                               1.0);
+    return accumulated +
+           dvec2(gloam_gtao_arc_uniform(horizons.x, sin(-n)) + gloam_gtao_arc_uniform(horizons.y, sin(n)),
+                 1.0);
 }
 
 inline double gloam_gtao_occlusion(dvec2 accumulated) {

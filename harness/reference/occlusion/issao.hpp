@@ -12,7 +12,8 @@ inline double gloam_issao_attenuation(double hit_distance, double phi, double mu
     return is_finite(q) ? q : 0.0;
 }
 
-inline double gloam_contribution_issao_attenuated(dvec3 offset, dvec3 normal, double radius, double phi, double mu) {
+inline double gloam_contribution_issao_attenuated(dvec3 offset, dvec3 normal, double radius, double phi,
+                                                  double mu) {
     if (!(gloam_length(offset) < radius)) return 0.0;
     return gloam_issao_attenuation(gloam_length(offset), phi, mu) * gloam_sample_cosine(offset, normal);
 }

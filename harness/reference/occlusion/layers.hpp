@@ -27,10 +27,10 @@ struct GloamLayersSeen {
     bool front;
 };
 
-// A back right behind a front closes that object: where it lies before the point, what its front blocked is taken
-// back. The last of three or more layers closes nothing.
-inline GloamLayersSeen gloam_layers_add(const GloamLayersSeen& seen, double blocked, dvec3 further, double depth,
-                                        int layer, int layers) {
+// A back right behind a front closes that object: where it lies before the point, what its front blocked is
+// taken back. The last of three or more layers closes nothing.
+inline GloamLayersSeen gloam_layers_add(const GloamLayersSeen& seen, double blocked, dvec3 further,
+                                        double depth, int layer, int layers) {
     if (layer == 0) return {blocked, 0.0, true};
     const double signed_depth = further[std::min(layer, 3) - 1];
     const bool back = seen.front && signed_depth < 0.0;

@@ -24,10 +24,12 @@ inline double gloam_sao_quotient(double height, double squared_distance, double 
 
 inline double gloam_contribution_sao(dvec3 offset, dvec3 normal, double radius, double bias, double epsilon) {
     const double vv = dot(offset, offset);
-    return pow(gloam_sao_window(vv, radius), 3) * gloam_sao_quotient(gloam_sao_height(offset, normal, bias), vv, epsilon);
+    return pow(gloam_sao_window(vv, radius), 3) *
+           gloam_sao_quotient(gloam_sao_height(offset, normal, bias), vv, epsilon);
 }
 
-inline double gloam_contribution_sao_paper(dvec3 offset, dvec3 normal, double radius, double bias, double epsilon) {
+inline double gloam_contribution_sao_paper(dvec3 offset, dvec3 normal, double radius, double bias,
+                                           double epsilon) {
     const double vv = dot(offset, offset);
     if (!(gloam_sao_window(vv, radius) > 0.0)) return 0.0;
     return 0.6 * gloam_sao_quotient(gloam_sao_height(offset, normal, bias), vv, epsilon);
@@ -45,7 +47,8 @@ inline double gloam_contribution_sao_low(dvec3 offset, dvec3 normal, double radi
     return 2.0 * gloam_sao_height(offset / radius, normal, bias / radius) / radius;
 }
 
-inline double gloam_contribution_deep(dvec3 offset, dvec3 normal, double radius, double bias, double epsilon) {
+inline double gloam_contribution_deep(dvec3 offset, dvec3 normal, double radius, double bias,
+                                      double epsilon) {
     const double vv = dot(offset, offset);
     const double reach = sqrt(epsilon + vv);
     if (!(reach >= sqrt(float_min) && reach <= 0x1p126)) return 0.0;

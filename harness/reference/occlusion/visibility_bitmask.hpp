@@ -20,12 +20,13 @@ inline double gloam_slice_fraction_angle(dvec2 direction, const GloamSlice& slic
     return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) / pi + 0.5);
 }
 
-// The part of the slice's integral below the direction: on the negative side what a horizon there takes, on the
-// positive side all but that.
+// The part of the slice's integral below the direction: on the negative side what a horizon there takes, on
+// the positive side all but that.
 inline double gloam_slice_fraction_cosine(dvec2 direction, const GloamSlice& slice) {
     const double side = direction.y < 0.0 ? -1.0 : 1.0;
     const double elevation = side * slice.angle + pi / 2.0 - gloam_atan2(abs(direction.y), direction.x);
-    const double taken = gloam_gtao_arc(elevation, {direction.x, side * direction.y}, {slice.normal.x, side * slice.normal.y});
+    const double taken =
+        gloam_gtao_arc(elevation, {direction.x, side * direction.y}, {slice.normal.x, side * slice.normal.y});
     const double part = taken / gloam_slice_whole(slice);
     return gloam_unit_interval(side < 0.0 ? part : 1.0 - part);
 }
@@ -47,7 +48,8 @@ inline unsigned gloam_bitmask_sectors(dvec2 fractions) {
     unsigned bits = 0U;
     for (unsigned i = 0; i < 32U; ++i) {
         const double center = (i + 0.5) / 32.0;
-        if (gloam_unit_interval(fractions.x) <= center && center < gloam_unit_interval(fractions.y)) bits |= 1U << i;
+        if (gloam_unit_interval(fractions.x) <= center && center < gloam_unit_interval(fractions.y))
+            bits |= 1U << i;
     }
     return bits;
 }

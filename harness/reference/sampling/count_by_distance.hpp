@@ -7,8 +7,8 @@
 
 namespace gloam::reference {
 
-// max(floor(N / (1 + N d / z_far)), least); depths behind the far plane, and none, count as on it. A far plane
-// beyond 2^126 is at infinity.
+// max(floor(N / (1 + N d / z_far)), least); depths behind the far plane, and none, count as on it. A far
+// plane beyond 2^126 is at infinity.
 inline int gloam_count_by_distance(double depth, double z_far, int base, int least) {
     const double most = std::clamp(base, 0, 4096);
     const bool before = depth >= 0.0 && z_far >= float_min && depth < z_far;

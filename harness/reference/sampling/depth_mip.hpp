@@ -10,7 +10,8 @@ namespace gloam::reference {
 // How many of first, 2 first, 4 first... the distance reaches.
 inline int gloam_depth_mip_level(double pixels, double first, int last) {
     int level = 0;
-    for (int i = 0; i < std::min(last, 30) && first > 0.0; ++i) level += pixels >= std::ldexp(first, i) ? 1 : 0;
+    for (int i = 0; i < std::min(last, 30) && first > 0.0; ++i)
+        level += pixels >= std::ldexp(first, i) ? 1 : 0;
     return level;
 }
 
@@ -31,7 +32,8 @@ inline glm::ivec2 gloam_rotated_grid(glm::ivec2 pixel, glm::ivec2 size) {
 inline glm::ivec2 gloam_depth_mip_source(glm::ivec2 pixel, glm::ivec2 size, int level) {
     if (level <= 0) return pixel;
     const int before = std::min(level, 30) - 1;
-    return gloam_depth_mip_source(gloam_rotated_grid(pixel, gloam_depth_mip_size(size, before)), size, before);
+    return gloam_depth_mip_source(gloam_rotated_grid(pixel, gloam_depth_mip_size(size, before)), size,
+                                  before);
 }
 
 }  // namespace gloam::reference

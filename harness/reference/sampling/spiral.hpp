@@ -5,7 +5,8 @@
 
 namespace gloam::reference {
 
-// alpha (cos, sin)(2 pi alpha turns), alpha = (index + 1/2) / count; whole turns are taken off before 2 pi is.
+// alpha (cos, sin)(2 pi alpha turns), alpha = (index + 1/2) / count; whole turns are taken off before 2 pi
+// is.
 inline dvec2 gloam_spiral_point(int index, int count, int turns) {
     if (count < 1 || count > 32768 || index < 0 || index >= count) return dvec2(0.0);
     const double twice = 2.0 * index + 1.0;

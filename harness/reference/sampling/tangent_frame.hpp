@@ -5,8 +5,8 @@
 
 namespace gloam::reference {
 
-// Rodrigues' rotation of z onto n, 1 + K + K^2 / (1 + n.z) with K = (z x n) x; below the horizon of z that onto
-// -n, with y negated to stay right-handed.
+// Rodrigues' rotation of z onto n, 1 + K + K^2 / (1 + n.z) with K = (z x n) x; below the horizon of z that
+// onto -n, with y negated to stay right-handed.
 inline dmat3 gloam_tangent_frame(dvec3 normal) {
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0, 0.0, 1.0));
     const double side = n.z < 0.0 ? -1.0 : 1.0;

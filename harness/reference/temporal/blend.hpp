@@ -8,7 +8,8 @@
 namespace gloam::reference {
 
 inline double gloam_history_weight(double history, double weight, double weight_max) {
-    const bool usable = history > -float_min && history <= 1.0 && weight >= float_min && weight_max >= float_min;
+    const bool usable =
+        history > -float_min && history <= 1.0 && weight >= float_min && weight_max >= float_min;
     return usable ? std::min({weight, weight_max, float_max}) : 0.0;
 }
 

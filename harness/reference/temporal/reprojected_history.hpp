@@ -10,8 +10,8 @@
 namespace gloam::reference {
 
 // The mean of the four texels around that hold the surface, each weighted by its distance along x and y.
-inline GloamHistory gloam_reprojected_history(dvec2 uv, glm::ivec2 size, double expected_depth, double epsilon,
-                                              const Fetch<dvec4>& fetch_history) {
+inline GloamHistory gloam_reprojected_history(dvec2 uv, glm::ivec2 size, double expected_depth,
+                                              double epsilon, const Fetch<dvec4>& fetch_history) {
     GloamHistory mean = gloam_history_empty(expected_depth);
     if (!gloam_inside_unit(uv) || size.x < 1 || size.y < 1) return mean;
     const dvec2 x = gloam_texel_position(uv.x, size.x);
@@ -29,7 +29,8 @@ inline GloamHistory gloam_reprojected_history(dvec2 uv, glm::ivec2 size, double 
         if (weight > most) mean.index = one.index;
         most = max(most, weight);
     }
-    return gloam_history_sanitize({min(mean.occlusion / total, 1.0), mean.weight / total, mean.index, mean.depth});
+    return gloam_history_sanitize(
+        {min(mean.occlusion / total, 1.0), mean.weight / total, mean.index, mean.depth});
 }
 
 }  // namespace gloam::reference
