@@ -16,6 +16,7 @@
 
 // What GLSL asks for by prototypes is here an argument: a Method has view(eye), start(slice, normal, share,
 // method), step(march, slice, offset, positive, kernel, method) and end(accumulated, march, slice, method).
+// It may have below(...), as step, for taps that are not above the tangent plane.
 namespace gloam::reference {
 
 template <class T>
@@ -50,8 +51,12 @@ GloamMarch<T> gloam_slice_march(GloamMarch<T> march, GloamSlice<T> slice, GloamS
         const T depth = fetch_depth(at);
         if (at == pixel || gloam_is_background(depth)) continue;
         const vec3<T> seen = gloam_camera_position(at, depth, camera) - point.position;
-        if (!(dot(seen, point.normal) > kernel.bias)) continue;
         const vec3<T> offset = gloam_into_slice(seen, axis, point.normal);
+        if (!(dot(seen, point.normal) > kernel.bias)) {
+            if constexpr (requires { method.below(march, slice, offset, positive, kernel, parameters); })
+                march = method.below(march, slice, offset, positive, kernel, parameters);
+            continue;
+        }
         march = method.step(march, slice, offset, positive, kernel, parameters);
     }
     return march;
