@@ -65,8 +65,8 @@ TEST_P(FurtherLayers, TheOneThatBlocksMostCounts) {
 
 INSTANTIATE_TEST_SUITE_P(Loops, FurtherLayers,
                          testing::Values("hemisphere", "disc", "alchemy", "sao", "issao", "aksoy_phaneuf",
-                                         "gtao", "hbao", "hbao_study", "bitmask", "volumetric", "hsao",
-                                         "poisson", "ssdo", "unreal", "sphere_proxy", "mixture"),
+                                         "gtao", "sweep", "hbao", "hbao_study", "bitmask", "volumetric",
+                                         "hsao", "poisson", "ssdo", "unreal", "sphere_proxy", "mixture"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

@@ -56,15 +56,20 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
                 float first = gloam_fetch_depth(at);
                 vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                float before = side.before;
+                float nearest = before;  // of the first layer: what lies further behind does not change what follows
                 for (int layer = 0; layer < kernel.layers; ++layer) {
                     float depth = gloam_layer_depth(first, further, layer);
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
                     vec2 offset = scale * vec2(dot(seen, axes.view), dot(seen, axes.tangent));
                     bool tells = gloam_tap_sees(depth) && at != footprint.pixel &&
                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    side.before = before;
                     side = gloam_sweep_tap(side, half_plane, offset, tells, dot(seen, n) > kernel.bias,
                                            settings.falloff);
+                    nearest = layer == 0 ? side.before : nearest;
                 }
+                side.before = nearest;
             }
             occluded += slice.weight * side.occluded;
         }
