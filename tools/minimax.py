@@ -83,6 +83,7 @@ def main():
     report("sin(x), |x| <= pi/4", *of_root(math.sin), quarter, 2)
     report("cos(x), |x| <= pi/4", lambda z: (math.cos(math.sqrt(z)) - 1.0 + z / 2.0) / z**2, lambda z: z**2, quarter, 2)
     report("asin(x), |x| <= 1/2", *of_root(math.asin), 0.25, 4)
+    report("asin(x), |x| <= sqrt(1/2)", *of_root(math.asin), 0.5, 5)
     report("atan(x), |x| <= 1", *of_root(math.atan), 1.0, 7)
 
 

@@ -6,6 +6,7 @@
 #include "reference/numeric/length_ratio.hpp"
 #include "reference/numeric/sincos.hpp"
 #include "reference/numeric/square_root.hpp"
+#include "reference/numeric/unit_angle.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -125,6 +126,24 @@ void append_arc_sines(Entries& entries) {
         {.domain = {either(cosine, any_float())}, .budget = {.absolute = 3e-7}, .codomain = {-1.571, 1.571}});
 }
 
+void append_unit_angle(Entries& entries) {
+    const auto upper = [](numeric::Random& random) {
+        const double angle = random.uniform(0.0, 3.14159265);
+        const double small = std::exp(random.uniform(-20.0, 0.0));
+        const double turn = random.uniform(0.0, 1.0) < 0.5 ? angle : std::min(angle, small);
+        return glm::vec2(std::cos(turn), std::sin(turn));
+    };
+    entries.push_back(equation<float(glm::vec2)>(
+        {.id = "ANGLE-unit",
+         .function = "gloam_unit_angle",
+         .file = "gloam/numeric/unit_angle.glsl",
+         .title = "angle of a unit vector of the upper half plane",
+         .formula = "atan2(y, x), y >= 0, x^2 + y^2 = 1",
+         .source = "minimax polynomial"},
+        GLOAM_REFERENCE(gloam_unit_angle),
+        {.domain = {made_by<glm::vec2>(upper)}, .budget = {.absolute = 4e-7}, .codomain = {0, above_pi}}));
+}
+
 void append_arc_tangents(Entries& entries) {
     constexpr const char* file = "gloam/numeric/inverse_trigonometry.glsl";
     const Values coordinate = either(uniform(-1, 1), any_float()).and_near({0x1p-126, 0x1p126}).and_special();
@@ -172,6 +191,7 @@ void append_numeric(Entries& entries) {
     append_square_root(entries);
     append_arc_sines(entries);
     append_arc_tangents(entries);
+    append_unit_angle(entries);
 }
 
 }  // namespace gloam::catalogue

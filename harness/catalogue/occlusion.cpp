@@ -11,6 +11,7 @@ void append_occlusion(Entries& entries) {
     append_points(entries);
     append_horizons(entries);
     append_slice_methods(entries);
+    append_sweeps(entries);
     append_volumes(entries);
     append_gathers(entries);
     append_slice_gathers(entries);

@@ -12,6 +12,7 @@ void append_points(Entries& entries);         // methods that count single point
 void append_horizons(Entries& entries);       // horizon-based AO
 void append_volumes(Entries& entries);        // methods that pair opposite samples
 void append_slice_methods(Entries& entries);  // methods that work in slices through the eye
+void append_sweeps(Entries& entries);         // the parts of the horizon sweep
 void append_gathers(Entries& entries);        // the estimators of a pixel, which read images
 void append_slice_gathers(Entries& entries);  // those that march along slices
 void append_ray_gathers(Entries& entries);    // those that march along rays, or sum over proxies

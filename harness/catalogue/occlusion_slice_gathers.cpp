@@ -5,6 +5,7 @@
 #include "catalogue/occlusion_parts.hpp"
 #include "catalogue/scenarios.hpp"
 #include "reference/methods/gtao.hpp"
+#include "reference/methods/sweep.hpp"
 #include "reference/occlusion/closed_march.hpp"
 #include "reference/sampling/slice_sample.hpp"
 #include "reference/sampling/whole_samples.hpp"
@@ -114,6 +115,30 @@ void append_gtao(Entries& entries) {
          .scenarios = gather_scenarios()}));
 }
 
+void append_sweep(Entries& entries) {
+    using Signature = Estimate(glm::vec3, glm::vec3, Camera, Kernel, reference::GloamSweep);
+    entries.push_back(equation<Signature>(
+        {.id = "SWEEP-gather",
+         .function = "gloam_sweep",
+         .file = "gloam/methods/sweep.glsl",
+         .title = "occlusion of a pixel by horizon slices, each direction with the falloff at its distance",
+         .formula = "sum of w D(rho) (I(H) - I(h)) over the sum of w (cos n + n sin n)",
+         .source = "gloam"},
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
+           const GloamKernel& kernel, const reference::GloamSweep& own) {
+            return reference::gloam_sweep(position, normal, camera, kernel, own, depth_of(images));
+        },
+        {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
+                          vector({integers(1, 4), integers(0, 3)})}
+                       .adjusted(place_before_camera(0, 6)),
+         .budget = {.absolute = 3e-4, .backward_ulp = 4},
+         .codomain = {0, most_samples},
+         .promised =
+             make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,
+                                          const Kernel& k, const auto&) { return usual_gather(p, n, c, k); }),
+         .scenarios = gather_scenarios()}));
+}
+
 void append_slice_parts(Entries& entries) {
     using Axes = reference::GloamSliceAxes(Slice, glm::vec3);
     entries.push_back(equation<Axes>(
@@ -172,6 +197,7 @@ void append_slice_gathers(Entries& entries) {
     append_clearance(entries);
     append_taps(entries);
     append_gtao(entries);
+    append_sweep(entries);
     append_slice_parts(entries);
 }
 

@@ -64,6 +64,7 @@ std::string call_of(const MethodInfo& method) {
     if (method.own_settings.empty()) return call + ")";
     std::vector<std::string> members;
     for (const std::string& name : method.reads) members.push_back("values." + name);
+    members.insert(members.end(), method.fixed.begin(), method.fixed.end());
     return fmt::format("{}, {}({}))", call, method.own_settings, fmt::join(members, ", "));
 }
 

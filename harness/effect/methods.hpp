@@ -45,6 +45,7 @@ struct MethodInfo {
     std::string falloff;             // with the distance of the blocker: "linear", "none", ...
     std::string own_settings;        // GLSL struct; none: the function takes no settings of its own
     std::vector<std::string> reads;  // names of the settings that are its members, in their order
+    std::vector<std::string> fixed;  // GLSL constants: its members after those
     std::string points;  // what its samples share: glsl/gloam/sampling/NAME_point.glsl; none: nothing
     SampleUnit unit = SampleUnit::one;
     double on_a_plane = 0.0;  // what it says of a bare plane

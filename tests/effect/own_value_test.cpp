@@ -234,6 +234,24 @@ TEST(OwnValues, OfPointsAreTheTruthItself) {
     }
 }
 
+// A sweep too, in the limit of many steps but for what the ends of its marches leave out, and nearly so with
+// six. The wall of the step is seen edge-on. Along the view between floor and ceiling six steps pass the
+// ceiling over the point.
+TEST(OwnValues, OfASweepAreTheTruthInTheLimitAndNearlySoBefore) {
+    for (const Projection projection : both) {
+        for (const ClosedFormView& view : scene::closed_form_views(projection)) {
+            if (!view.seen_whole || view.name == "step") continue;
+            Settings settings = ideal("sweep");
+            const auto limit = own_value(view, settings, 0, tolerance);
+            EXPECT_NEAR(limit->value, view.occlusion, 4.0 * limit->error + 0.004) << view.name;
+            if (view.name == "ceiling") continue;
+            settings.steps = 6;
+            const auto six = own_value(view, settings, 0, tolerance);
+            EXPECT_NEAR(six->value, view.occlusion, 4.0 * six->error + 0.012) << view.name;
+        }
+    }
+}
+
 // CS-M: 4 sigma / (pi r) cos b artanh(sin b) in a groove seen along the normal from afar.
 TEST(OwnValues, OfObscurance) {
     const double half = 4.0 * 0.2 / pi * std::sqrt(0.5) * std::atanh(std::sqrt(0.5));

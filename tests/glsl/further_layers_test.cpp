@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Points, ThreeLayers, testing::Values("hemisphere", "cry
 
 INSTANTIATE_TEST_SUITE_P(Loops, FurtherLayers,
                          testing::Values("hemisphere", "disc", "alchemy", "sao", "sao_chain", "issao",
-                                         "aksoy_phaneuf", "gtao", "hbao", "hbao_study", "bitmask",
+                                         "aksoy_phaneuf", "gtao", "sweep", "hbao", "hbao_study", "bitmask",
                                          "volumetric", "hsao", "poisson", "ssdo", "unreal", "sphere_proxy",
                                          "mixture"),
                          [](const auto& info) { return std::string(info.param); });

@@ -127,6 +127,7 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
     // here.
     const std::map<std::string, double> closed_form{{"hemisphere", 0.146447},
                                                     {"gtao", 0.146447},
+                                                    {"sweep", 0.146447},
                                                     {"bitmask", 0.146447},
                                                     {"filion", 0.25},
                                                     {"hbao", 0.25},

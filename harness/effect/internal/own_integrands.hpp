@@ -31,6 +31,7 @@ namespace gloam::effect::own {
 [[nodiscard]] Integrand hbao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand hbao_study(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand gtao(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand sweep(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand bitmask(const SeenSurface& seen, const Settings& settings);
 
 // Rays of so many steps as the settings say.

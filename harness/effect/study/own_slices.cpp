@@ -34,15 +34,16 @@ Slice slice_at(const SeenSurface& seen, double angle) {
 struct Step {
     double along = 0.0;
     double up = 0.0;
+    bool rises = true;  // above the tangent plane, by more than the bias
 
     [[nodiscard]] double length() const { return std::hypot(along, up); }
     [[nodiscard]] double angle() const { return std::atan2(along, up); }  // from the axis
 };
 
-// The samples of one side (+1 or -1) that rise above the tangent plane by more than the bias. What was seen
-// beside the slice is moved into it without changing its height over that plane.
-std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
-                           double jitter, bool even = false) {
+// What the taps of one side (+1 or -1) see. What was seen beside the slice is moved into it without changing
+// its height over the tangent plane.
+std::vector<Step> taps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
+                          double jitter, bool even) {
     const glm::dvec3& n = seen.normal();
     const glm::dvec3 aside = glm::cross(slice.along, glm::dvec3(0, 0, 1));
     const double turned = glm::dot(aside, n);
@@ -53,10 +54,18 @@ std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, co
         const double place = even ? share : share * share;
         const Seen surface = seen.at(side * place * seen.reach() * glm::dvec2(slice.along));
         if (surface.background || surface.own_pixel) continue;
-        if (!(glm::dot(surface.offset, n) > double{settings.bias})) continue;
         const glm::dvec3 offset = surface.offset - glm::dot(surface.offset, aside) * across;
-        found.push_back({glm::dot(offset, slice.along), offset.z});
+        found.push_back(
+            {glm::dot(offset, slice.along), offset.z, glm::dot(surface.offset, n) > double{settings.bias}});
     }
+    return found;
+}
+
+// Those that rise above the tangent plane by more than the bias.
+std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
+                           double jitter, bool even = false) {
+    std::vector<Step> found = taps_of(seen, settings, slice, side, jitter, even);
+    std::erase_if(found, [](const Step& step) { return !step.rises; });
     return found;
 }
 
@@ -104,6 +113,24 @@ double gtao_horizon(const std::vector<Step>& steps, double lowest) {
         if (weight > 0.0) horizon = std::max(horizon, lowest + weight * (step.up / step.length() - lowest));
     }
     return horizon;
+}
+
+// What one side of a sweep blocks: between the angle of a tap and the lowest of those before, with the linear
+// falloff half-way between its distance and that of the last one, which is at most the radius.
+double sweep_side(const std::vector<Step>& taps, double side, double n) {
+    double lowest = n + side * right_angle;
+    double before = 0.0;
+    double occluded = 0.0;
+    for (const Step& tap : taps) {
+        const double weight = 1.0 - 0.5 * (before + tap.length());
+        const double angle = side * std::abs(tap.angle());
+        if (tap.rises && weight > 0.0 && std::abs(angle) < side * lowest) {
+            occluded += weight * cosine_measure(std::min(angle, lowest), std::max(angle, lowest), n);
+            lowest = angle;
+        }
+        before = std::min(tap.length(), 1.0);
+    }
+    return occluded;
 }
 
 constexpr std::size_t sectors = 32;
@@ -164,6 +191,17 @@ Integrand gtao(const SeenSurface& seen, const Settings& s) {
         const double occluded =
             cosine_measure(std::acos(right), pi, n) + cosine_measure(-pi, -std::acos(left), n);
         return slice.weight * glm::dvec2(occluded, cosine_whole(n));
+    };
+}
+
+// Each direction with the falloff at its distance.
+Integrand sweep(const SeenSurface& seen, const Settings& s) {
+    return [seen, s](const std::array<double, 3>& u) {
+        const Slice slice = slice_at(seen, pi * u[0]);
+        double occluded = 0.0;
+        for (const double side : {1.0, -1.0})
+            occluded += sweep_side(taps_of(seen, s, slice, side, u[1], false), side, slice.normal_angle);
+        return slice.weight * glm::dvec2(occluded, cosine_whole(slice.normal_angle));
     };
 }
 

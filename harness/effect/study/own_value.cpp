@@ -28,6 +28,7 @@ const std::vector<OwnValue>& own_values() {
         {"hbao_study", own::hbao_study},
         {"dual_resolution", own::hbao},  // whose results it takes, or interpolates
         {"gtao", own::gtao},
+        {"sweep", own::sweep},
         {"bitmask", own::bitmask},
         {"separable", nullptr, "half of a pixel's result is that of the pixels beside it"},
         {"mssao", nullptr,

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_SWEEP_GLSL
+#define GLOAM_METHODS_SWEEP_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/geometry/slice.glsl"
+#include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/layers.glsl"
+#include "gloam/occlusion/sweep.glsl"
+#include "gloam/sampling/slice_sample.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+
+// The horizon sweep: slices through the eye in which each direction counts with the falloff at the distance of the
+// first surface along it, weighted by the cosine (gloam/occlusion/sweep.glsl). Divided by what a slice's own half
+// planes hold, a bare plane is open exactly, at any tilt and with any number of slices.
+struct GloamSweep {
+    uint steps;    // taps along each half of a slice, at least 1
+    uint falloff;  // GLOAM_FALLOFF_*, of a blocker's distance
+};
+
+// Defined by the user: eye-linear depth of a pixel inside the image, world units.
+float gloam_fetch_depth(ivec2 pixel);
+
+// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
+// where the kernel has more than one layer.
+vec3 gloam_fetch_layers(ivec2 pixel);
+
+// All samples of one pixel in one frame.
+// position: of the surface, view space, world units. normal: view space, any length.
+// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). A tap is left out that sees background, the pixel itself, or what is rejected; one that is not
+// above the tangent plane by the bias adds nothing. Error: 1e-5, 3e-4 where a slice nearly lies in the tangent plane,
+// but for taps within rounding of a pixel's border, of another's horizon or of a falloff's end.
+GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSweep settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 view = gloam_toward_eye(position, camera.orthographic);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    float turns = gloam_kernel_turns(kernel.angle);
+    uint steps = max(settings.steps, 1u);
+    uint samples = gloam_whole_samples(kernel.count, 2u * steps);
+    float scale = 1.0 / kernel.radius;
+    float occluded = 0.0;
+    float whole = 0.0;
+    for (uint i = 0u; i < samples / (2u * steps); ++i) {
+        GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
+        GloamSlice slice = gloam_slice(random.direction * gloam_upright(camera), view, n);
+        GloamSliceAxes axes = gloam_slice_axes(slice, n);
+        for (int part = 0; part < 2; ++part) {
+            float towards = part == 0 ? 1.0 : -1.0;
+            GloamSlice half_plane = gloam_sweep_slice(slice, towards);
+            GloamSweepSide side = gloam_sweep_side(-half_plane.normal.y);
+            for (uint k = 0u; k < steps; ++k) {
+                float share = (float(k) + random.jitter) / float(steps);
+                ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
+                float first = gloam_fetch_depth(at);
+                vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                float before = side.before;
+                float nearest = before;  // of the first layer: what lies further behind does not change what follows
+                for (int layer = 0; layer < kernel.layers; ++layer) {
+                    float depth = gloam_layer_depth(first, further, layer);
+                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
+                    vec2 offset = scale * vec2(dot(seen, axes.view), dot(seen, axes.tangent));
+                    bool tells = gloam_tap_sees(depth) && at != footprint.pixel &&
+                                 !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    side.before = before;
+                    side = gloam_sweep_tap(side, half_plane, offset, tells, dot(seen, n) > kernel.bias,
+                                           settings.falloff);
+                    nearest = layer == 0 ? side.before : nearest;
+                }
+                side.before = nearest;
+            }
+            occluded += slice.weight * side.occluded;
+        }
+        whole += slice.weight * gloam_slice_whole(slice);
+    }
+    return gloam_estimate(occluded, whole, samples);
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_FALLOFF_CHOICE_GLSL
+#define GLOAM_OCCLUSION_FALLOFF_CHOICE_GLSL
+
+// A falloff that a setting chooses, without the guards of falloff.glsl: for loops behind gloam_can_gather. Where the
+// choice is a constant, nothing of the others is left.
+const uint GLOAM_FALLOFF_STEP = 0u;
+const uint GLOAM_FALLOFF_LINEAR = 1u;
+const uint GLOAM_FALLOFF_QUADRATIC = 2u;
+const uint GLOAM_FALLOFF_CUBIC = 3u;
+
+// How much a hit counts at a share of the radius of influence (D of TSSAO-1). One more falloff is one more line.
+// falloff: GLOAM_FALLOFF_*, linear for any other number. x: d / R, [0, 1e9].
+// Returns D: 1 at x = 0, positive for x < 1; from there on 0 or less, where nothing counts. Step: 1 up to x = 1, then
+// 0. Linear: 1 - x. Quadratic: 1 - x^2. Cubic: 1 - x^3. Error: 2e-7 up to x = 1.
+float gloam_falloff_at(uint falloff, float x) {
+    if (falloff == GLOAM_FALLOFF_STEP) return x <= 1.0 ? 1.0 : 0.0;
+    if (falloff == GLOAM_FALLOFF_QUADRATIC) return 1.0 - x * x;
+    if (falloff == GLOAM_FALLOFF_CUBIC) return 1.0 - x * x * x;
+    return 1.0 - x;
+}
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_OCCLUSION_SWEEP_GLSL
+#define GLOAM_OCCLUSION_SWEEP_GLSL
+
+#include "gloam/geometry/slice.glsl"
+#include "gloam/numeric/unit_angle.glsl"
+#include "gloam/occlusion/falloff_choice.glsl"
+
+// The horizon sweep: the occlusion of one side of a slice is the integral of D(r(h)) dI(h) over the angles h between
+// the tangent plane and the view vector. r(h) is the distance of the first surface along h, and I the inner integral
+// of gtao.glsl. A march outwards gives it step by step: a tap above the horizon so far is the first surface along all
+// directions between the two, and they count with the falloff of its distance. No horizon is drawn towards the
+// tangent plane, and any falloff will do.
+struct GloamSweepSide {
+    float horizon;   // cosine of the highest tap's angle from the view vector
+    float behind;    // amount between the tangent plane and that horizon, [0, pi / 2]
+    float before;    // distance of the last tap, in units of the radius, at most 1; of the point itself at first: 0
+    float occluded;  // amount so far, each direction with its falloff
+};
+
+// A side of which nothing has been seen.
+// lowest: cosine of the tangent plane's angle from the view vector, of gloam_gtao_lowest.
+// Returns the side. Error: none.
+GloamSweepSide gloam_sweep_side(float lowest) {
+    return GloamSweepSide(lowest, 0.0, 0.0, 0.0);
+}
+
+// Where the surface lies that a tap uncovers: half-way between the last tap and this one. A surface that rises
+// steadily between both is there in the mean. From so few taps nobody can tell whether a gap lies between them
+// (docs/methods.md).
+// before, here: distances of the two, >= 0.
+// Returns a distance. Error: 1 ULP.
+float gloam_sweep_distance(float before, float here) {
+    return 0.5 * before + 0.5 * here;
+}
+
+// What is behind a direction on the positive side: the inner integral between it and the tangent plane, 1/2 (e sin n +
+// cos h cos(h - n)), e = n + pi / 2 - h (gloam_gtao_arc). On the negative side n changes its sign (gloam_sweep_slice).
+// direction: in the slice, (along view, along tangent), unit, not below the tangent plane; the sign of the latter does
+// not matter.
+// Returns an amount in [0, pi / 2], 2e-7 less for rounding. Error: 5e-7.
+float gloam_sweep_behind(vec2 direction, GloamSlice slice) {
+    vec2 upper = vec2(direction.x, abs(direction.y));
+    float elevation = 1.570796327 + slice.angle - gloam_unit_angle(upper);
+    return 0.5 * (elevation * slice.normal.y + upper.x * dot(upper, slice.normal));
+}
+
+// The slice as one of its sides sees it, as if that were the positive one.
+// towards: 1 for the positive side, -1 for the negative. Returns the slice with n times that. Error: none.
+GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
+    return GloamSlice(slice.view, towards * slice.tangent, vec2(slice.normal.x, towards * slice.normal.y),
+                      towards * slice.angle, slice.weight);
+}
+
+// Takes a tap.
+// side: so far. slice: of gloam_sweep_slice. offset: of the tap in the slice, (along view, along tangent), in units of
+// the radius of influence, shorter than 1e9. tells: whether there is a tap at all; else the side stays as it is. rises:
+// whether the tap is above the tangent plane; of one that is not, the distance alone is kept. falloff: GLOAM_FALLOFF_*.
+// Returns the side with the tap. One below the horizon adds nothing, nor does one beyond the reach of the falloff: the
+// directions behind it are left to the taps that follow. Error: 2e-6.
+GloamSweepSide gloam_sweep_tap(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
+                               uint falloff) {
+    float squared = dot(offset, offset);
+    float inverse = inversesqrt(max(squared, 1e-36));
+    float here = squared * inverse;
+    vec2 direction = offset * inverse;
+    float weight = gloam_falloff_at(falloff, gloam_sweep_distance(side.before, here));
+    float behind = gloam_sweep_behind(direction, slice);
+    bool uncovers = tells && rises && direction.x > side.horizon && weight > 0.0;
+    return GloamSweepSide(uncovers ? direction.x : side.horizon, uncovers ? behind : side.behind,
+                          tells ? min(here, 1.0) : side.before,
+                          side.occluded + (uncovers ? weight * (behind - side.behind) : 0.0));
+}
+
+#endif

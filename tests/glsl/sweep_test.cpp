@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The horizon sweep on a wall, whose occlusion is known in closed form for every falloff.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "gathers.hpp"
+#include "support/lab.hpp"
+
+namespace gloam {
+namespace sweep_test {
+
+using test::Camera;
+
+// As in gloam/occlusion/gather_kernel.glsl and gloam/methods/sweep.glsl.
+struct SweepKernel {
+    float radius;
+    float bias;
+    float angle;
+    unsigned first;
+    unsigned count;
+    float farthest;
+    int layers;
+    bool ends_marches;
+};
+struct SweepEstimate {
+    float occlusion;
+    float samples;
+    unsigned left_out;
+};
+struct Sweep {
+    unsigned steps;
+    unsigned falloff;
+};
+enum Falloff : unsigned { step, linear, quadratic, cubic };
+
+class SweepOfAWall : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab();
+    check::Kernel<SweepEstimate(glm::vec3, glm::vec3, Camera, SweepKernel, Sweep)> sweep{
+        lab, "gloam/methods/sweep.glsl", "gloam_sweep"};
+
+    // A floor that meets a wall at x = 0, both turned by 45 degrees towards the eye, and a point of the floor
+    // `away` from the wall. Everything is in units of the radius.
+    double measured(double away, Falloff falloff, unsigned steps) const {
+        const Camera camera{glm::vec2(0.5F, -0.5F), glm::ivec2(1025, 33), true};
+        const double pixel = 4.0 / 1025.0;
+        const check::ImageSet image{
+            {"gloam_fetch_depth",
+             check::make_image<float>(
+                 camera.size,
+                 [&](glm::ivec2 p) { return static_cast<float>(5.0 - std::abs(pixel * (p.x - 512))); })},
+            {"gloam_fetch_layers",
+             check::make_image<glm::vec3>(camera.size, [](glm::ivec2) { return glm::vec3(0); })}};
+        const int column = 512 - static_cast<int>(std::lround(away * std::sqrt(0.5) / pixel));
+        const double x = pixel * (column - 512);
+        const glm::vec3 position(x, 0.0, -(5.0 + x));
+        const glm::vec3 normal(std::sqrt(0.5), 0.0, std::sqrt(0.5));
+        const SweepKernel kernel{
+            1.0F, 1e-5F, 0.0F, 0, 512 * 2 * steps, std::numeric_limits<float>::infinity(), 1, false};
+        return static_cast<double>(
+            sweep.with_images(image, {position, normal, camera, kernel, Sweep{steps, falloff}}).occlusion);
+    }
+};
+
+// Cosine-weighted occlusion by an endless wall: c = a / R, s = sqrt(1 - c^2).
+double closed_form(double c, Falloff falloff) {
+    const double s = std::sqrt(1.0 - c * c);
+    const double arc = std::acos(c);
+    const double pi = std::acos(-1.0);
+    if (falloff == step) return (arc - c * s) / pi;
+    if (falloff == linear) return 2.0 / pi * (0.5 * (arc - c * s) - c * (std::acosh(1.0 / c) - s));
+    return 2.0 / pi * ((0.5 + c * c) * arc - 1.5 * c * s);
+}
+
+TEST_F(SweepOfAWall, IsThatOfTheFalloffInTheLimit) {
+    for (const double away : {0.25, 0.5})
+        for (const Falloff falloff : {step, linear, quadratic})
+            EXPECT_NEAR(measured(away, falloff, 48), closed_form(away, falloff), 0.006)
+                << away << ", falloff " << falloff;
+}
+
+TEST_F(SweepOfAWall, IsNearlyThatWithSixSteps) {
+    for (const double away : {0.25, 0.5})
+        EXPECT_NEAR(measured(away, linear, 6), closed_form(away, linear), 0.012) << away;
+}
+
+// The further the falloff reaches, the darker.
+TEST_F(SweepOfAWall, OrdersTheFalloffs) {
+    EXPECT_GT(measured(0.5, step, 6), measured(0.5, cubic, 6) + 0.01);
+    EXPECT_GT(measured(0.5, cubic, 6), measured(0.5, quadratic, 6) + 0.01);
+    EXPECT_GT(measured(0.5, quadratic, 6), measured(0.5, linear, 6) + 0.01);
+}
+
+}  // namespace sweep_test
+}  // namespace gloam
