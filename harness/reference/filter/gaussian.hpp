@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "reference/geometry/background.hpp"
 
 namespace gloam::reference {
@@ -24,7 +26,8 @@ inline double gloam_gaussian(double squared_distance, double sigma) {
 inline double gloam_filter_sigma(double depth, double tan_half_fovy, double height, double sigma_pixels) {
     const bool known = tan_half_fovy > 0.0 && height >= float_min && sigma_pixels > 0.0;
     if (gloam_is_background(depth) || !known) return 0.0;
-    return min(sigma_pixels * 2.0 * depth * tan_half_fovy / height, float_max);
+    const double sigma = sigma_pixels * 2.0 * depth * tan_half_fovy / height;
+    return std::isnan(sigma) ? 0.0 : min(sigma, float_max);
 }
 
 }  // namespace gloam::reference

@@ -39,7 +39,8 @@ inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCame
     const unsigned samples = gloam_whole_samples(kernel.count, steps);
     const unsigned rays = samples / steps;
     unsigned ended = 0U;
-    for (unsigned i = kernel.first / steps; i < kernel.first / steps + rays; ++i) {
+    for (unsigned r = 0; r < rays; ++r) {
+        const unsigned i = kernel.first / steps + r;
         const double turn = kernel.angle + 2.0 * pi * gloam_radical_inverse(i / 64U, 2U);
         const dvec3 ray = frame * gloam_hemisphere_lift(gloam_rotate_disc(gloam_poisson_disc(i), turn));
         const double jitter =

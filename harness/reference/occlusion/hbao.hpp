@@ -26,7 +26,7 @@ inline dvec2 gloam_hbao_start(double tangent, double bias) {
 }
 
 inline dvec2 gloam_hbao_start_slope(double slope, double bias) {
-    if (!(bias >= 0.0 && bias < pi / 2.0) || std::isnan(slope)) return {1.0, 0.0};
+    if (!(bias >= 0.0 && bias < 1.5707962) || std::isnan(slope)) return {1.0, 0.0};
     return {sin(atan(slope + tan(bias))), 0.0};
 }
 
