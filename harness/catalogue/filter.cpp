@@ -248,7 +248,8 @@ void append_filtering(Entries& entries) {
             return reference::gloam_convergence_filter(pixel, along, size, half_width, c_adaptive, sigma,
                                                        values_of(images), positions_of(images));
         },
-        {.domain = {image_pixel(), axis, image_size(), integers(0, 6).and_near_integers({0, 2147483646L}),
+        {.domain = {image_pixel(), axis, image_size().only_as_drawn(),
+                    integers(0, 6).and_near_integers({0, 2147483646L}),
                     uniform(0, 1).and_near({0.2}).and_special(), sigmas()},
          .budget = {.absolute = 8e-7},
          .codomain = {0, 1},

@@ -92,7 +92,8 @@ void append_bilateral_mean(Entries& entries) {
                                                   scalars_of(images, depth_name));
         },
         {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)).only_as_drawn(), image_pixel(), uniform(1.9, 3.1),
-                    either(image_pixel(), vector(2, integers(-4, 4))), image_size(), sigma_d, sigma_r},
+                    either(image_pixel(), vector(2, integers(-4, 4))), image_size().only_as_drawn(), sigma_d,
+                    sigma_r},
          .budget = {.absolute = 6e-7},
          .codomain = {0, 3},
          .scenarios = surfaces()}));
@@ -167,7 +168,7 @@ void append_geometry_blur(Entries& entries) {
         },
         {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)).only_as_drawn(), uniform(1.9, 3.1),
                     vector({uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(0.6, 0.8)}),
-                    either(image_pixel(), vector(2, integers(-4, 4))), image_size(), powers},
+                    either(image_pixel(), vector(2, integers(-4, 4))), image_size().only_as_drawn(), powers},
          .budget = {.absolute = 2e-6},
          .codomain = {0, 3},
          .scenarios = surfaces()}));
@@ -186,7 +187,8 @@ void append_geometry_blur(Entries& entries) {
                                                   scalars_of(images, occlusion_name),
                                                   scalars_of(images, depth_name), normals_of(images));
         },
-        {.domain = {image_pixel(), axis, image_size(), integers(0, 4).and_near_integers({0}), powers},
+        {.domain = {image_pixel(), axis, image_size().only_as_drawn(), integers(0, 4).and_near_integers({0}),
+                    powers},
          .budget = {.absolute = 1e-6},
          .codomain = {0, 1},
          .scenarios = surfaces()}));

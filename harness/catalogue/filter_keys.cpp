@@ -183,7 +183,7 @@ void append_dual(Entries& entries) {
             const auto fetch = [&images](glm::ivec2 at) { return images.at(occlusion_name).at<double>(at); };
             return reference::gloam_dual_resolution_disagrees(pixel, size, tolerance, fetch);
         },
-        {.domain = {image_pixel(), image_size(), uniform(0, 0.3).and_special()},
+        {.domain = {image_pixel(), image_size().only_as_drawn(), uniform(0, 0.3).and_special()},
          .budget = {.backward_ulp = 1},
          .scenarios = image_scenarios(occlusion_image)}));
 }

@@ -278,7 +278,7 @@ void append_fractions(Entries& entries) {
                                 .formula = std::move(formula),
                                 .source = std::move(source)},
                                reference,
-                               {.domain = {directions(), slices()},
+                               {.domain = {directions(), slices().only_as_drawn()},
                                 .budget = {.absolute = error},
                                 .codomain = {0, 1},
                                 // Away from the cut at pi.

@@ -47,8 +47,8 @@ struct Values {
     // Branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
     [[nodiscard]] Values and_near_integers(std::initializer_list<long> points) const;
 
-    // The same values and nothing degenerate (check/degenerate.hpp): for a parameter that callers get from a
-    // function of the library, and of which nothing else is documented.
+    // The same values and nothing degenerate (check/degenerate.hpp): for a parameter of which nothing else is
+    // documented, such as what another function gave, or the size of the image that a pixel is inside.
     [[nodiscard]] Values only_as_drawn() const;
 
     template <class T>

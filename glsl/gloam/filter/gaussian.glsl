@@ -44,8 +44,8 @@ float gloam_gaussian(float squared_distance, float sigma) {
 // depth: eye-linear, world units. tan_half_fovy: tangent of half the vertical field of view. height: H, pixels.
 // sigma_pixels: about a quarter of the filter's width (1.25 for 5 x 5). Orthographic: pass depth 1 and half the
 // height of the view.
-// Returns sigma in world units, in [0, FLT_MAX]; 0 for background depth and for any other argument that is not
-// positive or NaN.
+// Returns sigma in world units, in [0, FLT_MAX]; 0 for background depth, for any other argument that is not positive or
+// NaN, and where infinite ones leave the quotient unknown.
 // Error: 2.5 ULP.
 float gloam_filter_sigma(float depth, float tan_half_fovy, float height, float sigma_pixels) {
     if (gloam_is_background(depth) || !(tan_half_fovy > 0.0 && height >= 1.175494351e-38 && sigma_pixels > 0.0))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "reference/geometry/background.hpp"
 
 namespace gloam::reference {
