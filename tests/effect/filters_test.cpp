@@ -157,7 +157,7 @@ TEST_P(GeometryFilter, IsItsReference) {
     const std::vector<float> expected =
         by_reference(field, [&](const Field& f, glm::ivec2 pixel, glm::ivec2 axis) {
             const double scale = double{parameters.depth_scale};
-            return reference::gloam_geometry_blur<double>(
+            return reference::gloam_geometry_blur(
                 pixel, axis, f.size, default_half_width, {10.0, 0.5},
                 [&](glm::ivec2 p) { return double{f.occlusion[f.at(p)]}; },
                 [&](glm::ivec2 p) { return double{f.depth[f.at(p)]} / scale; },
@@ -175,7 +175,7 @@ TEST_P(BilateralFilter, IsItsReference) {
     const FilterConstants parameters;
     const std::vector<float> expected =
         by_reference(field, [&](const Field& f, glm::ivec2 pixel, glm::ivec2 axis) {
-            return reference::gloam_bilateral_filter<double>(
+            return reference::gloam_bilateral_filter(
                 pixel, default_half_width * axis, f.size, double{parameters.sigma_pixels},
                 double{parameters.depth_scale}, [&](glm::ivec2 p) { return double{f.occlusion[f.at(p)]}; },
                 [&](glm::ivec2 p) { return double{f.depth[f.at(p)]}; });
@@ -197,7 +197,7 @@ TEST_P(ConvergenceFilter, IsItsReference) {
             const double sigma =
                 reference::gloam_filter_sigma(double{f.depth[f.at(pixel)]}, 1.0,
                                               static_cast<double>(f.size.y), double{parameters.sigma_pixels});
-            return reference::gloam_convergence_filter<double>(
+            return reference::gloam_convergence_filter(
                 pixel, axis, f.size, default_half_width, double{parameters.c_adaptive}, sigma,
                 [&](glm::ivec2 p) { return glm::dvec2(double{f.occlusion[f.at(p)]}, converged); },
                 [&](glm::ivec2 p) {

@@ -3,7 +3,7 @@
 
 #include "reference/builtin/math.hpp"
 
-// The operators and functions of GLSL themselves, each by the number type's own operation of that name.
+// The operators and functions of GLSL themselves, each by that of the standard library or of GLM.
 namespace gloam::reference {
 
 inline double builtin_negate(double x) {
