@@ -39,6 +39,25 @@ std::vector<Preset> slice_presets(const MethodInfo& method) {
             {method.name + "-quality", "9 slices of 3 steps to each side", slices(method, 9, 3)}};
 }
 
+// Followed by a history, like the general presets: a mean over 128 samples, kernels rotated always, no
+// filter.
+Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
+    Settings settings = slices(method, count, steps);
+    settings.weight_max = 128.0F;
+    settings.c_rot = 2.0F;
+    settings.filter = Filter::none;
+    settings.precision = HistoryPrecision::packed;
+    return settings;
+}
+
+std::vector<Preset> sweep_presets(const MethodInfo& method) {
+    return {
+        {"sweep-performance", "1 slice of 2 steps to each side, a frame; 128 samples in the mean, no filter",
+         swept(method, 1, 2)},
+        {"sweep-quality", "4 slices of 6 steps to each side, a frame; 128 samples in the mean, no filter",
+         swept(method, 4, 6)}};
+}
+
 }  // namespace
 
 std::vector<MethodInfo> slice_methods() {
@@ -83,7 +102,7 @@ std::vector<MethodInfo> slice_methods() {
          .fixed = {"GLOAM_FALLOFF_LINEAR"},
          .points = "halton",
          .unit = SampleUnit::slice,
-         .presets = slice_presets},
+         .presets = sweep_presets},
         {.name = "dual_resolution",
          .description = "hbao at half the resolution, in full where that disagrees (Bavoil and Sainz 2009)",
          .measure = uniform,
