@@ -133,15 +133,16 @@ void append_unit_angle(Entries& entries) {
         const double turn = random.uniform(0.0, 1.0) < 0.5 ? angle : std::min(angle, small);
         return glm::vec2(std::cos(turn), std::sin(turn));
     };
-    entries.push_back(equation<float(glm::vec2)>(
-        {.id = "ANGLE-unit",
-         .function = "gloam_unit_angle",
-         .file = "gloam/numeric/unit_angle.glsl",
-         .title = "angle of a unit vector of the upper half plane",
-         .formula = "atan2(y, x), y >= 0, x^2 + y^2 = 1",
-         .source = "minimax polynomial"},
-        GLOAM_REFERENCE(gloam_unit_angle),
-        {.domain = {made_by<glm::vec2>(upper)}, .budget = {.absolute = 4e-7}, .codomain = {0, above_pi}}));
+    entries.push_back(equation<float(glm::vec2)>({.id = "ANGLE-unit",
+                                                  .function = "gloam_unit_angle",
+                                                  .file = "gloam/numeric/unit_angle.glsl",
+                                                  .title = "angle of a unit vector of the upper half plane",
+                                                  .formula = "atan2(y, x), y >= 0, x^2 + y^2 = 1",
+                                                  .source = "minimax polynomial"},
+                                                 GLOAM_REFERENCE(gloam_unit_angle),
+                                                 {.domain = {made_by<glm::vec2>(upper).only_as_drawn()},
+                                                  .budget = {.absolute = 4e-7},
+                                                  .codomain = {0, above_pi}}));
 }
 
 void append_arc_tangents(Entries& entries) {

@@ -17,34 +17,40 @@ constexpr const char* sweep_file = "gloam/occlusion/sweep.glsl";
 constexpr const char* sweep_source = "gloam; the inner integral of Jimenez et al. 2016";
 constexpr double half_pi = 1.5707964;
 
-// Slices of view vectors and normals that face the eye, somewhat.
+// Slices of view vectors and normals that face the eye, somewhat. The method keeps others out.
 Values slices() {
     return made_by<Slice>([](numeric::Random& random) {
-        const glm::vec3 view =
-            glm::normalize(glm::vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1));
-        const glm::vec3 normal = glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1));
-        const auto turn = static_cast<float>(random.uniform(0, 3.1415926));
-        return reference::gloam_slice(glm::vec2(std::cos(turn), std::sin(turn)), view, normal);
-    });
+               const glm::vec3 view =
+                   glm::normalize(glm::vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1));
+               const glm::vec3 normal =
+                   glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1));
+               const auto turn = static_cast<float>(random.uniform(0, 3.1415926));
+               return reference::gloam_slice(glm::vec2(std::cos(turn), std::sin(turn)), view, normal);
+           })
+        .only_as_drawn();
 }
 
 Values sides() {
     return made_by<Side>([](numeric::Random& random) {
-        return Side{static_cast<float>(random.uniform(-1, 1)), static_cast<float>(random.uniform(0, 1)),
-                    static_cast<float>(random.uniform(0, 2)), static_cast<float>(random.uniform(0, 1))};
-    });
+               return Side{static_cast<float>(random.uniform(-1, 1)),
+                           static_cast<float>(random.uniform(0, 1)), static_cast<float>(random.uniform(0, 2)),
+                           static_cast<float>(random.uniform(0, 1))};
+           })
+        .only_as_drawn();
 }
 
 void append_falloff(Entries& entries) {
-    entries.push_back(equation<float(unsigned, float)>(
-        {.id = "FALLOFF-choice",
-         .function = "gloam_falloff_at",
-         .file = "gloam/occlusion/falloff_choice.glsl",
-         .title = "falloff that a setting chooses, at a share of the radius",
-         .formula = "step, 1 - x, 1 - x^2, 1 - x^3",
-         .source = "definition"},
-        GLOAM_REFERENCE(gloam_falloff_at),
-        {.domain = {integers(0, 5), uniform(0, 1.2).and_near({1.0})}, .budget = {.absolute = 4e-7}}));
+    entries.push_back(
+        equation<float(unsigned, float)>({.id = "FALLOFF-choice",
+                                          .function = "gloam_falloff_at",
+                                          .file = "gloam/occlusion/falloff_choice.glsl",
+                                          .title = "falloff that a setting chooses, at a share of the radius",
+                                          .formula = "step, 1 - x, 1 - x^2, 1 - x^3",
+                                          .source = "definition"},
+                                         GLOAM_REFERENCE(gloam_falloff_at),
+                                         {.domain = {integers(0, 5), uniform(0, 1.2).and_near({1.0})},
+                                          .budget = {.absolute = 4e-7},
+                                          .codomain = {-0.75, 1}}));
 }
 
 void append_ends(Entries& entries) {
@@ -57,14 +63,15 @@ void append_ends(Entries& entries) {
                                             GLOAM_REFERENCE(gloam_sweep_side),
                                             {.domain = {uniform(-1, 1)}, .codomain = {-1, 1}}));
     const Values lengths = either(uniform(0, 2), log_uniform(1e-30, 1e18));
-    entries.push_back(equation<float(float, float)>({.id = "SWEEP-distance",
-                                                     .function = "gloam_sweep_distance",
-                                                     .file = sweep_file,
-                                                     .title = "where a surface lies that a tap uncovers",
-                                                     .formula = "(before + here) / 2",
-                                                     .source = sweep_source},
-                                                    GLOAM_REFERENCE(gloam_sweep_distance),
-                                                    {.domain = {lengths, lengths}, .budget = {.ulp = 1}}));
+    entries.push_back(equation<float(float, float)>(
+        {.id = "SWEEP-distance",
+         .function = "gloam_sweep_distance",
+         .file = sweep_file,
+         .title = "where a surface lies that a tap uncovers",
+         .formula = "(before + here) / 2",
+         .source = sweep_source},
+        GLOAM_REFERENCE(gloam_sweep_distance),
+        {.domain = {lengths, lengths}, .budget = {.ulp = 1}, .codomain = {0, 1e18}}));
     using Mirror = Slice(Slice, float);
     entries.push_back(equation<Mirror>({.id = "SWEEP-slice",
                                         .function = "gloam_sweep_slice",
@@ -73,7 +80,8 @@ void append_ends(Entries& entries) {
                                         .formula = "n times 1 or -1",
                                         .source = "definition"},
                                        GLOAM_REFERENCE(gloam_sweep_slice),
-                                       {.domain = {slices(), uniform(1, 1).and_value(-1.0F)}}));
+                                       {.domain = {slices(), uniform(1, 1).and_value(-1.0F).only_as_drawn()},
+                                        .codomain = {-half_pi, half_pi}}));
 }
 
 void append_taps_of_sides(Entries& entries) {
@@ -88,11 +96,12 @@ void append_taps_of_sides(Entries& entries) {
         GLOAM_REFERENCE(gloam_sweep_behind),
         {.domain = {unit_vector(2), slices()},
          .budget = {.absolute = 5e-7},
+         .codomain = {-half_pi, half_pi},
          .promised = make_predicate<Behind>([](const glm::dvec2& d, const Slice& slice) {
              return std::atan2(std::abs(d.y), d.x) <= static_cast<double>(slice.angle) + half_pi;
          })}));
     using Tap = Side(Side, Slice, glm::vec2, bool, bool, unsigned);
-    const Values offsets = vector(2, uniform(-1.5, 1.5));
+    const Values offsets = vector(2, uniform(-1.5, 1.5)).only_as_drawn();
     entries.push_back(
         equation<Tap>({.id = "SWEEP-tap",
                        .function = "gloam_sweep_tap",
@@ -102,7 +111,8 @@ void append_taps_of_sides(Entries& entries) {
                        .source = sweep_source},
                       GLOAM_REFERENCE(gloam_sweep_tap),
                       {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
-                       .budget = {.absolute = 2e-6, .backward_ulp = 4}}));
+                       .budget = {.absolute = 2e-6, .backward_ulp = 4},
+                       .codomain = {-3, 3}}));
 }
 
 }  // namespace occlusion_sweep
