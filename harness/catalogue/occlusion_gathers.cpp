@@ -115,7 +115,7 @@ void append_disc(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length()})}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 4e-6, .backward_ulp = 4},
+         .budget = {.absolute = 2e-6, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised =
              make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,

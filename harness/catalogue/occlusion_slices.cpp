@@ -288,7 +288,7 @@ void append_fractions(Entries& entries) {
     };
     append("BITMASK-fraction", "gloam_slice_fraction_angle",
            "part of a slice below a direction, all angles alike", "(a - n) / pi + 1/2", bitmask_source,
-           GLOAM_REFERENCE(gloam_slice_fraction_angle), 4e-7);
+           GLOAM_REFERENCE(gloam_slice_fraction_angle), 3.5e-7);
     append("BITMASK-fraction-cosine", "gloam_slice_fraction_cosine",
            "part of a slice below a direction, cosine-weighted",
            "integral of cos(b - n) |sin b| from n - pi / 2 to a, over the whole",

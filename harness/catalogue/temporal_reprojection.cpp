@@ -96,7 +96,7 @@ void append_reprojection(Entries& entries) {
         },
         {.domain = {previous_coordinates(), image_size(), expected_depths(),
                     either(uniform(0, 0.05), constant(0.01F)).and_special()},
-         .budget = {.ulp = 4, .absolute = 2e-5, .backward_ulp = 1},
+         .budget = {.ulp = 4, .absolute = 1.6e-5, .backward_ulp = 1},
          .codomain = {0, std::numeric_limits<double>::infinity()},
          .scenarios = scenarios}));
 }

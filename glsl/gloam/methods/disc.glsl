@@ -29,7 +29,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: 4e-6, but for taps within rounding of a pixel's border.
+// (gloam_can_gather). Error: 2e-6, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_disc(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDisc settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));

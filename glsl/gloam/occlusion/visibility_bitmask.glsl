@@ -26,7 +26,7 @@ vec2 gloam_bitmask_back(vec3 offset, GloamSlice slice, float thickness) {
 
 // Part of the half plane below a direction, all angles weighted alike, as in the paper: (a - n) / pi + 1/2.
 // direction: (cos a, sin a) of gloam_slice_direction.
-// Returns a fraction in [0, 1]: 0 on the tangent plane on the negative side and below, 1 on the other. Error: 4e-7.
+// Returns a fraction in [0, 1]: 0 on the tangent plane on the negative side and below, 1 on the other. Error: 3.5e-7.
 float gloam_slice_fraction_angle(vec2 direction, GloamSlice slice) {
     return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) * 0.3183098862 + 0.5);
 }

@@ -20,7 +20,7 @@ vec4 gloam_fetch_history(ivec2 pixel);
 // depth, see gloam_depth_consistent; infinity accepts every surface.
 // Returns the history with the expected depth; the empty one where no texel holds the surface (disoccluded), outside
 // the image, and for NaN. Error of occlusion and weight: that of the fractions (gloam_texel_position) times the
-// spread of the four texels, 2e-5 of the largest for images of 40 texels; a depth within rounding of the tolerance
+// spread of the four texels, 1.6e-5 of the largest for images of 40 texels; a depth within rounding of the tolerance
 // may fall to either side.
 GloamHistory gloam_reprojected_history(vec2 uv, ivec2 size, float expected_depth, float epsilon) {
     GloamHistory history = gloam_history_empty(expected_depth);
