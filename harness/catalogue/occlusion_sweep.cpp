@@ -102,7 +102,7 @@ void append_taps_of_sides(Entries& entries) {
                        .source = sweep_source},
                       GLOAM_REFERENCE(gloam_sweep_tap),
                       {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
-                       .budget = {.absolute = 2e-6, .backward_ulp = 4}}));
+                       .budget = {.absolute = 1e-6, .backward_ulp = 4}}));
 }
 
 }  // namespace occlusion_sweep
