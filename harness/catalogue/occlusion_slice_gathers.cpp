@@ -139,7 +139,7 @@ void append_sweep(Entries& entries) {
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({integers(1, 4), integers(0, 3)})}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 2e-5, .backward_ulp = 4},
+         .budget = {.absolute = 1.6e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Signature>(
              [](const glm::vec3& p, const glm::vec3& n, const Camera& c, const Kernel& k, const auto&) {
