@@ -7,9 +7,9 @@ endif()
 
 find_program(GLOAM_CCACHE ccache)
 if(GLOAM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # The two kinds of sloppiness are those that ccache requires for precompiled headers; base_dir lets two checkouts share results.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${GLOAM_CCACHE})
+  # The two kinds of sloppiness are those that ccache requires for precompiled headers. Checkouts do not share results: a
+  # precompiled header of one was handed to another.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GLOAM_CCACHE})
 endif()
 
 find_program(GLOAM_MOLD mold)

@@ -30,7 +30,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). A tap is left out that sees background, the pixel itself, or what is rejected; one that is not
-// above the tangent plane by the bias adds nothing. Error: 1e-5, 3e-4 where a slice nearly lies in the tangent plane,
+// above the tangent plane by the bias adds nothing. Error: 1.6e-5, 3e-4 where a surface is seen nearly edge-on,
 // but for taps within rounding of a pixel's border, of another's horizon or of a falloff's end.
 GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSweep settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
