@@ -66,7 +66,7 @@ void append_pairs(Entries& entries) {
          .source = "definition"},
         GLOAM_REFERENCE(gloam_height_at),
         {.domain = {offset, offset, unit_vector(3).and_special(), unit_vector(3).and_special()},
-         .budget = {.absolute = 3e-4},
+         .budget = {.absolute = 3.5e-4},
          .codomain = {-3.5e38, 3.5e38},
          .promised = make_predicate<Height>(
              [](const glm::dvec3& v, const glm::dvec3& a, const glm::dvec3& view, const glm::dvec3& n) {
@@ -204,7 +204,7 @@ void append_shared_points(Entries& entries) {
     add("POINTS-halton", "halton", "HALTON in bases 2, 3, 5", GLOAM_REFERENCE(gloam_halton_point), 2e-7);
     add("POINTS-disc", "disc", "TSSAO-13 of the Halton point", GLOAM_REFERENCE(gloam_disc_point), 5e-7);
     add("POINTS-hemisphere-cosine", "hemisphere_cosine", "TSSAO-14 of the Halton point",
-        GLOAM_REFERENCE(gloam_hemisphere_cosine_point), 2.5e-6, 0.998);
+        GLOAM_REFERENCE(gloam_hemisphere_cosine_point), 1.2e-6, 0.998);
     add("POINTS-hemisphere-uniform", "hemisphere_uniform", "TSSAO-14-uniform of the Halton point",
         GLOAM_REFERENCE(gloam_hemisphere_uniform_point), 2e-6, 0.998);
 }

@@ -71,7 +71,7 @@ void append_ends(Entries& entries) {
          .formula = "(before + here) / 2",
          .source = sweep_source},
         GLOAM_REFERENCE(gloam_sweep_distance),
-        {.domain = {lengths, lengths}, .budget = {.ulp = 1}, .codomain = {0, 1e18}}));
+        {.domain = {lengths, lengths}, .budget = {.ulp = 1, .absolute = 1e-37}, .codomain = {0, 1e18}}));
     using Mirror = Slice(Slice, float);
     entries.push_back(equation<Mirror>({.id = "SWEEP-slice",
                                         .function = "gloam_sweep_slice",
@@ -101,20 +101,18 @@ void append_taps_of_sides(Entries& entries) {
              return std::atan2(std::abs(d.y), d.x) <= static_cast<double>(slice.angle) + half_pi;
          })}));
     using Tap = Side(Side, Slice, glm::vec2, bool, bool, unsigned);
-    const Values offsets = vector(2, uniform(-1.5, 1.5)).only_as_drawn();
-    entries.push_back(equation<Tap>(
-        {.id = "SWEEP-tap",
-         .function = "gloam_sweep_tap",
-         .file = sweep_file,
-         .title = "a side of a slice with one more tap",
-         .formula = "sum + D(rho) (I(H) - I(h)), horizon h, where h < H",
-         .source = sweep_source},
-        GLOAM_REFERENCE(gloam_sweep_tap),
-        {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
-         .budget = {.absolute = 1e-6, .backward_ulp = 4},
-         .codomain = {-3, 3},
-         .promised = make_predicate<Tap>([](const Side&, const Slice&, const glm::dvec2& offset, bool, bool,
-                                            unsigned) { return glm::length(offset) >= 1e-17; })}));
+    const Values offsets = vector_of_length(2, uniform(1e-3, 2)).only_as_drawn();
+    entries.push_back(
+        equation<Tap>({.id = "SWEEP-tap",
+                       .function = "gloam_sweep_tap",
+                       .file = sweep_file,
+                       .title = "a side of a slice with one more tap",
+                       .formula = "sum + D(rho) (I(H) - I(h)), horizon h, where h < H",
+                       .source = sweep_source},
+                      GLOAM_REFERENCE(gloam_sweep_tap),
+                      {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
+                       .budget = {.absolute = 1e-6, .backward_ulp = 4},
+                       .codomain = {-3, 3}}));
 }
 
 }  // namespace occlusion_sweep

@@ -61,7 +61,7 @@ void append_turn(Entries& entries) {
          .formula = "(c x - s y, s x + c y)",
          .source = "TSSAO (Mattausch et al.), random rotation"},
         GLOAM_REFERENCE(gloam_turn_disc),
-        {.domain = {kernel_points(2), turns()},
+        {.domain = {kernel_points(2), turns().only_as_drawn()},
          .budget = {.ulp = 3, .of_largest_component = true},
          .codomain = {-2e19, 2e19},
          .promised = make_predicate<glm::vec2(glm::vec2, glm::vec2)>(
@@ -74,7 +74,7 @@ void append_turn(Entries& entries) {
          .formula = "(c x - s y, s x + c y, z)",
          .source = "TSSAO (Mattausch et al.), random rotation"},
         GLOAM_REFERENCE(gloam_turn_hemisphere),
-        {.domain = {kernel_points(3), turns()},
+        {.domain = {kernel_points(3), turns().only_as_drawn()},
          .budget = {.ulp = 3, .of_largest_component = true},
          .codomain = {-2e19, 2e19},
          .promised = make_predicate<glm::vec3(glm::vec3, glm::vec2)>(

@@ -9,7 +9,7 @@
 // offset: from the shaded point to what was seen. aim: from there to the place, in the plane of the image; world
 // units. view, normal: unit.
 // Returns a length in world units, ((offset - aim) . n) / (view . n), the divisor at least 1e-4; 0 where it is not
-// finite. Error: 3e-7 of the offset over view . n.
+// finite. Error: 3.5e-7 of the offset over view . n.
 float gloam_height_at(vec3 offset, vec3 aim, vec3 view, vec3 normal) {
     float facing = dot(view, normal);
     float height = dot(offset - aim, normal) / (facing <= 1e-4 ? 1e-4 : facing);  // NaN stays, which max() may drop

@@ -33,7 +33,7 @@ float gloam_contribution_crytek_buffer(float sample_value, float buffer_value) {
 // uv: of the pixel, texture coordinates. buffer_value: b, in [0, 1]. s: point of the unit ball. radius: R. depth: d,
 // eye-linear, world units. z_far: far plane, world units, > 0.
 // Returns (u, v, b) of the sample; (uv, b) itself for background depth, for z_far outside [1e-30, 2^126], and where the
-// sample would not be finite. Error: 3 ULP of the largest of the value and its change.
+// sample would not be finite. Error: 4 ULP of the largest of the value and its change.
 vec3 gloam_crytek_sample(vec2 uv, float buffer_value, vec3 s, float radius, float depth, float z_far) {
     vec3 center = vec3(uv, buffer_value);
     if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 8.507059173e37)) return center;

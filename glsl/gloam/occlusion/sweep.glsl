@@ -54,8 +54,9 @@ GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
 
 // Takes a tap.
 // side: so far. slice: of gloam_sweep_slice. offset: of the tap in the slice, (along view, along tangent), in units of
-// the radius of influence, shorter than 1e9. tells: whether there is a tap at all; else the side stays as it is. rises:
-// whether the tap is above the tangent plane; of one that is not, the distance alone is kept. falloff: GLOAM_FALLOFF_*.
+// the radius of influence, longer than 1e-17 where the tap rises, shorter than 1e9. tells: whether there is a tap at
+// all; else the side stays as it is. rises: whether the tap is above the tangent plane; of one that is not, the
+// distance alone is kept. falloff: GLOAM_FALLOFF_*.
 // Returns the side with the tap. One below the horizon adds nothing, nor does one beyond the reach of the falloff: the
 // directions behind it are left to the taps that follow. Error: 1e-6.
 GloamSweepSide gloam_sweep_tap(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,

@@ -8,7 +8,7 @@
 // Point of the half ball before it is rotated, cosine-weighted directions of uniform radius (TSSAO-14): what all
 // pixels share of a sample (halton.glsl).
 // index: number of the Halton point, 1 for the first. Returns the point in tangent space, z along the normal. Error:
-// 2.5e-6 where the third coordinate of the Halton point is below 0.998; up to 5e-4 beyond, where the square root
+// 1.2e-6 where the third coordinate of the Halton point is below 0.998; up to 5e-4 beyond, where the square root
 // magnifies the error of that coordinate.
 vec3 gloam_hemisphere_cosine_point(uint index) {
     return gloam_hemisphere_cosine(gloam_halton_3d(index));
