@@ -7,7 +7,7 @@
 namespace gloam::check {
 namespace {
 
-// As many inputs as a constant kernel takes, from all kinds that a larger draw begins with.
+// A few inputs, from all kinds that a larger draw begins with.
 Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t seed,
                           glm::ivec2 image_size) {
     constexpr std::size_t spread = 16;
