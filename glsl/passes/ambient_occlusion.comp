@@ -185,16 +185,16 @@ vec3 gloam_fetch_normal(ivec2 pixel) {
     return imageLoad(normal_image, pixel).xyz;
 }
 
-// Weight that the history keeps after what the probes have seen (TSSAO-SI).
-float weight_after_change(float weight) {
+// Weight that the history keeps after what the probes have seen (TSSAO-SI). seen: the largest change, world units.
+float weight_after_change(float weight, float seen) {
     if (!moving_objects) return weight;
     if (parameters.invalidation == CLAMP) {
-        bool unchanged = gloam_neighborhood_unchanged(neighborhood.change, parameters.change_tolerance);
+        bool unchanged = gloam_neighborhood_unchanged(seen, parameters.change_tolerance);
         return unchanged ? weight : gloam_invalidate_clamp(weight, parameters.weight_small);
     }
     if (parameters.invalidation != CONFIDENCE) return weight;
     // Only what exceeds the tolerance: the rounding of positions must not eat the history of a scene at rest.
-    float change = max(neighborhood.change - parameters.change_tolerance, 0.0);
+    float change = max(seen - parameters.change_tolerance, 0.0);
     return gloam_invalidate_confidence(weight,
                                        gloam_confidence(change / parameters.radius, parameters.confidence_factor));
 }
@@ -235,14 +235,17 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     if (keeps_history) before = GLOAM_LOAD_HISTORY(history_before, pixel);
     uint samples = samples_for(before, depth);
     bool samples_none = frozen(before) || samples == 0u;
-    neighborhood.change = 0.0;  // of a pixel that takes no sample nothing is known
     pixel_kinds += samples_none && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
     GloamEstimate fresh = GloamEstimate(0.0, samples_none ? 0.0 : float(samples), 0u);
-    if (!open_tiles && !samples_none) fresh = estimated(pixel, depth, before, samples);
+    float change = 0.0;  // of a pixel that takes no sample nothing is known
+    if (!open_tiles && !samples_none) {
+        fresh = estimated(pixel, depth, before, samples);
+        change = neighborhood.change;
+    }
     samples_taken += uint(fresh.samples);
     marches_ended += fresh.left_out > 0u ? COUNT_ENDED : 0u;
-    float weight = weight_after_change(before.weight);
+    float weight = weight_after_change(before.weight, change);
     vec2 blended = gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples, parameters.weight_max);
     if (smooths && parameters.smoothing > 0.0 && fresh.samples > 0.0) {
         blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, fresh.occlusion, parameters.smoothing);

@@ -129,7 +129,7 @@ void append_fox_compton(Entries& entries) {
          .budget = {.absolute = 3e-7},
          .codomain = {0, 1},
          .promised = make_predicate<Signature>([](glm::dvec3 p, glm::dvec3 n, glm::dvec3 s, double) {
-             return short_enough(n) && short_enough(p) && short_enough(s);
+             return short_enough(n) && short_enough(p) && short_enough(s) && moderate(0x1p-126, 1e38, s - p);
          })}));
 }
 

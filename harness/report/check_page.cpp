@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "numeric/text.hpp"
+#include "report/accuracy.hpp"
 
 namespace gloam::report {
 namespace {
@@ -133,6 +134,8 @@ std::string to_check_page(const std::vector<CheckReport>& reports, const std::ve
     page.heading("Devices");
     page.table(device_table(reports));
     add_stories(page, reports);
+    page.heading("Accuracy");
+    page.table(accuracy_table(reports));
     page.heading("Checks");
     page.table(check_table(reports));
     return page.html();

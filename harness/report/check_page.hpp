@@ -14,7 +14,8 @@ namespace gloam::report {
 [[nodiscard]] PageTable check_table(const std::vector<CheckReport>& reports);
 
 // The results of `gloam check` as one HTML page: the devices with how many checks failed, the story of each
-// failure, and check_table(). `notes`: paragraphs below the title, conflicts between merged files say.
+// failure, accuracy_table() and check_table(). `notes`: paragraphs below the title, conflicts between merged
+// files say.
 [[nodiscard]] std::string to_check_page(const std::vector<CheckReport>& reports,
                                         const std::vector<std::string>& notes = {});
 

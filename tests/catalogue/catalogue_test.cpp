@@ -9,7 +9,6 @@
 #include <map>
 #include <set>
 
-#include "catalogue/document.hpp"
 #include "shader/compile.hpp"
 #include "shader/include.hpp"
 
@@ -112,19 +111,6 @@ TEST(Catalogue, Globs) {
     EXPECT_TRUE(matches_glob("", "*"));
     EXPECT_FALSE(matches_glob("HALTON", "halton-*"));
     EXPECT_FALSE(matches_glob("HALTON", "halto"));
-}
-
-TEST(Catalogue, TheAccuracyPageKnowsEveryEquation) {
-    const std::string page = shader::read_text(fs::path(DOCS) / "accuracy.md");
-    for (const Entry& entry : all_entries()) {
-        EXPECT_NE(page.find("| " + entry.description.id + " |"), std::string::npos)
-            << entry.description.id << ": generate docs/accuracy.md again, as it says";
-    }
-}
-
-TEST(Catalogue, TheDocumentIsThatOfTheCatalogue) {
-    EXPECT_EQ(shader::read_text(fs::path(DOCS) / "equations.md"), to_markdown(all_entries()))
-        << "regenerate: gloam list equations --markdown > docs/equations.md";
 }
 
 }  // namespace catalogue_test

@@ -183,7 +183,6 @@ INSTANTIATE_TEST_SUITE_P(All, Prepared, testing::ValuesIn(prepared_methods()),
 using DepthChain = Prepared;
 using Separable = Prepared;
 using DualResolution = Prepared;
-using MultiResolution = Prepared;
 
 // The texels of the chain are pixels of the full image.
 TEST_F(DepthChain, IsTheFullImageToTheBit) {
@@ -303,80 +302,6 @@ TEST_F(DualResolution, ADuplicateChangesNothing) {
     for (unsigned y = 8; y < 25; ++y) {
         for (unsigned x = 0; x < 65; x += 2)
             EXPECT_NEAR(dual.occlusion[65 * y + x], full.occlusion[65 * y + x], 1e-5) << x << ' ' << y;
-    }
-}
-
-// A block stands 20 pixels from the middle, beyond the reach of the finest kernel alone.
-TEST_F(MultiResolution, CoarserLevelsReachFurther) {
-    scene::GBuffer view = view_of({129, 65}, true, [](glm::dvec2 at) { return at.x > 0.62 ? 4.6 : 5.0; });
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
-    Settings settings = settings_for("mssao", 0.9F);
-    std::vector<float> at_the_middle;
-    for (const std::uint32_t resolutions : {1U, 2U, 3U, 4U, 5U, 9U}) {
-        settings.steps = resolutions;
-        at_the_middle.push_back(run(view, settings, 8).occlusion[129 * 32 + 64]);
-    }
-    EXPECT_EQ(at_the_middle[0], 0.0F);
-    EXPECT_EQ(at_the_middle[1], 0.0F);  // 12 pixels
-    EXPECT_GT(at_the_middle[2], 0.004F);
-    EXPECT_GT(at_the_middle[4], 0.004F);
-}
-
-// What one resolution sees of a surface is combined with nothing: 1 - (1 - x)^2, x being the mean
-// contribution.
-TEST_F(MultiResolution, OneLevelIsItsOwnMaximumAndMean) {
-    const double slope = 0.5;
-    scene::GBuffer view =
-        view_of({65, 65}, true, [&](glm::dvec2 at) { return 5.0 - slope * std::abs(at.x); });
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
-    Settings settings = settings_for("mssao", 0.15F);  // 5 pixels
-    settings.bias = 0.0F;
-    settings.steps = 1;
-    settings.samples = 256;
-    settings.samples_converged = 256;
-    settings.weight_max = 1e6F;
-    const double found = double{run(view, settings, 16).occlusion[65 * 32 + 32]};
-    // The mean over all places in the disc, each read at its pixel's centre.
-    const double pixel = 2.0 / 65.0;
-    double sum = 0.0;
-    int count = 0;
-    for (double y = -0.15; y < 0.15; y += 0.0005) {
-        for (double x = -0.15; x < 0.15; x += 0.0005) {
-            if (x * x + y * y > 0.15 * 0.15) continue;
-            const glm::dvec2 at = pixel * glm::round(glm::dvec2(x, y) / pixel);
-            const glm::dvec3 v(at, slope * std::abs(at.x));
-            const double d = glm::length(v);
-            sum += d > 0.0 ? std::max(1.0 - d * d / (0.15 * 0.15), 0.0) * v.z / d : 0.0;
-            ++count;
-        }
-    }
-    const double x = sum / count;
-    EXPECT_NEAR(found, 1.0 - (1.0 - x) * (1.0 - x), 0.005);
-}
-
-// A valley in the middle of images of sizes that do and do not halve: its occlusion stays in the middle.
-TEST_F(MultiResolution, NothingDriftsWithTheLevels) {
-    for (const std::uint32_t width : {64U, 63U, 61U, 67U}) {
-        const gpu::Extent extent{width, 31};
-        scene::GBuffer view = view_of(extent, true, [](glm::dvec2 at) { return 5.0 - 0.6 * std::abs(at.x); });
-        for (std::size_t i = 0; i < view.depth.size(); ++i) {
-            const double side = 2.0 * static_cast<double>(i % width) + 1.0 - width;
-            view.normal.emplace_back(glm::normalize(glm::dvec3(-0.6 * glm::sign(side), 0, 1)));
-        }
-        Settings settings = settings_for("mssao", 0.8F);
-        settings.range = 1.0F;
-        const Frame frame = run(view, settings, 16);
-        double sum = 0.0;
-        double moment = 0.0;
-        for (unsigned y = 10; y < 21; ++y) {
-            for (unsigned x = 0; x < width; ++x) {
-                const double value = double{frame.occlusion[width * y + x]};
-                sum += value;
-                moment += value * (x + 0.5 - 0.5 * width);
-            }
-        }
-        EXPECT_GT(sum / (11.0 * width), 0.02);
-        EXPECT_LT(std::abs(moment / sum), 0.25) << width;  // pixels
     }
 }
 

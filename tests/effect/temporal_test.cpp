@@ -12,10 +12,12 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
+#include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
 #include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect {
 namespace temporal_test {
@@ -224,6 +226,74 @@ TEST_F(Temporal, ProbesRemoveTheTrailOfAMovingObject) {
     const double without = error_near_box(Invalidation::none);
     EXPECT_LT(error_near_box(Invalidation::confidence), 0.9 * without);
     EXPECT_LT(error_near_box(Invalidation::clamp), 0.98 * without);
+}
+
+// A plane at depth 5 whose right half is somewhere else, and moves in depth from one frame to the next.
+struct MovingHalf {
+    scene::GBuffer before;
+    scene::GBuffer after;
+
+    static constexpr std::size_t left_of_the_edge = 96 * 32 + 47;
+    static constexpr std::size_t right_of_the_edge = 96 * 32 + 48;
+
+    MovingHalf(double depth_before, double depth_after)
+        : before(view_with(depth_before)), after(view_with(depth_after)) {
+        const glm::vec2 scale(after.camera.p00_p11());
+        after.camera.previous_from_current = glm::mat4(1.0F);
+        for (std::size_t i = 0; i < after.depth.size(); ++i) {
+            const auto x = static_cast<float>(2 * (i % extent.width) + 1) / extent.width - 1.0F;
+            const auto y = static_cast<float>(2 * (i / extent.width) + 1) / extent.height - 1.0F;
+            after.previous_position.emplace_back(x / scale.x, y / scale.y, -before.depth[i]);
+        }
+    }
+
+  private:
+    static scene::GBuffer view_with(double depth) {
+        scene::GBuffer view = view_of(extent, true, [&](glm::dvec2 at) { return at.x > 0.0 ? depth : 5.0; });
+        view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+        return view;
+    }
+};
+
+// A sample of the hemisphere is blocked by what is up to `range` in front of it, however small the radius:
+// what leaves that range changes the occlusion.
+TEST_F(Temporal, ProbesReachAsFarAsWhatBlocks) {
+    const MovingHalf plate(4.2, 3.0);
+    Settings settings = with_radius(with_method(paper(), "hemisphere"), 0.2F);
+    settings.range = 1.0F;
+    settings.invalidation = Invalidation::clamp;
+    settings.weight_small = 1.0F;
+    AmbientOcclusion& effect = effect_for(extent);
+    effect.begin(plate.before, settings);
+    for (int i = 0; i < 7; ++i) (void)effect.next();
+    const Frame blocked = effect.next();
+    effect.advance(plate.after);
+    const Frame open = effect.next();
+    const std::size_t pixel = MovingHalf::left_of_the_edge;
+    EXPECT_GT(blocked.occlusion[pixel], 0.1F);
+    EXPECT_GT(open.kept[pixel], 0.0F);
+    EXPECT_LT(open.occlusion[pixel], 0.1F * blocked.occlusion[pixel]);
+    EXPECT_LT(open.convergence[pixel], 0.5F * blocked.convergence[pixel]);
+}
+
+// A pixel that takes no samples has no probes: its history stays as it was, whatever moves beside it.
+TEST_F(Temporal, WithoutSamplesTheHistoryStays) {
+    const MovingHalf plate(4.0, 6.0);
+    Settings settings = with_radius(with_method(paper(), "hemisphere"), 0.5F);
+    settings.samples_distance = 5.5F;  // none from there on
+    settings.samples_least = 0;
+    AmbientOcclusion& effect = effect_for(extent);
+    for (const Invalidation invalidation : {Invalidation::clamp, Invalidation::confidence}) {
+        settings.invalidation = invalidation;
+        effect.begin(plate.before, settings);
+        const Frame near = effect.next();
+        effect.advance(plate.after);
+        const Frame far = effect.next();
+        const std::size_t pixel = MovingHalf::right_of_the_edge;
+        EXPECT_GT(near.convergence[pixel], 0.0F);
+        EXPECT_EQ(far.convergence[pixel], near.convergence[pixel]);
+        EXPECT_EQ(far.occlusion[pixel], near.occlusion[pixel]);
+    }
 }
 
 // An object that jumps by 3 radii: every probe at its old place sees surfaces that stand still, so its

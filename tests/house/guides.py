@@ -13,8 +13,9 @@ them does not do what the page says. A block's first line says what it is:
     ```cpp consumer    lines of the test in examples/own_function
     ```cmake consumer  lines of its CMakeLists.txt; others may stand between them
 
-Also: every source that docs/equations.md cites by author and year is in docs/bibliography.md.
+Also: every source that an equation cites by author and year is in docs/bibliography.md.
 """
+import json
 import os
 import re
 import subprocess
@@ -109,17 +110,19 @@ def run_guide(root, name, gloam):
     return guide.failures
 
 
-def uncited(root):
+def uncited(root, gloam):
     known = (root / "docs" / "bibliography.md").read_text(encoding="utf-8")
+    listed = subprocess.run([gloam, "list", "equations", "--json"], check=True, capture_output=True)
     cited = set()
-    for source in re.findall(r"Source: (.*)", (root / "docs" / "equations.md").read_text(encoding="utf-8")):
-        cited.update(re.sub(r"^(?:AO|GTAO|SSDO), ", "", name) for name in CITED.findall(source))
+    for equation in json.loads(listed.stdout):
+        names = CITED.findall(equation["source"])
+        cited.update(re.sub(r"^(?:AO|GTAO|SSDO), ", "", name) for name in names)
     return [f"docs/bibliography.md does not have {name}" for name in sorted(cited) if name not in known]
 
 
 def main():
     root, gloam = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-    failures = [failure for name in GUIDES for failure in run_guide(root, name, gloam)] + uncited(root)
+    failures = [failure for name in GUIDES for failure in run_guide(root, name, gloam)] + uncited(root, gloam)
     print("\n".join(failures))
     return 1 if failures else 0
 

@@ -82,6 +82,13 @@ TEST(List, NamesOneALine) {
     }
 }
 
+TEST(List, EquationsSayAllThatIsKnownOfThem) {
+    for (const auto& equation : nlohmann::json::parse(run_command({"list", "equations", "--json"}).out)) {
+        for (const char* member : {"name", "description", "function", "file", "formula", "error", "source"})
+            EXPECT_NE(equation.at(member), "") << equation;
+    }
+}
+
 TEST(List, EquationsAsAPage) {
     const TemporaryDirectory folder;
     const std::string file = (folder.path() / "equations.html").string();

@@ -13,7 +13,6 @@
 #include <stdexcept>
 
 #include "catalogue/catalogue.hpp"
-#include "catalogue/document.hpp"
 #include "cli/names.hpp"
 #include "cli/setting_json.hpp"
 #include "report/output_file.hpp"
@@ -26,7 +25,6 @@ namespace {
 struct ListOptions {
     std::string kind;
     bool json = false;
-    bool markdown = false;
     std::filesystem::path html;
 };
 
@@ -55,6 +53,29 @@ Kinds all_kinds() {
 
 nlohmann::ordered_json named_json(const Named& named) {
     return {{"name", named.name}, {"description", named.description}};
+}
+
+nlohmann::ordered_json equation_json(const catalogue::Entry& entry) {
+    const catalogue::Description& d = entry.description;
+    return {{"name", d.id},
+            {"description", d.title},
+            {"function", check::to_glsl(entry.check_case.signature, d.function)},
+            {"file", d.file},
+            {"formula", d.formula},
+            {"error", check::to_text(entry.check_case.budget)},
+            {"source", d.source}};
+}
+
+// The names of a kind with all that is known of each.
+nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& names) {
+    auto json = nlohmann::ordered_json::array();
+    if (kind == "equations") {
+        for (const catalogue::Entry& entry : catalogue::all_entries()) json.push_back(equation_json(entry));
+        return json;
+    }
+    for (const Named& named : names)
+        json.push_back(kind == "settings" ? json_of(effect::setting_named(named.name)) : named_json(named));
+    return json;
 }
 
 // Every equation as a page that is searched and sorted.
@@ -93,22 +114,16 @@ void run_list(const ListOptions& options) {
         report::OutputFile(options.html).write(equations_page());
         return;
     }
-    if (options.markdown) {
-        if (options.kind != "equations")
-            throw std::invalid_argument("--markdown goes with `gloam list equations`");
-        fmt::print("{}", catalogue::to_markdown(catalogue::all_entries()));
-        return;
-    }
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     std::vector<std::string> known;
     for (const auto& [kind, names] : all_kinds()) {
         known.push_back(kind);
         if (!options.kind.empty() && options.kind != kind) continue;
         if (options.kind.empty() && !options.json) fmt::print("{}\n", kind);
-        for (const Named& named : names()) {
-            json[kind].push_back(kind == "settings" ? json_of(effect::setting_named(named.name))
-                                                    : named_json(named));
-            if (options.json) continue;
+        const std::vector<Named> all = names();
+        json[kind] = kind_json(kind, all);
+        if (options.json) continue;
+        for (const Named& named : all) {
             if (options.kind.empty()) fmt::print("  {:<26} {}\n", named.name, named.description);
             if (!options.kind.empty()) fmt::print("{}\n", named.name);
         }
@@ -131,7 +146,6 @@ void add_list(CLI::App& app) {
     command->add_flag("--json", options->json, "names and descriptions as JSON");
     command->add_option("--html", options->html,
                         "equations only: write a page of them all that is searched and sorted");
-    command->add_flag("--markdown", options->markdown, "equations only: the page docs/equations.md");
     command->callback([options] { run_list(*options); });
 }
 

@@ -73,7 +73,7 @@ void add_report(CLI::App& app, int& status) {
     command->add_flag("--markdown", options->markdown, "a Markdown page instead of a table for the terminal");
     command
         ->add_flag("--accuracy", options->accuracy,
-                   "a Markdown page of the accuracy of each equation: documented, guaranteed, measured")
+                   "tables of Markdown: how much of their documented error equations use on each device")
         ->excludes("--markdown");
     command->add_option("--json", options->json, "write the merged results to this file");
     command->add_option("--html", options->html,

@@ -14,7 +14,9 @@ vec2 gloam_radius_cap(vec2 axes, float most) {
     vec2 reach = vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
     float larger = max(reach.x, reach.y);
     float cap = gloam_positive_length(most);
-    return larger > cap ? min(reach * gloam_length_ratio(cap, larger), vec2(cap)) : reach;
+    if (!(larger > cap)) return reach;
+    // Not reach * (cap / larger): that quotient may be subnormal, and be flushed to 0.
+    return cap * vec2(gloam_length_ratio(reach.x, larger), gloam_length_ratio(reach.y, larger));
 }
 
 #endif

@@ -27,7 +27,8 @@ float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_pos
 // The same times epsilon: max(cos(s - p, n), 0) epsilon / max(epsilon, |s - p|).
 // position: p, sample_position: s, world units, same space. normal: n, unit vector. epsilon: world units, >= 0.
 // Returns a contribution in [0, 1]: the cosine within epsilon of p, falling as epsilon / |s - p| beyond. 0 for s = p,
-// epsilon <= 0 or NaN, and where s - p is not finite; the cosine for an infinite epsilon. Error: 3e-7.
+// epsilon <= 0 or NaN, and where s - p is not finite; the cosine for an infinite epsilon. Error: 3e-7, unless a
+// component of s - p is subnormal: a device may flush it to 0.
 float gloam_contribution_fox_compton_scaled(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
     float cosine = gloam_sample_cosine(offset, normal);

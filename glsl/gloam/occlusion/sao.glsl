@@ -12,11 +12,12 @@
 // divided by the power of the radius that makes them so.
 
 // The part 1 - v^2 / r^2 of the falloffs, without a square root.
-// squared_distance: v^2, world units squared, >= 0. radius: r, world units, in [1.1e-19, 9.2e18].
+// squared_distance: v^2, world units squared, >= 0. radius: r, world units, in [8.9e-16, 9.2e18].
 // Returns a weight in [0, 1]; 0 at and beyond the radius, for a radius outside its range and for NaN. Error: 3e-7.
 float gloam_sao_window(float squared_distance, float radius) {
     float r2 = radius * radius;
-    bool inside = squared_distance >= 0.0 && squared_distance < r2 && r2 >= 1.175494351e-38 && r2 <= 8.507059173e37 &&
+    // 2^-100: a difference below 2^-126 may be flushed to 0, and is then less than the error.
+    bool inside = squared_distance >= 0.0 && squared_distance < r2 && r2 >= 7.888609052e-31 && r2 <= 8.507059173e37 &&
                   radius > 0.0;
     return inside ? min((r2 - squared_distance) / r2, 1.0) : 0.0;
 }
@@ -42,7 +43,7 @@ float gloam_sao_quotient(float height, float squared_distance, float epsilon) {
 }
 
 // Contribution of SAO as recommended: (1 - v^2 / r^2)^3 max(v . n - bias, 0) / (v^2 + epsilon), for |v| < r.
-// offset: v, world units. normal: n, unit vector, same space. radius: r, world units, in [1.1e-19, 9.2e18]: 1 m.
+// offset: v, world units. normal: n, unit vector, same space. radius: r, world units, in [8.9e-16, 9.2e18]: 1 m.
 // bias: world units, 0.01 m. epsilon: world units squared, > 0: 0.01 m^2.
 // Returns a contribution >= 0 in 1 / world units; 0 for v = 0, at and beyond the radius, below the plane raised by
 // the bias, and for what is not finite. Error: 3e-6 for an epsilon of 0.01 or more.

@@ -9,7 +9,7 @@ namespace gloam::reference {
 inline double gloam_sao_window(double squared_distance, double radius) {
     const double r2 = pow(radius, 2);
     const bool inside = squared_distance >= 0.0 && squared_distance < r2 && radius > 0.0;
-    return inside && r2 >= float_min && r2 <= 0x1p126 ? 1.0 - squared_distance / r2 : 0.0;
+    return inside && r2 >= 0x1p-100 && r2 <= 0x1p126 ? 1.0 - squared_distance / r2 : 0.0;
 }
 
 inline double gloam_sao_height(dvec3 offset, dvec3 normal, double bias) {

@@ -158,7 +158,7 @@ void add_bench_methods(CLI::App& bench, int& status) {
                       "Vulkan validation layers on; any message is an error");
     command->add_option("--json", options->json, "write every number to this file");
     command->add_option("--out", options->out, "folder for pictures");
-    command->add_option("--page", options->page, "page whose tables are written anew (docs/methods.md)");
+    command->add_option("--page", options->page, "page whose tables are written anew (docs/data/methods.md)");
     add_driver_option(*command);
     command->callback([options, &status] { status = run_bench_methods(*options); });
 }

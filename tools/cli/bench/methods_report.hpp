@@ -27,9 +27,9 @@ struct MethodsReport {
     std::vector<MethodRow> rows;
 };
 
-// Tables as Markdown, by the names of the blocks of docs/methods.md: what methods estimate, what they make of
-// views in closed form, how far that is from the truth, how far they are on scenes, and where their pictures
-// are.
+// Tables as Markdown, by the names of the blocks of docs/data/methods.md: what methods estimate, what they
+// make of views in closed form, how far that is from the truth, how far they are on scenes, and where their
+// pictures are.
 [[nodiscard]] std::vector<PageBlock> to_blocks(const MethodsReport& report);
 
 // All numbers.
