@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "gpu/drivers.hpp"
+#include "support/seen_files.hpp"
 
 // main() of tests that open devices. With --swiftshader they run on a browser's SwiftShader; without one they
 // leave with the exit status that ctest takes for "skipped".
@@ -26,5 +27,7 @@ int main(int argc, char** argv) {
         gloam::gpu::add_drivers(std::array{*manifest});
         ::setenv("GLOAM_TEST_DEVICE", "SwiftShader", 1);
     }
+    gloam::test::keep_a_list_for_each_test();
+    gloam::test::run_only_listed_tests();
     return RUN_ALL_TESTS();
 }

@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""seeing_test.py PROGRAM: PROGRAM is a GoogleTest of gloam, glsl_geometry_tests.
+
+Each of its tests writes the shaders that it reads into a list of its own, and only the tests of given lists run: what
+`tools/test --seeing FILE` relies on."""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SUITE = "Reprojection"
+SHADER = "gloam/geometry/reprojection.glsl"
+
+
+def run(folder, **variables):
+    """Names of the tests that ran."""
+    environment = {**os.environ, "GLOAM_DEPENDENCIES_OUTPUT": str(folder / "geometry.group"), **variables}
+    result = subprocess.run([sys.argv[1], f"--gtest_filter={SUITE}.*"], env=environment, capture_output=True, text=True)
+    if result.returncode != 0:
+        raise AssertionError(result.stdout + result.stderr)
+    return re.findall(r"^\[       OK \] (\S+)", result.stdout, re.M)
+
+
+class Seeing(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+        self.all = run(self.folder)
+        self.only = self.folder / "only"
+
+    def run_only(self, *lists, **variables):
+        self.only.write_text("".join(f"{name}\n" for name in lists), encoding="utf-8")
+        return run(self.folder, GLOAM_ONLY_LISTS=str(self.only), **variables)
+
+    def test_each_test_has_a_list_of_what_it_reads(self):
+        self.assertGreater(len(self.all), 2)
+        reading = [file for file in self.folder.iterdir() if SHADER in file.read_text(encoding="utf-8")]
+        self.assertTrue(reading)
+        for file in reading:
+            self.assertIn(file.name.removeprefix("geometry.group:"), self.all)
+
+    def test_only_the_listed_tests_run(self):
+        self.assertEqual(self.run_only(f"geometry.group:{self.all[1]}", f"other.group:{self.all[0]}"), [self.all[1]])
+        self.assertEqual(self.run_only("other.group"), [])
+
+    def test_the_list_of_the_group_means_all_of_it(self):
+        self.assertEqual(self.run_only(f"geometry.group:{self.all[1]}", "geometry.group"), self.all)
+
+    def test_a_shard_runs_its_listed_tests_whatever_its_number(self):
+        listed = [f"geometry.group:{name}" for name in self.all[:2]]
+        shard = {"GTEST_TOTAL_SHARDS": "2", "GTEST_SHARD_INDEX": "1"}
+        self.assertEqual(self.run_only(*listed, **shard), self.all[:2])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "support/seen_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace gloam::test {
+namespace {
+
+constexpr const char* list_variable = "GLOAM_DEPENDENCIES_OUTPUT";
+constexpr const char* only_variable = "GLOAM_ONLY_LISTS";
+
+class ListForEachTest : public testing::EmptyTestEventListener {
+  public:
+    explicit ListForEachTest(std::string list) : list_(std::move(list)) {}
+
+    void OnTestStart(const testing::TestInfo& test) override {
+        std::string name = std::string(test.test_suite_name()) + "." + test.name();
+        std::ranges::replace(name, '/', ',');
+        ::setenv(list_variable, (list_ + ":" + name).c_str(), 1);
+    }
+    void OnTestEnd(const testing::TestInfo&) override { ::setenv(list_variable, list_.c_str(), 1); }
+
+  private:
+    std::string list_;
+};
+
+}  // namespace
+
+void keep_a_list_for_each_test() {
+    const char* list = std::getenv(list_variable);
+    if (list == nullptr) return;
+    auto listener = std::make_unique<ListForEachTest>(list);
+    testing::UnitTest::GetInstance()->listeners().Append(listener.release());  // which owns it from now on
+}
+
+void run_only_listed_tests() {
+    const char* list = std::getenv(list_variable);
+    const char* only = std::getenv(only_variable);
+    if (list == nullptr || only == nullptr) return;
+    std::ifstream stream(only);
+    if (!stream) throw std::runtime_error(std::string(only_variable) + ": " + only + " cannot be read");
+    const std::string group = std::filesystem::path(list).filename().string();
+    std::string filter;
+    for (std::string line; std::getline(stream, line);) {
+        if (line == group) return;
+        if (!line.starts_with(group + ":")) continue;
+        std::string name = line.substr(group.size() + 1);
+        std::ranges::replace(name, ',', '/');
+        filter += (filter.empty() ? "" : ":") + name;
+    }
+    // The lists are those of the tests of this shard.
+    ::unsetenv("GTEST_TOTAL_SHARDS");
+    ::unsetenv("GTEST_SHARD_INDEX");
+    testing::GTEST_FLAG(filter) = filter.empty() ? "-*" : filter;
+}
+
+}  // namespace gloam::test
