@@ -61,8 +61,8 @@ class Plan {
   public:
     static constexpr std::size_t first_inputs = 512;
     static constexpr std::size_t other_inputs = 512;
-    // Of the inputs whose bounds are calculated, together: a few seconds.
-    static constexpr double most_steps = 3e8;
+    // Of the inputs whose bounds are calculated, together: a second or two.
+    static constexpr double most_steps = 5e7;
 
     Plan(const Rules& rules, std::size_t count, bool every_bound)
         : bounds_(rules.verdict == Verdict::rules),
