@@ -20,7 +20,7 @@
 //          .title = "blend of the history with new samples",
 //          .formula = "AO + (C - AO) k / (w + k);  w' = min(w + k, w_max)",
 //          .source = "TSSAO (Mattausch et al.), eqs 4 and 5"},
-//         GLOAM_REFERENCE(gloam_blend),
+//         &reference::gloam_blend,
 //         {.domain = {uniform(0, 1).and_special(), ...},     // one Values for each in or inout parameter
 //          .budget = {.ulp = 3},                             // measured; see check::Budget
 //          .codomain = {0, 1e9}}));                          // holds for every input whatever, NaN included
@@ -74,6 +74,3 @@ template <class Signature, class Reference>
 }
 
 }  // namespace gloam::catalogue
-
-// The reference function of that name.
-#define GLOAM_REFERENCE(name) (&::gloam::reference::name)
