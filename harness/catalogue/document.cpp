@@ -38,7 +38,7 @@ std::string rules_table(const Entries& entries) {
         "| entry | expression | |\n| --- | --- | --- |\n";
     for (const Entry& entry : entries) {
         const Description& d = entry.description;
-        if (entry.check_case.only_rules) {
+        if (entry.question.only_rules) {
             text += fmt::format("| {} | `{}` | {} |\n", d.id, d.formula, d.title);
         }
     }
@@ -48,8 +48,8 @@ std::string rules_table(const Entries& entries) {
 std::string section(const Entry& entry) {
     const Description& d = entry.description;
     return fmt::format("\n### {}: {}\n\n    {}\n\n`{}` in [{}](../glsl/{})  \nError: {}. Source: {}.\n", d.id,
-                       d.title, d.formula, check::to_glsl(entry.check_case.signature, d.function), d.file,
-                       d.file, check::to_text(entry.check_case.budget), d.source);
+                       d.title, d.formula, check::to_glsl(entry.question.signature, d.function), d.file,
+                       d.file, check::to_text(entry.question.budget), d.source);
 }
 
 }  // namespace
@@ -58,14 +58,14 @@ std::string to_markdown(const Entries& entries) {
     std::string text(introduction);
     std::string room;
     for (const Entry& entry : entries) {
-        if (entry.check_case.only_rules) continue;
+        if (entry.question.only_rules) continue;
         if (room_of(entry.description.file) != room) {
             room = room_of(entry.description.file);
             text += fmt::format("\n## {}\n", room);
         }
         text += section(entry);
     }
-    if (std::ranges::any_of(entries, [](const Entry& entry) { return entry.check_case.only_rules; })) {
+    if (std::ranges::any_of(entries, [](const Entry& entry) { return entry.question.only_rules; })) {
         text += rules_table(entries);
     }
     return text;

@@ -63,7 +63,7 @@ glm::dvec2 orthographic_gl(double near, double far, unsigned kind) {
 
 template <class Elements, class Reference>
 void append_depth(Entries& entries, Description description, Reference reference, Elements elements,
-                  Check check) {
+                  Question check) {
     description.file = "gloam/geometry/linear_depth.glsl";
     description.source = "the projection solved for depth";
     check.domain =

@@ -140,7 +140,7 @@ auto fetching_depth(Reference reference) {
 }
 
 template <class Reference>
-void append_from_depth(Entries& entries, Description description, Reference reference, Check check) {
+void append_from_depth(Entries& entries, Description description, Reference reference, Question check) {
     description.file = "gloam/geometry/normal_from_depth.glsl";
     check.domain = {either(image_pixel(), vector(2, integers(-2, 66))), image_size(), projection_scales()};
     check.scenarios = depth_scenarios("gloam_fetch_depth");

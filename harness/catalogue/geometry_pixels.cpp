@@ -34,7 +34,7 @@ void place_at_borders(std::span<Word> words) {
 
 using UvSignature = glm::vec2(glm::vec2, glm::vec2);
 
-Check uv_check(Budget budget) {
+Question uv_check(Budget budget) {
     const Values guard = vector(2, uniform(0, 1).and_near({0.05, 0.1})).and_special();
     return {.domain = {uvs(), guard},
             .budget = budget,

@@ -31,7 +31,7 @@ constexpr double largest = 1e12;
 using PositionSignature = glm::vec3(glm::vec2, float, glm::vec2);
 using NdcSignature = glm::vec2(glm::vec3, glm::vec2);
 
-Check position_check(double ulp) {
+Question position_check(double ulp) {
     return {.domain = {ndcs(), depths(), scales()},
             .budget = {.ulp = ulp},
             .codomain = {-huge, huge},
@@ -40,7 +40,7 @@ Check position_check(double ulp) {
             })};
 }
 
-Check ndc_check(double ulp) {
+Question ndc_check(double ulp) {
     const Values position =
         vector({signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e4)});
     return {.domain = {position.and_special(), scales()},

@@ -90,7 +90,7 @@ void append_square_root(Entries& entries) {
 // One function of the file, of one argument.
 template <class Reference>
 void append_inverse(Entries& entries, std::string id, std::string function, std::string title,
-                    std::string formula, Reference reference, Check check) {
+                    std::string formula, Reference reference, Question check) {
     entries.push_back(equation<float(float)>({.id = std::move(id),
                                               .function = std::move(function),
                                               .file = "gloam/numeric/inverse_trigonometry.glsl",

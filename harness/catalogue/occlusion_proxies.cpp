@@ -52,13 +52,13 @@ void append_spheres(Entries& entries) {
          .promised = make_predicate<float(float, float)>(
              [](double r, double d) { return !(r < 1e-30) && !(d < 1e-30); })}));
     using Signature = float(glm::vec3, glm::vec3, float);
-    Check check{.domain = {offsets(), normals(), lengths()},
-                .budget = {.absolute = 8e-7},
-                .codomain = {0, 1},
-                .promised = make_predicate<Signature>([](glm::dvec3 v, glm::dvec3 n, double r) {
-                    const double near = r / glm::length(v);
-                    return sized(v) && is_unit(n) && !(r < 1e-18) && (near < 0.95 || near > 1.0001);
-                })};
+    Question check{.domain = {offsets(), normals(), lengths()},
+                   .budget = {.absolute = 8e-7},
+                   .codomain = {0, 1},
+                   .promised = make_predicate<Signature>([](glm::dvec3 v, glm::dvec3 n, double r) {
+                       const double near = r / glm::length(v);
+                       return sized(v) && is_unit(n) && !(r < 1e-18) && (near < 0.95 || near > 1.0001);
+                   })};
     entries.push_back(equation<Signature>({.id = "CS-H",
                                            .function = "gloam_contribution_sphere",
                                            .file = sphere_file,
@@ -110,13 +110,13 @@ void append_discs(Entries& entries) {
              [](double a, double d) { return !(a < 1e-30) && !(d < 1e-30); })}));
     using Signature = float(glm::vec3, glm::vec3, glm::vec3, float, float);
     const auto check = [&](double absolute) {
-        return Check{.domain = {offsets(), normals(), normals(), area, uniform(0, 1).and_special()},
-                     .budget = {.absolute = absolute},
-                     .codomain = {0, 1},
-                     .promised = make_predicate<Signature>(
-                         [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 e, double a, double) {
-                             return sized(v) && is_unit(n) && is_unit(e) && !(a < 1e-30);
-                         })};
+        return Question{.domain = {offsets(), normals(), normals(), area, uniform(0, 1).and_special()},
+                        .budget = {.absolute = absolute},
+                        .codomain = {0, 1},
+                        .promised = make_predicate<Signature>(
+                            [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 e, double a, double) {
+                                return sized(v) && is_unit(n) && is_unit(e) && !(a < 1e-30);
+                            })};
     };
     entries.push_back(equation<Signature>(
         {.id = "CS-S",

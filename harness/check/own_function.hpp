@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "check/case.hpp"
 #include "check/lab.hpp"
+#include "check/question.hpp"
 
 namespace gloam::check {
 
@@ -29,7 +29,7 @@ using Ranges = std::map<std::string, Range>;
 //   float: either sign, 1e-6 to 1e6 by magnitude, zero, infinity, NaN, the largest and the smallest;
 //   int: -1000 to 1000; uint: 0 to 2^31; bool: both; a vector, matrix or structure: of these.
 // Throws std::invalid_argument for a range whose name no parameter has.
-[[nodiscard]] Case case_of(const Lab& lab, const std::string& file, const shader::Function& function,
-                           const Ranges& ranges);
+[[nodiscard]] Question question_of(const Lab& lab, const std::string& file, const shader::Function& function,
+                                   const Ranges& ranges);
 
 }  // namespace gloam::check

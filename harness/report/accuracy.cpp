@@ -28,15 +28,15 @@ constexpr std::string_view accuracy_introduction =
     "variants judged\n"
     "  by it; the variant that was worst.\n";
 
-bool judged_by_rules(const CheckRow& row) {
-    return row.verdict == "rules";
+bool judged_by_rules(const check::Answer& row) {
+    return row.verdict == check::Verdict::rules;
 }
 
 template <class Key>
 std::vector<std::string> distinct(const std::vector<CheckReport>& reports, Key key) {
     std::vector<std::string> all;
     for (const CheckReport& report : reports) {
-        for (const CheckRow& row : report.rows) {
+        for (const check::Answer& row : report.rows) {
             if (std::ranges::find(all, key(row)) == all.end()) all.push_back(key(row));
         }
     }
@@ -44,9 +44,9 @@ std::vector<std::string> distinct(const std::vector<CheckReport>& reports, Key k
 }
 
 template <class Choose>
-const CheckRow* worst_row(const CheckReport& report, const std::string& equation, Choose choose) {
-    const CheckRow* worst = nullptr;
-    for (const CheckRow& row : report.rows) {
+const check::Answer* worst_row(const CheckReport& report, const std::string& equation, Choose choose) {
+    const check::Answer* worst = nullptr;
+    for (const check::Answer& row : report.rows) {
         if (row.equation != equation || !row.ran() || !choose(row)) continue;
         if (worst == nullptr || row.budget_fraction > worst->budget_fraction) worst = &row;
     }
@@ -60,18 +60,18 @@ std::string error_text(double absolute, double ulp) {
 }
 
 std::string guarantee_text(const std::vector<CheckReport>& reports, const std::string& equation) {
-    GuaranteeNumbers most;
+    check::Guarantee most;
     double unbounded = 0.0;
     bool known = false;
     for (const CheckReport& report : reports) {
-        for (const CheckRow& row : report.rows) {
-            if (row.equation != equation || !row.guarantee || row.variant == "relaxed") continue;
+        for (const check::Answer& row : report.rows) {
+            if (row.equation != equation || !judged_by_rules(row) || row.variant == "relaxed") continue;
             known = true;
-            most.ulp = std::max(most.ulp, row.guarantee->ulp);
-            most.absolute = std::max(most.absolute, row.guarantee->absolute);
-            if (row.inputs > 0) {
-                unbounded =
-                    std::max(unbounded, static_cast<double>(row.unbounded) / static_cast<double>(row.inputs));
+            most.ulp = std::max(most.ulp, row.guarantee.ulp);
+            most.absolute = std::max(most.absolute, row.guarantee.absolute);
+            if (row.bounded > 0) {
+                unbounded = std::max(unbounded,
+                                     static_cast<double>(row.unbounded) / static_cast<double>(row.bounded));
             }
         }
     }
@@ -81,25 +81,26 @@ std::string guarantee_text(const std::vector<CheckReport>& reports, const std::s
 }
 
 std::string measured_text(const CheckReport& report, const std::string& equation) {
-    const CheckRow* row = worst_row(report, equation, [](const CheckRow& r) { return !judged_by_rules(r); });
+    const check::Answer* row =
+        worst_row(report, equation, [](const check::Answer& r) { return !judged_by_rules(r); });
     if (row == nullptr) return "by the rules alone";
     if (row->budget_fraction == 0.0) return "exact";
     return numeric::to_short_text(row->budget_fraction) + " " + row->variant;
 }
 
 // A function without a documented error is judged by the rules in every variant.
-bool documents_nothing(const CheckRow& row) {
+bool documents_nothing(const check::Answer& row) {
     return judged_by_rules(row) && row.variant != "strict" && row.variant != "relaxed";
 }
 
 std::string documented_text(const std::vector<CheckReport>& reports, const std::string& equation) {
     for (const CheckReport& report : reports) {
-        const bool nothing = std::ranges::any_of(report.rows, [&](const CheckRow& row) {
+        const bool nothing = std::ranges::any_of(report.rows, [&](const check::Answer& row) {
             return row.equation == equation && documents_nothing(row);
         });
         if (nothing) return "Vulkan's rules";
-        const auto found = std::ranges::find(report.rows, equation, &CheckRow::equation);
-        if (found != report.rows.end()) return found->budget.text;
+        const auto found = std::ranges::find(report.rows, equation, &check::Answer::equation);
+        if (found != report.rows.end()) return to_text(found->budget);
     }
     return {};
 }
@@ -128,12 +129,12 @@ std::string summary(const std::vector<CheckReport>& reports, const std::vector<s
 }
 
 // A fraction of the budget or of the permitted width; what went wrong in bold.
-std::string cell(const CheckRow* row) {
+std::string cell(const check::Answer* row) {
     if (row == nullptr) return "";
     if (!row->ran()) return fmt::format("**{}**", name_of(row->reason));
-    const double fraction = judged_by_rules(*row) ? row->width_fraction.value_or(0.0) : row->budget_fraction;
+    const double fraction = row->fraction_of_allowed();
     std::string text = fraction == 0.0 ? "0" : fmt::format("{:.2g}", fraction);
-    if (!row->passed()) text = fmt::format("**{} of {} outside**", row->outside, row->inputs);
+    if (!row->passed()) text = fmt::format("**{} of {} outside**", row->outside(), row->inputs());
     return row->differs > 0 ? fmt::format("{} ({} differ)", text, row->differs) : text;
 }
 
@@ -145,9 +146,9 @@ std::string details(const CheckReport& report, const std::vector<std::string>& e
     for (const std::string& equation : equations) {
         text += "| " + equation + " |";
         for (const std::string& variant : variants) {
-            const CheckRow* row =
-                worst_row(report, equation, [&](const CheckRow& r) { return r.variant == variant; });
-            const auto failed = std::ranges::find_if(report.rows, [&](const CheckRow& r) {
+            const check::Answer* row =
+                worst_row(report, equation, [&](const check::Answer& r) { return r.variant == variant; });
+            const auto failed = std::ranges::find_if(report.rows, [&](const check::Answer& r) {
                 return r.equation == equation && r.variant == variant && !r.ran();
             });
             text += " " + cell(row == nullptr && failed != report.rows.end() ? &*failed : row) + " |";
@@ -161,9 +162,9 @@ std::string details(const CheckReport& report, const std::vector<std::string>& e
 
 std::string to_accuracy_markdown(const std::vector<CheckReport>& reports) {
     const std::vector<std::string> equations =
-        distinct(reports, [](const CheckRow& row) { return row.equation; });
+        distinct(reports, [](const check::Answer& row) { return row.equation; });
     const std::vector<std::string> variants =
-        distinct(reports, [](const CheckRow& row) { return row.variant; });
+        distinct(reports, [](const check::Answer& row) { return row.variant; });
     std::string text = std::string(accuracy_introduction) + summary(reports, equations);
     text +=
         "\nOn each driver: the worst error as a fraction of what is documented, or, in the variants `strict` "

@@ -35,26 +35,27 @@ TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
                          .include_roots = lab.options().include_roots,
                          .variant = variant});
         for (const shader::Function& own : own_functions(other, "own.glsl")) {
-            const Result result = run(other, case_of(other, "own.glsl", own, {}), {.inputs = 256});
+            const Answer result = run(other, question_of(other, "own.glsl", own, {}), {.inputs = 256});
             EXPECT_TRUE(result.passed()) << variant.name << " " << own.name << "\n" << result;
             EXPECT_EQ(result.verdict, Verdict::rules);
-            EXPECT_GT(result.census.by_rules, 0U);
+            EXPECT_GT(result.by_rules, 0U);
         }
     }
 }
 
 TEST_F(OwnFunctionTest, DrawFromTheirRanges) {
-    const Case check_case = case_of(lab, "own.glsl", function("own_root"), {{"p", {2, 3}}, {"q", {0, 1}}});
-    const Domain::Inputs inputs = check_case.domain.draw(100, 1);
+    const Question question =
+        question_of(lab, "own.glsl", function("own_root"), {{"p", {2, 3}}, {"q", {0, 1}}});
+    const Domain::Inputs inputs = question.domain.draw(100, 1);
     for (std::size_t i = 0; i < inputs.count(); ++i) {
         EXPECT_GE(from_word<float>(inputs.row(i)[0]), 2.0F);
         EXPECT_LE(from_word<float>(inputs.row(i)[0]), 3.0F);
         EXPECT_LE(from_word<float>(inputs.row(i)[1]), 1.0F);
     }
-    const Result result = run(lab, check_case, {.inputs = 512});
+    const Answer result = run(lab, question, {.inputs = 512});
     EXPECT_TRUE(result.passed()) << result;
-    EXPECT_EQ(result.census.unbounded, 0U);
-    EXPECT_GT(result.census.guarantee.ulp, 10.0) << "it cancels";
+    EXPECT_EQ(result.unbounded, 0U);
+    EXPECT_GT(result.guarantee.ulp, 10.0) << "it cancels";
 }
 
 TEST_F(OwnFunctionTest, RangesAreNamesAndNumbers) {

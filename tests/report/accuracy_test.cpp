@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "report/rows.hpp"
+
 namespace gloam::report {
 namespace accuracy_test {
 
@@ -11,25 +13,27 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-CheckRow row(const std::string& equation, const std::string& variant, double fraction) {
-    return {.equation = equation,
-            .variant = variant,
-            .inputs = 1000,
-            .max_ulp = 2.0,
-            .max_abs = 1e-7,
-            .budget_fraction = fraction,
-            .budget = {.ulp = 4, .text = "4 ulp"}};
+check::Answer row(const std::string& equation, const std::string& variant, double fraction) {
+    check::Answer answer{.equation = equation,
+                         .variant = variant,
+                         .budget = {.ulp = 4},
+                         .max_ulp = 2.0,
+                         .max_absolute = 1e-7,
+                         .budget_fraction = fraction};
+    ordinary(answer).inputs = 1000;
+    return answer;
 }
 
-CheckRow strict(const std::string& equation, double width, double guaranteed_ulp) {
-    CheckRow by_rules = row(equation, "strict", 0.2);
-    by_rules.verdict = "rules";
-    by_rules.width_fraction = width;
-    by_rules.guarantee = GuaranteeNumbers{.ulp = guaranteed_ulp, .absolute = 3e-7, .fraction = 1.0};
+check::Answer strict(const std::string& equation, double width, double guaranteed_ulp) {
+    check::Answer by_rules = row(equation, "strict", 0.2);
+    by_rules.verdict = check::Verdict::rules;
+    by_rules.fraction = width;
+    by_rules.bounded = 500;
+    by_rules.guarantee = {.ulp = guaranteed_ulp, .absolute = 3e-7, .fraction = 1.0};
     return by_rules;
 }
 
-CheckReport device(const std::string& name, std::vector<CheckRow> rows) {
+CheckReport device(const std::string& name, std::vector<check::Answer> rows) {
     return {.device = {.name = name, .driver = "driver of " + name}, .rows = std::move(rows)};
 }
 
@@ -40,8 +44,8 @@ TEST(Accuracy, TakesTheWorstVariantThatIsJudgedByTheBudget) {
 }
 
 TEST(Accuracy, SaysWhereNothingIsPromised) {
-    CheckRow open = strict("E", 0.5, 2);
-    open.unbounded = 250;
+    check::Answer open = strict("E", 0.5, 2);
+    open.unbounded = 125;
     EXPECT_THAT(to_accuracy_markdown({device("one", {open})}), HasSubstr("3.0e-07, 2 ulp; 25 % open"));
 }
 
@@ -55,21 +59,22 @@ TEST(Accuracy, HasAColumnForEachDriverAndATableForEach) {
 }
 
 TEST(Accuracy, FailuresStandOut) {
-    CheckRow outside = row("E", "shipped", 3.0);
-    outside.outside = 17;
-    CheckRow crashed{.equation = "F", .variant = "shipped", .error = "gone", .reason = Reason::crash};
+    check::Answer outside = row("E", "shipped", 3.0);
+    ordinary(outside).outside = 17;
+    check::Answer crashed{
+        .equation = "F", .variant = "shipped", .error = "gone", .reason = check::Reason::crash};
     const std::string text = to_accuracy_markdown({device("one", {outside, crashed})});
     EXPECT_THAT(text, AllOf(HasSubstr("**17 of 1000 outside**"), HasSubstr("| F | **crash** |")));
 }
 
 TEST(Accuracy, TellsWhatConstantFoldingChanged) {
-    CheckRow folded = row("E", "literals", 0.25);
+    check::Answer folded = row("E", "literals", 0.25);
     folded.differs = 3;
     EXPECT_THAT(to_accuracy_markdown({device("one", {folded})}), HasSubstr("0.25 (3 differ)"));
 }
 
 TEST(Accuracy, AFunctionThatIsJudgedByTheRulesAloneDocumentsNothing) {
-    CheckRow alone = strict("E", 0.5, 2);
+    check::Answer alone = strict("E", 0.5, 2);
     alone.variant = "shipped";
     EXPECT_THAT(to_accuracy_markdown({device("one", {alone})}), HasSubstr("| E | Vulkan's rules |"));
 }

@@ -64,7 +64,7 @@ void print_device(const report::DeviceSummary& device) {
     std::fflush(stdout);
 }
 
-void print_row(const report::CheckRow& row) {
+void print_row(const check::Answer& row) {
     std::string line = report::table_line(row);
     const std::string verdict = report::verdict_of(row);
     line.resize(line.size() - verdict.size());
@@ -74,7 +74,7 @@ void print_row(const report::CheckRow& row) {
 
 // What runs this check again, to the bit: the same inputs on the same device.
 std::string command_for(const CheckOptions& options, const report::DeviceSummary& device,
-                        const report::CheckRow& row) {
+                        const check::Answer& row) {
     std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}",
                                       report::shell_word(row.equation), report::shell_word(row.variant),
                                       report::shell_word(device.name), options.inputs, options.seed);
@@ -88,7 +88,7 @@ bool is_of_file(const CheckOptions& options) {
 }
 
 void print_failure(const CheckOptions& options, const report::DeviceSummary& device,
-                   const report::CheckRow& row) {
+                   const check::Answer& row) {
     const std::string& what = is_of_file(options) ? row.function : row.equation;
     fmt::print("\n{} {}: {}\n", what, row.variant, row.ran() ? row.story : row.error);
     if (row.variant.empty() || is_of_file(options)) return;  // the device itself, or no equation
@@ -150,7 +150,7 @@ class CheckRun {
             if (options_.device != "all") throw;
             report::CheckReport report{
                 .device = {.name = "device " + device},
-                .rows = {device_row(report::Reason::error, refused.what(), tasks_.size())}};
+                .rows = {device_row(check::Reason::error, refused.what(), tasks_.size())}};
             if (options_.rows) print_row(report.rows.front());
             return report;
         }
@@ -158,9 +158,9 @@ class CheckRun {
 
   private:
     // A failure is run again where it is to be made ready to report.
-    [[nodiscard]] std::optional<report::CheckRow> known(const report::DeviceSummary& on,
-                                                        const CheckTask& task) const {
-        std::optional<report::CheckRow> row = journal_.known(on, task);
+    [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& on,
+                                                     const CheckTask& task) const {
+        std::optional<check::Answer> row = journal_.known(on, task);
         if (row && !row->passed() && failures_.wanted()) return std::nullopt;
         return row;
     }
@@ -171,7 +171,7 @@ class CheckRun {
         progress_.show();
     }
 
-    void take(const report::DeviceSummary& on, const report::CheckRow& row) {
+    void take(const report::DeviceSummary& on, const check::Answer& row) {
         const bool is_known = journal_.add(on, row);
         progress_.wipe();
         if (options_.rows) print_row(row);
@@ -270,7 +270,7 @@ CheckOutcome check(const CheckOptions& options) {
 int run_check(const CheckOptions& options) {
     const CheckOutcome outcome = check(options);
     for (const report::CheckReport& report : outcome.reports) {
-        for (const report::CheckRow& row : report.rows) {
+        for (const check::Answer& row : report.rows) {
             if (!row.passed()) print_failure(options, report.device, row);
         }
     }

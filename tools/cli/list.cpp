@@ -78,7 +78,7 @@ std::string equations_page() {
                               {d.title},
                               {d.function},
                               {d.file},
-                              {check::to_text(entry.check_case.budget)},
+                              {check::to_text(entry.question.budget)},
                               {d.source},
                               {d.formula}});
     }

@@ -11,7 +11,6 @@
 #include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/variant.hpp"
-#include "report/row_of.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -67,13 +66,12 @@ report::DeviceSummary summary_of(const gpu::DeviceInfo& info) {
             .rounds_to_even = info.float32.rounds_to_even};
 }
 
-report::CheckRow Checker::run(const CheckTask& task) {
+check::Answer Checker::run(const CheckTask& task) {
     const auto begin = std::chrono::steady_clock::now();
     const catalogue::Entry& asked = entry(task.equation);
-    report::CheckRow row;
+    check::Answer row;
     try {
-        row = report::row_of(task.equation, task.variant,
-                             check::run(lab(task.variant), asked.check_case, options_of(task)));
+        row = check::run(lab(task.variant), asked.question, options_of(task));
     } catch (const std::exception& error) {
         row = row_without_result(asked, task.variant, reason_of(error), error.what());
     }
@@ -90,8 +88,8 @@ HandOver Checker::hand_over(const HandOverRequest& request) {
     }
 }
 
-report::Reason reason_of(const std::exception& error) {
-    using report::Reason;
+check::Reason reason_of(const std::exception& error) {
+    using check::Reason;
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return Reason::out_of_memory;
     // The rooms' own messages, and Vulkan's names of results.
     constexpr std::array<std::pair<std::string_view, Reason>, 10> signs{{
@@ -113,8 +111,8 @@ report::Reason reason_of(const std::exception& error) {
     return Reason::error;
 }
 
-report::CheckRow row_without_result(const catalogue::Entry& entry, const std::string& variant,
-                                    report::Reason reason, const std::string& error) {
+check::Answer row_without_result(const catalogue::Entry& entry, const std::string& variant,
+                                 check::Reason reason, const std::string& error) {
     return {.equation = entry.description.id,
             .function = entry.description.function,
             .file = entry.description.file,

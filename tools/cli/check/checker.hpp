@@ -34,7 +34,7 @@ class Checker {
 
     // Never throws for what goes wrong in a check: the row tells it. After Reason::device_lost and
     // Reason::hang the device is of no more use.
-    [[nodiscard]] report::CheckRow run(const CheckTask& task);
+    [[nodiscard]] check::Answer run(const CheckTask& task);
 
     // Never throws for what goes wrong: HandOver::error tells it.
     [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
@@ -50,10 +50,10 @@ class Checker {
 };
 
 // What kind of thing went wrong, from an exception of the rooms.
-[[nodiscard]] report::Reason reason_of(const std::exception& error);
+[[nodiscard]] check::Reason reason_of(const std::exception& error);
 
 // A row for a check that did not run.
-[[nodiscard]] report::CheckRow row_without_result(const catalogue::Entry& entry, const std::string& variant,
-                                                  report::Reason reason, const std::string& error);
+[[nodiscard]] check::Answer row_without_result(const catalogue::Entry& entry, const std::string& variant,
+                                               check::Reason reason, const std::string& error);
 
 }  // namespace gloam::cli

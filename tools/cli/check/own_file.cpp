@@ -9,7 +9,6 @@
 
 #include "cli/check/checker.hpp"
 #include "cli/environment.hpp"
-#include "report/row_of.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -49,15 +48,14 @@ void require_known(const check::Ranges& ranges, const std::vector<shader::Functi
     }
 }
 
-report::CheckRow row_of(const OwnFileRun& run, const check::Lab& lab, const std::string& file,
+check::Answer answer_of(const OwnFileRun& run, const check::Lab& lab, const std::string& file,
                         const shader::Function& function, const check::Ranges& ranges) {
     const auto begin = std::chrono::steady_clock::now();
     const std::string& variant = lab.options().variant.name;
-    report::CheckRow row;
+    check::Answer row;
     try {
-        const check::Case check_case = check::case_of(lab, file, function, ranges);
-        row = report::row_of(function.name, variant,
-                             check::run(lab, check_case, {.inputs = run.inputs, .seed = run.seed}));
+        const check::Question question = check::question_of(lab, file, function, ranges);
+        row = check::run(lab, question, {.inputs = run.inputs, .seed = run.seed});
     } catch (const std::exception& error) {
         row = {.equation = function.name,
                .function = function.name,
@@ -94,7 +92,7 @@ report::CheckReport check_own_file(const OwnFileRun& run) {
             if (run.on_device) run.on_device(report.device);
         }
         for (const shader::Function& function : functions) {
-            report.rows.push_back(row_of(run, lab, file, function, ranges));
+            report.rows.push_back(answer_of(run, lab, file, function, ranges));
             if (run.on_row) run.on_row(report.rows.back());
         }
     }

@@ -24,7 +24,7 @@ struct OwnFileRun {
     bool validation = false;
     std::chrono::milliseconds timeout{0};
     std::function<void(const report::DeviceSummary&)> on_device{};  // before the first row
-    std::function<void(const report::CheckRow&)> on_row{};
+    std::function<void(const check::Answer&)> on_row{};
 };
 
 // Whether a word of the command line means a shader file, not an equation.
