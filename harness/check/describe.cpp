@@ -121,10 +121,6 @@ void describe_samples(const Signature& signature, Answer& answer) {
     for (std::optional<Sample>& first : answer.first_outside) describe_one(first);
 }
 
-void tell_story(const Signature& signature, Answer& answer) {
-    if (!answer.passed()) answer.story = describe(signature, answer);
-}
-
 std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
     if (!answer.story.empty()) return stream << answer.story;
     return stream << fmt::format("{} ({}): {} of {} inputs outside{}{}\n", answer.function, answer.file,

@@ -19,9 +19,6 @@ namespace gloam::check {
 // Gives every sample of an answer its values in words.
 void describe_samples(const Signature& signature, Answer& answer);
 
-// The story of an answer: describe(), if it failed.
-void tell_story(const Signature& signature, Answer& answer);
-
 // So that EXPECT_TRUE(answer.passed()) << answer tells the whole story.
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 

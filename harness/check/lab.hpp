@@ -61,9 +61,10 @@ class Lab {
     [[nodiscard]] const gpu::Device& device() const { return *device_; }
     [[nodiscard]] const LabOptions& options() const { return options_; }
 
-  private:
+    // How its shaders are compiled.
     [[nodiscard]] shader::CompileOptions compile_options() const;
 
+  private:
     LabOptions options_;
     std::shared_ptr<gpu::Device> device_;
     shader::SpirvCache cache_;

@@ -2,7 +2,7 @@
 #include "check/run.hpp"
 
 #include "check/constant_kernel.hpp"
-#include "check/describe.hpp"
+#include "check/internal/story.hpp"
 #include "check/internal/trial.hpp"
 
 namespace gloam::check {
@@ -53,7 +53,7 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
                 trial.evaluate(question.domain.draw(share, trial.input_seed(), scenario.size), answer);
             }
         });
-    tell_story(question.signature, answer);
+    internal::tell_story(lab, question, options.seed, answer);
     return answer;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/describe.hpp"
+#include "check/internal/story.hpp"
 #include "check/internal/trial.hpp"
 #include "numeric/ulp.hpp"
 
@@ -168,7 +168,7 @@ SearchResult search(const Lab& lab, const Question& question, const SearchOption
             const internal::Trial trial(lab, question, kernel, scenario, options.seed, verdict);
             Climb(question, trial, scenario.size, options.seed, found).run(share);
         });
-    tell_story(question.signature, found.answer);
+    internal::tell_story(lab, question, options.seed, found.answer);
     return found;
 }
 

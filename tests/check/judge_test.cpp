@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every kind of failure that the judge can report, from a shader broken on purpose.
 #include <gmock/gmock.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -157,6 +158,41 @@ TEST_F(JudgeTest, TheWorstInputIsPrintedInDecimalAndHexadecimal) {
         compare<float(float)>(lab, "wrong.glsl", "identity_one_up", [](double x) { return x; },
                               {uniform(0.5, 0.5)}, {}, {.inputs = 4});
     EXPECT_THAT(result.story, AllOf(HasSubstr("0.5 (0x3f000000)"), HasSubstr("0.50000006 (0x3f000001)")));
+}
+
+TEST_F(JudgeTest, TheWorstInputIsExplainedLineByLine) {
+    const Answer wrong = weight("weight_wrong_constant");
+    EXPECT_THAT(wrong.story, AllOf(HasSubstr("the worst input, operation by operation"),
+                                   testing::ContainsRegex("wrong.glsl:[0-9]+ weight_wrong_constant +OpF")));
+    EXPECT_EQ(weight("weight").story, "");
+}
+
+TEST_F(JudgeTest, TheWorstInputIsExplainedWithItsImages) {
+    const auto make = [](glm::ivec2 size, numeric::Random& random) {
+        return ImageSet{{"own_depth", make_image<float>(
+                                          size, [&](glm::ivec2) { return static_cast<float>(random.unit()); },
+                                          Border::clamp)}};
+    };
+    const Question question{.file = "own.glsl",
+                            .function = "own_mean",
+                            .signature = SignatureOf<float(glm::ivec2)>::describe(),
+                            .domain = {pixels()},
+                            .reference = make_reference<float(glm::ivec2)>([](glm::ivec2) { return 7.0; }),
+                            .scenarios = {{.name = "4 x 3", .size = {4, 3}, .make = make}}};
+    EXPECT_THAT(run(lab, question, {.inputs = 64}).story,
+                testing::ContainsRegex("own.glsl:[0-9]+ own_mean +OpFAdd"));
+}
+
+TEST_F(JudgeTest, AnExplanationIsBounded) {
+    const Explanation all = explain(lab.compile_options(), "wrong.glsl", "weight_wrong_constant",
+                                    std::vector<Word>{to_word(0.3F), to_word(0.7F)});
+    const std::string whole = to_text(all, all.steps.size());
+    const std::string bounded = to_text(all, 2);
+    EXPECT_GT(all.steps.size(), 2U);
+    EXPECT_THAT(whole, testing::Not(HasSubstr(" operations)")));
+    EXPECT_THAT(bounded, HasSubstr(fmt::format("(2 of {} operations)", all.steps.size())));
+    EXPECT_THAT(bounded, HasSubstr("most of the error"));
+    EXPECT_LT(bounded.size(), whole.size());
 }
 
 TEST_F(JudgeTest, ADomainThatDoesNotFitTheFunctionIsRefused) {
