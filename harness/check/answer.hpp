@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/budget.hpp"
+#include "check/coverage.hpp"
 #include "check/scalars.hpp"
 #include "numeric/bounds.hpp"
 
@@ -105,8 +106,9 @@ struct Answer {
     // Of inputs given as constants of the shader: those whose results have other bits than the same shader
     // gives for the same inputs read from memory (one NaN is as good as another).
     std::size_t differs = 0;
-    std::string fault;  // an access outside an image; empty: none
-    std::string error;  // why it could not run; empty: it ran
+    std::optional<Coverage> coverage;  // what the inputs reached, where that was asked
+    std::string fault;                 // an access outside an image; empty: none
+    std::string error;                 // why it could not run; empty: it ran
     Reason reason = Reason::none;
     double seconds = 0.0;
     std::string story;  // of a failure, in several lines for people

@@ -105,8 +105,8 @@ std::string permitted_text(const numeric::Bounds& bounds) {
 constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
 
 std::string line_of(const ExplainedStep& step, bool is_worst) {
-    const std::string place = fmt::format(
-        "{}:{} {}", std::filesystem::path(step.file).filename().string(), step.line, step.function);
+    const std::string place = fmt::format("{}:{} {}", std::filesystem::path(step.file).filename().string(),
+                                          step.line, step.function);
     const std::string operation = step.component == 0
                                       ? step.operation
                                       : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);

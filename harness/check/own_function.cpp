@@ -116,11 +116,13 @@ std::pair<std::string, Range> range_from(const std::string& text) {
     return {text.substr(0, equals), range};
 }
 
-std::vector<shader::Function> own_functions(const Lab& lab, const std::string& file) {
-    const auto path = shader::resolve_include(file, {}, lab.options().include_roots);
+std::vector<shader::Function> own_functions(const shader::CompileOptions& options, const std::string& file) {
+    const auto path = shader::resolve_include(file, {}, options.include_roots);
     const std::string text = shader::read_text(path);
+    const shader::Source probe{.name = "signature of " + file,
+                               .text = fmt::format("#version 450\n#include \"{}\"\n", file)};
     std::vector<shader::Function> own;
-    for (const shader::Function& function : lab.functions(file))
+    for (const shader::Function& function : shader::functions(probe, options))
         if (is_usable(function) && declares(text, function)) own.push_back(function);
     return own;
 }

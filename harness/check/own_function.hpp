@@ -22,7 +22,8 @@ using Ranges = std::map<std::string, Range>;
 [[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
 
 // The functions that a file itself defines whose types a kernel can have, those of its includes left out.
-[[nodiscard]] std::vector<shader::Function> own_functions(const Lab& lab, const std::string& file);
+[[nodiscard]] std::vector<shader::Function> own_functions(const shader::CompileOptions& options,
+                                                          const std::string& file);
 
 // The check of anybody's function by the rules alone: a domain by its types where no range is given, images
 // of random content behind the prototypes that it reads.

@@ -4,6 +4,7 @@
 #include "check/constant_kernel.hpp"
 #include "check/internal/story.hpp"
 #include "check/internal/trial.hpp"
+#include "check/measure_coverage.hpp"
 
 namespace gloam::check {
 namespace {
@@ -53,6 +54,7 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
                 trial.evaluate(question.domain.draw(share, trial.input_seed(), scenario.size), answer);
             }
         });
+    if (options.coverage) answer.coverage = measure_coverage(lab, question, options);
     internal::tell_story(lab, question, options.seed, answer);
     return answer;
 }

@@ -15,6 +15,7 @@ namespace gloam::check {
 struct RunOptions {
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
+    bool coverage = false;  // measure what the inputs reach, too
 };
 
 // What results of shaders compiled in a variant are held against: those of strict and relaxed ones the rules

@@ -124,6 +124,28 @@ check::Budget read_budget(const JsonReader& json) {
             .of_largest_component = json.member("of_largest_component").flag()};
 }
 
+ordered_json coverage_json(const std::optional<check::Coverage>& coverage) {
+    if (!coverage) return nullptr;
+    ordered_json points = ordered_json::array();
+    for (const check::Coverage::Point& p : coverage->points)
+        points.push_back(
+            {{"file", p.file}, {"line", p.line}, {"text", p.text}, {"way", p.way}, {"reached", p.reached}});
+    return {{"inputs", coverage->inputs}, {"points", points}};
+}
+
+std::optional<check::Coverage> read_coverage(const JsonReader& json) {
+    if (json.is_null()) return std::nullopt;
+    check::Coverage coverage{.inputs = json.member("inputs").count(), .points = {}};
+    for (const JsonReader& point : json.member("points").elements()) {
+        coverage.points.push_back({.file = point.member("file").name(),
+                                   .line = static_cast<unsigned>(point.member("line").count_up_to(1U << 30U)),
+                                   .text = point.member("text").text(),
+                                   .way = point.member("way").text(),
+                                   .reached = point.member("reached").flag()});
+    }
+    return coverage;
+}
+
 ordered_json width_json(const Answer& answer) {
     return answer.verdict == check::Verdict::rules ? number_json(answer.fraction) : ordered_json(nullptr);
 }
@@ -153,6 +175,7 @@ ordered_json answer_json(const Answer& answer) {
             {"budget", budget_json(answer.budget)},
             {"classes", classes_json(answer)},
             {"worst", sample_json(answer.worst)},
+            {"coverage", coverage_json(answer.coverage)},
             {"fault", answer.fault},
             {"error", answer.error},
             {"reason", name_of(answer.reason)},
@@ -177,6 +200,7 @@ Answer read_answer(const JsonReader& json) {
                   .unbounded = json.member("unbounded").count(),
                   .worst = read_sample(json.member("worst")),
                   .differs = json.member("differs").count(),
+                  .coverage = read_coverage(json.member("coverage")),
                   .fault = json.member("fault").text(),
                   .error = json.member("error").text(),
                   .reason = read_reason(json.member("reason")),

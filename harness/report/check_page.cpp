@@ -11,7 +11,7 @@
 namespace gloam::report {
 namespace {
 
-constexpr std::size_t longest_value = 400;   // bytes of a cell
+constexpr std::size_t longest_value = 400;     // bytes of a cell
 constexpr std::size_t longest_story = 12'000;  // bytes of a failure, its worst input explained
 constexpr std::size_t most_stories = 100;
 constexpr int device_column = 3;  // where there are several devices

@@ -52,7 +52,7 @@ struct CheckReport {
 // {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "results": [{"equation", "function", "file",
 // "variant", "verdict", "inputs", "outside", "recorded", "by_rules", "forbidden", "bounded", "unbounded",
 // "differs", "max_ulp", "max_abs", "width_fraction", "budget_fraction", "guarantee", "unbounded_at",
-// "budget", "classes", "worst", "fault", "error", "reason", "seconds", "story"}]}, members as in
+// "budget", "classes", "worst", "coverage", "fault", "error", "reason", "seconds", "story"}]}, members as in
 // check::Answer; an array of such objects for several devices. "width_fraction" and "guarantee" are null
 // where the verdict is the budget. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every kind of failure that the judge can report, from a shader broken on purpose.
-#include <gmock/gmock.h>
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,8 +57,7 @@ TEST_F(JudgeTest, SwappedArgumentsFail) {
 }
 
 TEST_F(JudgeTest, ANaNPassedThroughFailsInItsOwnClass) {
-    if (!lab.device().info().float32.preserves_signed_zero_inf_nan)
-        GTEST_SKIP() << "the device does not keep NaN";
+    if (!lab.info().float32.preserves_signed_zero_inf_nan) GTEST_SKIP() << "the device does not keep NaN";
     const Answer result = weight("weight_poisoned");
     EXPECT_FALSE(result.passed());
     EXPECT_EQ(count(result, InputClass::nan).outside, count(result, InputClass::nan).inputs);
@@ -127,8 +126,7 @@ TEST_F(JudgeTest, TheCodomainHoldsForIntegers) {
 // What a function documents for zero, infinity and NaN is judged where its accuracy is not promised, in every
 // verdict.
 TEST_F(JudgeTest, TheEdgesHoldWhereNothingElseIsPromised) {
-    if (!lab.device().info().float32.preserves_signed_zero_inf_nan)
-        GTEST_SKIP() << "the device does not keep NaN";
+    if (!lab.info().float32.preserves_signed_zero_inf_nan) GTEST_SKIP() << "the device does not keep NaN";
     for (const auto& [function, right] : {std::pair{"inverse", true}, {"inverse_wrong_at_zero", false}}) {
         Question question{
             .file = "wrong.glsl",
@@ -176,7 +174,7 @@ TEST_F(JudgeTest, TheWorstInputIsExplainedWithItsImages) {
     const Question question{.file = "own.glsl",
                             .function = "own_mean",
                             .signature = SignatureOf<float(glm::ivec2)>::describe(),
-                            .domain = {pixels()},
+                            .domain = {image_pixel()},
                             .reference = make_reference<float(glm::ivec2)>([](glm::ivec2) { return 7.0; }),
                             .scenarios = {{.name = "4 x 3", .size = {4, 3}, .make = make}}};
     EXPECT_THAT(run(lab, question, {.inputs = 64}).story,

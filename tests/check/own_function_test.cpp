@@ -15,7 +15,7 @@ using testing::ElementsAre;
 class OwnFunctionTest : public testing::Test {
   protected:
     shader::Function function(const std::string& name) const {
-        for (const shader::Function& own : own_functions(lab, "own.glsl"))
+        for (const shader::Function& own : own_functions(lab.compile_options(), "own.glsl"))
             if (own.name == name) return own;
         ADD_FAILURE() << name;
         return {};
@@ -25,7 +25,8 @@ class OwnFunctionTest : public testing::Test {
 
 TEST_F(OwnFunctionTest, AreThoseOfTheFileItselfThatCanBeDrawnFor) {
     std::vector<std::string> names;
-    for (const shader::Function& own : own_functions(lab, "own.glsl")) names.push_back(own.name);
+    for (const shader::Function& own : own_functions(lab.compile_options(), "own.glsl"))
+        names.push_back(own.name);
     EXPECT_THAT(names, ElementsAre("own_root", "own_scaled", "own_mean"));
 }
 
@@ -34,7 +35,7 @@ TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
         const Lab other({.device = lab.options().device,
                          .include_roots = lab.options().include_roots,
                          .variant = variant});
-        for (const shader::Function& own : own_functions(other, "own.glsl")) {
+        for (const shader::Function& own : own_functions(other.compile_options(), "own.glsl")) {
             const Answer result = run(other, question_of(other, "own.glsl", own, {}), {.inputs = 256});
             EXPECT_TRUE(result.passed()) << variant.name << " " << own.name << "\n" << result;
             EXPECT_EQ(result.verdict, Verdict::rules);

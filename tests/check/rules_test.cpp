@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "check/judge.hpp"
 #include "numeric/ulp.hpp"
 #include "support/lab.hpp"
 

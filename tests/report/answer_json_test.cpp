@@ -38,7 +38,7 @@ TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
     EXPECT_EQ(row.unbounded, 5U);
     EXPECT_EQ(row.differs, 2U);
     EXPECT_TRUE(std::isinf(row.max_ulp));
-    EXPECT_EQ(row.max_absolute, want.max_abs);
+    EXPECT_EQ(row.max_absolute, want.max_absolute);
     EXPECT_EQ(row.fraction_of_allowed(), 1.25);
     EXPECT_EQ(row.budget.absolute, 1e-7);
     EXPECT_EQ(row.classes.back().recorded, 7U);
@@ -49,6 +49,8 @@ TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
     EXPECT_EQ(row.worst->want, want.worst->want);
     ASSERT_EQ(row.worst->permitted.size(), 1U);
     EXPECT_TRUE(row.worst->permitted[0].nan);
+    ASSERT_TRUE(row.coverage);
+    EXPECT_EQ(row.coverage->points.at(0).text, "return 0.0;");
     EXPECT_EQ(row.fault, want.fault);
     EXPECT_EQ(row.reason, check::Reason::fault);
     EXPECT_EQ(row.seconds, 0.125);
@@ -66,7 +68,8 @@ TEST(AnswerJson, IsOneLineWhateverItHolds) {
 
 TEST(AnswerJson, WhatWasNotCalculatedIsNull) {
     const std::string text = to_json(passing_row("A"));
-    EXPECT_THAT(text, AllOf(HasSubstr("\"width_fraction\":null"), HasSubstr("\"guarantee\":null")));
+    EXPECT_THAT(text, AllOf(HasSubstr("\"width_fraction\":null"), HasSubstr("\"guarantee\":null"),
+                            HasSubstr("\"coverage\":null")));
     const check::Answer row = answer_from_json(text);
     EXPECT_FALSE(row.worst);
     EXPECT_FALSE(row.first_unbounded);

@@ -26,10 +26,10 @@ Trial::Trial(const Lab& lab, const Question& question, const KernelCore& kernel,
       question_(question),
       kernel_(kernel),
       scenario_(scenario),
-      input_seed_(seed ^ numeric::hash_of(question.function + scenario.name)),
+      input_seed_(input_seed_of(question, scenario, seed)),
       images_(images_of(scenario, seed)),
       options_{.edges = !question.only_rules && !lab.options().variant.relaxed,
-               .nan = lab.device().info().float32.preserves_signed_zero_inf_nan,
+               .nan = lab.info().float32.preserves_signed_zero_inf_nan,
                .verdict = verdict} {}
 
 KernelCore::Result Trial::run(const Domain::Inputs& inputs, Answer& answer) const {
@@ -70,6 +70,10 @@ void Trial::compare_constants(const Domain::Inputs& inputs, const ConstantKernel
         };
         if (!same_bits(scalars, row(at_run_time.outputs), row(folded.outputs))) ++answer.differs;
     }
+}
+
+std::uint64_t input_seed_of(const Question& question, const ImageScenario& scenario, std::uint64_t seed) {
+    return seed ^ numeric::hash_of(question.function + scenario.name);
 }
 
 ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {

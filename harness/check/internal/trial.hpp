@@ -47,6 +47,10 @@ class Trial {
 void for_each_scenario(const Question& question, std::size_t inputs,
                        const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit);
 
+// The seed of a scenario's inputs in a run with that seed.
+[[nodiscard]] std::uint64_t input_seed_of(const Question& question, const ImageScenario& scenario,
+                                          std::uint64_t seed);
+
 // The images of a scenario in a run with that seed; none for a scenario without.
 [[nodiscard]] ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed);
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -40,20 +41,22 @@ class Checker {
     [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
 
   private:
-    const check::Lab& lab(const std::string& variant);
-    [[nodiscard]] const catalogue::Entry& entry(const std::string& id) const;
+    const check::Lab& lab(const std::string& variant, const std::filesystem::path& folder);
+    const check::Lab& lab(const CheckTask& task);
+    [[nodiscard]] check::Question question_of(const CheckTask& task);
 
     CheckerOptions options_;
     catalogue::Entries entries_;
-    std::string variant_;  // that lab_ compiles
+    std::string variant_;           // that lab_ compiles
+    std::filesystem::path folder_;  // of somebody's own files
     std::unique_ptr<check::Lab> lab_;
 };
 
 // What kind of thing went wrong, from an exception of the rooms.
 [[nodiscard]] check::Reason reason_of(const std::exception& error);
 
-// A row for a check that did not run.
-[[nodiscard]] check::Answer row_without_result(const catalogue::Entry& entry, const std::string& variant,
-                                               check::Reason reason, const std::string& error);
+// The answer of a check that did not run.
+[[nodiscard]] check::Answer answer_without_result(const CheckTask& task, const catalogue::Entries& entries,
+                                                  check::Reason reason, const std::string& error);
 
 }  // namespace gloam::cli

@@ -35,14 +35,14 @@ std::string output_comment(const check::Reproduction& all, std::size_t i) {
     return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
 }
 
-report::KernelReplay replay_of(const check::Reproduction& all, const catalogue::Entry& entry,
+report::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
                                const CheckTask& task, const std::string& device) {
     report::KernelReplay replay{
         .assembly = all.assembly, .inputs = all.inputs, .specialized = all.specialized};
-    replay.comments = {fmt::format("{}: {} of {}, variant {}", task.equation, entry.description.function,
-                                   entry.description.file, task.variant),
+    replay.comments = {fmt::format("{}: {} of {}, variant {}", task.equation, question.function,
+                                   question.file, task.variant),
                        fmt::format("Found on: {}", device),
-                       fmt::format("Input: {}", check::describe_inputs(entry.question.signature, all.inputs)),
+                       fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
                        "Run it with: amber -v 1.2 -t spv1.5 repro.amber"};
     if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
     for (const auto& image : all.images) replay.images.push_back({.name = image.name, .words = image.words});
@@ -124,15 +124,15 @@ HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {
     return request;
 }
 
-HandOver make_hand_over(const check::Lab& lab, const catalogue::Entry& entry, const HandOverRequest& request,
-                        const check::RunOptions& options) {
-    const check::Reproduction all = reproduction_of(lab, entry.question, request, options);
-    const gpu::DeviceInfo& info = lab.device().info();
-    HandOver hand_over{
-        .glsl = all.glsl,
-        .assembly = all.assembly,
-        .spirv = all.spirv,
-        .amber = report::to_amber(replay_of(all, entry, request.task, info.name + " (" + info.driver + ")"))};
+HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
+                        const HandOverRequest& request, const check::RunOptions& options) {
+    const check::Reproduction all = reproduction_of(lab, question, request, options);
+    const gpu::DeviceInfo& info = lab.info();
+    HandOver hand_over{.glsl = all.glsl,
+                       .assembly = all.assembly,
+                       .spirv = all.spirv,
+                       .amber = report::to_amber(
+                           replay_of(all, question, request.task, info.name + " (" + info.driver + ")"))};
     if (all.failure) {
         hand_over.smallest = all.failure;
         hand_over.smallest->permitted = all.allowed;

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/catalogue.hpp"
-#include "check/answer.hpp"
+#include "check/run.hpp"
 #include "cli/check/task.hpp"
 
 namespace gloam::cli {
@@ -41,7 +40,7 @@ struct HandOver {
 [[nodiscard]] HandOverRequest request_for(const CheckTask& task, const check::Answer& row);
 
 // Makes one, with the lab's variant. Throws what compiling and running throw.
-[[nodiscard]] HandOver make_hand_over(const check::Lab& lab, const catalogue::Entry& entry,
+[[nodiscard]] HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                                       const HandOverRequest& request, const check::RunOptions& options);
 
 }  // namespace gloam::cli

@@ -123,9 +123,7 @@ Answer ask(WorkerSession& session, const CheckTask& task, const catalogue::Entri
             session.dismiss();
         }
     }
-    const auto entry =
-        std::ranges::find(entries, task.equation, [](const auto& e) { return e.description.id; });
-    Answer row = row_without_result(*entry, task.variant, reply.reason, reply.error);
+    Answer row = answer_without_result(task, entries, reply.reason, reply.error);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
 }
