@@ -9,9 +9,9 @@ using namespace gloam::check;
 TEST(Tone, MatchesReinhard) {
     const Lab lab({.validation = true, .include_roots = {SHADER_DIR}});
     const auto reinhard = [](double x) { return x / (1.0 + x); };
-    const Result result = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard,
+    const Answer answer = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard,
                                                 {log_uniform(1e-6, 1e6)}, {.ulp = 4});
-    EXPECT_TRUE(result.passed()) << result;
+    EXPECT_TRUE(answer.passed()) << answer;
 }
 
 TEST(Fog, CallsTheShaderLibraryOfThePackage) {

@@ -29,17 +29,17 @@ void append_rounding(Entries& entries) {
             {either(wide_floats(), signed_log_uniform(0.1, 1e8))
                  .and_near({0.5, 1.5, 2.5, -0.5, -1.5, 8388607.5, 8388608.0, 65504.0, 65520.0})});
     };
-    add("negate", "-x", exact, GLOAM_REFERENCE(builtin_negate));
-    add("abs", "abs(x)", exact, GLOAM_REFERENCE(builtin_abs));
-    add("sign", "sign(x)", exact, GLOAM_REFERENCE(builtin_sign));
-    add("floor", "floor(x)", rounded, GLOAM_REFERENCE(builtin_floor));
-    add("ceil", "ceil(x)", rounded, GLOAM_REFERENCE(builtin_ceil));
-    add("fract", "fract(x)", rounded, GLOAM_REFERENCE(builtin_fract));
-    add("trunc", "trunc(x)", rounded, GLOAM_REFERENCE(builtin_trunc));
-    add("round", "round(x)", "correctly rounded, a half either way", GLOAM_REFERENCE(builtin_round));
-    add("round_even", "roundEven(x)", rounded, GLOAM_REFERENCE(builtin_round_even));
+    add("negate", "-x", exact, &reference::builtin_negate);
+    add("abs", "abs(x)", exact, &reference::builtin_abs);
+    add("sign", "sign(x)", exact, &reference::builtin_sign);
+    add("floor", "floor(x)", rounded, &reference::builtin_floor);
+    add("ceil", "ceil(x)", rounded, &reference::builtin_ceil);
+    add("fract", "fract(x)", rounded, &reference::builtin_fract);
+    add("trunc", "trunc(x)", rounded, &reference::builtin_trunc);
+    add("round", "round(x)", "correctly rounded, a half either way", &reference::builtin_round);
+    add("round_even", "roundEven(x)", rounded, &reference::builtin_round_even);
     add("quantize", "unpackHalf2x16(packHalf2x16(vec2(x, 0))).x", "correctly rounded to float16",
-        GLOAM_REFERENCE(builtin_quantize));
+        &reference::builtin_quantize);
 }
 
 void append_operators(Entries& entries) {
@@ -47,20 +47,20 @@ void append_operators(Entries& entries) {
         append_builtin<Two>(entries, arithmetic, name, expression, rule, reference,
                             Domain{wide_floats(), wide_floats()}.tied(0, 1).tied(0, 1, -1.0));
     };
-    add("min", "min(x, y)", exact, GLOAM_REFERENCE(builtin_min));
-    add("max", "max(x, y)", exact, GLOAM_REFERENCE(builtin_max));
-    add("add", "x + y", rounded, GLOAM_REFERENCE(builtin_add));
-    add("subtract", "x - y", rounded, GLOAM_REFERENCE(builtin_subtract));
-    add("multiply", "x * y", rounded, GLOAM_REFERENCE(builtin_multiply));
-    add("divide", "x / y", "2.5 ulp for abs(y) in [2^-126, 2^126]", GLOAM_REFERENCE(builtin_divide));
-    add("mod", "mod(x, y)", "inherited from x - y floor(x / y)", GLOAM_REFERENCE(builtin_mod));
+    add("min", "min(x, y)", exact, &reference::builtin_min);
+    add("max", "max(x, y)", exact, &reference::builtin_max);
+    add("add", "x + y", rounded, &reference::builtin_add);
+    add("subtract", "x - y", rounded, &reference::builtin_subtract);
+    add("multiply", "x * y", rounded, &reference::builtin_multiply);
+    add("divide", "x / y", "2.5 ulp for abs(y) in [2^-126, 2^126]", &reference::builtin_divide);
+    add("mod", "mod(x, y)", "inherited from x - y floor(x / y)", &reference::builtin_mod);
 }
 
 // Without NaN, which the functions of GLSL.std.450 may assume away.
 void append_step(Entries& entries) {
     const Values number =
         either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_near({1.0, -1.0, 0x1p-126});
-    append_builtin<Two>(entries, arithmetic, "step", "step(x, y)", rounded, GLOAM_REFERENCE(builtin_step),
+    append_builtin<Two>(entries, arithmetic, "step", "step(x, y)", rounded, &reference::builtin_step,
                         Domain{number, number}.tied(0, 1));
 }
 
@@ -71,24 +71,23 @@ void append_ternary(Entries& entries) {
     };
     const Values any = wide_floats();
     const Values part = either(uniform(-0.5, 1.5), any);
-    add("clamp", "clamp(x, low, high)", exact, GLOAM_REFERENCE(builtin_clamp),
+    add("clamp", "clamp(x, low, high)", exact, &reference::builtin_clamp,
         Domain{any, any, any}.tied(2, 1).tied(0, 2));
-    add("fma", "fma(a, b, c)", "inherited from a multiply, then an add", GLOAM_REFERENCE(builtin_fma),
+    add("fma", "fma(a, b, c)", "inherited from a multiply, then an add", &reference::builtin_fma,
         {any, any, any});
-    add("mix", "mix(x, y, a)", "inherited from x (1 - a) + y a", GLOAM_REFERENCE(builtin_mix),
-        {any, any, part});
-    add("smoothstep", "smoothstep(e0, e1, x)", "inherited from t t (3 - 2 t)",
-        GLOAM_REFERENCE(builtin_smoothstep), {part, part, part});
+    add("mix", "mix(x, y, a)", "inherited from x (1 - a) + y a", &reference::builtin_mix, {any, any, part});
+    add("smoothstep", "smoothstep(e0, e1, x)", "inherited from t t (3 - 2 t)", &reference::builtin_smoothstep,
+        {part, part, part});
 }
 
 void append_parts(Entries& entries) {
     append_builtin<float(float, Out<float>)>(entries, arithmetic, "modf", "modf(x, whole)", rounded,
-                                             GLOAM_REFERENCE(builtin_modf),
+                                             &reference::builtin_modf,
                                              {either(normal_floats(), signed_log_uniform(0.1, 1e8))});
     append_builtin<float(float, Out<int>)>(entries, arithmetic, "frexp", "frexp(x, exponent)", exact,
-                                           GLOAM_REFERENCE(builtin_frexp), {normal_floats()});
+                                           &reference::builtin_frexp, {normal_floats()});
     append_builtin<float(float, int)>(entries, arithmetic, "ldexp", "ldexp(x, exponent)", rounded,
-                                      GLOAM_REFERENCE(builtin_ldexp),
+                                      &reference::builtin_ldexp,
                                       {normal_floats(), either(integers(-10, 10), integers(-126, 127))});
 }
 
@@ -110,30 +109,29 @@ void append_builtin_arithmetic(Entries& entries) {
 
 void append_builtin_comparisons(Entries& entries) {
     append_builtin<float(int)>(entries, comparison, "float_of_int", "float(i)", rounded,
-                               GLOAM_REFERENCE(builtin_float_of_int),
+                               &reference::builtin_float_of_int,
                                {either(integers(-2147483648L, 2147483647L), log_integers(2147483647))});
     append_builtin<float(unsigned)>(entries, comparison, "float_of_uint", "float(i)", rounded,
-                                    GLOAM_REFERENCE(builtin_float_of_uint),
+                                    &reference::builtin_float_of_uint,
                                     {either(integers(0, 4294967295L), log_integers(4294967295L))});
     append_builtin<int(float)>(
-        entries, comparison, "int_of_float", "int(x)", "towards zero", GLOAM_REFERENCE(builtin_int_of_float),
+        entries, comparison, "int_of_float", "int(x)", "towards zero", &reference::builtin_int_of_float,
         {either(uniform(-9, 9), signed_log_uniform(0.1, 2e9)).and_near({1.0, -1.0, 16777216.0})});
     append_builtin<unsigned(float)>(
-        entries, comparison, "uint_of_float", "uint(x)", "towards zero",
-        GLOAM_REFERENCE(builtin_uint_of_float),
+        entries, comparison, "uint_of_float", "uint(x)", "towards zero", &reference::builtin_uint_of_float,
         {either(uniform(0, 9), log_uniform(0.1, 2e9)).and_near({1.0, 16777216.0})});
-    append_builtin<bool(float)>(entries, comparison, "isnan", "isnan(x)", exact,
-                                GLOAM_REFERENCE(builtin_isnan), {wide_floats()});
-    append_builtin<bool(float)>(entries, comparison, "isinf", "isinf(x)", exact,
-                                GLOAM_REFERENCE(builtin_isinf), {wide_floats()});
+    append_builtin<bool(float)>(entries, comparison, "isnan", "isnan(x)", exact, &reference::builtin_isnan,
+                                {wide_floats()});
+    append_builtin<bool(float)>(entries, comparison, "isinf", "isinf(x)", exact, &reference::builtin_isinf,
+                                {wide_floats()});
     const auto compare = [&](const char* name, const char* expression, auto reference) {
         append_builtin<bool(float, float)>(entries, comparison, name, expression, exact, reference,
                                            Domain{wide_floats(), wide_floats()}.tied(0, 1));
     };
-    compare("less", "x < y", GLOAM_REFERENCE(builtin_less));
-    compare("less_or_equal", "x <= y", GLOAM_REFERENCE(builtin_less_or_equal));
-    compare("equal", "x == y", GLOAM_REFERENCE(builtin_equal));
-    compare("not_equal", "x != y", GLOAM_REFERENCE(builtin_not_equal));
+    compare("less", "x < y", &reference::builtin_less);
+    compare("less_or_equal", "x <= y", &reference::builtin_less_or_equal);
+    compare("equal", "x == y", &reference::builtin_equal);
+    compare("not_equal", "x != y", &reference::builtin_not_equal);
 }
 
 void append_builtins(Entries& entries) {

@@ -17,15 +17,14 @@ void append_exponentials(Entries& entries) {
                                      {either(values, wide_floats())});
     };
     const Values positive = either(uniform(0, 4), log_uniform(1e-37, 1e38));
-    add("exp", "exp(x)", "3 + 2 abs(x) ulp", GLOAM_REFERENCE(builtin_exp), uniform(-90, 90));
-    add("exp2", "exp2(x)", "3 + 2 abs(x) ulp", GLOAM_REFERENCE(builtin_exp2), uniform(-130, 130));
-    add("log", "log(x)", "3 ulp outside [0.5, 2], 2^-21 inside", GLOAM_REFERENCE(builtin_log), positive);
-    add("log2", "log2(x)", "3 ulp outside [0.5, 2], 2^-21 inside", GLOAM_REFERENCE(builtin_log2), positive);
-    add("inversesqrt", "inversesqrt(x)", "2 ulp", GLOAM_REFERENCE(builtin_inversesqrt), positive);
-    add("sqrt", "sqrt(x)", "inherited from 1 / inversesqrt(x)", GLOAM_REFERENCE(builtin_sqrt), positive);
+    add("exp", "exp(x)", "3 + 2 abs(x) ulp", &reference::builtin_exp, uniform(-90, 90));
+    add("exp2", "exp2(x)", "3 + 2 abs(x) ulp", &reference::builtin_exp2, uniform(-130, 130));
+    add("log", "log(x)", "3 ulp outside [0.5, 2], 2^-21 inside", &reference::builtin_log, positive);
+    add("log2", "log2(x)", "3 ulp outside [0.5, 2], 2^-21 inside", &reference::builtin_log2, positive);
+    add("inversesqrt", "inversesqrt(x)", "2 ulp", &reference::builtin_inversesqrt, positive);
+    add("sqrt", "sqrt(x)", "inherited from 1 / inversesqrt(x)", &reference::builtin_sqrt, positive);
     append_builtin<float(float, float)>(
-        entries, elementary, "pow", "pow(x, y)", "inherited from exp2(y log2(x))",
-        GLOAM_REFERENCE(builtin_pow),
+        entries, elementary, "pow", "pow(x, y)", "inherited from exp2(y log2(x))", &reference::builtin_pow,
         {either(positive, wide_floats()), either(uniform(-16, 16), wide_floats())});
 }
 
@@ -38,22 +37,20 @@ void append_trigonometry(Entries& entries) {
     };
     const Values angle = uniform(-3.1415927, 3.1415927);
     const Values ratio = uniform(-1, 1);
-    add("radians", "radians(x)", "x times the rounded constant", GLOAM_REFERENCE(builtin_radians),
+    add("radians", "radians(x)", "x times the rounded constant", &reference::builtin_radians,
         uniform(-720, 720));
-    add("degrees", "degrees(x)", "x times the rounded constant", GLOAM_REFERENCE(builtin_degrees), angle);
-    add("sin", "sin(x)", "2^-11 absolute in [-pi, pi], nothing outside", GLOAM_REFERENCE(builtin_sin), angle);
-    add("cos", "cos(x)", "2^-11 absolute in [-pi, pi], nothing outside", GLOAM_REFERENCE(builtin_cos), angle);
-    add("tan", "tan(x)", "inherited from sin(x) / cos(x)", GLOAM_REFERENCE(builtin_tan), angle);
-    add("asin", "asin(x)", "inherited from atan(x, sqrt(1 - x x))", GLOAM_REFERENCE(builtin_asin), ratio);
-    add("acos", "acos(x)", "inherited from atan(sqrt(1 - x x), x)", GLOAM_REFERENCE(builtin_acos), ratio);
-    add("atan", "atan(x)", "4096 ulp", GLOAM_REFERENCE(builtin_atan), ratio);
-    add("sinh", "sinh(x)", "inherited from (exp(x) - exp(-x)) / 2", GLOAM_REFERENCE(builtin_sinh),
-        uniform(-9, 9));
-    add("cosh", "cosh(x)", "inherited from (exp(x) + exp(-x)) / 2", GLOAM_REFERENCE(builtin_cosh),
-        uniform(-9, 9));
-    add("tanh", "tanh(x)", "inherited from sinh(x) / cosh(x)", GLOAM_REFERENCE(builtin_tanh), uniform(-9, 9));
+    add("degrees", "degrees(x)", "x times the rounded constant", &reference::builtin_degrees, angle);
+    add("sin", "sin(x)", "2^-11 absolute in [-pi, pi], nothing outside", &reference::builtin_sin, angle);
+    add("cos", "cos(x)", "2^-11 absolute in [-pi, pi], nothing outside", &reference::builtin_cos, angle);
+    add("tan", "tan(x)", "inherited from sin(x) / cos(x)", &reference::builtin_tan, angle);
+    add("asin", "asin(x)", "inherited from atan(x, sqrt(1 - x x))", &reference::builtin_asin, ratio);
+    add("acos", "acos(x)", "inherited from atan(sqrt(1 - x x), x)", &reference::builtin_acos, ratio);
+    add("atan", "atan(x)", "4096 ulp", &reference::builtin_atan, ratio);
+    add("sinh", "sinh(x)", "inherited from (exp(x) - exp(-x)) / 2", &reference::builtin_sinh, uniform(-9, 9));
+    add("cosh", "cosh(x)", "inherited from (exp(x) + exp(-x)) / 2", &reference::builtin_cosh, uniform(-9, 9));
+    add("tanh", "tanh(x)", "inherited from sinh(x) / cosh(x)", &reference::builtin_tanh, uniform(-9, 9));
     append_builtin<float(float, float)>(entries, elementary, "atan2", "atan(y, x)", "4096 ulp",
-                                        GLOAM_REFERENCE(builtin_atan2),
+                                        &reference::builtin_atan2,
                                         Domain{wide_floats(), wide_floats()}.tied(0, 1));
 }
 

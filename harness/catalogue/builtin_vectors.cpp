@@ -32,50 +32,50 @@ Values matrices() {
 }
 
 void append_products(Entries& entries) {
-    append_builtin<float(vec3, vec3)>(entries, file, "dot", "dot(a, b)", sums, GLOAM_REFERENCE(builtin_dot),
+    append_builtin<float(vec3, vec3)>(entries, file, "dot", "dot(a, b)", sums, &reference::builtin_dot,
                                       {vectors(), vectors()});
     append_builtin<float(vec3)>(entries, file, "length", "length(v)", "inherited from sqrt(dot(v, v))",
-                                GLOAM_REFERENCE(builtin_length), {vectors()});
+                                &reference::builtin_length, {vectors()});
     append_builtin<float(vec3, vec3)>(entries, file, "distance", "distance(a, b)",
-                                      "inherited from length(a - b)", GLOAM_REFERENCE(builtin_distance),
+                                      "inherited from length(a - b)", &reference::builtin_distance,
                                       {vectors(), vectors()});
     append_builtin<vec3(vec3)>(entries, file, "normalize", "normalize(v)",
-                               "inherited from v inversesqrt(dot(v, v))", GLOAM_REFERENCE(builtin_normalize),
+                               "inherited from v inversesqrt(dot(v, v))", &reference::builtin_normalize,
                                {vectors()});
     append_builtin<vec3(vec3, vec3)>(entries, file, "cross", "cross(a, b)", "products and a difference",
-                                     GLOAM_REFERENCE(builtin_cross), {vectors(), vectors()});
+                                     &reference::builtin_cross, {vectors(), vectors()});
 }
 
 void append_optics(Entries& entries) {
     append_builtin<vec3(vec3, vec3)>(entries, file, "reflect", "reflect(i, n)",
-                                     "inherited from i - 2 dot(n, i) n", GLOAM_REFERENCE(builtin_reflect),
+                                     "inherited from i - 2 dot(n, i) n", &reference::builtin_reflect,
                                      {vectors(), vectors()});
     append_builtin<vec3(vec3, vec3, float)>(entries, file, "refract", "refract(i, n, eta)",
-                                            "inherited from its formula", GLOAM_REFERENCE(builtin_refract),
+                                            "inherited from its formula", &reference::builtin_refract,
                                             {unit_vector(3), unit_vector(3), uniform(0.5, 2)});
     append_builtin<vec3(vec3, vec3, vec3)>(entries, file, "faceforward", "faceforward(n, i, s)",
-                                           "dot(s, i) < 0 ? n : -n", GLOAM_REFERENCE(builtin_faceforward),
+                                           "dot(s, i) < 0 ? n : -n", &reference::builtin_faceforward,
                                            {vectors(), vectors(), vectors()});
 }
 
 void append_matrices(Entries& entries) {
     const Values m = matrices<mat3>();
     append_builtin<vec3(mat3, vec3)>(entries, file, "matrix_vector", "m v", sums,
-                                     GLOAM_REFERENCE(builtin_matrix_vector), {m, vectors()});
+                                     &reference::builtin_matrix_vector, {m, vectors()});
     append_builtin<vec3(vec3, mat3)>(entries, file, "vector_matrix", "v m", sums,
-                                     GLOAM_REFERENCE(builtin_vector_matrix), {vectors(), m});
+                                     &reference::builtin_vector_matrix, {vectors(), m});
     append_builtin<mat3(mat3, mat3)>(entries, file, "matrix_matrix", "a b", sums,
-                                     GLOAM_REFERENCE(builtin_matrix_matrix), {m, m});
+                                     &reference::builtin_matrix_matrix, {m, m});
     append_builtin<vec4(mat4, vec4)>(entries, file, "matrix4_vector", "m v", sums,
-                                     GLOAM_REFERENCE(builtin_matrix4_vector),
+                                     &reference::builtin_matrix4_vector,
                                      {matrices<mat4>(), vector(4, uniform(-2, 2))});
     append_builtin<mat3(vec3, vec3)>(entries, file, "outer_product", "outerProduct(a, b)",
-                                     "correctly rounded", GLOAM_REFERENCE(builtin_outer_product),
+                                     "correctly rounded", &reference::builtin_outer_product,
                                      {vectors(), vectors()});
     append_builtin<float(mat3)>(entries, file, "determinant", "determinant(m)", "nothing; recorded",
-                                GLOAM_REFERENCE(builtin_determinant), {m});
+                                &reference::builtin_determinant, {m});
     append_builtin<mat3(mat3)>(entries, file, "inverse", "inverse(m)", "nothing; recorded",
-                               GLOAM_REFERENCE(builtin_inverse), {m});
+                               &reference::builtin_inverse, {m});
 }
 
 }  // namespace

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "check/case.hpp"
 #include "check/image_ends.hpp"
+#include "check/question.hpp"
 
 // How an equation enters the catalogue. One call of equation<Signature>() holds all that the tests, the
 // command line, the tables and the documentation know of it:
@@ -20,7 +18,7 @@
 //          .title = "blend of the history with new samples",
 //          .formula = "AO + (C - AO) k / (w + k);  w' = min(w + k, w_max)",
 //          .source = "TSSAO (Mattausch et al.), eqs 4 and 5"},
-//         GLOAM_REFERENCE(gloam_blend),
+//         &reference::gloam_blend,
 //         {.domain = {uniform(0, 1).and_special(), ...},     // one Values for each in or inout parameter
 //          .budget = {.ulp = 3},                             // measured; see check::Budget
 //          .codomain = {0, 1e9}}));                          // holds for every input whatever, NaN included
@@ -41,39 +39,24 @@ struct Description {
     std::string source;    // paper, equation number
 };
 
-// How it is checked. Empty members mean what they mean in check::Case.
-struct Check {
-    check::Domain domain;
-    check::Budget budget;
-    check::Codomain codomain;
-    std::function<bool(std::span<const check::Word>)> promised;
-    std::vector<check::ImageScenario> scenarios;
-    bool only_rules = false;
-};
-
 struct Entry {
     Description description;
-    check::Case check_case;
+    check::Question question;
 };
 
 using Entries = std::vector<Entry>;
 
+// `question`: what is not said by the other two.
 template <class Signature, class Reference>
-[[nodiscard]] Entry equation(Description description, Reference reference, Check check) {
-    check::Case check_case{.file = description.file,
-                           .function = description.function,
-                           .signature = check::SignatureOf<Signature>::describe(),
-                           .domain = check.domain.and_degenerate(check::SignatureOf<Signature>::describe()),
-                           .reference = check::make_reference<Signature>(reference),
-                           .budget = check.budget,
-                           .codomain = check.codomain,
-                           .promised = std::move(check.promised),
-                           .only_rules = check.only_rules,
-                           .scenarios = with_exact_ends(std::move(check.scenarios))};
-    return {.description = std::move(description), .check_case = std::move(check_case)};
+[[nodiscard]] Entry equation(Description description, Reference reference, check::Question question) {
+    question.name = description.id;
+    question.file = description.file;
+    question.function = description.function;
+    question.signature = check::SignatureOf<Signature>::describe();
+    question.domain = question.domain.and_degenerate(question.signature);
+    question.reference = check::make_reference<Signature>(reference);
+    question.scenarios = with_exact_ends(std::move(question.scenarios));
+    return {.description = std::move(description), .question = std::move(question)};
 }
 
 }  // namespace gloam::catalogue
-
-// The reference function of that name.
-#define GLOAM_REFERENCE(name) (&::gloam::reference::name)

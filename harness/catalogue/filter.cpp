@@ -37,7 +37,7 @@ void append_shrink(Entries& entries) {
                                        .title = "factor on the filter's support",
                                        .formula = "s = max(c - conv, 0) / c",
                                        .source = "TSSAO (Mattausch et al.), eq 11"},
-                                      GLOAM_REFERENCE(gloam_shrink),
+                                      &reference::gloam_shrink,
                                       {.domain = Domain{convergence, threshold}.tied(0, 1).tied(0, 1, 0.5),
                                        .budget = {.ulp = 1.5},
                                        .codomain = {0, 1}}));
@@ -54,7 +54,7 @@ void append_gaussian(Entries& entries) {
          .title = "weight of a neighbour by its distance in the world",
          .formula = "g = exp(-d^2 / (2 sigma^2))",
          .source = source},
-        GLOAM_REFERENCE(gloam_gaussian),
+        &reference::gloam_gaussian,
         {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}}));
     entries.push_back(equation<float(float)>(
         {.id = "TSSAO-10-g-scale",
@@ -63,7 +63,7 @@ void append_gaussian(Entries& entries) {
          .title = "scale of distances for the Gaussian",
          .formula = "s = sqrt(log2(e) / 2) / sigma",
          .source = source},
-        GLOAM_REFERENCE(gloam_gaussian_scale),
+        &reference::gloam_gaussian_scale,
         {.domain = {lengths().and_near({0x1p100})}, .budget = {.ulp = 1.5}, .codomain = {0, infinity}}));
     entries.push_back(equation<float(float, float)>(
         {.id = "TSSAO-10-g-scaled",
@@ -72,7 +72,7 @@ void append_gaussian(Entries& entries) {
          .title = "weight of a neighbour by the scale of the Gaussian",
          .formula = "g = 2^-(d s)^2",
          .source = source},
-        GLOAM_REFERENCE(gloam_gaussian_scaled),
+        &reference::gloam_gaussian_scaled,
         {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}}));
 }
 
@@ -84,7 +84,7 @@ void append_sigma(Entries& entries) {
          .title = "width of the filter in the world",
          .formula = "sigma = sigma_px 2 d tan(fov_y / 2) / H",
          .source = "derived: world size of a pixel"},
-        GLOAM_REFERENCE(gloam_filter_sigma),
+        &reference::gloam_filter_sigma,
         {.domain = {log_uniform(1e-3, 1e6).and_special(), uniform(0.1, 2).and_special(),
                     log_uniform(1, 16384).and_special(), uniform(0.25, 8).and_special()},
          .budget = {.ulp = 2.5},
@@ -114,7 +114,7 @@ void append_mean(Entries& entries) {
                                         .title = "weighted mean of nothing",
                                         .formula = "(0, 0)",
                                         .source = source},
-                                       GLOAM_REFERENCE(gloam_weighted_mean_empty),
+                                       &reference::gloam_weighted_mean_empty,
                                        {.domain = {}, .codomain = {0, 1}}));
     entries.push_back(equation<Mean(Mean, float, float)>(
         {.id = "TSSAO-10-add",
@@ -123,7 +123,7 @@ void append_mean(Entries& entries) {
          .title = "one more value in a weighted mean",
          .formula = "(sum + w AO, K + w)",
          .source = source},
-        GLOAM_REFERENCE(gloam_weighted_mean_add),
+        &reference::gloam_weighted_mean_add,
         {.domain = {mean, value, weight}, .budget = {.ulp = 1.5}, .codomain = {0, float_max}}));
     entries.push_back(equation<float(Mean, float)>(
         {.id = "TSSAO-10-mean",
@@ -132,7 +132,7 @@ void append_mean(Entries& entries) {
          .title = "weighted mean, or what stands in for it",
          .formula = "sum / K, the fallback for K < 1e-8",
          .source = source},
-        GLOAM_REFERENCE(gloam_weighted_mean_value),
+        &reference::gloam_weighted_mean_value,
         {.domain = {mean.and_value(glm::vec4(0.5E-8F, 1e-8F, 0, 1), true), value},
          .budget = {.ulp = 0.5, .backward_ulp = 1},
          .codomain = {0, 1}}));
@@ -203,7 +203,7 @@ void append_window(Entries& entries) {
          .title = "how much of a pixel lies in the filter's window",
          .formula = "clamp(reach + 1 - |i|, 0, 1)",
          .source = "derived: overlap of a pixel with a window of half width reach + 1/2"},
-        GLOAM_REFERENCE(gloam_window_coverage),
+        &reference::gloam_window_coverage,
         {.domain = {integers(1, 8).and_near_integers({16777216}),
                     uniform(0, 8).and_near({1.0, 2.0}).and_special()},
          .codomain = {0, 1},

@@ -29,7 +29,7 @@ void append_quad(Entries& entries) {
          .title = "mean of the two pixels of a quad along one axis",
          .formula = "A - dA ((x & 1) - 1/2), if |dz| < edge",
          .source = sao},
-        GLOAM_REFERENCE(gloam_quad_box),
+        &reference::gloam_quad_box,
         {.domain = Domain{uniform(0, 1).and_special(), uniform(-1, 1).and_special(),
                           signed_log_uniform(1e-3, 1).and_special(), integers(0, 9),
                           log_uniform(0.01, 1).and_special()}
@@ -47,7 +47,7 @@ void append_keys(Entries& entries) {
          .title = "depth as a key for a blur",
          .formula = "clamp(d / z_key, 0, 1)",
          .source = sao},
-        GLOAM_REFERENCE(gloam_depth_key),
+        &reference::gloam_depth_key,
         {.domain = Domain{depth, either(constant(300.0F), log_uniform(1e-37, 1e38)).and_special()}.tied(0, 1),
          .budget = {.ulp = 1.5},
          .codomain = {0, 1}}));
@@ -58,7 +58,7 @@ void append_keys(Entries& entries) {
          .title = "key as two bytes",
          .formula = "k = round(65535 key); (k >> 8, k & 255) / 255",
          .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance), made exact"},
-        GLOAM_REFERENCE(gloam_pack_key),
+        &reference::gloam_pack_key,
         {.domain = {uniform(0, 1).and_near({0.5}).and_special()},
          .budget = {.ulp = 1.5, .backward_ulp = 2},
          .codomain = {0, 1}}));
@@ -71,7 +71,7 @@ void append_keys(Entries& entries) {
          .title = "key from its two bytes",
          .formula = "(256 high + low) / 65535",
          .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance), made exact"},
-        GLOAM_REFERENCE(gloam_unpack_key),
+        &reference::gloam_unpack_key,
         {.domain = {either(vector(2, byte), vector(2, uniform(0, 1))).and_special()},
          .budget = {.ulp = 1.5, .backward_ulp = 2},
          .codomain = {0, 1}}));
@@ -85,7 +85,7 @@ void append_blur(Entries& entries) {
          .title = "weight of a tap of SAO's blur",
          .formula = "(0.3 + g_r) max(0, 1 - slope |dkey|)",
          .source = sao},
-        GLOAM_REFERENCE(gloam_sao_blur_weight),
+        &reference::gloam_sao_blur_weight,
         {.domain = {integers(-6, 6).and_near_integers({-2147483647, 2147483646}),
                     either(signed_log_uniform(1e-6, 1), any_float()).and_special(),
                     either(log_uniform(10, 10000), any_float()).and_special()},
@@ -100,15 +100,14 @@ void append_downsample(Entries& entries) {
         for (int i = 0; i < 4; ++i) depths[i] = 2.0F + 0.125F * static_cast<float>(random.below(5));
         return depths;
     });
-    entries.push_back(
-        equation<int(glm::vec4, int)>({.id = "CS-F-rank",
-                                       .function = "gloam_depth_rank",
-                                       .file = downsample_file,
-                                       .title = "place of one of four depths in their order",
-                                       .formula = "how many are smaller, or equal and before it",
-                                       .source = "definition"},
-                                      GLOAM_REFERENCE(gloam_depth_rank),
-                                      {.domain = {either(vector(4, depth), near_ones), integers(-1, 4)}}));
+    entries.push_back(equation<int(glm::vec4, int)>(
+        {.id = "CS-F-rank",
+         .function = "gloam_depth_rank",
+         .file = downsample_file,
+         .title = "place of one of four depths in their order",
+         .formula = "how many are smaller, or equal and before it",
+         .source = "definition"},
+        &reference::gloam_depth_rank, {.domain = {either(vector(4, depth), near_ones), integers(-1, 4)}}));
     entries.push_back(equation<glm::vec4(glm::vec4, float)>(
         {.id = "CS-F-weights",
          .function = "gloam_mssao_weights",
@@ -116,7 +115,7 @@ void append_downsample(Entries& entries) {
          .title = "weights of four pixels in the one that stands for them",
          .formula = "z_4 - z_1 <= tolerance: (0, 1/2, 1/2, 0), else (0, 1, 0, 0), by depth",
          .source = mssao},
-        GLOAM_REFERENCE(gloam_mssao_weights),
+        &reference::gloam_mssao_weights,
         {.domain = {either(vector(4, depth), near_ones),
                     either(uniform(0, 1), constant(0.25F)).and_special()},
          .budget = {.backward_ulp = 1},
@@ -129,7 +128,7 @@ void append_downsample(Entries& entries) {
                            .title = "normal of the pixel that stands for two",
                            .formula = "(n_2 + n_3) / |n_2 + n_3|, n_2 if opposite",
                            .source = mssao},
-                          GLOAM_REFERENCE(gloam_mssao_normal),
+                          &reference::gloam_mssao_normal,
                           {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special()},
                            .budget = {.absolute = 4e-7},
                            .codomain = {-1.000001, 1.000001},
@@ -148,7 +147,7 @@ void append_upsample(Entries& entries) {
          .title = "weight of a pixel of the coarser level",
          .formula = "bilinear (1 / (1 + |dz|))^a ((n . n' + 1) / 2)^b",
          .source = mssao},
-        GLOAM_REFERENCE(gloam_mssao_upsample_weight),
+        &reference::gloam_mssao_upsample_weight,
         {.domain = {uniform(0, 1).and_special(),
                     either(signed_log_uniform(1e-3, 10), any_float()).and_special(),
                     uniform(-1, 1).and_near({-1.0, 1.0}).and_special(), power, power},

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "check/case.hpp"
 #include "check/image.hpp"
+#include "check/question.hpp"
 #include "check/values.hpp"
 #include "reference/geometry/camera.hpp"
 #include "reference/occlusion/gather_kernel.hpp"

@@ -63,7 +63,7 @@ glm::dvec2 orthographic_gl(double near, double far, unsigned kind) {
 
 template <class Elements, class Reference>
 void append_depth(Entries& entries, Description description, Reference reference, Elements elements,
-                  Check check) {
+                  Question check) {
     description.file = "gloam/geometry/linear_depth.glsl";
     description.source = "the projection solved for depth";
     check.domain =
@@ -99,7 +99,7 @@ void append_background(Entries& entries) {
                                                 reference, {.domain = {depth}}));
     };
     test("FINITE", "gloam_is_finite", "gloam/geometry/finite.glsl", "number that is neither infinite nor NaN",
-         "|x| <= FLT_MAX", GLOAM_REFERENCE(gloam_is_finite));
+         "|x| <= FLT_MAX", &reference::gloam_is_finite);
     const auto test_vector = [&]<class V>(V, std::string id, std::string function, auto reference) {
         const Values component = either(uniform(-1, 1), any_float()).and_special().and_near({3.402823466e38});
         entries.push_back(equation<bool(V)>({.id = std::move(id),
@@ -110,11 +110,11 @@ void append_background(Entries& entries) {
                                              .source = "convention"},
                                             reference, {.domain = {vector(V::length(), component)}}));
     };
-    test_vector(glm::vec2(), "FINITE-2", "gloam_is_finite2", GLOAM_REFERENCE(gloam_is_finite2));
-    test_vector(glm::vec3(), "FINITE-3", "gloam_is_finite3", GLOAM_REFERENCE(gloam_is_finite3));
-    test_vector(glm::vec4(), "FINITE-4", "gloam_is_finite4", GLOAM_REFERENCE(gloam_is_finite4));
+    test_vector(glm::vec2(), "FINITE-2", "gloam_is_finite2", &reference::gloam_is_finite2);
+    test_vector(glm::vec3(), "FINITE-3", "gloam_is_finite3", &reference::gloam_is_finite3);
+    test_vector(glm::vec4(), "FINITE-4", "gloam_is_finite4", &reference::gloam_is_finite4);
     test("BACKGROUND", "gloam_is_background", "gloam/geometry/background.glsl",
-         "depth that stands for no geometry", "not (0 < d < infinity)", GLOAM_REFERENCE(gloam_is_background));
+         "depth that stands for no geometry", "not (0 < d < infinity)", &reference::gloam_is_background);
 }
 
 void append_background_depths(Entries& entries) {
@@ -124,7 +124,7 @@ void append_background_depths(Entries& entries) {
                                          .title = "depth of a pixel without geometry",
                                          .formula = "+infinity",
                                          .source = "convention"},
-                                        GLOAM_REFERENCE(gloam_background_depth),
+                                        &reference::gloam_background_depth,
                                         {.codomain = {numeric::infinity, numeric::infinity}}));
     const Values part = either(signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-30, 1e30));
     entries.push_back(equation<float(float, float)>(
@@ -134,7 +134,7 @@ void append_background_depths(Entries& entries) {
          .title = "quotient that is a depth, or the background",
          .formula = "a / b; +infinity unless positive and finite",
          .source = "convention"},
-        GLOAM_REFERENCE(gloam_depth_quotient),
+        &reference::gloam_depth_quotient,
         {.domain = {part.and_special(), part.and_special().and_near({0x1p126})},
          .budget = {.ulp = 1.5},
          .codomain = {0x1p-126, numeric::infinity},
@@ -152,28 +152,28 @@ void append_depths(Entries& entries) {
                   .function = "gloam_linear_depth_perspective_vk",
                   .title = "eye-linear depth, perspective, depth range [0, 1]",
                   .formula = "d = P32 / (b + P22)"},
-                 GLOAM_REFERENCE(gloam_linear_depth_perspective_vk), perspective_vk,
+                 &reference::gloam_linear_depth_perspective_vk, perspective_vk,
                  {.budget = {.ulp = 3}, .promised = make_predicate<DepthSignature>(ordinary_projection)});
     append_depth(entries,
                  {.id = "DEPTH-perspective-gl",
                   .function = "gloam_linear_depth_perspective_gl",
                   .title = "eye-linear depth, perspective, depth range [-1, 1]",
                   .formula = "d = P32 / (2 b - 1 + P22)"},
-                 GLOAM_REFERENCE(gloam_linear_depth_perspective_gl), perspective_gl,
+                 &reference::gloam_linear_depth_perspective_gl, perspective_gl,
                  {.budget = {.ulp = 3.5}, .promised = make_predicate<DepthSignature>(true_perspective_gl)});
     append_depth(entries,
                  {.id = "DEPTH-orthographic-vk",
                   .function = "gloam_linear_depth_orthographic_vk",
                   .title = "eye-linear depth, orthographic, depth range [0, 1]",
                   .formula = "d = (P32 - b) / P22"},
-                 GLOAM_REFERENCE(gloam_linear_depth_orthographic_vk), orthographic_vk,
+                 &reference::gloam_linear_depth_orthographic_vk, orthographic_vk,
                  {.budget = {.ulp = 3}, .promised = make_predicate<DepthSignature>(ordinary_projection)});
     append_depth(entries,
                  {.id = "DEPTH-orthographic-gl",
                   .function = "gloam_linear_depth_orthographic_gl",
                   .title = "eye-linear depth, orthographic, depth range [-1, 1]",
                   .formula = "d = (P32 + 1 - 2 b) / P22"},
-                 GLOAM_REFERENCE(gloam_linear_depth_orthographic_gl), orthographic_gl,
+                 &reference::gloam_linear_depth_orthographic_gl, orthographic_gl,
                  {.budget = {.ulp = 4}, .promised = make_predicate<DepthSignature>(true_orthographic_gl)});
 }
 

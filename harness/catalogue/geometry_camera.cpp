@@ -51,7 +51,7 @@ void append_surface(Entries& entries) {
          .title = "whether a position is one of a surface",
          .formula = "finite and not the zero vector",
          .source = "convention"},
-        GLOAM_REFERENCE(gloam_is_surface_position),
+        &reference::gloam_is_surface_position,
         {.domain = {vector(3, uniform(-4, 4)).and_value(glm::vec3(0)).and_special()}}));
 }
 
@@ -63,7 +63,7 @@ void append_uv(Entries& entries) {
          .title = "texture coordinates of a view-space position",
          .formula = "ndc / 2 + 1/2, ndc of either projection",
          .source = "the projection"},
-        GLOAM_REFERENCE(gloam_camera_uv),
+        &reference::gloam_camera_uv,
         {.domain = Domain{view_positions(), cameras()}.adjusted(place_before_camera(0, 3)),
          .budget = {.ulp = 4, .absolute = 2e-7},
          .codomain = {-huge, huge},
@@ -80,7 +80,7 @@ void append_position(Entries& entries) {
          .title = "view-space position of the surface under a pixel's centre",
          .formula = "(ndc.x / P00, ndc.y / P11, -1) d, or (ndc.x / P00, ndc.y / P11, -d)",
          .source = "inverse of the projection"},
-        GLOAM_REFERENCE(gloam_camera_position),
+        &reference::gloam_camera_position,
         {.domain = {pixel, depths(), cameras()},
          .budget = {.ulp = 3},
          .codomain = {-huge, huge},
@@ -98,7 +98,7 @@ void append_radius(Entries& entries) {
          .title = "projected radius of a world length",
          .formula = "R (|P00|, |P11|) / (2 d), or R (|P00|, |P11|) / 2",
          .source = "the projection"},
-        GLOAM_REFERENCE(gloam_camera_radius),
+        &reference::gloam_camera_radius,
         {.domain = {log_uniform(1e-3, 1e2).and_special(), depths(), cameras()},
          .budget = {.ulp = 3},
          .codomain = {0, huge},
@@ -115,7 +115,7 @@ void append_plane(Entries& entries) {
          .title = "depth at which a pixel's view ray meets a plane",
          .formula = "t with n . (ray(t) - point) = 0",
          .source = "ray and plane; keeps a bare plane open in TSSAO-3"},
-        GLOAM_REFERENCE(gloam_plane_depth),
+        &reference::gloam_plane_depth,
         {.domain = Domain{image_pixel(), view_positions(), unit_vector(3).and_special(), cameras()}.adjusted(
              place_before_camera(2, 8)),
          .budget = {.ulp = 14},

@@ -88,7 +88,7 @@ void append_direction(Entries& entries) {
          .title = "direction of the surface along one image axis",
          .formula = "one-sided difference of smaller |dz|, normalised",
          .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
-        GLOAM_REFERENCE(gloam_neighbor_direction),
+        &reference::gloam_neighbor_direction,
         {.domain = Domain{centers(), steps(true), steps(true)}.adjusted(place),
          .budget = {.ulp = 6, .backward_ulp = 1},
          .codomain = {-1.000001, 1.000001},
@@ -104,7 +104,7 @@ void append_facing(Entries& entries) {
          .title = "normal of two directions, turned towards the viewer",
          .formula = "x cross y, normalised; the sign that faces the viewer",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_facing_normal),
+        &reference::gloam_facing_normal,
         {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special(),
                     vector_of_length(3, log_uniform(1e-3, 1e3)).and_special()},
          .budget = {.absolute = 3e-6},
@@ -124,7 +124,7 @@ void append_safe_normalize(Entries& entries) {
          .title = "unit vector along any vector that has a direction",
          .formula = "v / |v|; the fallback where v is zero, infinite or NaN",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_safe_normalize),
+        &reference::gloam_safe_normalize,
         {.domain = {any.and_special(), unit_vector(3).and_value(glm::vec3(0.0F))},
          .budget = {.ulp = 5, .absolute = 1e-18},
          .codomain = {-1.000001, 1.000001}}));
@@ -140,7 +140,7 @@ auto fetching_depth(Reference reference) {
 }
 
 template <class Reference>
-void append_from_depth(Entries& entries, Description description, Reference reference, Check check) {
+void append_from_depth(Entries& entries, Description description, Reference reference, Question check) {
     description.file = "gloam/geometry/normal_from_depth.glsl";
     check.domain = {either(image_pixel(), vector(2, integers(-2, 66))), image_size(), projection_scales()};
     check.scenarios = depth_scenarios("gloam_fetch_depth");
@@ -158,13 +158,13 @@ void append_normals(Entries& entries) {
          .function = "gloam_normal_from_neighbors",
          .formula = "cross product of the one-sided differences of smaller |dz|; n . center <= 0",
          .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
-        GLOAM_REFERENCE(gloam_normal_from_neighbors));
+        &reference::gloam_normal_from_neighbors);
     append_neighbors<true>(entries,
                            {.id = "NORMAL-orthographic",
                             .function = "gloam_normal_from_neighbors_orthographic",
                             .formula = "cross product of the one-sided differences of smaller |dz|; n.z >= 0",
                             .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
-                           GLOAM_REFERENCE(gloam_normal_from_neighbors_orthographic));
+                           &reference::gloam_normal_from_neighbors_orthographic);
     append_direction(entries);
     append_facing(entries);
     append_from_depth(entries,
@@ -173,15 +173,14 @@ void append_normals(Entries& entries) {
                        .title = "position read from the depth image",
                        .formula = "POSITION-perspective of the depth and the centre of the pixel",
                        .source = "inverse of the projection"},
-                      GLOAM_REFERENCE(gloam_position_from_depth),
-                      {.budget = {.ulp = 4}, .codomain = {-1e6, 1e6}});
+                      &reference::gloam_position_from_depth, {.budget = {.ulp = 4}, .codomain = {-1e6, 1e6}});
     append_from_depth(entries,
                       {.id = "NORMAL-depth",
                        .function = "gloam_normal_from_depth",
                        .title = "normal reconstructed from the depth image",
                        .formula = "NORMAL of the positions under the pixel and its neighbours",
                        .source = "definition; one-sided differences as in Bavoil and Sainz 2009"},
-                      GLOAM_REFERENCE(gloam_normal_from_depth),
+                      &reference::gloam_normal_from_depth,
                       {.budget = {.absolute = 2e-5}, .codomain = {-1.000001, 1.000001}});
 }
 

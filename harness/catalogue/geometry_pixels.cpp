@@ -34,7 +34,7 @@ void place_at_borders(std::span<Word> words) {
 
 using UvSignature = glm::vec2(glm::vec2, glm::vec2);
 
-Check uv_check(Budget budget) {
+Question uv_check(Budget budget) {
     const Values guard = vector(2, uniform(0, 1).and_near({0.05, 0.1})).and_special();
     return {.domain = {uvs(), guard},
             .budget = budget,
@@ -53,7 +53,7 @@ void append_guard_uv(Entries& entries) {
                                              .title = "texture coordinates in the crop of a guard band",
                                              .formula = "(1 + 2 g) uv - g",
                                              .source = "TSSAO (Mattausch et al.), frame borders"},
-                                            GLOAM_REFERENCE(gloam_guard_band_inner_uv),
+                                            &reference::gloam_guard_band_inner_uv,
                                             uv_check({.ulp = 1.5, .absolute = 3e-7})));
     entries.push_back(equation<UvSignature>({.id = "TSSAO-BORDER-outer",
                                              .function = "gloam_guard_band_outer_uv",
@@ -61,7 +61,7 @@ void append_guard_uv(Entries& entries) {
                                              .title = "texture coordinates in the image with its guard band",
                                              .formula = "(uv + g) / (1 + 2 g)",
                                              .source = "TSSAO (Mattausch et al.), frame borders"},
-                                            GLOAM_REFERENCE(gloam_guard_band_outer_uv),
+                                            &reference::gloam_guard_band_outer_uv,
                                             uv_check({.ulp = 4, .absolute = 1e-7})));
     entries.push_back(equation<float(float, float)>(
         {.id = "TSSAO-BORDER-tan",
@@ -70,7 +70,7 @@ void append_guard_uv(Entries& entries) {
          .title = "half field of view with the guard band",
          .formula = "tan' = (1 + 2 g) tan",
          .source = "TSSAO (Mattausch et al.), frame borders"},
-        GLOAM_REFERENCE(gloam_guard_band_tan_half_fov),
+        &reference::gloam_guard_band_tan_half_fov,
         {.domain = {log_uniform(0.05, 10).and_special(), uniform(0, 1).and_special()},
          .budget = {.ulp = 3},
          .codomain = {-huge, huge},
@@ -99,7 +99,7 @@ void append_nearest(Entries& entries) {
                                    .title = "pixel of a texture coordinate along one axis",
                                    .formula = "floor(u resolution), inside the image",
                                    .source = "TSSAO (Mattausch et al.), eq 7"},
-                                  GLOAM_REFERENCE(gloam_nearest_index),
+                                  &reference::gloam_nearest_index,
                                   {.domain = {uniform(-0.2, 1.2).and_near({0.5, 1.0}).and_special(),
                                               log_integers(16384).and_near_integers({0, -2147483647L})},
                                    .budget = {.backward_ulp = 1}}));
@@ -110,7 +110,7 @@ void append_nearest(Entries& entries) {
          .title = "pixel of a texture coordinate",
          .formula = "floor(uv resolution), inside the image",
          .source = "TSSAO (Mattausch et al.), eq 7"},
-        GLOAM_REFERENCE(gloam_nearest_pixel),
+        &reference::gloam_nearest_pixel,
         {.domain = Domain{uvs(), sizes()}.adjusted(place_at_borders), .budget = {.backward_ulp = 1}}));
     entries.push_back(equation<glm::vec2(glm::vec2, glm::ivec2)>(
         {.id = "TSSAO-7",
@@ -119,7 +119,7 @@ void append_nearest(Entries& entries) {
          .title = "pixel centre of a texture coordinate",
          .formula = "(floor(uv resolution) + 1/2) / resolution",
          .source = "TSSAO (Mattausch et al.), eq 7 corrected"},
-        GLOAM_REFERENCE(gloam_pixel_center),
+        &reference::gloam_pixel_center,
         {.domain = Domain{uvs(), sizes()}.adjusted(place_at_borders),
          .budget = {.ulp = 1.5, .backward_ulp = 1},
          .codomain = {0, 1}}));
@@ -131,21 +131,21 @@ void append_guard_sizes(Entries& entries) {
                                                  .function = "gloam_guard_band_border",
                                                  .title = "width of the guard band in pixels",
                                                  .formula = "floor(g size + 1/2)"},
-                                                GLOAM_REFERENCE(gloam_guard_band_border), {.backward_ulp = 1},
+                                                &reference::gloam_guard_band_border, {.backward_ulp = 1},
                                                 {0, 4194305});
     append_guard<glm::ivec2(glm::ivec2, float)>(entries,
                                                 {.id = "TSSAO-BORDER-size",
                                                  .function = "gloam_guard_band_size",
                                                  .title = "size of the image with its guard band",
                                                  .formula = "size + 2 border"},
-                                                GLOAM_REFERENCE(gloam_guard_band_size), {.backward_ulp = 1},
+                                                &reference::gloam_guard_band_size, {.backward_ulp = 1},
                                                 {0, 12582915});
     append_guard<glm::vec2(glm::ivec2, float)>(entries,
                                                {.id = "TSSAO-BORDER-guard",
                                                 .function = "gloam_guard_band_guard",
                                                 .title = "guard actually rendered",
                                                 .formula = "border / size"},
-                                               GLOAM_REFERENCE(gloam_guard_band_guard),
+                                               &reference::gloam_guard_band_guard,
                                                {.ulp = 5, .backward_ulp = 1}, {0, 1});
 }
 
@@ -160,7 +160,7 @@ void append_pixels(Entries& entries) {
          .title = "texture coordinates inside the image",
          .formula = "0 <= u, v <= 1",
          .source = "convention"},
-        GLOAM_REFERENCE(gloam_inside_unit),
+        &reference::gloam_inside_unit,
         {.domain = {vector(2, uniform(-0.2, 1.2).and_near({0.0, 1.0})).and_special()}}));
     const Values pixel = vector(2, integers(-100, 5000).and_near_integers({0, 2147483647, -2147483647L}));
     entries.push_back(equation<glm::ivec2(glm::ivec2, glm::ivec2)>(
@@ -170,7 +170,7 @@ void append_pixels(Entries& entries) {
          .title = "nearest pixel of the image",
          .formula = "clamp(p, 0, size - 1)",
          .source = "TSSAO (Mattausch et al.), frame borders"},
-        GLOAM_REFERENCE(gloam_clamp_to_edge), {.domain = {pixel, sizes()}}));
+        &reference::gloam_clamp_to_edge, {.domain = {pixel, sizes()}}));
     append_guard_sizes(entries);
     append_guard_uv(entries);
 }

@@ -31,7 +31,7 @@ constexpr double largest = 1e12;
 using PositionSignature = glm::vec3(glm::vec2, float, glm::vec2);
 using NdcSignature = glm::vec2(glm::vec3, glm::vec2);
 
-Check position_check(double ulp) {
+Question position_check(double ulp) {
     return {.domain = {ndcs(), depths(), scales()},
             .budget = {.ulp = ulp},
             .codomain = {-huge, huge},
@@ -40,7 +40,7 @@ Check position_check(double ulp) {
             })};
 }
 
-Check ndc_check(double ulp) {
+Question ndc_check(double ulp) {
     const Values position =
         vector({signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e4)});
     return {.domain = {position.and_special(), scales()},
@@ -57,7 +57,7 @@ void append_unprojection(Entries& entries) {
                                                    .title = "view-space position under a pixel, perspective",
                                                    .formula = "(ndc.x / P00, ndc.y / P11, -1) d",
                                                    .source = "inverse of the projection"},
-                                                  GLOAM_REFERENCE(gloam_view_position_perspective),
+                                                  &reference::gloam_view_position_perspective,
                                                   position_check(3)));
     entries.push_back(equation<PositionSignature>({.id = "POSITION-orthographic",
                                                    .function = "gloam_view_position_orthographic",
@@ -65,7 +65,7 @@ void append_unprojection(Entries& entries) {
                                                    .title = "view-space position under a pixel, orthographic",
                                                    .formula = "(ndc.x / P00, ndc.y / P11, -d)",
                                                    .source = "inverse of the projection"},
-                                                  GLOAM_REFERENCE(gloam_view_position_orthographic),
+                                                  &reference::gloam_view_position_orthographic,
                                                   position_check(1)));
 }
 
@@ -77,7 +77,7 @@ void append_projection(Entries& entries) {
                                 .title = "normalised device coordinates of a position, perspective",
                                 .formula = "(P00 x, P11 y) / -z",
                                 .source = "the projection"},
-                               GLOAM_REFERENCE(gloam_ndc_perspective), ndc_check(3)));
+                               &reference::gloam_ndc_perspective, ndc_check(3)));
     entries.push_back(
         equation<NdcSignature>({.id = "NDC-orthographic",
                                 .function = "gloam_ndc_orthographic",
@@ -85,7 +85,7 @@ void append_projection(Entries& entries) {
                                 .title = "normalised device coordinates of a position, orthographic",
                                 .formula = "(P00 x, P11 y)",
                                 .source = "the projection"},
-                               GLOAM_REFERENCE(gloam_ndc_orthographic), ndc_check(1)));
+                               &reference::gloam_ndc_orthographic, ndc_check(1)));
 }
 
 using UvRadius = glm::vec2(float, float, glm::vec2);
@@ -125,7 +125,7 @@ void append_coordinates(Entries& entries) {
          .title = "number read as a length",
          .formula = "x inside [0, FLT_MAX], else the nearer end; 0 for NaN",
          .source = "convention"},
-        GLOAM_REFERENCE(gloam_positive_length),
+        &reference::gloam_positive_length,
         {.domain = {either(any_float(), uniform(-2, 2)).and_special()}, .codomain = {0, huge}}));
     const Values coordinate = either(integers(-16, 8192), integers(-2147483648L, 2147483647L));
     entries.push_back(equation<glm::vec2(glm::ivec2, glm::ivec2)>(
@@ -135,7 +135,7 @@ void append_coordinates(Entries& entries) {
          .title = "normalised device coordinates of a pixel's centre",
          .formula = "(2 x + 1 - width) / width",
          .source = "definition of the pixel centre"},
-        GLOAM_REFERENCE(gloam_ndc_from_pixel),
+        &reference::gloam_ndc_from_pixel,
         {.domain = {vector(2, coordinate),
                     vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
          .budget = {.ulp = 1},
@@ -151,7 +151,7 @@ void append_coordinates(Entries& entries) {
          .title = "texture coordinates of normalised device coordinates",
          .formula = "ndc / 2 + 1/2",
          .source = "convention"},
-        GLOAM_REFERENCE(gloam_uv_from_ndc),
+        &reference::gloam_uv_from_ndc,
         {.domain = {ndcs()}, .budget = {.ulp = 1}, .codomain = {-huge, huge}}));
 }
 
@@ -162,16 +162,15 @@ void append_positions(Entries& entries) {
     append_unprojection(entries);
     append_projection(entries);
     append_radius<UvRadius>(entries, "RADIUS-uv", "gloam_projected_radius_uv", "R (|P00|, |P11|) / (2 d)",
-                            GLOAM_REFERENCE(gloam_projected_radius_uv), 3);
+                            &reference::gloam_projected_radius_uv, 3);
     append_radius<PixelRadius>(entries, "RADIUS-px", "gloam_projected_radius_pixels",
-                               "R (|P00| W, |P11| H) / (2 d)", GLOAM_REFERENCE(gloam_projected_radius_pixels),
+                               "R (|P00| W, |P11| H) / (2 d)", &reference::gloam_projected_radius_pixels,
                                4.5);
     append_radius<UvRadius>(entries, "RADIUS-uv-orthographic", "gloam_projected_radius_uv_orthographic",
-                            "R (|P00|, |P11|) / 2", GLOAM_REFERENCE(gloam_projected_radius_uv_orthographic),
-                            1);
+                            "R (|P00|, |P11|) / 2", &reference::gloam_projected_radius_uv_orthographic, 1);
     append_radius<PixelRadius>(entries, "RADIUS-px-orthographic",
                                "gloam_projected_radius_pixels_orthographic", "R (|P00| W, |P11| H) / 2",
-                               GLOAM_REFERENCE(gloam_projected_radius_pixels_orthographic), 3);
+                               &reference::gloam_projected_radius_pixels_orthographic, 3);
 }
 
 }  // namespace gloam::catalogue

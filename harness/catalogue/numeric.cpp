@@ -25,7 +25,7 @@ void append_sincos_parts(Entries& entries) {
                                                   .title = "cosine and sine of an eighth of a turn",
                                                   .formula = "(cos a, sin a)",
                                                   .source = "minimax polynomials"},
-                                                 GLOAM_REFERENCE(gloam_sincos_octant),
+                                                 &reference::gloam_sincos_octant,
                                                  {.domain = {uniform(-0.7853982, 0.7853982)},
                                                   .budget = {.absolute = 1e-7},
                                                   .codomain = sincos_codomain}));
@@ -36,7 +36,7 @@ void append_sincos_parts(Entries& entries) {
          .title = "vector turned by quarters of a turn",
          .formula = "(x, y), (-y, x), (-x, -y), (y, -x)",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_quarter_turn),
+        &reference::gloam_quarter_turn,
         {.domain = {vector(2, uniform(-1, 1)), integers(-9, 9).and_near_integers({2147483647})},
          .codomain = {-1, 1}}));
 }
@@ -49,7 +49,7 @@ void append_sincos(Entries& entries) {
          .title = "cosine and sine of an angle in turns",
          .formula = "(cos 2 pi t, sin 2 pi t)",
          .source = "minimax polynomials after an exact reduction"},
-        GLOAM_REFERENCE(gloam_sincos_turns),
+        &reference::gloam_sincos_turns,
         {.domain = {either(uniform(-1, 1), either(signed_log_uniform(1e-9, 1e7), any_float()))
                         .and_near({0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0, -0.125, -0.25, -1.0})
                         .and_special()},
@@ -62,7 +62,7 @@ void append_sincos(Entries& entries) {
                                     .title = "cosine and sine of an angle in radians",
                                     .formula = "(cos a, sin a)",
                                     .source = "Cody and Waite 1980; minimax polynomials"},
-                                   GLOAM_REFERENCE(gloam_sincos),
+                                   &reference::gloam_sincos,
                                    {.domain = {either(uniform(-7, 7), signed_log_uniform(1e-6, 65536))
                                                    .and_near({0.78539816, 1.57079633, 3.14159265, -3.14159265,
                                                               6.28318531, 65536.0, -65536.0})
@@ -79,7 +79,7 @@ void append_square_root(Entries& entries) {
                                 .title = "square root that is 0 at 0",
                                 .formula = "x^(1/2), 0 for x <= 0",
                                 .source = "x times its inverse square root"},
-                               GLOAM_REFERENCE(gloam_sqrt),
+                               &reference::gloam_sqrt,
                                {.domain = {either(uniform(0, 4), any_float())
                                                .and_near({0x1p-126, 0x1p-125, 1.0, 0x1.fffffep127})
                                                .and_special()},
@@ -90,7 +90,7 @@ void append_square_root(Entries& entries) {
 // One function of the file, of one argument.
 template <class Reference>
 void append_inverse(Entries& entries, std::string id, std::string function, std::string title,
-                    std::string formula, Reference reference, Check check) {
+                    std::string formula, Reference reference, Question check) {
     entries.push_back(equation<float(float)>({.id = std::move(id),
                                               .function = std::move(function),
                                               .file = "gloam/numeric/inverse_trigonometry.glsl",
@@ -106,23 +106,23 @@ void append_arc_sines(Entries& entries) {
             .and_near({1.0, -1.0, 0.5, -0.5})
             .and_special();
     append_inverse(entries, "ASIN-half", "gloam_asin_half", "arc sine near 0", "asin x, |x| <= 1/2",
-                   GLOAM_REFERENCE(gloam_asin_half),
+                   &reference::gloam_asin_half,
                    {.domain = {either(uniform(-0.5, 0.5), signed_log_uniform(1e-30, 0.5))},
                     .budget = {.ulp = 1},
                     .codomain = {-0.6, 0.6}});
     append_inverse(entries, "UNIT-magnitude", "gloam_unit_magnitude", "magnitude of a sine or cosine",
-                   "min(|x|, 1); 0 for NaN", GLOAM_REFERENCE(gloam_unit_magnitude),
+                   "min(|x|, 1); 0 for NaN", &reference::gloam_unit_magnitude,
                    {.domain = {either(cosine, any_float())}, .codomain = {0, 1}});
     append_inverse(entries, "SMALL-ARC", "gloam_small_arc", "arc sine, or half the arc cosine, of m",
-                   "asin m for m <= 1/2, else acos(m) / 2", GLOAM_REFERENCE(gloam_small_arc),
+                   "asin m for m <= 1/2, else acos(m) / 2", &reference::gloam_small_arc,
                    {.domain = {either(uniform(0, 1), uniform(0.999, 1)).and_near({0.5}).and_value(1.0F)},
                     .budget = {.absolute = 1.5e-7},
                     .codomain = {0, 0.53}});
     append_inverse(
-        entries, "ACOS", "gloam_acos", "arc cosine", "acos x", GLOAM_REFERENCE(gloam_acos),
+        entries, "ACOS", "gloam_acos", "arc cosine", "acos x", &reference::gloam_acos,
         {.domain = {either(cosine, any_float())}, .budget = {.absolute = 4e-7}, .codomain = {0, above_pi}});
     append_inverse(
-        entries, "ASIN", "gloam_asin", "arc sine", "asin x", GLOAM_REFERENCE(gloam_asin),
+        entries, "ASIN", "gloam_asin", "arc sine", "asin x", &reference::gloam_asin,
         {.domain = {either(cosine, any_float())}, .budget = {.absolute = 3e-7}, .codomain = {-1.571, 1.571}});
 }
 
@@ -139,7 +139,7 @@ void append_unit_angle(Entries& entries) {
                                                   .title = "angle of a unit vector of the upper half plane",
                                                   .formula = "atan2(y, x), y >= 0, x^2 + y^2 = 1",
                                                   .source = "minimax polynomial"},
-                                                 GLOAM_REFERENCE(gloam_unit_angle),
+                                                 &reference::gloam_unit_angle,
                                                  {.domain = {made_by<glm::vec2>(upper).only_as_drawn()},
                                                   .budget = {.absolute = 4e-7},
                                                   .codomain = {0, above_pi}}));
@@ -163,7 +163,7 @@ void append_arc_tangents(Entries& entries) {
                                        .title = "the smaller over the larger of two lengths",
                                        .formula = "a / b, 0 <= a <= b",
                                        .source = "definition"},
-                                      GLOAM_REFERENCE(gloam_length_ratio),
+                                      &reference::gloam_length_ratio,
                                       {.domain = Domain{length, length}.tied(0, 1).adjusted(order),
                                        .budget = {.ulp = 0.5, .absolute = 0x1p-126},
                                        .codomain = {0, 1}}));
@@ -174,11 +174,11 @@ void append_arc_tangents(Entries& entries) {
          .title = "direction of a point",
          .formula = "angle of (x, y), counter-clockwise from the x axis; 0 at the origin",
          .source = "minimax polynomial"},
-        GLOAM_REFERENCE(gloam_atan2),
+        &reference::gloam_atan2,
         {.domain = Domain{coordinate, coordinate}.tied(0, 1).tied(0, 1, -1.0),
          .budget = {.absolute = 3e-7},
          .codomain = {-above_pi, above_pi}}));
-    append_inverse(entries, "ATAN", "gloam_atan", "arc tangent", "atan x", GLOAM_REFERENCE(gloam_atan),
+    append_inverse(entries, "ATAN", "gloam_atan", "arc tangent", "atan x", &reference::gloam_atan,
                    {.domain = {either(uniform(-4, 4), any_float()).and_near({1.0, -1.0}).and_special()},
                     .budget = {.absolute = 2e-7},
                     .codomain = {-1.571, 1.571}});

@@ -43,7 +43,7 @@ void append_tests(Entries& entries) {
          .title = "clamped cosine of a sample's angle to the normal",
          .formula = "max((s - p) . n / |s - p|, 0)",
          .source = "TSSAO (Mattausch et al.), eq 1 with the clamp it lacks in print"},
-        GLOAM_REFERENCE(gloam_sample_cosine),
+        &reference::gloam_sample_cosine,
         {.domain = {offsets(), normals()},
          .budget = {.absolute = 3e-7},
          .codomain = {0, 1},
@@ -57,7 +57,7 @@ void append_tests(Entries& entries) {
          .title = "whether the depth buffer blocks a sample point",
          .formula = "V = 1 if bias < d_s - d_b <= range, else 0",
          .source = "TSSAO (Mattausch et al.), eq 3 in screen space"},
-        GLOAM_REFERENCE(gloam_sample_blocked),
+        &reference::gloam_sample_blocked,
         {.domain = Domain{depths(), depths(), slack, slack}.tied(1, 0).tied(3, 2),
          .budget = {.backward_ulp = 1},
          .codomain = {0, 1}}));
@@ -74,7 +74,7 @@ void append_ritschel(Entries& entries) {
          .title = "contribution of a sample point, as printed",
          .formula = "C = V D max(cos, 0)",
          .source = "TSSAO (Mattausch et al.), eq 3; Ritschel et al. 2009"},
-        GLOAM_REFERENCE(gloam_contribution_ritschel),
+        &reference::gloam_contribution_ritschel,
         {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 1}}));
     entries.push_back(equation<float(float, float)>(
         {.id = "TSSAO-3-cosine",
@@ -83,7 +83,7 @@ void append_ritschel(Entries& entries) {
          .title = "contribution of a sample point, cosine-weighted directions",
          .formula = "C = V D",
          .source = "TSSAO (Mattausch et al.), eq 3 normalised for density cos / pi"},
-        GLOAM_REFERENCE(gloam_contribution_cosine_directions),
+        &reference::gloam_contribution_cosine_directions,
         {.domain = {factor, factor}, .budget = {.ulp = 0.5}, .codomain = {0, 1}}));
     entries.push_back(equation<float(float, float, float)>(
         {.id = "TSSAO-3-uniform",
@@ -92,7 +92,7 @@ void append_ritschel(Entries& entries) {
          .title = "contribution of a sample point, uniform directions",
          .formula = "C = 2 V D max(cos, 0)",
          .source = "TSSAO (Mattausch et al.), eq 3 normalised for density 1 / (2 pi)"},
-        GLOAM_REFERENCE(gloam_contribution_uniform_directions),
+        &reference::gloam_contribution_uniform_directions,
         {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 2}}));
 }
 
@@ -110,7 +110,7 @@ void append_fox_compton(Entries& entries) {
          .title = "contribution of a surface patch, in 1 / length",
          .formula = "C = max(cos(s - p, n), 0) / max(epsilon, |s - p|)",
          .source = "TSSAO (Mattausch et al.), eq 12 corrected; Fox and Compton 2008"},
-        GLOAM_REFERENCE(gloam_contribution_fox_compton),
+        &reference::gloam_contribution_fox_compton,
         {.domain = domain,
          .budget = {.absolute = 3e-6},
          .codomain = {0, 8.6e37},
@@ -124,7 +124,7 @@ void append_fox_compton(Entries& entries) {
          .title = "contribution of a surface patch",
          .formula = "epsilon C = max(cos(s - p, n), 0) epsilon / max(epsilon, |s - p|)",
          .source = "TSSAO (Mattausch et al.), eq 12 corrected; Fox and Compton 2008"},
-        GLOAM_REFERENCE(gloam_contribution_fox_compton_scaled),
+        &reference::gloam_contribution_fox_compton_scaled,
         {.domain = domain,
          .budget = {.absolute = 3e-7},
          .codomain = {0, 1},
@@ -146,7 +146,7 @@ void append_estimator(Entries& entries) {
          .title = "one more contribution to a mean",
          .formula = "(sum + C, n + 1), C finite",
          .source = "TSSAO (Mattausch et al.), eqs 2 and 4"},
-        GLOAM_REFERENCE(gloam_estimator_add),
+        &reference::gloam_estimator_add,
         {.domain = {count, either(uniform(0, 2), any_float()).and_special()},
          .budget = {.ulp = 0.5},
          .codomain = {-numeric::largest_float, numeric::largest_float}}));
@@ -156,7 +156,7 @@ void append_estimator(Entries& entries) {
                                                   .title = "mean of the contributions",
                                                   .formula = "AO = (1 / n) sum of C(p, s_i)",
                                                   .source = "TSSAO (Mattausch et al.), eqs 2 and 4"},
-                                                 GLOAM_REFERENCE(gloam_estimator_mean),
+                                                 &reference::gloam_estimator_mean,
                                                  {.domain = {count.and_value(glm::vec2(0)).and_special()},
                                                   .budget = {.ulp = 0.5},
                                                   .codomain = {0, 1}}));
@@ -174,7 +174,7 @@ void append_weighted_mean(Entries& entries) {
          .title = "weighted mean of contributions",
          .formula = "sum of w C / sum of w, inside [0, 1]",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_weighted_ratio),
+        &reference::gloam_weighted_ratio,
         {.domain = {weighted}, .budget = {.ulp = 0.5, .absolute = 1e-44}, .codomain = {0, 1}}));
     entries.push_back(
         equation<glm::vec2(glm::vec2, unsigned)>({.id = "MEAN-samples",
@@ -183,7 +183,7 @@ void append_weighted_mean(Entries& entries) {
                                                   .title = "weighted mean as if of a number of samples",
                                                   .formula = "(n m, n)",
                                                   .source = "definition"},
-                                                 GLOAM_REFERENCE(gloam_estimator_of_weighted),
+                                                 &reference::gloam_estimator_of_weighted,
                                                  {.domain = {weighted, integers(0, 4096)},
                                                   .budget = {.ulp = 1.5, .absolute = 5e-35},
                                                   .codomain = {0, 4096}}));

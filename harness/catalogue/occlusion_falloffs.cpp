@@ -37,35 +37,35 @@ void append_polynomials(Entries& entries) {
                     .title = "step falloff",
                     .formula = "D = 1 if d <= R, else 0",
                     .source = "TSSAO (Mattausch et al.), the simplest D of eq 1"},
-                   GLOAM_REFERENCE(gloam_falloff_step), {});
+                   &reference::gloam_falloff_step, {});
     append_falloff(entries,
                    {.id = "FALLOFF-linear",
                     .function = "gloam_falloff_linear",
                     .title = "linear falloff",
                     .formula = "D = max(1 - d / R, 0)",
                     .source = "Aalund and Baerentzen 2013, reference images"},
-                   GLOAM_REFERENCE(gloam_falloff_linear), {.ulp = 1.5});
+                   &reference::gloam_falloff_linear, {.ulp = 1.5});
     append_falloff(entries,
                    {.id = "FALLOFF-quadratic",
                     .function = "gloam_falloff_quadratic",
                     .title = "quadratic falloff",
                     .formula = "D = max(1 - d^2 / R^2, 0)",
                     .source = "horizon-based AO, Bavoil and Sainz 2008"},
-                   GLOAM_REFERENCE(gloam_falloff_quadratic), {.ulp = 3});
+                   &reference::gloam_falloff_quadratic, {.ulp = 3});
     append_falloff(entries,
                    {.id = "FALLOFF-cubic",
                     .function = "gloam_falloff_cubic",
                     .title = "cubic falloff",
                     .formula = "D = max(1 - d^3 / R^3, 0)",
                     .source = "derived: kernel uniform in the volume of a ball"},
-                   GLOAM_REFERENCE(gloam_falloff_cubic), {.ulp = 5});
+                   &reference::gloam_falloff_cubic, {.ulp = 5});
     append_falloff(entries,
                    {.id = "FALLOFF-sao",
                     .function = "gloam_falloff_sao",
                     .title = "falloff of Scalable Ambient Obscurance",
                     .formula = "D = (1 - d^2 / R^2)^3 for d < R, else 0",
                     .source = "McGuire et al. 2012"},
-                   GLOAM_REFERENCE(gloam_falloff_sao), {.ulp = 10});
+                   &reference::gloam_falloff_sao, {.ulp = 10});
 }
 
 }  // namespace
@@ -78,28 +78,28 @@ void append_falloffs(Entries& entries) {
                     .title = "exponential falloff, cut below 1/255",
                     .formula = "D = exp(-d / R), 0 where below 1/255",
                     .source = "TSSAO (Mattausch et al.), notes on eq 1"},
-                   GLOAM_REFERENCE(gloam_falloff_exponential), {.ulp = 10, .backward_ulp = 4});
+                   &reference::gloam_falloff_exponential, {.ulp = 10, .backward_ulp = 4});
     append_falloff(entries,
                    {.id = "FALLOFF-alchemy",
                     .function = "gloam_falloff_alchemy",
                     .title = "falloff of Alchemy",
                     .formula = "D = u d / max(u, d)^2",
                     .source = "McGuire et al. 2011"},
-                   GLOAM_REFERENCE(gloam_falloff_alchemy), {.ulp = 1});
+                   &reference::gloam_falloff_alchemy, {.ulp = 1});
     append_falloff(entries,
                    {.id = "FALLOFF-filion",
                     .function = "gloam_visibility_filion",
                     .title = "visibility of Filion and McNaughton",
                     .formula = "clamp((D - R) / D, 0, 1), 1 for D <= 0",
                     .source = "Filion and McNaughton 2008"},
-                   GLOAM_REFERENCE(gloam_visibility_filion), {.ulp = 1.5});
+                   &reference::gloam_visibility_filion, {.ulp = 1.5});
     entries.push_back(equation<float(float)>({.id = "FALLOFF-one",
                                               .function = "gloam_falloff_one",
                                               .file = file,
                                               .title = "no falloff",
                                               .formula = "D = 1",
                                               .source = "TSSAO (Mattausch et al.), Ritschel's kernel"},
-                                             GLOAM_REFERENCE(gloam_falloff_one),
+                                             &reference::gloam_falloff_one,
                                              {.domain = {any_float().and_special()}, .codomain = {0, 1}}));
 }
 

@@ -37,7 +37,7 @@ void append_can_gather(Entries& entries) {
          .title = "whether there is anything to gather at a point",
          .formula = "surface in front of the eye, normal not zero, lengths and projection in [1e-18, 1e18]",
          .source = "edges of TSSAO (Mattausch et al.), eq 2"},
-        GLOAM_REFERENCE(gloam_can_gather), {.domain = {vectors, vectors, gather_length(), cameras()}}));
+        &reference::gloam_can_gather, {.domain = {vectors, vectors, gather_length(), cameras()}}));
 }
 
 void append_tap_pixel(Entries& entries) {
@@ -50,8 +50,7 @@ void append_tap_pixel(Entries& entries) {
          .title = "pixel whose depth a tap reads",
          .formula = "the pixel that the depth chain's texel stands for, of the level for the tap's distance",
          .source = "SAO (McGuire et al. 2012)"},
-        GLOAM_REFERENCE(gloam_tap_pixel),
-        {.domain = {pixel, pixel, constant(glm::ivec2(2001, 1001)), distance}}));
+        &reference::gloam_tap_pixel, {.domain = {pixel, pixel, constant(glm::ivec2(2001, 1001)), distance}}));
 }
 
 void append_pairs(Entries& entries) {
@@ -64,7 +63,7 @@ void append_pairs(Entries& entries) {
          .title = "height of the surface of a tap at the aimed place",
          .formula = "((s - p - a) . n) / (v . n)",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_height_at),
+        &reference::gloam_height_at,
         {.domain = {offset, offset, unit_vector(3).and_special(), unit_vector(3).and_special()},
          .budget = {.absolute = 3.5e-4},
          .codomain = {-3.5e38, 3.5e38},
@@ -155,7 +154,7 @@ void append_estimates(Entries& entries) {
          .title = "estimate of a weighted mean",
          .formula = "min(sum / weight, 1)",
          .source = "TSSAO (Mattausch et al.), eq 2"},
-        GLOAM_REFERENCE(gloam_estimate),
+        &reference::gloam_estimate,
         {.domain = {sum, sum, integers(0, 2048)},
          .budget = {.ulp = 0.5},
          .codomain = {0, 2048},
@@ -170,7 +169,7 @@ void append_estimates(Entries& entries) {
                                .title = "whether a depth is that of a surface",
                                .formula = "0 < d <= 1e18",
                                .source = "definition"},
-                              GLOAM_REFERENCE(gloam_tap_sees),
+                              &reference::gloam_tap_sees,
                               {.domain = {either(log_uniform(1e-37, 1e38), any_float()).and_special()}}));
     entries.push_back(equation<unsigned(unsigned)>({.id = "PAIR-samples",
                                                     .function = "gloam_paired_samples",
@@ -178,7 +177,7 @@ void append_estimates(Entries& entries) {
                                                     .title = "samples of whole pairs",
                                                     .formula = "2 ceil(k / 2)",
                                                     .source = "definition"},
-                                                   GLOAM_REFERENCE(gloam_paired_samples),
+                                                   &reference::gloam_paired_samples,
                                                    {.domain = {log_integers(100'000)}}));
 }
 
@@ -201,12 +200,12 @@ void append_shared_points(Entries& entries) {
                  return reference::gloam_radical_inverse(index, 5U) < most_third;
              })}));
     };
-    add("POINTS-halton", "halton", "HALTON in bases 2, 3, 5", GLOAM_REFERENCE(gloam_halton_point), 2e-7);
-    add("POINTS-disc", "disc", "TSSAO-13 of the Halton point", GLOAM_REFERENCE(gloam_disc_point), 5e-7);
+    add("POINTS-halton", "halton", "HALTON in bases 2, 3, 5", &reference::gloam_halton_point, 2e-7);
+    add("POINTS-disc", "disc", "TSSAO-13 of the Halton point", &reference::gloam_disc_point, 5e-7);
     add("POINTS-hemisphere-cosine", "hemisphere_cosine", "TSSAO-14 of the Halton point",
-        GLOAM_REFERENCE(gloam_hemisphere_cosine_point), 1.2e-6, 0.998);
+        &reference::gloam_hemisphere_cosine_point, 1.2e-6, 0.998);
     add("POINTS-hemisphere-uniform", "hemisphere_uniform", "TSSAO-14-uniform of the Halton point",
-        GLOAM_REFERENCE(gloam_hemisphere_uniform_point), 2e-6, 0.998);
+        &reference::gloam_hemisphere_uniform_point, 2e-6, 0.998);
 }
 
 }  // namespace

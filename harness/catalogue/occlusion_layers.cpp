@@ -28,7 +28,7 @@ void append_curvature(Entries& entries) {
                          .title = "occlusion in a bowl",
                          .formula = "1 - Re 1 / sqrt((1 + i a) (1 + i b))",
                          .source = hattori},
-                        GLOAM_REFERENCE(gloam_occlusion_bowl),
+                        &reference::gloam_occlusion_bowl,
                         {.domain = {slope, slope}, .budget = {.absolute = 4e-7}, .codomain = {0, 1}}));
     const Values falling =
         made_by<float>([](numeric::Random& random) { return -std::exp(random.uniform(-9.2, 8.3)); });
@@ -39,7 +39,7 @@ void append_curvature(Entries& entries) {
          .title = "occlusion on a saddle",
          .formula = "(2 / pi) (phi_0 - Re atan(t sqrt(B / A)) / sqrt(A B)), t = tan phi_0 = sqrt(-a / b)",
          .source = hattori},
-        GLOAM_REFERENCE(gloam_occlusion_saddle),
+        &reference::gloam_occlusion_saddle,
         {.domain = {slope, falling}, .budget = {.absolute = 8e-7}, .codomain = {0, 1}}));
     const Values curvature =
         either(signed_log_uniform(1e-3, 100), any_float()).and_near({0.0, 2.0}).and_special();
@@ -51,7 +51,7 @@ void append_curvature(Entries& entries) {
          .title = "occlusion by principal curvatures",
          .formula = "mean over phi of q^2 / (1 + q^2), q = max(k_1 cos^2 phi + k_2 sin^2 phi, 0) R / 2",
          .source = hattori},
-        GLOAM_REFERENCE(gloam_occlusion_curvature),
+        &reference::gloam_occlusion_curvature,
         {.domain = {curvature, curvature,
                     either(log_uniform(0.1, 2), any_float()).and_near({1.0}).and_special()},
          .budget = {.absolute = 8e-7},
@@ -71,7 +71,7 @@ void append_tests_of_depth(Entries& entries) {
          .title = "whether a tap lies too far in front",
          .formula = "d_p - d_s > threshold",
          .source = "Aalund and Baerentzen 2013"},
-        GLOAM_REFERENCE(gloam_tap_rejected),
+        &reference::gloam_tap_rejected,
         {.domain = {depth, depth, either(log_uniform(1e-3, 10), constant(1.0F)).and_special()},
          .budget = {.backward_ulp = 1}}));
     const Values plain = either(uniform(0.5, 8), uniform(-8, -0.5));
@@ -83,8 +83,7 @@ void append_tests_of_depth(Entries& entries) {
          .title = "depth of a layer at a tap",
          .formula = "d_0, |d_1|, |d_2|, |d_3|",
          .source = bavoil},
-        GLOAM_REFERENCE(gloam_layer_depth),
-        {.domain = {plain, further, integers(0, 3)}, .codomain = {-8, 8}}));
+        &reference::gloam_layer_depth, {.domain = {plain, further, integers(0, 3)}, .codomain = {-8, 8}}));
     using Seen = reference::GloamLayersSeen;
     entries.push_back(equation<Seen(Seen, float, glm::vec3, float, int, int)>(
         {.id = "CS-LAYERS-together",
@@ -93,7 +92,7 @@ void append_tests_of_depth(Entries& entries) {
          .title = "what the layers at a sample point say together",
          .formula = "the largest of the layers; a back in front of the point takes what it closes away",
          .source = bavoil},
-        GLOAM_REFERENCE(gloam_layers_add),
+        &reference::gloam_layers_add,
         {.domain = {vector({uniform(0, 1), uniform(0, 1), booleans()}).only_as_drawn(), uniform(0, 1),
                     vector(3, plain), uniform(0.5, 8), integers(0, 3), integers(1, 4)},
          .codomain = {0, 1}}));
@@ -104,7 +103,7 @@ void append_tests_of_depth(Entries& entries) {
          .title = "whether a sample lies between the front and the back of an object",
          .formula = "front <= d <= back",
          .source = bavoil},
-        GLOAM_REFERENCE(gloam_layer_blocked),
+        &reference::gloam_layer_blocked,
         {.domain = Domain{depth, depth, depth}.tied(0, 1).tied(0, 2), .codomain = {0, 1}}));
 }
 
@@ -116,7 +115,7 @@ void append_means(Entries& entries) {
                                                      .title = "occlusion over layers or views",
                                                      .formula = "max(occlusion, layer)",
                                                      .source = bavoil},
-                                                    GLOAM_REFERENCE(gloam_layers_occlusion),
+                                                    &reference::gloam_layers_occlusion,
                                                     {.domain = {occlusion, occlusion}, .codomain = {0, 1}}));
     constexpr const char* file = "gloam/occlusion/separable.glsl";
     entries.push_back(equation<float(float, float)>(
@@ -126,7 +125,7 @@ void append_means(Entries& entries) {
          .title = "occlusion of two directions",
          .formula = "(AO_u + AO_v) / 2",
          .source = huang},
-        GLOAM_REFERENCE(gloam_separable_mean),
+        &reference::gloam_separable_mean,
         {.domain = {occlusion, occlusion}, .budget = {.ulp = 0.5}, .codomain = {0, 1}}));
     using Weight = float(glm::vec3, glm::vec3, float, float);
     const Values offset =
@@ -141,7 +140,7 @@ void append_means(Entries& entries) {
          .title = "weight of a neighbour whose first-pass occlusion is taken over",
          .formula = "exp(-|q - p|^2 / (2 sigma^2)) if |(q - p) . n| <= tolerance, else 0",
          .source = huang},
-        GLOAM_REFERENCE(gloam_separable_weight),
+        &reference::gloam_separable_weight,
         {.domain = {offset, unit_vector(3).and_special(), length, length},
          .budget = {.absolute = 5e-7, .backward_ulp = 2},
          .codomain = {0, 1},

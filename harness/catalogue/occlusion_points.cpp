@@ -66,7 +66,7 @@ void append_biases(Entries& entries) {
          .title = "bias that grows with the depth",
          .formula = "b d / d_ref",
          .source = "McGuire et al. 2011; psi(z) of ISSAO, eq 6"},
-        GLOAM_REFERENCE(gloam_depth_bias),
+        &reference::gloam_depth_bias,
         {.domain = {lengths(), depths(), lengths()},
          .budget = {.ulp = 2.5},
          .codomain = {0, float_max},
@@ -84,7 +84,7 @@ void append_alchemy(Entries& entries) {
          .title = "Alchemy's contribution of a surface point, in 1 / length",
          .formula = "C = max(v . n - bias, 0) / (v . v + epsilon)",
          .source = alchemy_source},
-        GLOAM_REFERENCE(gloam_contribution_alchemy),
+        &reference::gloam_contribution_alchemy,
         {.domain = {offsets(), normals(), biases(), epsilons()},
          .budget = {.absolute = 3e-6},
          .codomain = {0, float_max},
@@ -98,7 +98,7 @@ void append_alchemy(Entries& entries) {
          .title = "visibility from Alchemy's contributions",
          .formula = "max(0, 1 - (2 sigma / N) sum)^k",
          .source = alchemy_source},
-        GLOAM_REFERENCE(gloam_visibility_alchemy),
+        &reference::gloam_visibility_alchemy,
         {.domain = {sums(2), either(uniform(0, 1), lengths()).and_special(),
                     either(constant(1.0F), uniform(0.5, 4)).and_special()},
          .budget = {.absolute = 1e-6, .backward_ulp = 2},
@@ -118,7 +118,7 @@ void append_issao_contributions(Entries& entries) {
          .title = "ISSAO's attenuation by distance",
          .formula = "Q = phi |v| / max(mu, |v|)^2",
          .source = "ISSAO, eq 5, reconstructed"},
-        GLOAM_REFERENCE(gloam_issao_attenuation),
+        &reference::gloam_issao_attenuation,
         {.domain = Domain{lengths(), lengths(), lengths()}.tied(0, 2),
          .budget = {.ulp = 2.5},
          .codomain = {0, float_max},
@@ -132,7 +132,7 @@ void append_issao_contributions(Entries& entries) {
          .title = "ISSAO's contribution of a direction",
          .formula = "Q(|v|) max(v . n / |v|, 0) for |v| < R",
          .source = "ISSAO, eq 4, reconstructed"},
-        GLOAM_REFERENCE(gloam_contribution_issao_attenuated),
+        &reference::gloam_contribution_issao_attenuated,
         {.domain = {offsets(), normals(), lengths(), log_uniform(0.1, 1).and_special(),
                     log_uniform(0.2, 2).and_special()},
          .budget = {.absolute = 6e-7, .backward_ulp = 4},
@@ -154,7 +154,7 @@ void append_issao_taps(Entries& entries) {
          .title = "ISSAO's contribution of a tap",
          .formula = "phi max(0, v . n - psi) / (v . v + sigma) for |v| < R",
          .source = "ISSAO, eq 6, reconstructed"},
-        GLOAM_REFERENCE(gloam_contribution_issao),
+        &reference::gloam_contribution_issao,
         {.domain = {offsets(), normals(), log_uniform(0.5, 4).and_special(),
                     log_uniform(0.1, 1).and_special(), biases(), epsilons()},
          .budget = {.absolute = 3e-6, .backward_ulp = 4},
@@ -170,7 +170,7 @@ void append_issao_taps(Entries& entries) {
          .title = "ISSAO's occlusion factor",
          .formula = "A_0 = min((lambda / s) sum, 1)",
          .source = "ISSAO, eq 6, reconstructed"},
-        GLOAM_REFERENCE(gloam_issao_occlusion),
+        &reference::gloam_issao_occlusion,
         {.domain = {sums(1.2), either(uniform(0.5, 1.5), lengths()).and_special()},
          .budget = {.ulp = 1.5},
          .codomain = {0, 1},
@@ -194,11 +194,11 @@ void append_issao_samples(Entries& entries) {
             {.domain = {vector(2, unit), radius}, .budget = budget, .codomain = {-1.000001, 1.000001}}));
     };
     append_offset("ISSAO-1", "gloam_issao_offset_polar", "sampling offset inside the disc",
-                  "r_max e_1 (sin 2 pi e_2, cos 2 pi e_2)", GLOAM_REFERENCE(gloam_issao_offset_polar),
+                  "r_max e_1 (sin 2 pi e_2, cos 2 pi e_2)", &reference::gloam_issao_offset_polar,
                   {.absolute = 2e-7});
     append_offset("ISSAO-1-printed", "gloam_issao_offset_printed",
                   "sampling offset as printed, kept in the disc",
-                  "r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1)", GLOAM_REFERENCE(gloam_issao_offset_printed),
+                  "r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1)", &reference::gloam_issao_offset_printed,
                   {.absolute = 3e-7});
     entries.push_back(equation<int(float, float, int, int)>(
         {.id = "ISSAO-LOD",
@@ -207,7 +207,7 @@ void append_issao_samples(Entries& entries) {
          .title = "number of samples by the projected size of the kernel",
          .formula = "clamp(round(most r / r_ref), least, most)",
          .source = "ISSAO, in prose"},
-        GLOAM_REFERENCE(gloam_count_by_radius),
+        &reference::gloam_count_by_radius,
         {.domain = Domain{either(uniform(0, 64), log_uniform(1e-37, 1e38)).and_special(),
                           either(uniform(16, 64), log_uniform(1e-37, 1e38)).and_special(), integers(0, 4),
                           integers(4, 64)}
@@ -225,7 +225,7 @@ void append_issao_light(Entries& entries) {
          .title = "ambient light that arrives",
          .formula = "I_a = I_0 (1 - A_0)",
          .source = "ISSAO, eq 2, reconstructed"},
-        GLOAM_REFERENCE(gloam_ambient_light),
+        &reference::gloam_ambient_light,
         {.domain = {vector(3, uniform(0, 4)), uniform(0, 1).and_near({0.0, 1.0}).and_special()},
          .budget = {.ulp = 1.5},
          .codomain = {0, 4}}));
@@ -257,10 +257,10 @@ void append_covering_radii(Entries& entries) {
                                               .promised = usual}));
     };
     append("ISSAO-P-parallel", "gloam_covering_radius_parallel", "image of a disc parallel to the screen",
-           "R / d", GLOAM_REFERENCE(gloam_covering_radius_parallel), {.ulp = 1});
+           "R / d", &reference::gloam_covering_radius_parallel, {.ulp = 1});
     append("ISSAO-P", "gloam_covering_radius_perpendicular",
            "circle that covers the image of a disc across the view ray", "R / (cos t (d - R sin t))",
-           GLOAM_REFERENCE(gloam_covering_radius_perpendicular), {.ulp = 8});
+           &reference::gloam_covering_radius_perpendicular, {.ulp = 8});
 }
 
 void append_crytek(Entries& entries) {
@@ -273,7 +273,7 @@ void append_crytek(Entries& entries) {
                                        .title = "Crytek's contribution of a sample point",
                                        .formula = "1 - V', V' = 1 if s_d > s_z, else 0",
                                        .source = source},
-                                      GLOAM_REFERENCE(gloam_contribution_crytek),
+                                      &reference::gloam_contribution_crytek,
                                       {.domain = Domain{depths(), depths()}.tied(1, 0), .codomain = {0, 1}}));
     const Values value = uniform(0, 1).and_near({0.0, 1.0}).and_special();
     entries.push_back(
@@ -283,7 +283,7 @@ void append_crytek(Entries& entries) {
                                        .title = "Crytek's contribution by the values of a depth buffer",
                                        .formula = "1 - V', V' = 1 if s_d > s_z, else 0",
                                        .source = source},
-                                      GLOAM_REFERENCE(gloam_contribution_crytek_buffer),
+                                      &reference::gloam_contribution_crytek_buffer,
                                       {.domain = Domain{value, value}.tied(1, 0), .codomain = {0, 1}}));
     using Sample = glm::vec3(glm::vec2, float, glm::vec3, float, float, float);
     entries.push_back(equation<Sample>(
@@ -293,7 +293,7 @@ void append_crytek(Entries& entries) {
          .title = "Crytek's sample point in the space of the depth buffer",
          .formula = "(uv, b) + R (s.xy a, s.z b c), a = 1 / d, c = (100 / z_far) a",
          .source = "Aalund and Baerentzen 2013, published shader"},
-        GLOAM_REFERENCE(gloam_crytek_sample),
+        &reference::gloam_crytek_sample,
         {.domain = {vector(2, uniform(0, 1)), uniform(0, 1), vector_of_length(3, uniform(0, 1)),
                     log_uniform(0.1, 10), depths(), log_uniform(50, 2000).and_special()},
          .budget = {.ulp = 4, .absolute = 1e-6, .of_largest_component = true},
@@ -312,7 +312,7 @@ void append_filion(Entries& entries) {
          .title = "contribution of a sample point, after Filion and McNaughton",
          .formula = "1 - clamp((D - R) / D, 0, 1), D = d_s - d_b > 0",
          .source = "Filion and McNaughton 2008"},
-        GLOAM_REFERENCE(gloam_contribution_filion),
+        &reference::gloam_contribution_filion,
         {.domain = Domain{depths(), depths(), lengths()}.tied(1, 0).tied(2, 0),
          .budget = {.absolute = 2e-7, .backward_ulp = 1},
          .codomain = {0, 1}}));

@@ -45,27 +45,27 @@ void append_spheres(Entries& entries) {
          .title = "part of the half space that a ball takes up",
          .formula = "1 - sqrt(1 - (r / D)^2)",
          .source = "solid angle of a ball"},
-        GLOAM_REFERENCE(gloam_sphere_fraction),
+        &reference::gloam_sphere_fraction,
         {.domain = Domain{lengths(), lengths()}.tied(1, 0).tied(1, 0, 1.0001),
          .budget = {.absolute = 3e-7},
          .codomain = {0, 1},
          .promised = make_predicate<float(float, float)>(
              [](double r, double d) { return !(r < 1e-30) && !(d < 1e-30); })}));
     using Signature = float(glm::vec3, glm::vec3, float);
-    Check check{.domain = {offsets(), normals(), lengths()},
-                .budget = {.absolute = 8e-7},
-                .codomain = {0, 1},
-                .promised = make_predicate<Signature>([](glm::dvec3 v, glm::dvec3 n, double r) {
-                    const double near = r / glm::length(v);
-                    return sized(v) && is_unit(n) && !(r < 1e-18) && (near < 0.95 || near > 1.0001);
-                })};
+    Question check{.domain = {offsets(), normals(), lengths()},
+                   .budget = {.absolute = 8e-7},
+                   .codomain = {0, 1},
+                   .promised = make_predicate<Signature>([](glm::dvec3 v, glm::dvec3 n, double r) {
+                       const double near = r / glm::length(v);
+                       return sized(v) && is_unit(n) && !(r < 1e-18) && (near < 0.95 || near > 1.0001);
+                   })};
     entries.push_back(equation<Signature>({.id = "CS-H",
                                            .function = "gloam_contribution_sphere",
                                            .file = sphere_file,
                                            .title = "contribution of a ball by its solid angle",
                                            .formula = "(1 - sqrt(1 - (r / D)^2)) max(n . v / D, 0)",
                                            .source = song},
-                                          GLOAM_REFERENCE(gloam_contribution_sphere), check));
+                                          &reference::gloam_contribution_sphere, check));
     check.budget.absolute = 5e-7;
     entries.push_back(equation<Signature>({.id = "CS-H-cosine",
                                            .function = "gloam_contribution_sphere_cosine",
@@ -73,7 +73,7 @@ void append_spheres(Entries& entries) {
                                            .title = "contribution of a ball, cosine-weighted",
                                            .formula = "(r / D)^2 max(n . v / D, 0)",
                                            .source = "derived: exact for a ball above the tangent plane"},
-                                          GLOAM_REFERENCE(gloam_contribution_sphere_cosine), check));
+                                          &reference::gloam_contribution_sphere_cosine, check));
 }
 
 void append_horizon_test(Entries& entries) {
@@ -85,7 +85,7 @@ void append_horizon_test(Entries& entries) {
          .title = "whether a proxy stands above the horizon",
          .formula = "v_z > tan(h) |v_xy|",
          .source = "Song 2010 (mixture sampling)"},
-        GLOAM_REFERENCE(gloam_above_horizon),
+        &reference::gloam_above_horizon,
         {.domain = {offsets(), either(uniform(-4, 4), any_float()).and_near({0.0}).and_special()},
          .budget = {.backward_ulp = 6},
          .codomain = {0, 1},
@@ -102,7 +102,7 @@ void append_discs(Entries& entries) {
          .title = "how a disc shares the squared distance to its rim",
          .formula = "(A, pi D^2) / (A + pi D^2)",
          .source = "derived"},
-        GLOAM_REFERENCE(gloam_disc_share),
+        &reference::gloam_disc_share,
         {.domain = {area, lengths()},
          .budget = {.absolute = 4e-7},
          .codomain = {0, 1},
@@ -110,13 +110,13 @@ void append_discs(Entries& entries) {
              [](double a, double d) { return !(a < 1e-30) && !(d < 1e-30); })}));
     using Signature = float(glm::vec3, glm::vec3, glm::vec3, float, float);
     const auto check = [&](double absolute) {
-        return Check{.domain = {offsets(), normals(), normals(), area, uniform(0, 1).and_special()},
-                     .budget = {.absolute = absolute},
-                     .codomain = {0, 1},
-                     .promised = make_predicate<Signature>(
-                         [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 e, double a, double) {
-                             return sized(v) && is_unit(n) && is_unit(e) && !(a < 1e-30);
-                         })};
+        return Question{.domain = {offsets(), normals(), normals(), area, uniform(0, 1).and_special()},
+                        .budget = {.absolute = absolute},
+                        .codomain = {0, 1},
+                        .promised = make_predicate<Signature>(
+                            [](glm::dvec3 v, glm::dvec3 n, glm::dvec3 e, double a, double) {
+                                return sized(v) && is_unit(n) && is_unit(e) && !(a < 1e-30);
+                            })};
     };
     entries.push_back(equation<Signature>(
         {.id = "CS-S",
@@ -125,7 +125,7 @@ void append_discs(Entries& entries) {
          .title = "contribution of a disc of the scene",
          .formula = "(1 - 1 / sqrt(1 + A / (pi D^2))) max(-n_E . v / D, 0) min(4 max(n . v / D, 0), 1)",
          .source = "Bunnell 2005 (GPU Gems 2, chapter 14)"},
-        GLOAM_REFERENCE(gloam_contribution_disc_proxy), check(8e-7)));
+        &reference::gloam_contribution_disc_proxy, check(8e-7)));
     entries.push_back(
         equation<Signature>({.id = "CS-S-cosine",
                              .function = "gloam_contribution_disc_proxy_cosine",
@@ -133,7 +133,7 @@ void append_discs(Entries& entries) {
                              .title = "contribution of a disc of the scene, cosine-weighted",
                              .formula = "A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v / D, 0)",
                              .source = "derived: exact on the axis"},
-                            GLOAM_REFERENCE(gloam_contribution_disc_proxy_cosine), check(6e-7)));
+                            &reference::gloam_contribution_disc_proxy_cosine, check(6e-7)));
 }
 
 void append_poisson(Entries& entries) {
@@ -145,7 +145,7 @@ void append_poisson(Entries& entries) {
          .title = "contribution of a surface point in front of the tangent plane",
          .formula = "max(1 - |v| / R, 0) if v . n > bias, else 0",
          .source = aksoy},
-        GLOAM_REFERENCE(gloam_contribution_aksoy_phaneuf),
+        &reference::gloam_contribution_aksoy_phaneuf,
         {.domain = {offsets(), normals(), lengths(), either(uniform(0, 0.1), constant(0.0F)).and_special()},
          .budget = {.absolute = 4e-7, .backward_ulp = 4},
          .codomain = {0, 1},
@@ -161,7 +161,7 @@ void append_poisson(Entries& entries) {
          .title = "occlusion from two radii",
          .formula = "min(fine + broad, 1)",
          .source = aksoy},
-        GLOAM_REFERENCE(gloam_two_radii_sum),
+        &reference::gloam_two_radii_sum,
         {.domain = {occlusion, occlusion}, .budget = {.ulp = 0.5}, .codomain = {0, 1}}));
 }
 
@@ -176,7 +176,7 @@ void append_sampling_marches(Entries& entries) {
          .title = "point of a ray marched in eye space",
          .formula = "p + R (i + jitter) / N w",
          .source = "Dimitrov, Bavoil and Sainz 2008 (horizon-split AO)"},
-        GLOAM_REFERENCE(gloam_eye_march),
+        &reference::gloam_eye_march,
         {.domain = {vector(3, uniform(-8, 8)), normals(), either(uniform(0, 2), any_float()).and_special(),
                     either(integers(0, 16), integers(-2, 40)),
                     either(integers(1, 16), integers(-2, 100000000)), uniform(0, 1).and_special()},

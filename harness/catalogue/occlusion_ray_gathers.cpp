@@ -28,7 +28,7 @@ void append_disc(Entries& entries) {
          .formula = "radius sqrt((i' + 1/2) / 64), i' the index with its bits reversed, at the emptiest of "
                     "4096 angles",
          .source = "Sourimant et al. 2011 (the pattern); construction after Mitchell's best candidates"},
-        GLOAM_REFERENCE(gloam_poisson_disc),
+        &reference::gloam_poisson_disc,
         {.domain = {log_integers(16777216).and_near_integers({64, 16777216, 4294967295})},
          .codomain = {-1, 1}}));
 }

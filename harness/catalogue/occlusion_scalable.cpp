@@ -57,14 +57,14 @@ void append_visibility(Entries& entries) {
          .title = "visibility that stands for an amount of occlusion",
          .formula = "clamp(1 - x, 0, 1)",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_visibility), {.domain = {value}, .budget = {.ulp = 0.5}, .codomain = {0, 1}}));
+        &reference::gloam_visibility, {.domain = {value}, .budget = {.ulp = 0.5}, .codomain = {0, 1}}));
     entries.push_back(equation<float(float)>({.id = "VISIBILITY-clamp",
                                               .function = "gloam_visibility_clamp",
                                               .file = visibility_file,
                                               .title = "visibility kept inside its range",
                                               .formula = "clamp(v, 0, 1)",
                                               .source = "definition"},
-                                             GLOAM_REFERENCE(gloam_visibility_clamp),
+                                             &reference::gloam_visibility_clamp,
                                              {.domain = {value}, .codomain = {0, 1}}));
 }
 
@@ -77,7 +77,7 @@ void append_parts(Entries& entries) {
          .title = "the part of the falloffs inside the radius",
          .formula = "max(1 - v^2 / r^2, 0)",
          .source = sao},
-        GLOAM_REFERENCE(gloam_sao_window),
+        &reference::gloam_sao_window,
         {.domain = {squares, radii()}, .budget = {.absolute = 3e-7, .backward_ulp = 1}, .codomain = {0, 1}}));
     using Height = float(glm::vec3, glm::vec3, float);
     entries.push_back(
@@ -87,7 +87,7 @@ void append_parts(Entries& entries) {
                           .title = "height over the tangent plane, less the bias",
                           .formula = "max(v . n - bias, 0)",
                           .source = sao},
-                         GLOAM_REFERENCE(gloam_sao_height),
+                         &reference::gloam_sao_height,
                          {.domain = {offsets(), normals(), biases()},
                           .budget = {.absolute = 5e-7},
                           .codomain = {0, 0x1.fffffep127},
@@ -102,7 +102,7 @@ void append_parts(Entries& entries) {
          .title = "height over squared distance",
          .formula = "h / (v^2 + epsilon)",
          .source = sao},
-        GLOAM_REFERENCE(gloam_sao_quotient),
+        &reference::gloam_sao_quotient,
         {.domain = {either(uniform(0, 1), log_uniform(1e-37, 1e38)).and_special(), squares, epsilons()},
          .budget = {.ulp = 2},
          .codomain = {0, infinity},
@@ -167,35 +167,35 @@ void append_contributions_of_sao(Entries& entries) {
                     .title = "contribution of a surface point",
                     .formula = "(1 - v^2 / r^2)^3 max(v . n - bias, 0) / (v^2 + epsilon), |v| < r",
                     .budget = {.absolute = 3e-6}},
-                   sao, infinity, GLOAM_REFERENCE(gloam_contribution_sao));
+                   sao, infinity, &reference::gloam_contribution_sao);
     append_divided(entries,
                    {.id = "CS-Q-A",
                     .function = "gloam_contribution_sao_paper",
                     .title = "contribution without falloff, as in the paper",
                     .formula = "0.6 max(v . n - bias, 0) / (v^2 + epsilon), |v| < r",
                     .budget = {.absolute = 1.2e-6, .backward_ulp = 1}},
-                   sao, infinity, GLOAM_REFERENCE(gloam_contribution_sao_paper));
+                   sao, infinity, &reference::gloam_contribution_sao_paper);
     append_undivided(entries,
                      {.id = "CS-Q-C",
                       .function = "gloam_contribution_sao_medium",
                       .title = "contribution of medium contrast",
                       .formula = "4 (1 - v^2 / r^2) max(v . n - bias, 0) / r^2, |v| < r",
                       .budget = {.absolute = 1.4e-6}},
-                     GLOAM_REFERENCE(gloam_contribution_sao_medium));
+                     &reference::gloam_contribution_sao_medium);
     append_undivided(entries,
                      {.id = "CS-Q-D",
                       .function = "gloam_contribution_sao_low",
                       .title = "contribution of low contrast",
                       .formula = "2 max(v . n - bias, 0) / r^2, |v| < r",
                       .budget = {.absolute = 1e-6, .backward_ulp = 1}},
-                     GLOAM_REFERENCE(gloam_contribution_sao_low));
+                     &reference::gloam_contribution_sao_low);
     append_divided(entries,
                    {.id = "CS-Q-deep",
                     .function = "gloam_contribution_deep",
                     .title = "high-quality contribution of the deep G-buffer",
                     .formula = "(1 - v^2 / r^2) max(v . n - bias, 0) / sqrt(epsilon + v^2), |v| < r",
                     .budget = {.absolute = 5e-7}},
-                   deep, 1.0, GLOAM_REFERENCE(gloam_contribution_deep));
+                   deep, 1.0, &reference::gloam_contribution_deep);
 }
 
 void append_combinations(Entries& entries) {
@@ -215,7 +215,7 @@ void append_combinations(Entries& entries) {
          .title = "visibility from the sum of contributions",
          .formula = "max(0, 1 - 5 sigma sum / n)",
          .source = sao},
-        GLOAM_REFERENCE(gloam_visibility_sao),
+        &reference::gloam_visibility_sao,
         {.domain = {either(sums(0.3), vector(2, any_float())).and_value(glm::vec2(0)).and_special(), sigma},
          .budget = {.absolute = 3e-7},
          .codomain = {0, 1},
@@ -228,7 +228,7 @@ void append_combinations(Entries& entries) {
          .title = "visibility from the sum of high-quality contributions",
          .formula = "max(0, 1 - sqrt(3 sum / n))^power",
          .source = deep},
-        GLOAM_REFERENCE(gloam_visibility_deep),
+        &reference::gloam_visibility_deep,
         {.domain = {either(sums(0.4), vector(2, any_float())).and_value(glm::vec2(0)).and_special(), power},
          .budget = {.absolute = 1e-6, .backward_ulp = 4},
          .codomain = {0, 1},
@@ -246,7 +246,7 @@ void append_levels(Entries& entries) {
          .title = "contribution of a surface point at one level",
          .formula = "(1 - min(1, (d / d_max)^2)) max(n . v / |v|, 0)",
          .source = "Hoang and Low 2012 (MSSAO)"},
-        GLOAM_REFERENCE(gloam_contribution_mssao),
+        &reference::gloam_contribution_mssao,
         {.domain = {offsets(), normals(), radii()},
          .budget = {.absolute = 7e-7},
          .codomain = {0, 1},
@@ -261,7 +261,7 @@ void append_levels(Entries& entries) {
          .title = "occlusion from that of all levels",
          .formula = "1 - (1 - max) (1 - mean)",
          .source = "Hoang and Low 2012 (MSSAO)"},
-        GLOAM_REFERENCE(gloam_mssao_combine),
+        &reference::gloam_mssao_combine,
         {.domain = {level, level}, .budget = {.absolute = 2e-7}, .codomain = {0, 1}}));
 }
 

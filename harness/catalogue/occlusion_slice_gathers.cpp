@@ -36,7 +36,7 @@ void append_into_slice(Entries& entries) {
          .title = "offset moved into a slice along the tangent plane",
          .formula = "v - (v . a) u, u . n = 0, u . a = 1",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_into_slice),
+        &reference::gloam_into_slice,
         {.domain = {offsets, units, units},
          .budget = {.absolute = 2e-5},
          .codomain = {-3.5e38, 3.5e38},
@@ -69,7 +69,7 @@ void append_clearance(Entries& entries) {
                              .title = "how near to the view axis the taps of a slice may see something",
                              .formula = "s -> (1 - B / D) (s a - b) / (1 + R / D (sqrt(1 - a^2) + b))",
                              .source = "derived from the rays of pixels beside the slice"},
-                            GLOAM_REFERENCE(gloam_slice_clearance),
+                            &reference::gloam_slice_clearance,
                             {.domain = {slices(), positions, unit_vector(2), ends, cameras(),
                                         log_uniform(0.01, 10), uniform(0, 1)},
                              .budget = {.absolute = 8e-7},
@@ -86,7 +86,7 @@ void append_taps(Entries& entries) {
                              .title = "taps of a side of a slice that may see something within a ball",
                              .formula = "ceil(n sqrt((b + y) / x) - jitter), at most n",
                              .source = "definition"},
-                            GLOAM_REFERENCE(gloam_slice_taps),
+                            &reference::gloam_slice_taps,
                             {.domain = {clearances, uniform(-0.25, 1.25).and_near({0.0, 1.0}).and_special(),
                                         uniform(0, 1), integers(1, 64)},
                              .budget = {.backward_ulp = 4},
@@ -153,7 +153,7 @@ void append_slice_parts(Entries& entries) {
          .title = "vectors that take offsets into a slice along the tangent plane",
          .formula = "(v - (u . v) a, t - (u . t) a), u . n = 0, u . a = 1",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_slice_axes),
+        &reference::gloam_slice_axes,
         {.domain = {slices().only_as_drawn(), unit_vector(3)},
          .budget = {.absolute = 1.5e-5},
          .codomain = {-33, 33},
@@ -168,7 +168,7 @@ void append_slice_parts(Entries& entries) {
                                 .title = "turns of a kernel's angle",
                                 .formula = "a / (2 pi), 0 beyond 65536",
                                 .source = "definition"},
-                               GLOAM_REFERENCE(gloam_kernel_turns),
+                               &reference::gloam_kernel_turns,
                                {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()},
                                 .budget = {.ulp = 1},
                                 .codomain = {-10430.4, 10430.4}}));
@@ -180,7 +180,7 @@ void append_slice_parts(Entries& entries) {
          .title = "what is random of a slice",
          .formula = "direction pi fract(x + t), jitter fract(y + t), share z, of the Halton point (x, y, z)",
          .source = "GTAO (Jimenez et al. 2016) with the sequence of TSSAO"},
-        GLOAM_REFERENCE(gloam_slice_sample),
+        &reference::gloam_slice_sample,
         {.domain = {log_integers(16777216), uniform(0, 1)},
          .budget = {.absolute = 5e-7, .backward_ulp = 2},
          .codomain = {-1.000001, 1.000001}}));
@@ -191,7 +191,7 @@ void append_slice_parts(Entries& entries) {
          .title = "samples of whole slices, rays or crosses",
          .formula = "n max(floor(k / n), 1)",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_whole_samples),
+        &reference::gloam_whole_samples,
         {.domain = {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)}}));
 }
 

@@ -96,7 +96,7 @@ void append_slice(Entries& entries) {
          .title = "slice through the eye, and the normal in it",
          .formula = "t = d - (d . v) v, normalised; n = atan((N . t) / (N . v)), weight |(N . t, N . v)|",
          .source = gtao_source},
-        GLOAM_REFERENCE(gloam_slice),
+        &reference::gloam_slice,
         {.domain = {unit_vector(2), view, unit_vector(3).and_special()},
          .budget = {.absolute = 6e-7},
          .codomain = {-numeric::largest_float, numeric::largest_float},
@@ -119,7 +119,7 @@ void append_slice_parts(Entries& entries) {
          .title = "amount of an empty half plane",
          .formula = "cos n + n sin n",
          .source = gtao_source},
-        GLOAM_REFERENCE(gloam_slice_whole),
+        &reference::gloam_slice_whole,
         {.domain = {slices().only_as_drawn()}, .budget = {.absolute = 3e-7}, .codomain = {0.99999, 1.571}}));
     using Direction = glm::vec2(glm::vec3, Slice);
     entries.push_back(equation<Direction>({.id = "GTAO-slice-direction",
@@ -128,7 +128,7 @@ void append_slice_parts(Entries& entries) {
                                            .title = "direction of a sample in a slice",
                                            .formula = "(v . view, v . t), normalised",
                                            .source = gtao_source},
-                                          GLOAM_REFERENCE(gloam_slice_direction),
+                                          &reference::gloam_slice_direction,
                                           {.domain = {offsets(), slices()},
                                            .budget = {.absolute = 4e-7},
                                            .codomain = {-1.000001, 1.000001},
@@ -144,7 +144,7 @@ void append_gtao_horizons(Entries& entries) {
                            .title = "higher of the horizon so far and a sample's",
                            .formula = "max(c, c_0 + w (v . view / |v| - c_0))",
                            .source = gtao_source},
-                          GLOAM_REFERENCE(gloam_gtao_horizon),
+                          &reference::gloam_gtao_horizon,
                           {.domain = {uniform(-1, 1).and_value(-1.0F), uniform(-1, 1), offsets(),
                                       unit_vector(3), uniform(0, 1).and_near({0.0, 1.0}).and_special()},
                            .budget = {.absolute = 4e-7},
@@ -156,7 +156,7 @@ void append_gtao_horizons(Entries& entries) {
          .title = "horizons of the tangent plane",
          .formula = "(cos(n - pi / 2), cos(n + pi / 2))",
          .source = gtao_source},
-        GLOAM_REFERENCE(gloam_gtao_lowest),
+        &reference::gloam_gtao_lowest,
         {.domain = {slices().only_as_drawn()}, .codomain = {-1.000001, 1.000001}}));
     entries.push_back(
         equation<float(float, float)>({.id = "GTAO-elevation",
@@ -165,7 +165,7 @@ void append_gtao_horizons(Entries& entries) {
                                        .title = "how far a horizon rises above the tangent plane",
                                        .formula = "max(n + pi / 2 - acos c, 0)",
                                        .source = gtao_source},
-                                      GLOAM_REFERENCE(gloam_gtao_elevation),
+                                      &reference::gloam_gtao_elevation,
                                       {.domain = {cosines(), projected_angles()},
                                        .budget = {.absolute = 6e-7},
                                        .codomain = {0, 3.1415928}}));
@@ -180,7 +180,7 @@ void append_gtao_arcs(Entries& entries) {
          .title = "inner integral of a slice as printed, one side",
          .formula = "1/4 (-cos(2 h - n) + cos n + 2 h sin n)",
          .source = "Jimenez et al. 2016, eq 10"},
-        GLOAM_REFERENCE(gloam_gtao_inner),
+        &reference::gloam_gtao_inner,
         {.domain = {uniform(-3.1415926, 3.1415926).and_near({0.0}).and_special(), projected_angles()},
          .budget = {.absolute = 5e-7},
          .codomain = {0, half_pi},
@@ -194,7 +194,7 @@ void append_gtao_arcs(Entries& entries) {
                        .title = "what a horizon takes from a slice, cosine-weighted",
                        .formula = "1/2 (e sin n + cos h cos(h - n))",
                        .source = "derived from Jimenez et al. 2016, eq 10"},
-                      GLOAM_REFERENCE(gloam_gtao_arc),
+                      &reference::gloam_gtao_arc,
                       {.domain = {elevations(), directions(), directions()},
                        .budget = {.absolute = 3e-7},
                        .codomain = {0, half_pi},
@@ -212,7 +212,7 @@ void append_gtao_sides(Entries& entries) {
                         .title = "what a horizon takes from a slice, all directions alike",
                         .formula = "1/2 (sin n + cos h)",
                         .source = "derived: the integral of |sin| over the arc"},
-                       GLOAM_REFERENCE(gloam_gtao_arc_uniform),
+                       &reference::gloam_gtao_arc_uniform,
                        {.domain = {cosines(), cosines()}, .budget = {.absolute = 1e-7}, .codomain = {0, 1}}));
     using Side = float(float, float, glm::vec2);
     entries.push_back(
@@ -222,7 +222,7 @@ void append_gtao_sides(Entries& entries) {
                         .title = "what a horizon takes from a slice, from its cosine",
                         .formula = "arc(n + pi / 2 - acos c, (c, sqrt(1 - c^2)), n)",
                         .source = "derived from Jimenez et al. 2016, eq 10"},
-                       GLOAM_REFERENCE(gloam_gtao_side),
+                       &reference::gloam_gtao_side,
                        {.domain = {cosines(), projected_angles(), directions()},
                         .budget = {.absolute = 8e-7},
                         .codomain = {0, half_pi},
@@ -243,7 +243,7 @@ void append_gtao_sums(Entries& entries) {
          .title = "one more slice in the cosine-weighted occlusion",
          .formula = "(sum + w (side(c_1, -n) + side(c_2, n)), whole + w (cos n + n sin n))",
          .source = gtao_source},
-        GLOAM_REFERENCE(gloam_gtao_add),
+        &reference::gloam_gtao_add,
         {.domain = {sum, any_weight, horizons}, .budget = {.absolute = 1.2e-6}, .codomain = {0, 7.2}}));
     entries.push_back(equation<Add>(
         {.id = "GTAO-add-uniform",
@@ -252,7 +252,7 @@ void append_gtao_sums(Entries& entries) {
          .title = "one more slice in the occlusion of all directions alike",
          .formula = "(sum + arc(c_1, -n) + arc(c_2, n), whole + 1)",
          .source = gtao_source},
-        GLOAM_REFERENCE(gloam_gtao_add_uniform),
+        &reference::gloam_gtao_add_uniform,
         {.domain = {sum, any_weight, horizons}, .budget = {.absolute = 1e-6}, .codomain = {0, 8}}));
     entries.push_back(equation<float(glm::vec2)>({.id = "GTAO",
                                                   .function = "gloam_gtao_occlusion",
@@ -260,7 +260,7 @@ void append_gtao_sums(Entries& entries) {
                                                   .title = "occlusion of all slices",
                                                   .formula = "occluded / whole",
                                                   .source = "Jimenez et al. 2016, self-normalised"},
-                                                 GLOAM_REFERENCE(gloam_gtao_occlusion),
+                                                 &reference::gloam_gtao_occlusion,
                                                  {.domain = {sum.and_value(glm::vec2(0)).and_special()},
                                                   .budget = {.ulp = 0.5, .absolute = 1e-37},
                                                   .codomain = {0, 1}}));
@@ -288,15 +288,15 @@ void append_fractions(Entries& entries) {
     };
     append("BITMASK-fraction", "gloam_slice_fraction_angle",
            "part of a slice below a direction, all angles alike", "(a - n) / pi + 1/2", bitmask_source,
-           GLOAM_REFERENCE(gloam_slice_fraction_angle), 3.5e-7);
+           &reference::gloam_slice_fraction_angle, 3.5e-7);
     append("BITMASK-fraction-cosine", "gloam_slice_fraction_cosine",
            "part of a slice below a direction, cosine-weighted",
            "integral of cos(b - n) |sin b| from n - pi / 2 to a, over the whole",
-           "derived: the measure of Jimenez et al. 2016", GLOAM_REFERENCE(gloam_slice_fraction_cosine), 5e-7);
+           "derived: the measure of Jimenez et al. 2016", &reference::gloam_slice_fraction_cosine, 5e-7);
     append("BITMASK-fraction-uniform", "gloam_slice_fraction_uniform",
            "part of a slice below a direction, by solid angle",
            "half the integral of |sin b| from n - pi / 2 to a", "derived",
-           GLOAM_REFERENCE(gloam_slice_fraction_uniform), 1.5e-7);
+           &reference::gloam_slice_fraction_uniform, 1.5e-7);
 }
 
 void append_sectors(Entries& entries) {
@@ -314,10 +314,10 @@ void append_sectors(Entries& entries) {
                                                         {.domain = {fractions}, .budget = budget}));
     };
     append("BITMASK-sectors", "gloam_bitmask_sectors", "sectors whose centres a sample covers",
-           "bit i where lower <= (i + 1/2) / 32 < upper", GLOAM_REFERENCE(gloam_bitmask_sectors), {});
+           "bit i where lower <= (i + 1/2) / 32 < upper", &reference::gloam_bitmask_sectors, {});
     append("BITMASK-sectors-outward", "gloam_bitmask_sectors_outward", "sectors by the rounding of the paper",
-           "ceil(32 (upper - lower)) bits from floor(32 lower) on",
-           GLOAM_REFERENCE(gloam_bitmask_sectors_outward), {.backward_ulp = 1});
+           "ceil(32 (upper - lower)) bits from floor(32 lower) on", &reference::gloam_bitmask_sectors_outward,
+           {.backward_ulp = 1});
     const Values bits = either(log_integers(2147483647), integers(-2147483648L, 2147483647));
     entries.push_back(equation<unsigned(unsigned)>({.id = "BIT-count",
                                                     .function = "gloam_bit_count",
@@ -325,7 +325,7 @@ void append_sectors(Entries& entries) {
                                                     .title = "number of bits set",
                                                     .formula = "sum of the digits in base 2",
                                                     .source = "definition"},
-                                                   GLOAM_REFERENCE(gloam_bit_count), {.domain = {bits}}));
+                                                   &reference::gloam_bit_count, {.domain = {bits}}));
     const Values index = integers(0, 32).and_near_integers({0, 31, 32});
     entries.push_back(equation<unsigned(unsigned, unsigned)>({.id = "BIT-range",
                                                               .function = "gloam_bit_range",
@@ -333,7 +333,7 @@ void append_sectors(Entries& entries) {
                                                               .title = "bits first to last - 1",
                                                               .formula = "2^last - 2^first",
                                                               .source = "definition"},
-                                                             GLOAM_REFERENCE(gloam_bit_range),
+                                                             &reference::gloam_bit_range,
                                                              {.domain = {index, index}}));
     entries.push_back(equation<float(unsigned)>({.id = "BITMASK",
                                                  .function = "gloam_bitmask_occlusion",
@@ -341,7 +341,7 @@ void append_sectors(Entries& entries) {
                                                  .title = "occlusion of a slice by the sectors covered",
                                                  .formula = "bits set / 32",
                                                  .source = bitmask_source},
-                                                GLOAM_REFERENCE(gloam_bitmask_occlusion),
+                                                &reference::gloam_bitmask_occlusion,
                                                 {.domain = {bits}, .codomain = {0, 1}}));
 }
 
@@ -354,7 +354,7 @@ void append_bitmask_back(Entries& entries) {
          .title = "direction of the back of a sample of some thickness",
          .formula = "direction of v - thickness view",
          .source = bitmask_source},
-        GLOAM_REFERENCE(gloam_bitmask_back),
+        &reference::gloam_bitmask_back,
         {.domain = {offsets(), slices(), log_uniform(0.01, 1).and_special()},
          .budget = {.absolute = 1e-6},
          .codomain = {-1.000001, 1.000001},

@@ -47,7 +47,7 @@ void append_falloff(Entries& entries) {
                                           .title = "falloff that a setting chooses, at a share of the radius",
                                           .formula = "step, 1 - x, 1 - x^2, 1 - x^3",
                                           .source = "definition"},
-                                         GLOAM_REFERENCE(gloam_falloff_at),
+                                         &reference::gloam_falloff_at,
                                          {.domain = {integers(0, 5), uniform(0, 1.2).and_near({1.0})},
                                           .budget = {.absolute = 4e-7},
                                           .codomain = {-0.75, 1}}));
@@ -60,7 +60,7 @@ void append_ends(Entries& entries) {
                                              .title = "a side of a slice of which nothing has been seen",
                                              .formula = "(cos(n + pi / 2), 0, 0, 0)",
                                              .source = sweep_source},
-                                            GLOAM_REFERENCE(gloam_sweep_side),
+                                            &reference::gloam_sweep_side,
                                             {.domain = {uniform(-1, 1)}, .codomain = {-1, 1}}));
     const Values lengths = either(uniform(0, 2), log_uniform(1e-30, 1e18));
     entries.push_back(equation<float(float, float)>(
@@ -70,7 +70,7 @@ void append_ends(Entries& entries) {
          .title = "where a surface lies that a tap uncovers",
          .formula = "(before + here) / 2",
          .source = sweep_source},
-        GLOAM_REFERENCE(gloam_sweep_distance),
+        &reference::gloam_sweep_distance,
         {.domain = {lengths, lengths}, .budget = {.ulp = 1, .absolute = 1e-37}, .codomain = {0, 1e18}}));
     using Mirror = Slice(Slice, float);
     entries.push_back(equation<Mirror>({.id = "SWEEP-slice",
@@ -79,7 +79,7 @@ void append_ends(Entries& entries) {
                                         .title = "a slice as one of its sides sees it",
                                         .formula = "n times 1 or -1",
                                         .source = "definition"},
-                                       GLOAM_REFERENCE(gloam_sweep_slice),
+                                       &reference::gloam_sweep_slice,
                                        {.domain = {slices(), uniform(1, 1).and_value(-1.0F).only_as_drawn()},
                                         .codomain = {-half_pi, half_pi}}));
 }
@@ -93,7 +93,7 @@ void append_taps_of_sides(Entries& entries) {
          .title = "what lies between a direction and the tangent plane",
          .formula = "I(n + pi / 2) - I(h)",
          .source = sweep_source},
-        GLOAM_REFERENCE(gloam_sweep_behind),
+        &reference::gloam_sweep_behind,
         {.domain = {unit_vector(2), slices()},
          .budget = {.absolute = 5e-7},
          .codomain = {-half_pi, half_pi},
@@ -109,7 +109,7 @@ void append_taps_of_sides(Entries& entries) {
                        .title = "a side of a slice with one more tap",
                        .formula = "sum + D(rho) (I(H) - I(h)), horizon h, where h < H",
                        .source = sweep_source},
-                      GLOAM_REFERENCE(gloam_sweep_tap),
+                      &reference::gloam_sweep_tap,
                       {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
                        .budget = {.absolute = 1e-6, .backward_ulp = 4},
                        .codomain = {-3, 3}}));

@@ -55,14 +55,13 @@ void append_acos(Entries& entries) {
             reference, {.domain = {cosines()}, .budget = budget, .codomain = codomain}));
     };
     append("CS-P-cosine", "gloam_clamp_cosine", "cosine taken into its range", "clamp(x, -1, 1)",
-           GLOAM_REFERENCE(gloam_clamp_cosine), {}, {-1, 1});
+           &reference::gloam_clamp_cosine, {}, {-1, 1});
     append("CS-P-acos-linear", "gloam_acos_linear", "arc cosine, linear approximation", "pi (1 - x) / 2",
-           GLOAM_REFERENCE(gloam_acos_linear), {.absolute = 3.5e-7}, {0, above_pi});
+           &reference::gloam_acos_linear, {.absolute = 3.5e-7}, {0, above_pi});
     append("CS-P-acos-quadratic", "gloam_acos_quadratic", "arc cosine, quadratic approximation",
-           "pi (1 - sgn(x) x^2) / 2", GLOAM_REFERENCE(gloam_acos_quadratic), {.absolute = 4e-7},
-           {0, above_pi});
+           "pi (1 - sgn(x) x^2) / 2", &reference::gloam_acos_quadratic, {.absolute = 4e-7}, {0, above_pi});
     append("CS-P-acos-cubic", "gloam_acos_cubic", "arc cosine, cubic approximation",
-           "((-2 pi / 9) x^2 - 5 pi / 18) x + pi / 2", GLOAM_REFERENCE(gloam_acos_cubic), {.absolute = 4e-7},
+           "((-2 pi / 9) x^2 - 5 pi / 18) x + pi / 2", &reference::gloam_acos_cubic, {.absolute = 4e-7},
            {0, above_pi});
 }
 
@@ -74,7 +73,7 @@ void append_lines(Entries& entries) {
          .title = "half the chord of the sphere at a tap",
          .formula = "h = r (1 - |xi|^2)^(1/2)",
          .source = volume_source},
-        GLOAM_REFERENCE(gloam_chord_half_height),
+        &reference::gloam_chord_half_height,
         {.domain = {vector_of_length(2, uniform(0, 1.1)).and_special(), uniform(0.1, 2).and_special()},
          .budget = {.absolute = 8e-7},
          .codomain = {0, numeric::infinity},
@@ -89,7 +88,7 @@ void append_lines(Entries& entries) {
          .title = "solid part of a chord",
          .formula = "q = clamp((h + z_s - z_p) / (2 h), 0, 1)",
          .source = volume_source},
-        GLOAM_REFERENCE(gloam_line_occlusion),
+        &reference::gloam_line_occlusion,
         {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
                        .tied(0, 1)
                        .tied(0, 1, -1.0),
@@ -102,7 +101,7 @@ void append_lines(Entries& entries) {
          .title = "where the surface at a tap lies along the chord",
          .formula = "q* = (h + z_s - z_p) / (2 h)",
          .source = volume_source},
-        GLOAM_REFERENCE(gloam_line_ratio),
+        &reference::gloam_line_ratio,
         {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
                        .tied(0, 1)
                        .tied(0, 1, -1.0),
@@ -118,7 +117,7 @@ void append_lines(Entries& entries) {
          .title = "pair of opposite taps, a disbelieved one replaced",
          .formula = "q_i where lowest <= q_i <= highest, else 1 - q_j, else 1/2",
          .source = volume_source},
-        GLOAM_REFERENCE(gloam_line_pair),
+        &reference::gloam_line_pair,
         {.domain = {vector(2, fraction), uniform(0.2, 0.5).and_near({0.35}).and_special(),
                     uniform(0.8, 1).and_near({1.0}).and_special()},
          .budget = {.ulp = 0.5, .absolute = 0x1p-126}}));
@@ -147,11 +146,11 @@ void append_tangent_sphere(Entries& entries) {
             reference, {.domain = domain, .budget = budget, .codomain = codomain, .promised = inside}));
     };
     append("CS-I-tangent-chord", "gloam_tangent_sphere_half_height", "half the chord of the tangent sphere",
-           "(r / 2) (1 - |2 v.xy / r - n.xy|^2)^(1/2)", GLOAM_REFERENCE(gloam_tangent_sphere_half_height),
+           "(r / 2) (1 - |2 v.xy / r - n.xy|^2)^(1/2)", &reference::gloam_tangent_sphere_half_height,
            {.absolute = 4e-7}, {0, 1e38});
     append("CS-I-tangent", "gloam_tangent_sphere_occlusion", "solid part of a chord of the tangent sphere",
-           "q of the sphere of radius r / 2 around p + n r / 2",
-           GLOAM_REFERENCE(gloam_tangent_sphere_occlusion), {.absolute = 5e-7}, {0, 1});
+           "q of the sphere of radius r / 2 around p + n r / 2", &reference::gloam_tangent_sphere_occlusion,
+           {.absolute = 5e-7}, {0, 1});
 }
 
 // Whether an offset's direction keeps clear of -n, where what is lifted to the tangent plane has no
@@ -172,7 +171,7 @@ void append_angle_pairs(Entries& entries) {
          .title = "cosine of a sample's angle to the view vector, no lower than the tangent plane",
          .formula = "view . s, s lifted to s - (s . n) n where s . n < 0",
          .source = angle_source},
-        GLOAM_REFERENCE(gloam_lifted_cosine),
+        &reference::gloam_lifted_cosine,
         {.domain = {offsets(), normals(), unit_vector(3)},
          .budget = {.absolute = 5e-7},
          .codomain = {-1, 1},
@@ -185,7 +184,7 @@ void append_angle_pairs(Entries& entries) {
          .title = "whether a sample may belong to the same object",
          .formula = "z_s - z_p <= T",
          .source = angle_source},
-        GLOAM_REFERENCE(gloam_sample_near), {.domain = {offsets(), uniform(0, 2).and_special()}}));
+        &reference::gloam_sample_near, {.domain = {offsets(), uniform(0, 2).and_special()}}));
     using Pair = glm::vec3(glm::vec3, glm::vec3, glm::vec3, glm::vec3, float);
     entries.push_back(equation<Pair>(
         {.id = "CS-P-pair",
@@ -194,7 +193,7 @@ void append_angle_pairs(Entries& entries) {
          .title = "cosines and weight of a pair of opposite samples",
          .formula = "(c_1, c_2, w), an invalid one max(-view . s_j, 0)",
          .source = angle_source},
-        GLOAM_REFERENCE(gloam_angle_pair),
+        &reference::gloam_angle_pair,
         {.domain = {offsets(), offsets(), normals(), unit_vector(3), uniform(0, 2).and_special()},
          .budget = {.absolute = 5e-7},
          .codomain = {-1, 1},
@@ -211,7 +210,7 @@ void append_angle_means(Entries& entries) {
          .title = "one more pair in the angle-based occlusion",
          .formula = "(sum + w (1 - (a_1 + a_2) / pi), weight + w)",
          .source = angle_source},
-        GLOAM_REFERENCE(gloam_angle_add),
+        &reference::gloam_angle_add,
         {.domain = {vector(2, uniform(0, 8)), uniform(0, 1).and_near({0.0, 1.0}).and_special(),
                     uniform(0, 6.2831853).and_special()},
          .budget = {.absolute = 8e-7},
@@ -227,7 +226,7 @@ void append_angle_means(Entries& entries) {
          .title = "angle-based occlusion of all pairs",
          .formula = "max(sum / weight, 0)",
          .source = angle_source},
-        GLOAM_REFERENCE(gloam_angle_occlusion),
+        &reference::gloam_angle_occlusion,
         {.domain = {sum}, .budget = {.ulp = 0.5, .absolute = 1e-37}, .codomain = {0, 1}}));
 }
 
@@ -241,7 +240,7 @@ void append_unreal(Entries& entries) {
          .title = "a step along one side in the engine's later shader",
          .formula = "sat(scale (v . n) / (v . v))",
          .source = source},
-        GLOAM_REFERENCE(gloam_contribution_unreal),
+        &reference::gloam_contribution_unreal,
         {.domain = {offsets(), normals(), uniform(0.1, 1).and_special()},
          .budget = {.absolute = 5e-7},
          .codomain = {0, 1},
@@ -255,7 +254,7 @@ void append_unreal(Entries& entries) {
                                               .title = "what a side leaves open in the engine's later shader",
                                               .formula = "(1 - occ)^2",
                                               .source = source},
-                                             GLOAM_REFERENCE(gloam_unreal_side),
+                                             &reference::gloam_unreal_side,
                                              {.domain = {uniform(0, 1).and_near({0.0, 1.0}).and_special()},
                                               .budget = {.ulp = 2},
                                               .codomain = {0, 1}}));
@@ -267,7 +266,7 @@ void append_unreal(Entries& entries) {
          .title = "visibility in the engine's later shader",
          .formula = "1 - (1 - AO^power) intensity",
          .source = source},
-        GLOAM_REFERENCE(gloam_unreal_visibility),
+        &reference::gloam_unreal_visibility,
         {.domain = {uniform(0, 1).and_special(), uniform(0.5, 4).and_near({1.0}).and_special(),
                     uniform(0, 1).and_near({1.0}).and_special()},
          .budget = {.absolute = 1e-6, .backward_ulp = 2},

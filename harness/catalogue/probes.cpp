@@ -30,31 +30,30 @@ Domain products() {
 
 void append_nan(Entries& entries) {
     append_probe<bool(float)>(entries, "isnan", "isnan_of_difference", "isnan() of arithmetic",
-                              "isnan(x - x)", GLOAM_REFERENCE(probe_isnan_of_difference), {wide_floats()});
+                              "isnan(x - x)", &reference::probe_isnan_of_difference, {wide_floats()});
     append_probe<bool(float)>(entries, "self", "differs_from_itself", "NaN differs from itself", "x != x",
-                              GLOAM_REFERENCE(probe_differs_from_itself), {wide_floats()});
+                              &reference::probe_differs_from_itself, {wide_floats()});
 }
 
 void append_contractions(Entries& entries) {
     using Product = float(float, float, float);
     append_probe<Product>(entries, "contraction", "contraction", "contracted expression (recorded)",
                           "a b - c, c = a b rounded; 0 when nothing is contracted",
-                          GLOAM_REFERENCE(probe_contraction), products());
-    append_probe<Product>(entries, "precise-struct", "precise_in_struct",
-                          "precise through a function and a struct (recorded)",
-                          "a b - c, c = a b rounded; 0 when precise holds",
-                          GLOAM_REFERENCE(probe_precise_in_struct), products());
+                          &reference::probe_contraction, products());
+    append_probe<Product>(
+        entries, "precise-struct", "precise_in_struct", "precise through a function and a struct (recorded)",
+        "a b - c, c = a b rounded; 0 when precise holds", &reference::probe_precise_in_struct, products());
     append_probe<Product>(entries, "fma", "fma_rounding", "how often fma() rounds (recorded)",
                           "fma(a, b, -c), c = a b rounded; 0 when it rounds twice",
-                          GLOAM_REFERENCE(probe_fma_rounding), products());
+                          &reference::probe_fma_rounding, products());
 }
 
 void append_folding(Entries& entries) {
     const Domain half{constant(0.5F)};
     append_probe<float(float)>(entries, "folded-exp", "folded_exp", "folded constant against run time",
-                               "exp(0.5) - exp(x), x = 0.5", GLOAM_REFERENCE(probe_folded_exp), half);
+                               "exp(0.5) - exp(x), x = 0.5", &reference::probe_folded_exp, half);
     append_probe<float(float)>(entries, "folded-sin", "folded_sin", "folded constant against run time",
-                               "sin(0.5) - sin(x), x = 0.5", GLOAM_REFERENCE(probe_folded_sin), half);
+                               "sin(0.5) - sin(x), x = 0.5", &reference::probe_folded_sin, half);
 }
 
 }  // namespace
@@ -65,13 +64,13 @@ void append_probes(Entries& entries) {
     append_folding(entries);
     const Values zero = constant(0.0F).and_value(-0.0F);
     append_probe<float(float, float)>(entries, "pow", "pow_of_zeros", "power of zeros (recorded)",
-                                      "pow(0, 0)", GLOAM_REFERENCE(probe_pow_of_zeros), {zero, zero});
+                                      "pow(0, 0)", &reference::probe_pow_of_zeros, {zero, zero});
     append_probe<float(glm::vec3)>(entries, "normalize-sign", "normalize_sign",
                                    "normalize() of -0 (recorded)", "sign bits of normalize(v)",
-                                   GLOAM_REFERENCE(probe_normalize_sign),
+                                   &reference::probe_normalize_sign,
                                    {vector(3, uniform(-1, 1).and_value(-0.0F).and_value(0.0F))});
     append_probe<int(int)>(entries, "remainder", "integer_remainder", "x % x is 0", "x % x, x > 0",
-                           GLOAM_REFERENCE(probe_integer_remainder),
+                           &reference::probe_integer_remainder,
                            {either(integers(1, 100), integers(1, 2147483647))});
 }
 

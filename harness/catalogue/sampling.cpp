@@ -31,7 +31,7 @@ void append_halton(Entries& entries) {
          .title = "point of the Halton sequence, bases 2 and 3",
          .formula = "(Phi_2(i), Phi_3(i))",
          .source = "Halton 1960; kernels of TSSAO-13"},
-        GLOAM_REFERENCE(gloam_halton_2d),
+        &reference::gloam_halton_2d,
         {.domain = {sample_index()}, .budget = {.ulp = 2}, .codomain = {0, 0.99999995}}));
     entries.push_back(equation<glm::vec3(unsigned)>(
         {.id = "HALTON-3D",
@@ -40,7 +40,7 @@ void append_halton(Entries& entries) {
          .title = "point of the Halton sequence, bases 2, 3 and 5",
          .formula = "(Phi_2(i), Phi_3(i), Phi_5(i))",
          .source = "Halton 1960; kernels of TSSAO-14"},
-        GLOAM_REFERENCE(gloam_halton_3d),
+        &reference::gloam_halton_3d,
         {.domain = {sample_index()}, .budget = {.ulp = 2}, .codomain = {0, 0.99999995}}));
 }
 
@@ -60,11 +60,11 @@ void append_radii(Entries& entries) {
              .codomain = {0, 1}}));
     };
     radius("RADIUS-linear", "gloam_radius_linear", "r = zeta (falloff 1 - x)",
-           GLOAM_REFERENCE(gloam_radius_linear), {});
+           &reference::gloam_radius_linear, {});
     radius("RADIUS-quadratic", "gloam_radius_quadratic", "r = sqrt(zeta) (falloff 1 - x^2)",
-           GLOAM_REFERENCE(gloam_radius_quadratic), {.ulp = 2});
+           &reference::gloam_radius_quadratic, {.ulp = 2});
     radius("RADIUS-cubic", "gloam_radius_cubic", "r = zeta^(1/3) (falloff 1 - x^3)",
-           GLOAM_REFERENCE(gloam_radius_cubic), {.ulp = 1.5});
+           &reference::gloam_radius_cubic, {.ulp = 1.5});
 }
 
 void append_disc_maps(Entries& entries) {
@@ -75,7 +75,7 @@ void append_disc_maps(Entries& entries) {
          .title = "number brought into [0, 1]",
          .formula = "x inside [0, 1], else the nearer end; 0 for NaN",
          .source = "convention"},
-        GLOAM_REFERENCE(gloam_unit_interval),
+        &reference::gloam_unit_interval,
         {.domain = {either(zeta(1), either(any_float(), uniform(-2, 2)))}, .codomain = {0, 1}}));
     entries.push_back(equation<glm::vec2(float)>(
         {.id = "CIRCLE",
@@ -84,7 +84,7 @@ void append_disc_maps(Entries& entries) {
          .title = "point of the unit circle at a part of a turn",
          .formula = "(cos 2 pi t, sin 2 pi t)",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_circle_point),
+        &reference::gloam_circle_point,
         {.domain = {zeta(1)}, .budget = {.absolute = 2e-7}, .codomain = {-1.000001, 1.000001}}));
     entries.push_back(equation<glm::vec2(glm::vec2)>(
         {.id = "TSSAO-13",
@@ -93,22 +93,21 @@ void append_disc_maps(Entries& entries) {
          .title = "uniform point of the disc",
          .formula = "a = 2 pi zeta_x, r = sqrt(zeta_y); s = (r cos a, r sin a)",
          .source = "TSSAO (Mattausch et al.), eq 13; Fox and Compton's kernel"},
-        GLOAM_REFERENCE(gloam_disc_sample),
+        &reference::gloam_disc_sample,
         {.domain = {zeta(2)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}}));
 }
 
 }  // namespace
 
 void append_sequences(Entries& entries) {
-    entries.push_back(
-        equation<float(unsigned)>({.id = "HALTON-base2",
-                                   .function = "gloam_radical_inverse_base2",
-                                   .file = "gloam/sampling/radical_inverse.glsl",
-                                   .title = "radical inverse in base 2",
-                                   .formula = "Phi_2(i) = sum of a_m 2^(-m-1), i = sum of a_m 2^m",
-                                   .source = "van der Corput 1935; Halton 1960"},
-                                  GLOAM_REFERENCE(gloam_radical_inverse_base2),
-                                  {.domain = {sample_index()}, .codomain = {0, 0.99999995}}));
+    entries.push_back(equation<float(unsigned)>(
+        {.id = "HALTON-base2",
+         .function = "gloam_radical_inverse_base2",
+         .file = "gloam/sampling/radical_inverse.glsl",
+         .title = "radical inverse in base 2",
+         .formula = "Phi_2(i) = sum of a_m 2^(-m-1), i = sum of a_m 2^m",
+         .source = "van der Corput 1935; Halton 1960"},
+        &reference::gloam_radical_inverse_base2, {.domain = {sample_index()}, .codomain = {0, 0.99999995}}));
     entries.push_back(equation<float(unsigned, unsigned)>(
         {.id = "HALTON",
          .function = "gloam_radical_inverse",
@@ -116,7 +115,7 @@ void append_sequences(Entries& entries) {
          .title = "radical inverse in any base",
          .formula = "Phi_b(i) = sum of a_m b^(-m-1), i = sum of a_m b^m",
          .source = "Halton 1960"},
-        GLOAM_REFERENCE(gloam_radical_inverse),
+        &reference::gloam_radical_inverse,
         {.domain = {sample_index(),
                     log_integers(4000).and_near_integers({2, 3, 5, 256, 1625, 65536, 16777216, 4294967295})},
          .budget = {.ulp = 2},
@@ -134,7 +133,7 @@ void append_sample_maps(Entries& entries) {
          .formula = "a = 2 pi zeta_x, r = zeta_y; s = r (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), "
                     "sqrt(zeta_z))",
          .source = "TSSAO (Mattausch et al.), eq 14 corrected; Ritschel's kernel"},
-        GLOAM_REFERENCE(gloam_hemisphere_cosine),
+        &reference::gloam_hemisphere_cosine,
         {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}}));
     entries.push_back(equation<glm::vec3(glm::vec3)>(
         {.id = "TSSAO-14-uniform",
@@ -144,7 +143,7 @@ void append_sample_maps(Entries& entries) {
          .formula = "a = 2 pi zeta_x, r = zeta_y; s = r (cos a sqrt(1 - zeta_z^2), sin a sqrt(1 - zeta_z^2), "
                     "zeta_z)",
          .source = "TSSAO (Mattausch et al.), variant of eq 14"},
-        GLOAM_REFERENCE(gloam_hemisphere_uniform),
+        &reference::gloam_hemisphere_uniform,
         {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}}));
     append_radii(entries);
 }

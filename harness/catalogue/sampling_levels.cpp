@@ -43,7 +43,7 @@ void append_level(Entries& entries) {
          .title = "level of the depth chain that a tap reads",
          .formula = "clamp(floor(log2(h / first)) + 1, 0, last), h in pixels",
          .source = sao},
-        GLOAM_REFERENCE(gloam_depth_mip_level),
+        &reference::gloam_depth_mip_level,
         {.domain = Domain{distance, either(constant(16.0F), log_uniform(1, 64)).and_special(), levels()}
                        .tied(0, 1)
                        .tied(0, 1, 4.0)}));
@@ -57,7 +57,7 @@ void append_chain(Entries& entries) {
          .title = "size of a level of the depth chain",
          .formula = "max(size >> level, 1)",
          .source = "Vulkan's rule for the sizes of levels"},
-        GLOAM_REFERENCE(gloam_depth_mip_size), {.domain = {sizes(), levels()}}));
+        &reference::gloam_depth_mip_size, {.domain = {sizes(), levels()}}));
     entries.push_back(equation<glm::ivec2(glm::ivec2, glm::ivec2, int)>(
         {.id = "CS-Q-pixel",
          .function = "gloam_depth_mip_pixel",
@@ -65,7 +65,7 @@ void append_chain(Entries& entries) {
          .title = "pixel of a level that stands for one of the full image",
          .formula = "tap >> level, inside the level",
          .source = sao},
-        GLOAM_REFERENCE(gloam_depth_mip_pixel), {.domain = {pixels(), sizes(), levels()}}));
+        &reference::gloam_depth_mip_pixel, {.domain = {pixels(), sizes(), levels()}}));
     entries.push_back(equation<glm::ivec2(glm::ivec2, glm::ivec2)>(
         {.id = "CS-Q-grid",
          .function = "gloam_rotated_grid",
@@ -73,7 +73,7 @@ void append_chain(Entries& entries) {
          .title = "pixel of the level before that a pixel takes its depth from",
          .formula = "(2 x + (y & 1), 2 y + (x & 1))",
          .source = sao},
-        GLOAM_REFERENCE(gloam_rotated_grid), {.domain = {pixels(), sizes()}}));
+        &reference::gloam_rotated_grid, {.domain = {pixels(), sizes()}}));
     entries.push_back(equation<glm::ivec2(glm::ivec2, glm::ivec2, int)>(
         {.id = "CS-Q-source",
          .function = "gloam_depth_mip_source",
@@ -81,8 +81,7 @@ void append_chain(Entries& entries) {
          .title = "pixel of the full image whose depth a pixel of a level holds",
          .formula = "the rotated grid, level by level",
          .source = "derived from the chain of SAO"},
-        GLOAM_REFERENCE(gloam_depth_mip_source),
-        {.domain = {vector(2, integers(0, 600)), sizes(), levels()}}));
+        &reference::gloam_depth_mip_source, {.domain = {vector(2, integers(0, 600)), sizes(), levels()}}));
 }
 
 }  // namespace
@@ -97,7 +96,7 @@ void append_sampling_levels(Entries& entries) {
          .title = "samples by distance",
          .formula = "max(int(base / (1 + base d / z_far)), N_min)",
          .source = "Aalund and Baerentzen 2013"},
-        GLOAM_REFERENCE(gloam_count_by_distance),
+        &reference::gloam_count_by_distance,
         {.domain = Domain{either(uniform(0, 120), log_uniform(1e-3, 1e6)).and_special(),
                           either(log_uniform(10, 1000), log_uniform(1e-37, 1e38)).and_special(),
                           either(integers(0, 64), integers(-2, 10000)), integers(0, 16)}

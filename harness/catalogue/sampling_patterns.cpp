@@ -33,7 +33,7 @@ void append_poisson(Entries& entries) {
          .title = "Poisson-disc condition",
          .formula = "|s_i - s_j| > d",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_poisson_accepts),
+        &reference::gloam_poisson_accepts,
         {.domain = Domain{point, point, uniform(0, 2).and_special()}.adjusted(place_at_distance),
          .budget = {.backward_ulp = 3},
          .promised = make_predicate<bool(glm::vec2, glm::vec2, float)>(representable)}));
@@ -44,7 +44,7 @@ void append_poisson(Entries& entries) {
          .title = "disc point lifted onto the hemisphere",
          .formula = "(x, y, sqrt(1 - x^2 - y^2))",
          .source = "Sourimant et al. 2011"},
-        GLOAM_REFERENCE(gloam_hemisphere_lift),
+        &reference::gloam_hemisphere_lift,
         {.domain = {either(vector_of_length(2, either(uniform(0, 1), either(uniform(0.9999, 1.0001),
                                                                             uniform(0.9999995, 1.0000005)))),
                            vector_of_length(2, log_uniform(1e-37, 1e38)))
@@ -66,7 +66,7 @@ void append_sample_patterns(Entries& entries) {
          .title = "point of a spiral",
          .formula = "a = (i + 1/2) / n; a (cos(2 pi a turns), sin(2 pi a turns))",
          .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance)"},
-        GLOAM_REFERENCE(gloam_spiral_point),
+        &reference::gloam_spiral_point,
         {.domain = {count, count, turns}, .budget = {.absolute = 5e-7}, .codomain = {-1.000001, 1.000001}}));
     entries.push_back(equation<glm::vec2(int, int, int, float)>(
         {.id = "SPIRAL",
@@ -75,7 +75,7 @@ void append_sample_patterns(Entries& entries) {
          .title = "tap of a spiral",
          .formula = "a = (i + 1/2) / n; a (cos(2 pi a turns + phase), sin(2 pi a turns + phase))",
          .source = "McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance)"},
-        GLOAM_REFERENCE(gloam_spiral_tap),
+        &reference::gloam_spiral_tap,
         {.domain = {count, count, turns, uniform(-7, 7).and_near({65536.0}).and_special()},
          .budget = {.absolute = 5e-7},
          .codomain = {-1.000001, 1.000001}}));
@@ -87,7 +87,7 @@ void append_sample_patterns(Entries& entries) {
          .title = "sample of a kernel of opposite pairs",
          .formula = "s_(2m) = s, s_(2m+1) = -s",
          .source = "Loos and Sloan 2010"},
-        GLOAM_REFERENCE(gloam_paired_sample),
+        &reference::gloam_paired_sample,
         {.domain = {vector_of_length(2, uniform(0, 1)).and_special(), integers(-8, 64)},
          .codomain = {-3.5e38, 3.5e38}}));
 }

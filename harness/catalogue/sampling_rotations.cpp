@@ -60,7 +60,7 @@ void append_turn(Entries& entries) {
          .title = "disc sample turned by the cosine and sine of an angle",
          .formula = "(c x - s y, s x + c y)",
          .source = "TSSAO (Mattausch et al.), random rotation"},
-        GLOAM_REFERENCE(gloam_turn_disc),
+        &reference::gloam_turn_disc,
         {.domain = {kernel_points(2), turns().only_as_drawn()},
          .budget = {.ulp = 3, .of_largest_component = true},
          .codomain = {-2e19, 2e19},
@@ -73,7 +73,7 @@ void append_turn(Entries& entries) {
          .title = "hemisphere sample turned by the cosine and sine of an angle",
          .formula = "(c x - s y, s x + c y, z)",
          .source = "TSSAO (Mattausch et al.), random rotation"},
-        GLOAM_REFERENCE(gloam_turn_hemisphere),
+        &reference::gloam_turn_hemisphere,
         {.domain = {kernel_points(3), turns().only_as_drawn()},
          .budget = {.ulp = 3, .of_largest_component = true},
          .codomain = {-2e19, 2e19},
@@ -89,7 +89,7 @@ void append_rotation(Entries& entries) {
          .title = "disc sample rotated about the centre",
          .formula = "(c x - s y, s x + c y)",
          .source = "TSSAO (Mattausch et al.), random rotation"},
-        GLOAM_REFERENCE(gloam_rotate_disc),
+        &reference::gloam_rotate_disc,
         {.domain = {kernel_points(2), angles()},
          .budget = {.ulp = 4, .of_largest_component = true},
          .codomain = {-2e19, 2e19},
@@ -102,7 +102,7 @@ void append_rotation(Entries& entries) {
          .title = "hemisphere sample rotated about the normal",
          .formula = "(c x - s y, s x + c y, z)",
          .source = "TSSAO (Mattausch et al.), random rotation"},
-        GLOAM_REFERENCE(gloam_rotate_hemisphere),
+        &reference::gloam_rotate_hemisphere,
         {.domain = {kernel_points(3), angles()},
          .budget = {.ulp = 4, .of_largest_component = true},
          .codomain = {-2e19, 2e19},
@@ -118,7 +118,7 @@ void append_hash(Entries& entries) {
                                       .title = "10 h radians as a part of a turn",
                                       .formula = "floor(2^32 frac(10 h / (2 pi)))",
                                       .source = "fixed-point arithmetic of 64 bits"},
-                                     GLOAM_REFERENCE(gloam_hash_turn),
+                                     &reference::gloam_hash_turn,
                                      {.domain = {either(log_integers(4294967295), integers(0, 4294967295))
                                                      .and_near_integers({0, 65536, 4294967295})}}));
     const Values coordinate = either(integers(0, 8191), integers(-2147483648L, 2147483647L));
@@ -129,7 +129,7 @@ void append_hash(Entries& entries) {
          .title = "rotation angle of a pixel by a hash",
          .formula = "10 ((3 x) XOR (y + x y)) modulo 2 pi",
          .source = "McGuire et al., Alchemy and Scalable Ambient Obscurance shaders"},
-        GLOAM_REFERENCE(gloam_hash_rotation),
+        &reference::gloam_hash_rotation,
         {.domain = {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))},
          .budget = {.ulp = 3, .absolute = 4e-9},
          .codomain = {0, 6.2831853}}));
@@ -147,7 +147,7 @@ void append_reflections(Entries& entries) {
          .title = "sample reflected at a random plane",
          .formula = "s - 2 (s . n) n, n = normalize(2 t - 1)",
          .source = "Mittring 2007"},
-        GLOAM_REFERENCE(gloam_reflect_sample),
+        &reference::gloam_reflect_sample,
         {.domain = {kernel_points(3), texel},
          .budget = {.ulp = 16, .of_largest_component = true},
          .codomain = {-4e19, 4e19},
@@ -160,7 +160,7 @@ void append_reflections(Entries& entries) {
          .title = "sample brought into the hemisphere of a normal",
          .formula = "s if s . n > 0, else -s",
          .source = "Filion and McNaughton 2008"},
-        GLOAM_REFERENCE(gloam_hemisphere_flip),
+        &reference::gloam_hemisphere_flip,
         {.domain = {kernel_points(3), normals()},
          .budget = {.backward_ulp = 2},
          .codomain = {-1e19, 1e19},
@@ -178,7 +178,7 @@ void append_sample_rotations(Entries& entries) {
          .title = "orthonormal frame around a normal",
          .formula = "columns t, b, n: z turned onto n the shortest way",
          .source = "Duff et al. 2017"},
-        GLOAM_REFERENCE(gloam_tangent_frame),
+        &reference::gloam_tangent_frame,
         {.domain = {normals()}, .budget = {.absolute = 7e-7}, .codomain = {-1.000001, 1.000001}}));
     append_turn(entries);
     append_rotation(entries);

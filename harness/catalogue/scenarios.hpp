@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "check/case.hpp"
+#include "check/question.hpp"
 
 namespace gloam::catalogue {
 

@@ -20,7 +20,7 @@ void append_shading(Entries& entries) {
          .title = "visibility remapped by offset, brightness and contrast",
          .formula = "clamp((b (v + a))^c, 0, 1)",
          .source = "Aalund and Baerentzen 2013"},
-        GLOAM_REFERENCE(gloam_remap),
+        &reference::gloam_remap,
         {.domain = {visibility, offset, brightness, contrast},
          .budget = {.absolute = 2e-6, .backward_ulp = 2},
          .codomain = {0, 1},

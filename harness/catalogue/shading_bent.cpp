@@ -39,7 +39,7 @@ void append_sums(Entries& entries) {
          .title = "one more direction in a bent normal",
          .formula = "(sum of V w + V w, sum of V + V)",
          .source = klehm},
-        GLOAM_REFERENCE(gloam_bent_add),
+        &reference::gloam_bent_add,
         {.domain = {sums(), unit_vector(3).and_special(), uniform(0, 1).and_special()},
          .budget = {.absolute = 1e-6},
          .codomain = {-numeric::largest_float, numeric::largest_float},
@@ -52,7 +52,7 @@ void append_sums(Entries& entries) {
                                                    .title = "bent normal",
                                                    .formula = "b = sum of V w / |sum of V w|",
                                                    .source = klehm},
-                                                  GLOAM_REFERENCE(gloam_bent_normal),
+                                                  &reference::gloam_bent_normal,
                                                   {.domain = {sums().and_special(), unit_vector(3)},
                                                    .budget = {.ulp = 3},
                                                    .codomain = {-1.000001, 1.000001}}));
@@ -63,7 +63,7 @@ void append_sums(Entries& entries) {
                                     .title = "how much the open directions agree",
                                     .formula = "L = |sum of V w| / sum of V",
                                     .source = klehm},
-                                   GLOAM_REFERENCE(gloam_bent_length),
+                                   &reference::gloam_bent_length,
                                    {.domain = {sums().and_value(glm::vec4(0)).and_special()},
                                     .budget = {.absolute = 4e-7},
                                     .codomain = {0, 1},
@@ -94,28 +94,28 @@ void append_shading_bent(Entries& entries) {
                  .title = "half angle of the open cone, as published",
                  .formula = "(1 - max(0, 2 L - 1)) pi / 2",
                  .source = klehm},
-                2e-7, GLOAM_REFERENCE(gloam_cone_angle_linear));
+                2e-7, &reference::gloam_cone_angle_linear);
     append_cone(entries,
                 {.id = "CS-L-cone",
                  .function = "gloam_cone_angle",
                  .title = "half angle of the open cone, exact for a cap",
                  .formula = "arccos(max(0, 2 L - 1))",
                  .source = "derived: L = (1 + cos a) / 2"},
-                4e-7, GLOAM_REFERENCE(gloam_cone_angle));
+                4e-7, &reference::gloam_cone_angle);
     append_cone(entries,
                 {.id = "CS-L-cone-uniform",
                  .function = "gloam_cone_angle_uniform",
                  .title = "half angle from visibility, uniform measure",
                  .formula = "arccos(1 - v)",
                  .source = "derived: v = 1 - cos a"},
-                6e-7, GLOAM_REFERENCE(gloam_cone_angle_uniform));
+                6e-7, &reference::gloam_cone_angle_uniform);
     append_cone(entries,
                 {.id = "CS-L-cone-cosine",
                  .function = "gloam_cone_angle_cosine",
                  .title = "half angle from visibility, cosine measure",
                  .formula = "arcsin(sqrt(v))",
                  .source = "derived: v = sin^2 a"},
-                4e-7, GLOAM_REFERENCE(gloam_cone_angle_cosine));
+                4e-7, &reference::gloam_cone_angle_cosine);
 }
 
 }  // namespace gloam::catalogue

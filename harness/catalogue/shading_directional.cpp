@@ -61,7 +61,7 @@ void append_terms(Entries& entries) {
                                                       .title = "radiance that can be summed",
                                                       .formula = "clamp(L, 0, 65504)",
                                                       .source = "convention"},
-                                                     GLOAM_REFERENCE(gloam_ssdo_radiance),
+                                                     &reference::gloam_ssdo_radiance,
                                                      {.domain = {colours()}, .codomain = {0, 65504}}));
     using Direct = glm::vec3(glm::vec3, glm::vec3, glm::vec3, float);
     const Values visibility = uniform(0, 1).and_near({0.0, 1.0}).and_special();
@@ -72,7 +72,7 @@ void append_terms(Entries& entries) {
          .title = "light along one direction",
          .formula = "2 L V max(w . n, 0)",
          .source = ssdo},
-        GLOAM_REFERENCE(gloam_ssdo_direct),
+        &reference::gloam_ssdo_direct,
         {.domain = {offsets(), normals(), colours(), visibility},
          .budget = {.absolute = 6e-7},
          .codomain = {0, 131008.1},
@@ -88,7 +88,7 @@ void append_terms(Entries& entries) {
          .title = "light that one blocked sample bounces",
          .formula = "(1 - V) L R^2 max(cos_s, 0) max(cos_r, 0) / max(d, d_min)^2",
          .source = ssdo},
-        GLOAM_REFERENCE(gloam_ssdo_bounce),
+        &reference::gloam_ssdo_bounce,
         {.domain = Domain{offsets(), normals(), normals(), colours(), length, length, visibility}.adjusted(
              face_each_other),
          .budget = {.absolute = 6e-7},
@@ -111,7 +111,7 @@ void append_results(Entries& entries) {
          .title = "light that leaves the point",
          .formula = "rho sum / N",
          .source = ssdo},
-        GLOAM_REFERENCE(gloam_ssdo_light),
+        &reference::gloam_ssdo_light,
         {.domain = {either(vector(3, uniform(0, 64)), vector(3, any_float())).and_special(),
                     either(count, any_float()).and_special(), vector(3, uniform(0, 1)).and_special()},
          .budget = {.ulp = 2},
@@ -128,7 +128,7 @@ void append_results(Entries& entries) {
          .title = "depth darkening",
          .formula = "lambda min(G * D - D, 0)",
          .source = "Luft, Colditz and Deussen 2006"},
-        GLOAM_REFERENCE(gloam_depth_darkening),
+        &reference::gloam_depth_darkening,
         {.domain = {depth, depth, either(uniform(0, 4), any_float()).and_special()},
          .budget = {.ulp = 2},
          .codomain = {-0x1.fffffep127, 0},

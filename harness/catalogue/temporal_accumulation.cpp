@@ -35,7 +35,7 @@ void append_blend(Entries& entries) {
          .title = "blend of the history with new samples",
          .formula = "AO = AO' + (C - AO') k / (w' + k);  w = min(w' + k, w_max)",
          .source = "TSSAO (Mattausch et al.), eqs 4 and 5, arguments corrected"},
-        GLOAM_REFERENCE(gloam_blend),
+        &reference::gloam_blend,
         {.domain = Domain{occlusions(), weights(), occlusions(), weights(), weights()}.tied(4, 1).tied(2, 0),
          .budget = {.ulp = 0.5, .absolute = 1e-7},
          .codomain = {0, float_max},
@@ -47,7 +47,7 @@ void append_blend(Entries& entries) {
          .title = "weight of a history value, if it can be one",
          .formula = "min(w', w_max) if 0 <= AO' <= 1, else 0",
          .source = "TSSAO (Mattausch et al.), edges of eq 5"},
-        GLOAM_REFERENCE(gloam_history_weight),
+        &reference::gloam_history_weight,
         {.domain = Domain{occlusions(), weights(), weights()}.tied(2, 1), .codomain = {0, float_max}}));
 }
 
@@ -64,7 +64,7 @@ void append_accumulation(Entries& entries) {
                                        .title = "how far a pixel has converged",
                                        .formula = "conv = w / w_max",
                                        .source = "TSSAO (Mattausch et al.), eq 6"},
-                                      GLOAM_REFERENCE(gloam_convergence),
+                                      &reference::gloam_convergence,
                                       {.domain = Domain{weights(), weights().and_near({0x1p-126})}.tied(0, 1),
                                        .budget = {.ulp = 0.5},
                                        .codomain = {0, 1}}));
@@ -74,7 +74,7 @@ void append_accumulation(Entries& entries) {
                                                     .title = "whether the kernel is rotated at random",
                                                     .formula = "conv < c_rot",
                                                     .source = "TSSAO (Mattausch et al.), random rotation"},
-                                                   GLOAM_REFERENCE(gloam_rotation_enabled),
+                                                   &reference::gloam_rotation_enabled,
                                                    {.domain = Domain{convergence, threshold}.tied(0, 1)}));
     entries.push_back(equation<int(float, float, int, int)>(
         {.id = "TSSAO-AS",
@@ -83,7 +83,7 @@ void append_accumulation(Entries& entries) {
          .title = "samples to take in this frame",
          .formula = "k = k_1 if conv < c_spatial, else k_2",
          .source = "TSSAO (Mattausch et al.), adaptive sampling"},
-        GLOAM_REFERENCE(gloam_sample_count),
+        &reference::gloam_sample_count,
         {.domain = Domain{convergence, threshold, integers(0, 64).and_near_integers({0, -2147483647L}),
                           integers(0, 64).and_near_integers({0, 2147483646L})}
                        .tied(0, 1)}));

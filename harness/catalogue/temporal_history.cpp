@@ -43,26 +43,26 @@ void append_buffer(Entries& entries) {
                                   .function = "gloam_history_empty",
                                   .title = "history of a pixel that has none",
                                   .formula = "(0, 0, 0, d), d = infinity for background"},
-                                 GLOAM_REFERENCE(gloam_history_empty), {depths()});
+                                 &reference::gloam_history_empty, {depths()});
     append_exact<History(History)>(
         entries, origin,
         {.id = "TSSAO-BUF-sanitize",
          .function = "gloam_history_sanitize",
          .title = "history made safe to use",
          .formula = "h if 0 <= AO <= 1, 0 < w < infinity and d is geometry, else empty"},
-        GLOAM_REFERENCE(gloam_history_sanitize), {histories()});
+        &reference::gloam_history_sanitize, {histories()});
     append_exact<glm::vec4(History)>(entries, origin,
                                      {.id = "TSSAO-BUF-pack",
                                       .function = "gloam_history_pack",
                                       .title = "texel of the history buffer",
                                       .formula = "(AO, w, j, d)"},
-                                     GLOAM_REFERENCE(gloam_history_pack), {histories()});
+                                     &reference::gloam_history_pack, {histories()});
     append_exact<History(glm::vec4)>(entries, origin,
                                      {.id = "TSSAO-BUF-unpack",
                                       .function = "gloam_history_unpack",
                                       .title = "history from a texel",
                                       .formula = "(AO, w, j, d)"},
-                                     GLOAM_REFERENCE(gloam_history_unpack), {texels()});
+                                     &reference::gloam_history_unpack, {texels()});
     const Values integer = log_integers(4294967295).and_near_integers({16777216, 4294967295});
     append_exact<unsigned(unsigned, unsigned, unsigned)>(
         entries, origin,
@@ -87,7 +87,7 @@ void append_history(Entries& entries) {
          .title = "weights of bilinear interpolation",
          .formula = "((1 - x)(1 - y), x (1 - y), (1 - x) y, x y)",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_bilinear_weights),
+        &reference::gloam_bilinear_weights,
         {.domain = {vector(2, either(part, log_uniform(1e-30, 1))).and_special()},
          .budget = {.ulp = 2.5},
          .codomain = {0, 1}}));
@@ -98,7 +98,7 @@ void append_history(Entries& entries) {
          .title = "bilinear weights of the valid texels only",
          .formula = "w_i / (sum of valid w)",
          .source = "TSSAO (Mattausch et al.), interpolation across depth edges"},
-        GLOAM_REFERENCE(gloam_validated_weights),
+        &reference::gloam_validated_weights,
         {.domain = {vector(4, either(part, log_uniform(1e-37, 1))).and_special(), vector(4, booleans())},
          .budget = {.ulp = 3},
          .codomain = {0, 1}}));

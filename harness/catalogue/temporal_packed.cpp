@@ -32,20 +32,20 @@ void append_packed_history(Entries& entries) {
                                    .function = "gloam_round_half_up",
                                    .title = "nearest integer, by no operation that rounds",
                                    .formula = "floor(x + 1/2)"},
-                                  GLOAM_REFERENCE(gloam_round_half_up),
+                                  &reference::gloam_round_half_up,
                                   {either(uniform(0, 70000), log_uniform(1e-30, 8388608))});
     append_exact<unsigned(float)>(entries, origin,
                                   {.id = "PACKED-depth",
                                    .function = "gloam_depth_to_code",
                                    .title = "depth in 16 bits",
                                    .formula = "6 bits of exponent, 10 of mantissa; 65535 for background"},
-                                  GLOAM_REFERENCE(gloam_depth_to_code), {depths()});
+                                  &reference::gloam_depth_to_code, {depths()});
     append_exact<float(unsigned)>(entries, origin,
                                   {.id = "PACKED-depth-of",
                                    .function = "gloam_depth_from_code",
                                    .title = "depth from 16 bits",
                                    .formula = "the inverse of PACKED-depth"},
-                                  GLOAM_REFERENCE(gloam_depth_from_code), {members()});
+                                  &reference::gloam_depth_from_code, {members()});
     const Values history =
         vector({uniform(0, 1).and_near({0.0, 1.0}).and_special(),
                 either(uniform(0, 5000), log_uniform(1e-30, 1e30)).and_near({4095.0}).and_special(),
@@ -55,20 +55,20 @@ void append_packed_history(Entries& entries) {
                                    .function = "gloam_history_encode",
                                    .title = "history in 64 bits",
                                    .formula = "(32768 AO, 16 w, j, code of d), rounded"},
-                                  GLOAM_REFERENCE(gloam_history_encode), {history});
+                                  &reference::gloam_history_encode, {history});
     const Values packed = vector({members(), members(), members(), members()});
     append_exact<glm::vec4(Packed)>(entries, origin,
                                     {.id = "PACKED-texel",
                                      .function = "gloam_packed_texel",
                                      .title = "texel that 64 bits stand for",
                                      .formula = "(AO, w, j, d), the inverse of PACKED-encode"},
-                                    GLOAM_REFERENCE(gloam_packed_texel), {packed});
+                                    &reference::gloam_packed_texel, {packed});
     append_exact<History(Packed)>(entries, origin,
                                   {.id = "PACKED-decode",
                                    .function = "gloam_history_decode",
                                    .title = "history from 64 bits",
                                    .formula = "the same, sanitized"},
-                                  GLOAM_REFERENCE(gloam_history_decode), {packed});
+                                  &reference::gloam_history_decode, {packed});
 }
 
 }  // namespace gloam::catalogue

@@ -72,7 +72,7 @@ void append_reprojection(Entries& entries) {
          .title = "texture coordinate among the texel centres of an axis",
          .formula = "i + f = u n - 1/2, f in [0, 1), 0 within 1/256 of a centre",
          .source = "definition of texture coordinates"},
-        GLOAM_REFERENCE(gloam_texel_position),
+        &reference::gloam_texel_position,
         {.domain = {uniform(0, 1).and_near({0.0, 1.0, 0.5}).and_special(),
                     log_integers(4096).and_near_integers({0})},
          .budget = {.absolute = 1.25e-4},

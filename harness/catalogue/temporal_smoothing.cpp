@@ -16,7 +16,7 @@ void append_temporal_smoothing(Entries& entries) {
          .title = "exponential mean over frames",
          .formula = "AO_n = AO_(n-1) + rate (AO - AO_(n-1)), AO where the history is not valid",
          .source = "Gears of War 2 (Smedberg and Wright 2009)"},
-        GLOAM_REFERENCE(gloam_temporal_smooth),
+        &reference::gloam_temporal_smooth,
         {.domain = {occlusion, booleans(), occlusion, uniform(0, 1).and_near({0.0, 1.0}).and_special()},
          .budget = {.absolute = 2e-7},
          .codomain = {0, 1}}));

@@ -28,7 +28,7 @@ void append_disocclusion(Entries& entries) {
          .title = "whether the history is of the same surface",
          .formula = "|d' - d~| < epsilon d', d~ the point's depth in the previous camera",
          .source = "TSSAO (Mattausch et al.), eq 8"},
-        GLOAM_REFERENCE(gloam_depth_consistent),
+        &reference::gloam_depth_consistent,
         {.domain = Domain{depth, depth, epsilon}
                        .tied(1, 0)
                        .tied(1, 0, 1.01)
@@ -47,7 +47,7 @@ void append_disocclusion(Entries& entries) {
                                       .title = "whether there was nothing before and is nothing now",
                                       .formula = "both depths background",
                                       .source = "TSSAO (Mattausch et al.), edge of eq 8"},
-                                     GLOAM_REFERENCE(gloam_both_background), {.domain = depths}));
+                                     &reference::gloam_both_background, {.domain = depths}));
 }
 
 void append_neighborhood(Entries& entries) {
@@ -64,7 +64,7 @@ void append_neighborhood(Entries& entries) {
          .title = "change of the distance to a neighbouring point",
          .formula = "||s - p| - |s' - p'||",
          .source = source},
-        GLOAM_REFERENCE(gloam_neighborhood_change),
+        &reference::gloam_neighborhood_change,
         {.domain = {position, position, position, position},
          .budget = {.ulp = 4, .absolute = 6e-6},
          .codomain = {0, float_max},
@@ -79,7 +79,7 @@ void append_neighborhood(Entries& entries) {
                                                     .title = "whether a neighbourhood counts as unchanged",
                                                     .formula = "d < epsilon",
                                                     .source = source},
-                                                   GLOAM_REFERENCE(gloam_neighborhood_unchanged),
+                                                   &reference::gloam_neighborhood_unchanged,
                                                    {.domain = Domain{change, change}.tied(0, 1)}));
     entries.push_back(equation<bool(glm::vec3, glm::vec3)>(
         {.id = "TSSAO-9-probe",
@@ -88,7 +88,7 @@ void append_neighborhood(Entries& entries) {
          .title = "whether a surface point can block another at all",
          .formula = "(s - p) . n > 0",
          .source = source},
-        GLOAM_REFERENCE(gloam_probe_useful),
+        &reference::gloam_probe_useful,
         {.domain = {position, unit_vector(3).and_special()},
          .budget = {.backward_ulp = 4},
          .promised = make_predicate<bool(glm::vec3, glm::vec3)>(
@@ -105,7 +105,7 @@ void append_invalidation(Entries& entries) {
                                        .title = "smooth invalidation by clamping the weight",
                                        .formula = "w := min(w, w_small)",
                                        .source = "TSSAO (Mattausch et al.), notes on smooth invalidation"},
-                                      GLOAM_REFERENCE(gloam_invalidate_clamp),
+                                      &reference::gloam_invalidate_clamp,
                                       {.domain = Domain{weight, uniform(32, 64).and_special()}.tied(0, 1),
                                        .codomain = {0, numeric::infinity}}));
     entries.push_back(equation<float(float, float)>(
@@ -115,7 +115,7 @@ void append_invalidation(Entries& entries) {
          .title = "confidence in the history after a change",
          .formula = "conf = 1 / (1 + S d)",
          .source = "TSSAO (Mattausch et al.), smooth invalidation factor"},
-        GLOAM_REFERENCE(gloam_confidence),
+        &reference::gloam_confidence,
         {.domain = {either(uniform(0, 1), signed_log_uniform(1e-30, 1e30)).and_special(),
                     either(uniform(15, 30), log_uniform(1e-6, 1e6)).and_special()},
          .budget = {.ulp = 3},
@@ -127,7 +127,7 @@ void append_invalidation(Entries& entries) {
                                        .title = "smooth invalidation by a confidence",
                                        .formula = "w := conf w",
                                        .source = "TSSAO (Mattausch et al.), smooth invalidation factor"},
-                                      GLOAM_REFERENCE(gloam_invalidate_confidence),
+                                      &reference::gloam_invalidate_confidence,
                                       {.domain = {weight, uniform(0, 1).and_near({0.0, 1.0}).and_special()},
                                        .budget = {.ulp = 0.5},
                                        .codomain = {0, float_max}}));

@@ -136,7 +136,7 @@ void add_worst_inputs(Entries& entries) {
             std::ranges::find_if(entries, [&](const Entry& e) { return e.description.id == worst.equation; });
         if (entry == entries.end())
             throw std::logic_error("worst input of an unknown equation: " + worst.equation);
-        check::Domain& domain = entry->check_case.domain;
+        check::Domain& domain = entry->question.domain;
         domain = domain.and_words(worst.words);
     }
 }

@@ -20,10 +20,10 @@ Bounds around(double want, double unit, const Budget& budget) {
     return {want - reach, want + reach, false};
 }
 
-std::vector<Bounds> around(const Rules& rules, const std::vector<double>& want) {
-    const std::vector<Scalar> scalars = rules.signature.output_scalars();
+std::vector<Bounds> around(const Question& question, const std::vector<double>& want) {
+    const std::vector<Scalar> scalars = question.signature.output_scalars();
     std::vector<Bounds> bounds;
-    for (const std::size_t words : rules.signature.output_values()) {
+    for (const std::size_t words : question.signature.output_values()) {
         const std::size_t first = bounds.size();
         double largest = 0.0;
         for (std::size_t i = first; i < first + words; ++i) {
@@ -34,22 +34,22 @@ std::vector<Bounds> around(const Rules& rules, const std::vector<double>& want) 
                 bounds.push_back(Bounds::point(want[i]));
                 continue;
             }
-            const double at = rules.budget.of_largest_component ? largest : want[i];
-            bounds.push_back(around(want[i], numeric::ulp_size(at), rules.budget));
+            const double at = question.budget.of_largest_component ? largest : want[i];
+            bounds.push_back(around(want[i], numeric::ulp_size(at), question.budget));
         }
     }
     return bounds;
 }
 
 // The inputs that the budget also speaks of: subnormals flushed, and each float moved alone.
-std::vector<std::vector<Word>> neighbours(const Rules& rules, const std::vector<Word>& inputs) {
-    const std::vector<Scalar> scalars = rules.signature.input_scalars();
+std::vector<std::vector<Word>> neighbours(const Question& question, const std::vector<Word>& inputs) {
+    const std::vector<Scalar> scalars = question.signature.input_scalars();
     std::vector<std::vector<Word>> all{inputs};
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (scalars[i] != Scalar::float_) continue;
         const auto value = from_word<float>(inputs[i]);
         if (numeric::classify(value) == numeric::FloatClass::subnormal) all.front()[i] &= 0x80000000U;
-        for (int steps = 1; steps <= rules.budget.backward_ulp; ++steps) {
+        for (int steps = 1; steps <= question.budget.backward_ulp; ++steps) {
             for (const int signed_steps : {-steps, steps}) {
                 all.push_back(inputs);
                 all.back()[i] = to_word(numeric::step(value, signed_steps));
@@ -61,17 +61,17 @@ std::vector<std::vector<Word>> neighbours(const Rules& rules, const std::vector<
 
 }  // namespace
 
-std::vector<Bounds> allowed_outputs(const Rules& rules, const ImageSet& images, const Sample& sample) {
+std::vector<Bounds> allowed_outputs(const Question& question, const ImageSet& images, const Sample& sample) {
     if (!sample.permitted.empty()) return sample.permitted;
-    const std::vector<Scalar> scalars = rules.signature.output_scalars();
-    const Bounds codomain{rules.codomain.low, rules.codomain.high, false};
+    const std::vector<Scalar> scalars = question.signature.output_scalars();
+    const Bounds codomain{question.codomain.low, question.codomain.high, false};
     std::vector<Bounds> bounds(scalars.size(), codomain);
-    if (rules.promised && !rules.promised(sample.inputs)) return bounds;  // then only the codomain is
-    bounds = around(rules, sample.want);
+    if (question.promised && !question.promised(sample.inputs)) return bounds;  // then only the codomain is
+    bounds = around(question, sample.want);
     std::vector<double> want;
-    for (const std::vector<Word>& inputs : neighbours(rules, sample.inputs)) {
-        rules.reference(images, inputs, want);
-        std::ranges::transform(bounds, around(rules, want), bounds.begin(), numeric::hull);
+    for (const std::vector<Word>& inputs : neighbours(question, sample.inputs)) {
+        question.reference(images, inputs, want);
+        std::ranges::transform(bounds, around(question, want), bounds.begin(), numeric::hull);
     }
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         if (scalars[i] != Scalar::float_ || bounds[i].empty()) continue;

@@ -74,7 +74,7 @@ KernelCore ConstantKernel::module_of(std::span<const Word> inputs, std::size_t c
                         .fixed_inputs = count};
     for (std::size_t word = 0; !literals && word < inputs.size(); ++word)
         module.constants.push_back({.id = static_cast<std::uint32_t>(word), .bits = inputs[word]});
-    return {lab_->device(), std::move(module), source_.function.name};
+    return lab_->core(std::move(module), source_.function.name);
 }
 
 }  // namespace gloam::check

@@ -67,8 +67,7 @@ std::string sample_text(const Signature& signature, const Sample& sample) {
     return fmt::format(
         "input {} ({}{}{}): {}\n    got  {}\n    want {}\n{}    error {:.6g} ulp, {:.6g} absolute\n",
         sample.index, name_of(sample.input_class), sample.scenario.empty() ? "" : ", images ",
-        sample.scenario, describe_inputs(signature, sample.inputs),
-        words_text(signature.output_scalars(), sample.got),
+        sample.scenario, sample.values, words_text(signature.output_scalars(), sample.got),
         numbers_text(signature.output_scalars(), sample.want),
         permitted_text(signature.output_scalars(), sample.permitted), sample.ulp, sample.absolute);
 }
@@ -91,32 +90,41 @@ std::string describe_inputs(const Signature& signature, const std::vector<Word>&
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::string describe(const Result& result) {
-    const Census& census = result.census;
+std::string describe(const Signature& signature, const Answer& answer) {
     const std::string limit =
-        result.verdict == Verdict::rules ? "what Vulkan's precision rules permit" : to_text(result.budget);
-    std::string text = fmt::format("{} ({}): {} of {} inputs outside {}\n", result.function, result.file,
-                                   census.outside(), census.inputs(), limit);
-    if (result.fault) text += fmt::format("  {}\n", to_text(*result.fault));
+        answer.verdict == Verdict::rules ? "what Vulkan's precision rules permit" : to_text(answer.budget);
+    std::string text = fmt::format("{} ({}): {} of {} inputs outside {}\n", answer.function, answer.file,
+                                   answer.outside(), answer.inputs(), limit);
+    if (!answer.fault.empty()) text += fmt::format("  {}\n", answer.fault);
     for (std::size_t i = 0; i < input_class_count; ++i) {
-        const ClassCount& count = census.classes[i];
+        const ClassCount& count = answer.classes[i];
         if (count.inputs == 0) continue;
         text += fmt::format("  {:<10} {:>9} inputs {:>9} outside", name_of(static_cast<InputClass>(i)),
                             count.inputs, count.outside);
         if (count.recorded > 0) text += fmt::format(" {:>9} only recorded", count.recorded);
         text += "\n";
     }
-    if (census.worst) text += "  worst " + sample_text(result.signature, *census.worst);
-    for (const auto& first : census.first_outside) {
-        if (first && (!census.worst || first->index != census.worst->index)) {
-            text += "  first " + sample_text(result.signature, *first);
-        }
+    if (answer.worst) text += "  worst " + sample_text(signature, *answer.worst);
+    for (const auto& first : answer.first_outside) {
+        if (first && (!answer.worst || first->index != answer.worst->index))
+            text += "  first " + sample_text(signature, *first);
     }
     return text;
 }
 
-std::ostream& operator<<(std::ostream& stream, const Result& result) {
-    return stream << describe(result);
+void describe_samples(const Signature& signature, Answer& answer) {
+    const auto describe_one = [&signature](std::optional<Sample>& sample) {
+        if (sample && sample->values.empty()) sample->values = describe_inputs(signature, sample->inputs);
+    };
+    describe_one(answer.worst);
+    describe_one(answer.first_unbounded);
+    for (std::optional<Sample>& first : answer.first_outside) describe_one(first);
+}
+
+std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
+    if (!answer.story.empty()) return stream << answer.story;
+    return stream << fmt::format("{} ({}): {} of {} inputs outside{}{}\n", answer.function, answer.file,
+                                 answer.outside(), answer.inputs(), answer.ran() ? "" : ": ", answer.error);
 }
 
 }  // namespace gloam::check

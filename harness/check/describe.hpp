@@ -4,7 +4,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "check/case.hpp"
+#include "check/answer.hpp"
+#include "check/signature.hpp"
 
 namespace gloam::check {
 
@@ -13,9 +14,12 @@ namespace gloam::check {
 [[nodiscard]] std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs);
 
 // Verdict, counts by class of input, and the worst input with what came out and what should have.
-[[nodiscard]] std::string describe(const Result& result);
+[[nodiscard]] std::string describe(const Signature& signature, const Answer& answer);
 
-// So that EXPECT_TRUE(result.passed()) << result tells the whole story.
-std::ostream& operator<<(std::ostream& stream, const Result& result);
+// Gives every sample of an answer its values in words.
+void describe_samples(const Signature& signature, Answer& answer);
+
+// So that EXPECT_TRUE(answer.passed()) << answer tells the whole story.
+std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 
 }  // namespace gloam::check

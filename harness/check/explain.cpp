@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <numeric>
 #include <stdexcept>
 
 #include "check/interpreted_kernel.hpp"
@@ -18,6 +21,7 @@ namespace {
 using interpreter::Explained;
 
 constexpr const char* kernel_name = "kernel";
+constexpr std::uint64_t most_instructions = 500'000;  // of one explanation: each is kept
 
 shader::Function function_of(const shader::CompileOptions& options, const std::string& file,
                              const std::string& name) {
@@ -28,20 +32,15 @@ shader::Function function_of(const shader::CompileOptions& options, const std::s
     throw std::invalid_argument(fmt::format("{}: no function {}", file, name));
 }
 
-std::size_t words_of(const shader::Function& function, bool outputs) {
-    const Signature signature{.result = function.result, .parameters = function.parameters};
-    return outputs ? signature.output_words() : signature.input_words();
-}
-
-KernelModule module_of(const shader::CompileOptions& options, const std::string& file,
-                       const shader::Function& function) {
+KernelModule module_of(const shader::CompileOptions& options, const KernelSource& source) {
     shader::CompileOptions with_lines = options;
     with_lines.lines = true;
-    const KernelSource source{.file = file, .function = function, .images = {}};
+    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
     return {
         .spirv = shader::SpirvCache().compile({.name = kernel_name, .text = kernel_code(source)}, with_lines),
-        .input_words = words_of(function, false),
-        .output_words = words_of(function, true)};
+        .input_words = signature.input_words(),
+        .output_words = signature.output_words(),
+        .images = source.images};
 }
 
 void append(const interpreter::Step<Explained>& step, std::vector<ExplainedStep>& steps) {
@@ -65,19 +64,56 @@ void append(const interpreter::Step<Explained>& step, std::vector<ExplainedStep>
     }
 }
 
-// The error may come down again; what counts is by how much it rises above all before.
-std::size_t worst_of(const std::vector<ExplainedStep>& steps) {
-    std::size_t worst = steps.size();
+// By how much the error of each step, in ULP, rises above all before it. It may come down again in between.
+std::vector<double> rises_of(const std::vector<ExplainedStep>& steps) {
+    std::vector<double> rises;
     double highest = 0.0;
-    double rise = 0.0;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        if (steps[i].ulps - highest > rise) {
-            rise = steps[i].ulps - highest;
-            worst = i;
-        }
-        highest = std::max(highest, steps[i].ulps);
+    for (const ExplainedStep& step : steps) {
+        rises.push_back(std::max(step.ulps - highest, 0.0));
+        highest = std::max(highest, step.ulps);
     }
-    return worst;
+    return rises;
+}
+
+std::size_t worst_of(const std::vector<ExplainedStep>& steps) {
+    const std::vector<double> rises = rises_of(steps);
+    const auto most = std::ranges::max_element(rises);
+    return most == rises.end() || *most == 0.0 ? steps.size()
+                                               : static_cast<std::size_t>(most - rises.begin());
+}
+
+// The steps that tell most, in their order.
+std::vector<std::size_t> telling_steps(const std::vector<ExplainedStep>& steps, std::size_t most) {
+    std::vector<std::size_t> order(steps.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (steps.size() <= most) return order;
+    const std::vector<double> rises = rises_of(steps);
+    std::ranges::sort(order, [&rises](std::size_t a, std::size_t b) {
+        return rises[a] != rises[b] ? rises[a] > rises[b] : a > b;
+    });
+    order.resize(most);
+    std::ranges::sort(order);
+    return order;
+}
+
+std::string permitted_text(const numeric::Bounds& bounds) {
+    if (bounds.is_anything()) return "anything";
+    if (bounds.empty()) return "NaN";
+    return fmt::format("[{:.9g}, {:.9g}]{}", bounds.low, bounds.high, bounds.nan ? " or NaN" : "");
+}
+
+constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
+
+std::string line_of(const ExplainedStep& step, bool is_worst) {
+    const std::string place = fmt::format("{}:{} {}", std::filesystem::path(step.file).filename().string(),
+                                          step.line, step.function);
+    const std::string operation = step.component == 0
+                                      ? step.operation
+                                      : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
+    return fmt::format(line_format, place, operation, fmt::format("{:.9g}", step.value),
+                       fmt::format("{:.17g}", step.exact), fmt::format("{:.3g}", step.ulps),
+                       fmt::format("{:.2e}", step.local), fmt::format("{:.2e}", step.inherited()),
+                       permitted_text(step.permitted) + (is_worst ? "  <-- most of the error" : ""));
 }
 
 }  // namespace
@@ -88,15 +124,17 @@ std::vector<shader::Scalar> inputs_of(const shader::CompileOptions& options, con
     return Signature{.result = found.result, .parameters = found.parameters}.input_scalars();
 }
 
-Explanation explain(const shader::CompileOptions& options, const std::string& file,
-                    const std::string& function, std::span<const Word> input) {
-    const shader::Function found = function_of(options, file, function);
-    const KernelModule module = module_of(options, file, found);
+Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
+                    std::span<const Word> input, const ImageSet& images) {
+    const KernelModule module = module_of(options, source);
     if (input.size() != module.input_words)
-        throw std::invalid_argument(fmt::format("{} takes {} values, got {}", shader::to_glsl(found),
-                                                module.input_words, input.size()));
+        throw std::invalid_argument(fmt::format("{} takes {} values, got {}",
+                                                shader::to_glsl(source.function), module.input_words,
+                                                input.size()));
     const interpreter::Program program(module.spirv);
-    InterpretedKernel<Explained> kernel(program, module, {});
+    const std::vector<std::vector<Word>> words = image_words(module.images, images, source.function.name);
+    InterpretedKernel<Explained> kernel(program, module, words);
+    kernel.machine().set_limit(most_instructions);
     Explanation all;
     // The path is that of float32; what intervals alone leave open is taken as it comes first.
     (void)numeric::Paths::explore(numeric::float32, 1, [&] {
@@ -105,6 +143,29 @@ Explanation explain(const shader::CompileOptions& options, const std::string& fi
     });
     all.worst = worst_of(all.steps);
     return all;
+}
+
+Explanation explain(const shader::CompileOptions& options, const std::string& file,
+                    const std::string& function, std::span<const Word> input) {
+    return explain(options, {.file = file, .function = function_of(options, file, function), .images = {}},
+                   input);
+}
+
+std::string to_text(const Explanation& explanation, std::size_t most) {
+    const std::vector<ExplainedStep>& steps = explanation.steps;
+    std::string text = fmt::format(line_format, "line", "operation", "float32", "double", "error ulp",
+                                   "by itself", "inherited", "permitted");
+    const std::vector<std::size_t> shown = telling_steps(steps, most);
+    for (const std::size_t i : shown) text += line_of(steps[i], i == explanation.worst);
+    if (shown.size() < steps.size())
+        text += fmt::format("({} of {} operations)\n", shown.size(), steps.size());
+    if (explanation.worst == steps.size()) return text + "no operation adds an error\n";
+    const ExplainedStep& worst = steps[explanation.worst];
+    const bool cancels = std::abs(worst.inherited()) > std::abs(worst.local);
+    return text + fmt::format("the error in ULP grows most at {}:{}, {}: {}\n", worst.file, worst.line,
+                              worst.operation,
+                              cancels ? "the result is small beside its operands, whose errors it keeps"
+                                      : "its own rounding");
 }
 
 }  // namespace gloam::check

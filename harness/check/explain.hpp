@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "check/kernel_code.hpp"
 #include "check/scalars.hpp"
 #include "numeric/bounds.hpp"
 #include "shader/compile.hpp"
@@ -37,11 +38,19 @@ struct Explanation {
     std::size_t worst = 0;
 };
 
-// Runs a function of a file on one input (the words of its in and inout parameters in order) along the path
-// that float32 takes. Throws std::invalid_argument for a function that is not there, reads images, or takes
-// another number of words; shader::CompileError; interpreter::Error.
+// Runs a function on one input (the words of its in and inout parameters in order) along the path that
+// float32 takes. Throws std::invalid_argument for another number of words, or an image that is missing;
+// shader::CompileError; interpreter::Error.
+[[nodiscard]] Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
+                                  std::span<const Word> input, const ImageSet& images = {});
+
+// The same of a function of a file. Throws std::invalid_argument for one that is not there or reads images.
 [[nodiscard]] Explanation explain(const shader::CompileOptions& options, const std::string& file,
                                   const std::string& function, std::span<const Word> input);
+
+// A line for each step, titles above, and where the error grows most below. Of more than `most` steps those
+// are shown at which the error rises most above all before, then the last.
+[[nodiscard]] std::string to_text(const Explanation& explanation, std::size_t most);
 
 // The scalars that such a function takes, in order. Throws as explain().
 [[nodiscard]] std::vector<shader::Scalar> inputs_of(const shader::CompileOptions& options,

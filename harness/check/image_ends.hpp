@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "check/case.hpp"
+#include "check/question.hpp"
 
 namespace gloam::check {
 

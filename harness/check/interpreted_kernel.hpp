@@ -49,6 +49,13 @@ class InterpretedKernel {
         machine_.set_invocation({static_cast<std::uint32_t>(index), 0, 0});
         machine_.run();
     }
+    // The same, and counts what ran.
+    void run(std::span<const Word> inputs, interpreter::Coverage& coverage) {
+        first_ = 0;
+        machine_.bind(0, KernelBinding::inputs, inputs);
+        machine_.set_invocation({0, 0, 0});
+        machine_.run(coverage);
+    }
     // The same for input 0, and tells of every instruction that gives a value.
     void run(std::span<const Word> inputs,
              const std::function<void(const interpreter::Step<Number>&)>& tell) {
@@ -60,6 +67,22 @@ class InterpretedKernel {
 
     [[nodiscard]] interpreter::Value<Number> output(std::size_t word) const {
         return machine_.read(0, KernelBinding::outputs, first_ + word);
+    }
+
+    // Accesses outside an image in the last run.
+    [[nodiscard]] KernelFaults faults() const {
+        const auto word = [this](std::size_t k) { return machine_.read(0, KernelBinding::faults, k).bits(); };
+        return {.count = word(0), .image = word(1), .x = word(2), .y = word(3), .input = word(4)};
+    }
+
+    // The words of an image after the last run; the next begins with them, too. `words` are those that it was
+    // made with.
+    void read_image(std::size_t image, std::vector<Word>& words) {
+        const auto binding = KernelBinding::first_image + static_cast<unsigned>(image);
+        std::vector<Word> after;
+        for (std::size_t w = 0; w < words.size(); ++w) after.push_back(machine_.read(0, binding, w).bits());
+        words = std::move(after);
+        machine_.bind(0, binding, words);
     }
 
     [[nodiscard]] interpreter::Machine<Number>& machine() { return machine_; }

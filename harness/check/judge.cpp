@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "check/describe.hpp"
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/edge.hpp"
 #include "check/internal/rules_judge.hpp"
@@ -64,8 +65,8 @@ class Plan {
     // Of the inputs whose bounds are calculated, together: a second or two.
     static constexpr double most_steps = 5e7;
 
-    Plan(const Rules& rules, std::size_t count, bool every_bound)
-        : bounds_(rules.verdict == Verdict::rules),
+    Plan(Verdict verdict, std::size_t count, bool every_bound)
+        : bounds_(verdict == Verdict::rules),
           every_(bounds_ ? 1 : std::max<std::size_t>(count / other_inputs, 1)),
           bounds_every_(every_bound ? 1 : 0) {}
 
@@ -86,20 +87,22 @@ class Plan {
 
 class Judge {
   public:
-    Judge(const Rules& rules, const ImageSet& images, const internal::Decoded* decoded, const Plan& plan)
-        : rules_(rules),
+    Judge(const Question& question, const JudgeOptions& options, const ImageSet& images,
+          const internal::Decoded* decoded, const Plan& plan)
+        : question_(question),
+          options_(options),
           images_(images),
           plan_(plan),
-          scalars_(rules.signature),
-          budget_(rules, images, scalars_) {
+          scalars_(question.signature),
+          budget_(question, images, scalars_) {
         if (decoded != nullptr) permitted_.emplace(*decoded, scalars_);
     }
 
-    void add(Census& census, Sample& sample, bool branch) {
+    void add(Answer& answer, Sample& sample, bool branch) {
         sample.input_class = class_of(sample.inputs, scalars_.inputs, branch);
         find_want(sample);
-        if (!rules_.judge_nan && holds_special(sample)) {
-            census.add_recorded(sample.input_class);
+        if (!options_.nan && holds_special(sample)) {
+            answer.add_recorded(sample.input_class);
             return;
         }
         const internal::Error error = budget_.measure(sample);
@@ -107,13 +110,13 @@ class Judge {
         sample.absolute = error.absolute;
         sample.budget_fraction = error.fraction;
         sample.fraction = error.fraction;
-        if (permitted_ && plan_.by_rules(sample.index)) ask_rules(census, sample);
-        const bool promised = !rules_.promised || rules_.promised(sample.inputs);
+        if (permitted_ && plan_.by_rules(sample.index)) ask_rules(answer, sample);
+        const bool promised = !question_.promised || question_.promised(sample.inputs);
         const bool accurate = promised && sample.budget_fraction <= 1.0;
-        if (rules_.judge_edges && rules_.reference && !accurate && internal::is_edge(sample, scalars_) &&
-            !internal::holds_at_edge(rules_, images_, scalars_, sample))
+        if (options_.edges && question_.reference && !accurate && internal::is_edge(sample, scalars_) &&
+            !internal::holds_at_edge(question_, images_, scalars_, sample))
             sample.fraction = infinity;
-        census.add(sample, sample.fraction > 1.0);
+        answer.add(sample, sample.fraction > 1.0);
     }
 
     // Instructions that the bounds of an input take.
@@ -127,8 +130,8 @@ class Judge {
 
   private:
     void find_want(Sample& sample) {
-        if (rules_.reference) {
-            rules_.reference(images_, sample.inputs, sample.want);
+        if (question_.reference) {
+            question_.reference(images_, sample.inputs, sample.want);
         } else {
             permitted_->interpretation().calculate({sample.index, sample.inputs}, sample.want);
         }
@@ -138,28 +141,28 @@ class Judge {
         }
     }
 
-    void ask_rules(Census& census, Sample& sample) {
+    void ask_rules(Answer& answer, Sample& sample) {
         const bool bounded = plan_.bounded(sample.index);
-        ++census.by_rules;
+        ++answer.by_rules;
         if (!bounded && permitted_->permits(sample)) {
-            if (rules_.verdict == Verdict::rules) sample.fraction = 0.0;
+            if (options_.verdict == Verdict::rules) sample.fraction = 0.0;
             return;
         }
         const bool anything = permitted_->measure(sample);
         sample.forbidden = sample.fraction > 1.0;
-        if (bounded) add_bounds(census, sample, anything);
-        if (rules_.verdict == Verdict::rules) return;
+        if (bounded) add_bounds(answer, sample, anything);
+        if (options_.verdict == Verdict::rules) return;
         sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
     }
 
-    void add_bounds(Census& census, const Sample& sample, bool anything) {
-        ++census.bounded;
-        if (anything) census.add_unbounded(sample);
-        const bool promised = !rules_.promised || rules_.promised(sample.inputs);
+    void add_bounds(Answer& answer, const Sample& sample, bool anything) {
+        ++answer.bounded;
+        if (anything) answer.add_unbounded(sample);
+        const bool promised = !question_.promised || question_.promised(sample.inputs);
         const bool usual = sample.input_class <= InputClass::zero;
         if (anything || !promised || !usual) return;
         const internal::Error largest = permitted_->largest_permitted(sample, budget_);
-        census.add_guarantee({largest.ulp, largest.absolute, largest.fraction});
+        answer.add_guarantee({largest.ulp, largest.absolute, largest.fraction});
     }
 
     bool holds_special(const Sample& sample) const {
@@ -171,7 +174,8 @@ class Judge {
         return std::ranges::any_of(sample.want, [](double want) { return !std::isfinite(want); });
     }
 
-    const Rules& rules_;
+    const Question& question_;
+    const JudgeOptions& options_;
     const ImageSet& images_;
     const Plan& plan_;
     internal::Scalars scalars_;
@@ -181,10 +185,11 @@ class Judge {
 
 // What the modules mean; nothing where there are none, or where nobody needs them and the interpreter does
 // not know an instruction (then the rules are asked of no input).
-std::optional<internal::Decoded> decoded_modules(const Rules& rules, const ImageSet& images, bool needed) {
-    if (rules.modules.empty()) return std::nullopt;
+std::optional<internal::Decoded> decoded_modules(const KernelModules& modules, const ImageSet& images,
+                                                 bool needed) {
+    if (modules.empty()) return std::nullopt;
     try {
-        return std::optional<internal::Decoded>(std::in_place, rules.modules, images);
+        return std::optional<internal::Decoded>(std::in_place, modules, images);
     } catch (const interpreter::Error& error) {
         if (needed || error.kind() != interpreter::Error::Kind::unknown_instruction) throw;
         return std::nullopt;
@@ -203,35 +208,32 @@ double mean_cost(Judge& judge, const Domain::Inputs& inputs) {
 
 }  // namespace
 
-std::string to_text(const Budget& budget) {
-    std::string text;
-    if (budget.ulp > 0.0)
-        text = fmt::format("{:g} ulp{}", budget.ulp,
-                           budget.of_largest_component ? " of the largest component" : "");
-    if (budget.absolute > 0.0)
-        text += fmt::format("{}{:g} absolute", text.empty() ? "" : " or ", budget.absolute);
-    if (text.empty()) text = "exact";
-    if (budget.backward_ulp > 0) text += fmt::format(" at inputs within {} ulp", budget.backward_ulp);
-    return text;
+Answer empty_answer(const Question& question, Verdict verdict) {
+    return {.equation = question.name.empty() ? question.function : question.name,
+            .function = question.function,
+            .file = question.file,
+            .verdict = verdict,
+            .budget = question.budget};
 }
 
-Census judge(const Rules& rules, const Domain::Inputs& inputs, std::span<const Word> outputs,
-             const ImageSet& images, const std::string& scenario, std::span<double> fractions) {
-    const bool needs_modules = rules.verdict == Verdict::rules || !rules.reference;
-    if (needs_modules && rules.modules.empty())
+Answer judge(const Question& question, const JudgeOptions& options, const Domain::Inputs& inputs,
+             std::span<const Word> outputs, const ImageSet& images, const std::string& scenario,
+             std::span<double> fractions) {
+    const bool needs_modules = options.verdict == Verdict::rules || !question.reference;
+    if (needs_modules && options.modules.empty())
         throw std::invalid_argument(
             "cannot be judged by Vulkan's rules without the modules that gave the outputs");
-    const std::optional<internal::Decoded> decoded = decoded_modules(rules, images, needs_modules);
+    const std::optional<internal::Decoded> decoded = decoded_modules(options.modules, images, needs_modules);
     const internal::Decoded* const modules = decoded ? &*decoded : nullptr;
-    Plan plan(rules, inputs.count(), !fractions.empty());
+    Plan plan(options.verdict, inputs.count(), !fractions.empty());
     if (plan.needs_cost()) {
-        Judge probe(rules, images, modules, plan);
+        Judge probe(question, options, images, modules, plan);
         plan.set_cost(mean_cost(probe, inputs), inputs.count());
     }
-    const std::size_t width = rules.signature.output_words();
+    const std::size_t width = question.signature.output_words();
     const auto part = [&](std::size_t begin, std::size_t end) {
-        Judge judge(rules, images, modules, plan);
-        Census census;
+        Judge judge(question, options, images, modules, plan);
+        Answer answer;
         Sample sample{.scenario = scenario};
         for (std::size_t i = begin; i < end; ++i) {
             const auto row = inputs.row(i);
@@ -243,19 +245,20 @@ Census judge(const Rules& rules, const Domain::Inputs& inputs, std::span<const W
             sample.permitted.clear();
             sample.fraction = 0.0;
             sample.forbidden = false;
-            judge.add(census, sample, inputs.branch[i]);
+            judge.add(answer, sample, inputs.branch[i]);
             if (!fractions.empty()) fractions[i] = sample.fraction;
         }
-        return census;
+        return answer;
     };
     const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
     const std::size_t share = inputs.count() / threads + 1;
-    std::vector<std::future<Census>> parts;
+    std::vector<std::future<Answer>> parts;
     for (std::size_t begin = 0; begin < inputs.count(); begin += share) {
         parts.push_back(std::async(std::launch::async, part, begin, std::min(begin + share, inputs.count())));
     }
-    Census all;
-    for (auto& census : parts) all.merge(census.get());
+    Answer all = empty_answer(question, options.verdict);
+    for (auto& answer : parts) all.merge(answer.get());
+    describe_samples(question.signature, all);
     return all;
 }
 

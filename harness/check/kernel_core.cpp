@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check/kernel_core.hpp"
 
+#include "check/internal/interpret.hpp"
 #include "check/interpreted_kernel.hpp"
 
 #include <fmt/format.h>
@@ -66,6 +67,9 @@ KernelCore::KernelCore(const gpu::Device& device, KernelModule module, std::stri
       pipeline_(make_pipeline(device, *module_)),
       name_(std::move(name)) {}
 
+KernelCore::KernelCore(KernelModule module, std::string name)
+    : module_(std::make_shared<const KernelModule>(std::move(module))), name_(std::move(name)) {}
+
 KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t count,
                                    const ImageSet& images) const {
     if (inputs.size() != count * module_->input_words) {
@@ -73,6 +77,7 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
                                                 count, module_->input_words, count * module_->input_words,
                                                 inputs.size()));
     }
+    if (device_ == nullptr) return internal::interpret(module_, inputs, count, images, name_);
     Result result;
     result.modules = {module_};
     result.outputs.reserve(count * module_->output_words);
@@ -119,7 +124,7 @@ void KernelCore::run_batch(Batch& batch) const {
     std::vector<gpu::Resource> resources{std::cref(inputs), std::cref(outputs), std::cref(fault_buffer)};
     for (const gpu::Buffer& image : batch.images) resources.emplace_back(std::cref(image));
     gpu::Commands commands(*device_);
-    commands.dispatch(pipeline_, resources, {static_cast<Word>(columns), static_cast<Word>(rows), 1},
+    commands.dispatch(*pipeline_, resources, {static_cast<Word>(columns), static_cast<Word>(rows), 1},
                       std::as_bytes(std::span(&run, 1)));
     commands.submit();
 

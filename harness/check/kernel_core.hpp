@@ -38,6 +38,8 @@ class KernelCore {
   public:
     // The name is used in messages only.
     KernelCore(const gpu::Device& device, KernelModule module, std::string name);
+    // Run by the interpreter: correctly rounded, with no device at all.
+    KernelCore(KernelModule module, std::string name);
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words
@@ -47,8 +49,8 @@ class KernelCore {
     };
 
     // Evaluates `count` inputs (count x input_words words) in one dispatch, or as few as the device's limits
-    // allow. Throws std::invalid_argument when a prototype has no image or one of another type; KernelError;
-    // gpu errors.
+    // allow. Throws std::invalid_argument when a prototype has no image or one of another type; KernelError,
+    // also for what the interpreter cannot run; gpu errors.
     [[nodiscard]] Result run(std::span<const Word> inputs, std::size_t count,
                              const ImageSet& images = {}) const;
 
@@ -62,9 +64,9 @@ class KernelCore {
     void collect_outputs(Batch& batch, const KernelRun& run, std::span<const Word> words) const;
     void collect_fault(Batch& batch, std::span<const Word> words) const;
 
-    const gpu::Device* device_;
+    const gpu::Device* device_ = nullptr;  // none: the interpreter
     std::shared_ptr<const KernelModule> module_;
-    gpu::ComputePipeline pipeline_;
+    std::optional<gpu::ComputePipeline> pipeline_;
     std::string name_;
 };
 

@@ -43,18 +43,39 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
 
 }  // namespace
 
+gpu::DeviceInfo interpreter_info() {
+    return {.name = std::string(interpreter_name),
+            .type = "interpreter",
+            .driver = shader::compiler_version(),
+            .float32 = {
+                .preserves_signed_zero_inf_nan = true, .preserves_denormals = true, .rounds_to_even = true}};
+}
+
 Lab::Lab(LabOptions options)
-    : Lab(options, std::make_shared<gpu::Device>(gpu::DeviceOptions{
-                       .device = options.device,
-                       .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                       .cache_directory = options.cache_directory,
-                       .timeout = options.timeout})) {}
+    : Lab(options, options.device == interpreter_name
+                       ? nullptr
+                       : std::make_shared<gpu::Device>(gpu::DeviceOptions{
+                             .device = options.device,
+                             .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                             .cache_directory = options.cache_directory,
+                             .timeout = options.timeout})) {}
 
 Lab::Lab(LabOptions options, std::shared_ptr<gpu::Device> device)
     : options_(std::move(options)),
       device_(std::move(device)),
+      info_(device_ ? device_->info() : interpreter_info()),
       cache_(options_.cache_directory.empty() ? std::filesystem::path{}
                                               : options_.cache_directory / "spirv") {}
+
+const gpu::Device& Lab::device() const {
+    if (!device_)
+        throw std::runtime_error("the interpreter runs functions, not passes: expected a Vulkan device");
+    return *device_;
+}
+
+KernelCore Lab::core(KernelModule module, const std::string& name) const {
+    return device_ ? KernelCore(*device_, std::move(module), name) : KernelCore(std::move(module), name);
+}
 
 shader::CompileOptions Lab::compile_options() const {
     return {.stage = shader::Stage::compute,
@@ -78,7 +99,7 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
             return {.file = file,
                     .function = candidate,
                     .images = image_prototypes(all, file),
-                    .preserve_nan = device_->info().float32.preserves_signed_zero_inf_nan};
+                    .preserve_nan = info_.float32.preserves_signed_zero_inf_nan};
         }
         named.push_back(to_glsl_with_layouts(candidate));
     }
@@ -104,12 +125,11 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
                        const Signature& signature) const {
     KernelSource made_of = source(file, function, signature);
     const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
-    return {*device_,
-            {.spirv = compile_kernel(text),
-             .input_words = signature.input_words(),
-             .output_words = signature.output_words(),
-             .images = std::move(made_of.images)},
-            function};
+    return core({.spirv = compile_kernel(text),
+                 .input_words = signature.input_words(),
+                 .output_words = signature.output_words(),
+                 .images = std::move(made_of.images)},
+                function);
 }
 
 shader::Spirv Lab::compile(const shader::Source& text) const {
@@ -129,6 +149,7 @@ shader::Spirv Lab::compile_kernel(const shader::Source& text) const {
 }
 
 void Lab::require_silent_validation() const {
+    if (!device_) return;
     const std::vector<std::string> messages = device_->take_validation_messages();
     if (!messages.empty())
         throw std::runtime_error(fmt::format("Vulkan validation: {}", fmt::join(messages, " | ")));

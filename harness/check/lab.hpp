@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "check/kernel_core.hpp"
@@ -14,8 +15,14 @@
 
 namespace gloam::check {
 
+// The device of this name is the interpreter: exact, and there on every machine.
+inline constexpr std::string_view interpreter_name = "interpreter";
+
+// What it says of itself: float32 rounded to even, NaN, infinity, -0 and subnormals kept.
+[[nodiscard]] gpu::DeviceInfo interpreter_info();
+
 struct LabOptions {
-    std::string device;                                // see gpu::DeviceOptions
+    std::string device;                                // see gpu::DeviceOptions; or interpreter_name
     bool validation = false;                           // Vulkan validation layers on; any message is an error
     std::vector<std::filesystem::path> include_roots;  // where GLSL files are looked for, first match wins
     std::filesystem::path cache_directory;      // compiled shaders and pipelines; empty: nothing is kept
@@ -27,7 +34,8 @@ struct LabOptions {
 class Lab {
   public:
     explicit Lab(LabOptions options);
-    // On a device that others use, too: what the options say of the device does not count.
+    // On a device that others use, too: what the options say of the device does not count. None: the
+    // interpreter.
     Lab(LabOptions options, std::shared_ptr<gpu::Device> device);
 
     // The function of that name and signature in `file`, ready to run. Image prototypes that it declares are
@@ -58,14 +66,21 @@ class Lab {
     // Throws std::runtime_error with the validation messages since the last call, if there are any.
     void require_silent_validation() const;
 
-    [[nodiscard]] const gpu::Device& device() const { return *device_; }
+    // The module ready to run, on this lab's device.
+    [[nodiscard]] KernelCore core(KernelModule module, const std::string& name) const;
+
+    [[nodiscard]] const gpu::DeviceInfo& info() const { return info_; }
+    // Throws std::runtime_error where the interpreter is the device.
+    [[nodiscard]] const gpu::Device& device() const;
     [[nodiscard]] const LabOptions& options() const { return options_; }
 
-  private:
+    // How its shaders are compiled.
     [[nodiscard]] shader::CompileOptions compile_options() const;
 
+  private:
     LabOptions options_;
-    std::shared_ptr<gpu::Device> device_;
+    std::shared_ptr<gpu::Device> device_;  // none: the interpreter
+    gpu::DeviceInfo info_;
     shader::SpirvCache cache_;
 };
 

@@ -116,20 +116,22 @@ std::pair<std::string, Range> range_from(const std::string& text) {
     return {text.substr(0, equals), range};
 }
 
-std::vector<shader::Function> own_functions(const Lab& lab, const std::string& file) {
-    const auto path = shader::resolve_include(file, {}, lab.options().include_roots);
+std::vector<shader::Function> own_functions(const shader::CompileOptions& options, const std::string& file) {
+    const auto path = shader::resolve_include(file, {}, options.include_roots);
     const std::string text = shader::read_text(path);
+    const shader::Source probe{.name = "signature of " + file,
+                               .text = fmt::format("#version 450\n#include \"{}\"\n", file)};
     std::vector<shader::Function> own;
-    for (const shader::Function& function : lab.functions(file))
+    for (const shader::Function& function : shader::functions(probe, options))
         if (is_usable(function) && declares(text, function)) own.push_back(function);
     return own;
 }
 
-Case case_of(const Lab& lab, const std::string& file, const shader::Function& function,
-             const Ranges& ranges) {
-    Case check_case{.file = file,
-                    .function = function.name,
-                    .signature = {.result = function.result, .parameters = function.parameters}};
+Question question_of(const Lab& lab, const std::string& file, const shader::Function& function,
+                     const Ranges& ranges) {
+    Question question{.file = file,
+                      .function = function.name,
+                      .signature = {.result = function.result, .parameters = function.parameters}};
     std::set<std::string> known;
     std::vector<Values> parameters;
     for (const shader::Parameter& parameter : function.parameters) {
@@ -139,10 +141,10 @@ Case case_of(const Lab& lab, const std::string& file, const shader::Function& fu
         parameters.push_back(
             values_of(parameter.type, found == ranges.end() ? std::nullopt : std::optional(found->second)));
     }
-    check_case.domain = Domain(std::move(parameters));
-    const KernelSource source = lab.source(file, function.name, check_case.signature);
-    if (!source.images.empty()) check_case.scenarios = {random_images(source.images)};
-    return check_case;
+    question.domain = Domain(std::move(parameters));
+    const KernelSource source = lab.source(file, function.name, question.signature);
+    if (!source.images.empty()) question.scenarios = {random_images(source.images)};
+    return question;
 }
 
 }  // namespace gloam::check

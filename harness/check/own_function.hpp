@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "check/case.hpp"
 #include "check/lab.hpp"
+#include "check/question.hpp"
 
 namespace gloam::check {
 
@@ -22,14 +22,15 @@ using Ranges = std::map<std::string, Range>;
 [[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
 
 // The functions that a file itself defines whose types a kernel can have, those of its includes left out.
-[[nodiscard]] std::vector<shader::Function> own_functions(const Lab& lab, const std::string& file);
+[[nodiscard]] std::vector<shader::Function> own_functions(const shader::CompileOptions& options,
+                                                          const std::string& file);
 
 // The check of anybody's function by the rules alone: a domain by its types where no range is given, images
 // of random content behind the prototypes that it reads.
 //   float: either sign, 1e-6 to 1e6 by magnitude, zero, infinity, NaN, the largest and the smallest;
 //   int: -1000 to 1000; uint: 0 to 2^31; bool: both; a vector, matrix or structure: of these.
 // Throws std::invalid_argument for a range whose name no parameter has.
-[[nodiscard]] Case case_of(const Lab& lab, const std::string& file, const shader::Function& function,
-                           const Ranges& ranges);
+[[nodiscard]] Question question_of(const Lab& lab, const std::string& file, const shader::Function& function,
+                                   const Ranges& ranges);
 
 }  // namespace gloam::check

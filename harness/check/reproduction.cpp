@@ -19,31 +19,31 @@ namespace {
 
 using Constants = shader::Variant::Constants;
 
-ImageScenario scenario_of(const Case& check_case, const std::string& name) {
-    if (check_case.scenarios.empty() && name.empty()) return {};
-    const auto found = std::ranges::find(check_case.scenarios, name, &ImageScenario::name);
-    if (found == check_case.scenarios.end()) {
-        throw std::invalid_argument(fmt::format("{}: it has no images \"{}\"", check_case.function, name));
+ImageScenario scenario_of(const Question& question, const std::string& name) {
+    if (question.scenarios.empty() && name.empty()) return {};
+    const auto found = std::ranges::find(question.scenarios, name, &ImageScenario::name);
+    if (found == question.scenarios.end()) {
+        throw std::invalid_argument(fmt::format("{}: it has no images \"{}\"", question.function, name));
     }
     return *found;
 }
 
-// A case ready to run over the images of one scenario, as run() has it.
+// A question ready to run over the images of one scenario, as run() has it.
 class Stage {
   public:
-    Stage(const Lab& lab, const Case& check_case, ImageScenario scenario, const RunOptions& options)
-        : case_(check_case),
+    Stage(const Lab& lab, const Question& question, ImageScenario scenario, const RunOptions& options)
+        : question_(question),
           scenario_(std::move(scenario)),
-          kernel_(lab.kernel(check_case.file, check_case.function, check_case.signature)),
-          trial_(lab, check_case, kernel_, scenario_, options.seed,
-                 verdict_of(lab.options().variant, check_case)),
-          rules_(trial_.rules()) {
+          kernel_(lab.kernel(question.file, question.function, question.signature)),
+          trial_(lab, question, kernel_, scenario_, options.seed,
+                 verdict_of(lab.options().variant, question)),
+          options_(trial_.judge_options()) {
         if (lab.options().variant.constants == Constants::none) return;
-        constants_.emplace(lab, check_case.file, check_case.function, check_case.signature);
-        rules_.judge_nan = rules_.judge_nan && constants_->preserves_nan();
+        constants_.emplace(lab, question.file, question.function, question.signature);
+        options_.nan = options_.nan && constants_->preserves_nan();
     }
 
-    [[nodiscard]] const Rules& rules() const { return rules_; }
+    [[nodiscard]] const JudgeOptions& judge_options() const { return options_; }
     [[nodiscard]] const ImageSet& images() const { return trial_.images(); }
     [[nodiscard]] std::size_t at_once() const { return constants_ ? ConstantKernel::most_inputs : 1U << 20U; }
     [[nodiscard]] KernelCore::Result run(std::span<const Word> inputs, std::size_t count) const {
@@ -54,15 +54,15 @@ class Stage {
         return kernel_.run(inputs.words, inputs.count(), images());
     }
     [[nodiscard]] Domain::Inputs draw(std::size_t count) const {
-        return case_.domain.draw(count, trial_.input_seed(), scenario_.size);
+        return question_.domain.draw(count, trial_.input_seed(), scenario_.size);
     }
 
   private:
-    const Case& case_;
+    const Question& question_;
     ImageScenario scenario_;
     KernelCore kernel_;
     internal::Trial trial_;
-    Rules rules_;
+    JudgeOptions options_;
     std::optional<ConstantKernel> constants_;
 };
 
@@ -74,20 +74,20 @@ std::string code_of(KernelSource source, Constants constants, const std::vector<
     return literal_kernel_code(source, inputs, 1);
 }
 
-Reproduction without_verdict(const Lab& lab, const Case& check_case, const std::string& scenario,
+Reproduction without_verdict(const Lab& lab, const Question& question, const std::string& scenario,
                              const ImageSet& images, std::vector<Word> inputs) {
-    const KernelSource source = lab.source(check_case.file, check_case.function, check_case.signature);
+    const KernelSource source = lab.source(question.file, question.function, question.signature);
     const Constants constants = lab.options().variant.constants;
-    const shader::Source text{.name = "kernel of " + check_case.function,
+    const shader::Source text{.name = "kernel of " + question.function,
                               .text = code_of(source, constants, inputs)};
     Reproduction all{.glsl = shader::pack({text}, {}, lab.options().include_roots),
                      .spirv = lab.compile(text),
                      .scenario = scenario,
                      .inputs = std::move(inputs),
                      .specialized = constants == Constants::specialization,
-                     .outputs = check_case.signature.output_scalars()};
+                     .outputs = question.signature.output_scalars()};
     all.assembly = shader::disassemble(all.spirv);
-    std::vector<std::vector<Word>> words = image_words(source.images, images, check_case.function);
+    std::vector<std::vector<Word>> words = image_words(source.images, images, question.function);
     for (std::size_t i = 0; i < words.size(); ++i)
         all.images.push_back({.name = source.images[i].name, .words = std::move(words[i])});
     return all;
@@ -95,39 +95,38 @@ Reproduction without_verdict(const Lab& lab, const Case& check_case, const std::
 
 }  // namespace
 
-Reproduction reproduce(const Lab& lab, const Case& check_case, const RunOptions& options) {
-    const ImageScenario scenario =
-        check_case.scenarios.empty() ? ImageScenario{} : check_case.scenarios.front();
-    return without_verdict(lab, check_case, scenario.name, internal::images_of(scenario, options.seed),
-                           check_case.domain.draw(1, options.seed, scenario.size).words);
+Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options) {
+    const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
+    return without_verdict(lab, question, scenario.name, internal::images_of(scenario, options.seed),
+                           question.domain.draw(1, options.seed, scenario.size).words);
 }
 
-Reproduction reproduce(const Lab& lab, const Case& check_case, const RunOptions& options,
+Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options,
                        const Sample& failing) {
-    const Stage stage(lab, check_case, scenario_of(check_case, failing.scenario), options);
-    const ShrinkScope scope{.rules = stage.rules(),
-                            .domain = check_case.domain,
+    const Stage stage(lab, question, scenario_of(question, failing.scenario), options);
+    const ShrinkScope scope{.question = question,
+                            .options = stage.judge_options(),
                             .images = stage.images(),
                             .evaluate = [&stage](std::span<const Word> inputs,
                                                  std::size_t count) { return stage.run(inputs, count); },
                             .at_once = stage.at_once()};
     const Sample smallest = shrink(scope, failing);
-    Reproduction all = without_verdict(lab, check_case, failing.scenario, stage.images(), smallest.inputs);
-    all.allowed = allowed_outputs(stage.rules(), stage.images(), smallest);
+    Reproduction all = without_verdict(lab, question, failing.scenario, stage.images(), smallest.inputs);
+    all.allowed = allowed_outputs(question, stage.images(), smallest);
     all.failure = smallest;
     return all;
 }
 
-Reproduction reproduce_fault(const Lab& lab, const Case& check_case, const RunOptions& options) {
-    for (const ImageScenario& scenario : check_case.scenarios) {
-        const Stage stage(lab, check_case, scenario, options);
+Reproduction reproduce_fault(const Lab& lab, const Question& question, const RunOptions& options) {
+    for (const ImageScenario& scenario : question.scenarios) {
+        const Stage stage(lab, question, scenario, options);
         const Domain::Inputs inputs = stage.draw(options.inputs);
         const KernelCore::Result result = stage.run_kernel(inputs);
         if (!result.fault) continue;
         const std::span<const Word> row = inputs.row(result.fault->input);
-        return without_verdict(lab, check_case, scenario.name, stage.images(), {row.begin(), row.end()});
+        return without_verdict(lab, question, scenario.name, stage.images(), {row.begin(), row.end()});
     }
-    throw std::invalid_argument(fmt::format("{}: no access falls outside an image", check_case.function));
+    throw std::invalid_argument(fmt::format("{}: no access falls outside an image", question.function));
 }
 
 }  // namespace gloam::check

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/case.hpp"
+#include "check/run.hpp"
 #include "numeric/bounds.hpp"
 
 namespace gloam::check {
@@ -32,22 +32,23 @@ struct Reproduction {
 };
 
 // The shader and the first input of a check, without running anything: for one that crashed its driver.
-[[nodiscard]] Reproduction reproduce(const Lab& lab, const Case& check_case, const RunOptions& options);
+[[nodiscard]] Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options);
 
 // The same with the simplest input that is found to fail (see shrink()), from one that did in a run with
 // these options. Throws std::invalid_argument when it does not fail any more, or ran with images that the
 // check does not have.
-[[nodiscard]] Reproduction reproduce(const Lab& lab, const Case& check_case, const RunOptions& options,
+[[nodiscard]] Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options,
                                      const Sample& failing);
 
 // The same with an input for which the shader reaches outside an image, as it did in a run with these
 // options. Throws std::invalid_argument when none does.
-[[nodiscard]] Reproduction reproduce_fault(const Lab& lab, const Case& check_case, const RunOptions& options);
+[[nodiscard]] Reproduction reproduce_fault(const Lab& lab, const Question& question,
+                                           const RunOptions& options);
 
 // The results that the rules allow each output word, where the reference wants `want`: what Vulkan permits,
 // or the budget around `want`, and around what the reference gives for the neighbouring inputs that the
 // budget speaks of. One range for each word: where the function jumps, also what lies between.
-[[nodiscard]] std::vector<numeric::Bounds> allowed_outputs(const Rules& rules, const ImageSet& images,
+[[nodiscard]] std::vector<numeric::Bounds> allowed_outputs(const Question& question, const ImageSet& images,
                                                            const Sample& sample);
 
 }  // namespace gloam::check

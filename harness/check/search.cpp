@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/internal/story.hpp"
 #include "check/internal/trial.hpp"
 #include "numeric/ulp.hpp"
 
@@ -32,17 +33,17 @@ struct Candidate {
 
 class Climb {
   public:
-    Climb(const Case& check_case, const internal::Trial& trial, glm::ivec2 image_size, std::uint64_t seed,
+    Climb(const Question& question, const internal::Trial& trial, glm::ivec2 image_size, std::uint64_t seed,
           SearchResult& found)
-        : domain_(check_case.domain),
+        : domain_(question.domain),
           trial_(trial),
           image_size_(image_size),
           random_(seed),
-          scalars_(check_case.signature.input_scalars()),
+          scalars_(question.signature.input_scalars()),
           found_(found) {
         std::size_t first = 0;
-        for (std::size_t p = 0, at = 0; p < check_case.signature.parameters.size(); ++p) {
-            const shader::Parameter& parameter = check_case.signature.parameters[p];
+        for (std::size_t p = 0, at = 0; p < question.signature.parameters.size(); ++p) {
+            const shader::Parameter& parameter = question.signature.parameters[p];
             if (parameter.direction == shader::Direction::out) continue;
             const std::size_t count = scalars_of(parameter.type).size();
             slots_.push_back({&domain_.parameters().at(at++), first, count});
@@ -126,7 +127,7 @@ class Climb {
             domain_.adjust(std::span(inputs.words).last(inputs.width));
         }
         std::vector<double> fractions(candidates.size());
-        trial_.evaluate(inputs, found_.result, fractions);
+        trial_.evaluate(inputs, found_.answer, fractions);
         for (std::size_t i = 0; i < candidates.size(); ++i) {
             candidates[i].score = fractions[i];
             if (fractions[i] > 0.0) pool_.push_back(std::move(candidates[i]));
@@ -157,15 +158,17 @@ class Climb {
 
 }  // namespace
 
-SearchResult search(const Lab& lab, const Case& check_case, const SearchOptions& options) {
-    const KernelCore kernel = lab.kernel(check_case.file, check_case.function, check_case.signature);
-    const Verdict verdict = options.verdict.value_or(verdict_of(lab.options().variant, check_case));
-    SearchResult found{.result = internal::empty_result(check_case, verdict)};
+SearchResult search(const Lab& lab, const Question& question, const SearchOptions& options) {
+    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+    const Verdict verdict = options.verdict.value_or(verdict_of(lab.options().variant, question));
+    SearchResult found{.answer = empty_answer(question, verdict)};
+    found.answer.variant = lab.options().variant.name;
     internal::for_each_scenario(
-        check_case, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-            const internal::Trial trial(lab, check_case, kernel, scenario, options.seed, verdict);
-            Climb(check_case, trial, scenario.size, options.seed, found).run(share);
+        question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
+            const internal::Trial trial(lab, question, kernel, scenario, options.seed, verdict);
+            Climb(question, trial, scenario.size, options.seed, found).run(share);
         });
+    internal::tell_story(lab, question, options.seed, found.answer);
     return found;
 }
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "check/case.hpp"
+#include "check/run.hpp"
 
 namespace gloam::check {
 
@@ -19,13 +19,14 @@ struct SearchOptions {
 
 // What a search found of one function.
 struct SearchResult {
-    Result result;                // over every input that was evaluated
+    Answer answer;                // over every input that was evaluated
     double drawn_fraction = 0.0;  // the worst among those that were drawn at random, before the climb
 };
 
 // Looks for the inputs with the largest error: a quarter of the inputs is drawn at random, the others climb
 // from the worst so far, by neighbouring floats, by powers of two up to whole exponents, by exchanging
 // parameters. It stays inside the domain. Throws as run() does.
-[[nodiscard]] SearchResult search(const Lab& lab, const Case& check_case, const SearchOptions& options = {});
+[[nodiscard]] SearchResult search(const Lab& lab, const Question& question,
+                                  const SearchOptions& options = {});
 
 }  // namespace gloam::check

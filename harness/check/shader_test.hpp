@@ -8,7 +8,7 @@
 //   many inputs
 //   check_rules<float(float)>(lab, "my.glsl", "my_function", {uniform(1, 2)});   judges them by what Vulkan
 //   permits: no reference, no tolerance
-#include "check/case.hpp"
 #include "check/describe.hpp"
 #include "check/explain.hpp"
 #include "check/kernel.hpp"
+#include "check/run.hpp"

@@ -85,7 +85,7 @@ void add_integer_candidates(Word word, Scalar scalar, std::set<Word>& candidates
 class Shrinker {
   public:
     explicit Shrinker(const ShrinkScope& scope)
-        : scope_(scope), scalars_(scope.rules.signature.input_scalars()) {}
+        : scope_(scope), scalars_(scope.question.signature.input_scalars()) {}
 
     Sample run(const Sample& failing) {
         std::optional<Sample> best = first_failing(std::vector<Words>{failing.inputs});
@@ -121,7 +121,7 @@ class Shrinker {
         const std::size_t now = complexity(input, scalars_);
         std::vector<Words> simpler;
         for (const Words& words : found) {
-            if (complexity(words, scalars_) < now && scope_.domain.holds(words, input)) {
+            if (complexity(words, scalars_) < now && scope_.question.domain.holds(words, input)) {
                 simpler.push_back(words);
             }
         }
@@ -145,11 +145,11 @@ class Shrinker {
         batch.branch.assign(inputs.size(), false);
         for (const Words& words : inputs) batch.words.insert(batch.words.end(), words.begin(), words.end());
         const KernelCore::Result result = scope_.evaluate(batch.words, inputs.size());
-        Rules rules = scope_.rules;
-        rules.modules = result.modules;
-        const Census census = judge(rules, batch, result.outputs, scope_.images);
+        JudgeOptions options = scope_.options;
+        options.modules = result.modules;
+        const Answer answer = judge(scope_.question, options, batch, result.outputs, scope_.images);
         std::optional<Sample> first;
-        for (const auto& sample : census.first_outside) {
+        for (const auto& sample : answer.first_outside) {
             if (sample && (!first || sample->index < first->index)) first = sample;
         }
         return first;

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "check/domain.hpp"
 #include "check/judge.hpp"
 #include "check/kernel_core.hpp"
 
@@ -15,10 +14,10 @@ namespace gloam::check {
 // Evaluates `count` inputs: a kernel, usually.
 using Evaluate = std::function<KernelCore::Result(std::span<const Word> inputs, std::size_t count)>;
 
-// What shrinking needs to know of a check, besides its rules.
+// What shrinking needs to know of a check.
 struct ShrinkScope {
-    const Rules& rules;
-    const Domain& domain;
+    const Question& question;
+    const JudgeOptions& options;
     const ImageSet& images;
     Evaluate evaluate;
     std::size_t at_once = std::size_t{1} << 20U;  // inputs that are best evaluated together
@@ -28,7 +27,7 @@ struct ShrinkScope {
 // their significand and the distance of their exponent from that of 1, integers by their bits.
 [[nodiscard]] std::size_t complexity(std::span<const Word> input, const std::vector<shader::Scalar>& scalars);
 
-// The simplest input of the domain that is found to fail as `failing` does: outside what the rules allow.
+// The simplest input of the domain that is found to fail as `failing` does: outside what is allowed.
 // Values are changed one at a time, values that are equal also together; the simplest change that still fails
 // is kept, until none does. The same for the same input. Throws std::invalid_argument when `failing` does not
 // fail.

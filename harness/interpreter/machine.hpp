@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "interpreter/coverage.hpp"
 #include "interpreter/error.hpp"
 #include "interpreter/program.hpp"
 #include "interpreter/value.hpp"
@@ -64,6 +65,8 @@ class Machine {
     void run();
     // The same, and tells of every instruction that gives a value.
     void run(const std::function<void(const Step<Number>&)>& tell);
+    // The same, and counts what ran. `coverage` is of this program.
+    void run(Coverage& coverage);
 
     // A word of a buffer or image after the run. Throws Error (missing, out_of_bounds).
     [[nodiscard]] Value<Number> read(std::uint32_t set, std::uint32_t binding, std::size_t word) const;

@@ -16,7 +16,8 @@ double float32_down(double x) {
     const auto nearest = static_cast<float>(x);
     if (static_cast<double>(nearest) <= x) return nearest;
     if (nearest == 0.0F) return -std::numeric_limits<float>::denorm_min();
-    const auto bits = std::bit_cast<std::uint32_t>(nearest);  // of the next number below: nearer to 0, or further
+    const auto bits =
+        std::bit_cast<std::uint32_t>(nearest);  // of the next number below: nearer to 0, or further
     return std::bit_cast<float>(nearest > 0.0F ? bits - 1 : bits + 1);
 }
 

@@ -14,28 +14,27 @@ namespace {
 
 constexpr std::size_t most_listed = 10;
 
-bool judged_by_rules(const CheckRow& row) {
-    return row.verdict == "rules";
+bool judged_by_rules(const check::Answer& row) {
+    return row.verdict == check::Verdict::rules;
 }
 
 // A function without a documented error is judged by the rules in every variant.
-bool documents_nothing(const CheckRow& row) {
+bool documents_nothing(const check::Answer& row) {
     return judged_by_rules(row) && row.variant != "strict" && row.variant != "relaxed";
 }
 
-void add_guarantee(EquationAccuracy& equation, const CheckRow& row) {
-    if (!row.guarantee || row.variant == "relaxed") return;
-    GuaranteeNumbers most = equation.any_driver.value_or(GuaranteeNumbers{});
-    most.ulp = std::max(most.ulp, row.guarantee->ulp);
-    most.absolute = std::max(most.absolute, row.guarantee->absolute);
-    most.fraction = std::max(most.fraction, row.guarantee->fraction);
+void add_guarantee(EquationAccuracy& equation, const check::Answer& row) {
+    if (row.bounded == 0 || row.variant == "relaxed") return;
+    check::Guarantee most = equation.any_driver.value_or(check::Guarantee{});
+    most.ulp = std::max(most.ulp, row.guarantee.ulp);
+    most.absolute = std::max(most.absolute, row.guarantee.absolute);
+    most.fraction = std::max(most.fraction, row.guarantee.fraction);
     equation.any_driver = most;
-    if (row.inputs == 0) return;
     equation.open =
-        std::max(equation.open, static_cast<double>(row.unbounded) / static_cast<double>(row.inputs));
+        std::max(equation.open, static_cast<double>(row.unbounded) / static_cast<double>(row.bounded));
 }
 
-void add_measured(std::optional<MeasuredError>& measured, const CheckRow& row) {
+void add_measured(std::optional<MeasuredError>& measured, const check::Answer& row) {
     if (!row.ran() || judged_by_rules(row)) return;
     if (!measured || row.budget_fraction > measured->fraction)
         measured = MeasuredError{row.budget_fraction, row.variant};
@@ -145,13 +144,13 @@ std::string nearest_table(std::vector<EquationAccuracy> equations, const std::ve
 std::string failures_table(const std::vector<CheckReport>& reports) {
     std::string text;
     for (const CheckReport& report : reports) {
-        for (const CheckRow& row : report.rows) {
+        for (const check::Answer& row : report.rows) {
             if (row.passed()) continue;
             const std::string verdict = row.ran() && row.fault.empty()
-                                            ? fmt::format("{} of {} outside", row.outside, row.inputs)
+                                            ? fmt::format("{} of {} outside", row.outside(), row.inputs())
                                             : verdict_of(row);
-            text += fmt::format("| {} | {} | {} | {} | {} |\n", row.equation, row.variant, row.verdict,
-                                column_title(report, reports), verdict);
+            text += fmt::format("| {} | {} | {} | {} | {} |\n", row.equation, row.variant,
+                                name_of(row.verdict), column_title(report, reports), verdict);
         }
     }
     if (text.empty()) return "\nNo check failed.\n";
@@ -165,11 +164,11 @@ std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports
     std::vector<EquationAccuracy> all;
     std::map<std::string, std::size_t> places;
     for (std::size_t i = 0; i < reports.size(); ++i) {
-        for (const CheckRow& row : reports[i].rows) {
+        for (const check::Answer& row : reports[i].rows) {
             const auto [place, is_new] = places.try_emplace(row.equation, all.size());
             if (is_new) {
                 all.push_back({.equation = row.equation,
-                               .documented = row.budget.text,
+                               .documented = to_text(row.budget),
                                .measured = std::vector<std::optional<MeasuredError>>(reports.size())});
             }
             EquationAccuracy& equation = all[place->second];

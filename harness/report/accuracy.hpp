@@ -20,7 +20,7 @@ struct MeasuredError {
 struct EquationAccuracy {
     std::string equation;
     std::string documented;  // "4 ulp"; empty where Vulkan's rules alone judge
-    std::optional<GuaranteeNumbers>
+    std::optional<check::Guarantee>
         any_driver;     // what the rules leave any driver; nothing without a strict run
     double open = 0.0;  // share of the inputs for which the rules permit anything
     std::vector<std::optional<MeasuredError>> measured;  // for each report; nothing where the rules judge

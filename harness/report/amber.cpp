@@ -51,7 +51,7 @@ float highest_inside(double high) {
 }
 
 // Amber's comparisons hold for NaN, so that it must be refused apart; and it has no word for infinity.
-std::string expect_float(std::size_t byte, const AllowedNumbers& allowed) {
+std::string expect_float(std::size_t byte, const numeric::Bounds& allowed) {
     const auto expect = [byte](const std::string& condition) {
         return fmt::format("EXPECT floats IDX {} {}\n", byte, condition);
     };
@@ -74,7 +74,7 @@ std::string expect_float(std::size_t byte, const AllowedNumbers& allowed) {
 }
 
 // Integers are exact; a word holds negative ones in two's complement.
-std::string expect_word(std::size_t byte, const AllowedNumbers& allowed) {
+std::string expect_word(std::size_t byte, const numeric::Bounds& allowed) {
     const auto word = static_cast<std::uint32_t>(static_cast<std::int64_t>(allowed.low));
     return fmt::format("EXPECT words IDX {} EQ {}\n", byte, word);
 }
@@ -113,7 +113,7 @@ std::string view_of(const KernelReplay& replay, bool floats) {
         if (output.is_float != floats) continue;
         text += fmt::format("# output {}: {}\n", i, output.comment);
         if (output.allowed.empty()) continue;
-        const AllowedNumbers& allowed = output.allowed.front();
+        const numeric::Bounds& allowed = output.allowed.front();
         text += floats ? expect_float(4 * i, allowed) : expect_word(4 * i, allowed);
     }
     return text + "\n";

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/check_row.hpp"
+#include "numeric/bounds.hpp"
 
 namespace gloam::report {
 
@@ -21,8 +21,8 @@ struct KernelReplay {
     };
     std::vector<Image> images;  // in the order of their bindings
     struct Output {
-        bool is_float = true;                 // else its word counts
-        std::vector<AllowedNumbers> allowed;  // one, or none: not judged
+        bool is_float = true;                  // else its word counts
+        std::vector<numeric::Bounds> allowed;  // one, or none: not judged
         std::string comment;
     };
     std::vector<Output> outputs;

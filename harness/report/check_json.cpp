@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/check_report.hpp"
-#include "report/internal/row_json.hpp"
+#include "report/internal/answer_json.hpp"
 
 namespace gloam::report {
 namespace {
@@ -38,7 +38,7 @@ CheckReport read_report(const JsonReader& json) {
     CheckReport report{.device = read_device(json.member("device")), .rows = {}};
     if (json.has("versions")) report.versions = json.member("versions").name();
     for (const JsonReader& row : json.member("results").elements()) {
-        report.rows.push_back(internal::read_row(row));
+        report.rows.push_back(internal::read_answer(row));
     }
     return report;
 }
@@ -62,7 +62,7 @@ std::string to_json(const std::vector<CheckReport>& reports) {
     ordered_json all = ordered_json::array();
     for (const CheckReport& report : reports) {
         ordered_json results = ordered_json::array();
-        for (const CheckRow& row : report.rows) results.push_back(internal::row_json(row));
+        for (const check::Answer& row : report.rows) results.push_back(internal::answer_json(row));
         ordered_json object{{"device", device_json(report.device)}};
         if (!report.versions.empty()) object["versions"] = report.versions;
         object["results"] = std::move(results);

@@ -33,20 +33,20 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-std::string test_case(const CheckRow& row) {
+std::string test_case(const check::Answer& row) {
     std::string xml =
         fmt::format("    <testcase classname=\"{}\" name=\"{} {}\" time=\"{:.3f}\"", escaped(row.file),
                     escaped(row.equation), escaped(row.variant), row.seconds);
     if (row.passed()) return xml + "/>\n";
     return xml + fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\"/>\n    </testcase>\n",
                              row.ran() ? "failure" : "error",
-                             row.reason == Reason::none ? "outside" : name_of(row.reason),
+                             row.reason == check::Reason::none ? "outside" : name_of(row.reason),
                              escaped(row.ran() ? row.story : row.error));
 }
 
 std::size_t errors(const CheckReport& report) {
     std::size_t count = 0;
-    for (const CheckRow& row : report.rows) count += row.ran() ? 0 : 1;
+    for (const check::Answer& row : report.rows) count += row.ran() ? 0 : 1;
     return count;
 }
 
@@ -61,7 +61,7 @@ std::string to_junit(const std::vector<CheckReport>& reports) {
         if (!report.versions.empty())
             xml += fmt::format("    <properties><property name=\"versions\" value=\"{}\"/></properties>\n",
                                escaped(report.versions));
-        for (const CheckRow& row : report.rows) xml += test_case(row);
+        for (const check::Answer& row : report.rows) xml += test_case(row);
         xml += "  </testsuite>\n";
     }
     return xml + "</testsuites>\n";

@@ -12,8 +12,8 @@
 namespace gloam::report {
 namespace {
 
-constexpr std::size_t longest_value = 400;   // bytes of a cell
-constexpr std::size_t longest_story = 8000;  // bytes of a failure
+constexpr std::size_t longest_value = 400;     // bytes of a cell
+constexpr std::size_t longest_story = 12'000;  // bytes of a failure, its worst input explained
 constexpr std::size_t most_stories = 100;
 constexpr int device_column = 3;  // where there are several devices
 
@@ -45,23 +45,26 @@ PageCell number(double value, std::string text) {
     return {.text = std::move(text), .value = value};
 }
 
-PageCell verdict_cell(const CheckRow& row) {
+PageCell verdict_cell(const check::Answer& row) {
     return {.text = verdict_of(row), .tone = row.passed() ? Tone::good : Tone::bad};
 }
 
 // Without the device.
-std::vector<PageCell> cells_of(const CheckRow& row) {
-    std::vector<PageCell> cells{
-        verdict_cell(row), {row.equation}, {row.function}, {row.variant}, {row.verdict}};
+std::vector<PageCell> cells_of(const check::Answer& row) {
+    std::vector<PageCell> cells{verdict_cell(row),
+                                {row.equation},
+                                {row.function},
+                                {row.variant},
+                                {std::string(name_of(row.verdict))}};
     if (!row.ran()) {
         cells.insert(cells.end(), 4, {"-"});
         cells.push_back({base::shortened(row.error, longest_value)});
         return cells;
     }
-    const double used = row.width_fraction.value_or(row.budget_fraction);
-    cells.push_back(number(static_cast<double>(row.inputs), fmt::format("{}", row.inputs)));
+    const double used = row.fraction_of_allowed();
+    cells.push_back(number(static_cast<double>(row.inputs()), fmt::format("{}", row.inputs())));
     cells.push_back(number(row.max_ulp, fmt::format("{:.3g}", row.max_ulp)));
-    cells.push_back(number(row.max_abs, fmt::format("{:.2e}", row.max_abs)));
+    cells.push_back(number(row.max_absolute, fmt::format("{:.2e}", row.max_absolute)));
     cells.push_back(number(used, numeric::to_short_text(used)));
     cells.push_back({row.worst ? base::shortened(row.worst->values, longest_value) : "-"});
     return cells;
@@ -91,7 +94,7 @@ PageTable device_table(const std::vector<CheckReport>& reports) {
 void add_stories(Page& page, const std::vector<CheckReport>& reports) {
     std::size_t told = 0;
     for (const CheckReport& report : reports) {
-        for (const CheckRow& row : report.rows) {
+        for (const check::Answer& row : report.rows) {
             if (row.passed()) continue;
             if (told == 0) page.heading("Failures");
             if (++told > most_stories) continue;
@@ -110,7 +113,7 @@ PageTable check_table(const std::vector<CheckReport>& reports) {
     PageTable table{.columns = columns(several), .rows = {}};
     for (const bool passed : {false, true}) {
         for (const CheckReport& report : reports) {
-            for (const CheckRow& row : report.rows) {
+            for (const check::Answer& row : report.rows) {
                 if (row.passed() != passed) continue;
                 table.rows.push_back(cells_of(row));
                 std::vector<PageCell>& cells = table.rows.back();

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "report/check_row.hpp"
+#include "check/answer.hpp"
+#include "report/answer_json.hpp"
 
 namespace gloam::report {
 
@@ -32,28 +33,28 @@ struct DeviceSummary {
 // Everything one device was asked.
 struct CheckReport {
     DeviceSummary device;
-    std::vector<CheckRow> rows;
+    std::vector<check::Answer> rows;
     std::string versions{};  // of gloam and of the compilers; empty: not known
 
     [[nodiscard]] std::size_t failures() const;
 };
 
 // "ok", the number of inputs outside what is allowed ("3 outside"), or why the check did not run ("hang").
-[[nodiscard]] std::string verdict_of(const CheckRow& row);
+[[nodiscard]] std::string verdict_of(const check::Answer& row);
 
 // Column titles, and one line for each row: ID, function, variant, inputs, worst ULP, worst absolute error as
 // a part of what is allowed, by what it was judged ("budget" or "rules"), verdict_of() at the end. The legend
 // explains the titles in a few lines.
 [[nodiscard]] std::string table_header();
-[[nodiscard]] std::string table_line(const CheckRow& row);
+[[nodiscard]] std::string table_line(const check::Answer& row);
 [[nodiscard]] std::string table_legend();
 
 // {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "results": [{"equation", "function", "file",
-// "variant", "verdict", "inputs", "outside", "recorded", "unbounded", "differs", "max_ulp", "max_abs",
-// "width_fraction", "budget_fraction", "guarantee", "unbounded_at", "budget", "classes", "worst", "fault",
-// "error", "reason", "seconds", "story"}]}, members as in CheckRow; an array of such objects for several
-// devices. Infinite numbers are the strings "inf" and
-// "-inf", NaN is "nan".
+// "variant", "verdict", "inputs", "outside", "recorded", "by_rules", "forbidden", "bounded", "unbounded",
+// "differs", "max_ulp", "max_abs", "width_fraction", "budget_fraction", "guarantee", "unbounded_at",
+// "budget", "classes", "worst", "coverage", "fault", "error", "reason", "seconds", "story"}]}, members as in
+// check::Answer; an array of such objects for several devices. "width_fraction" and "guarantee" are null
+// where the verdict is the budget. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 
 // The reports of such a text: one object or an array of them. Throws std::runtime_error that says where in

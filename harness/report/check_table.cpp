@@ -16,7 +16,7 @@ constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>1
 
 std::size_t CheckReport::failures() const {
     return static_cast<std::size_t>(
-        std::ranges::count_if(rows, [](const CheckRow& row) { return !row.passed(); }));
+        std::ranges::count_if(rows, [](const check::Answer& row) { return !row.passed(); }));
 }
 
 std::string table_header() {
@@ -31,23 +31,24 @@ std::string table_legend() {
            "documents\n";
 }
 
-std::string verdict_of(const CheckRow& row) {
-    if (!row.ran()) return row.reason == Reason::error ? "could not run" : std::string(name_of(row.reason));
-    std::string verdict = row.passed() ? "ok" : fmt::format("{} outside", row.outside);
+std::string verdict_of(const check::Answer& row) {
+    if (!row.ran())
+        return row.reason == check::Reason::error ? "could not run" : std::string(name_of(row.reason));
+    std::string verdict = row.passed() ? "ok" : fmt::format("{} outside", row.outside());
     if (!row.fault.empty()) verdict += ", reads outside its image";
     if (row.differs > 0) verdict += fmt::format(", {} differ from run time", row.differs);
     return verdict;
 }
 
-std::string table_line(const CheckRow& row) {
+std::string table_line(const check::Answer& row) {
     if (!row.ran()) {
         return fmt::format(line_format, row.equation, row.function, row.variant, "-", "-", "-", "-",
-                           row.verdict, verdict_of(row));
+                           name_of(row.verdict), verdict_of(row));
     }
-    const double used = row.width_fraction.value_or(row.budget_fraction);
-    return fmt::format(line_format, row.equation, row.function, row.variant, row.inputs,
-                       fmt::format("{:.3g}", row.max_ulp), fmt::format("{:.2e}", row.max_abs),
-                       numeric::to_short_text(used), row.verdict, verdict_of(row));
+    const double used = row.fraction_of_allowed();
+    return fmt::format(line_format, row.equation, row.function, row.variant, row.inputs(),
+                       fmt::format("{:.3g}", row.max_ulp), fmt::format("{:.2e}", row.max_absolute),
+                       numeric::to_short_text(used), name_of(row.verdict), verdict_of(row));
 }
 
 }  // namespace gloam::report

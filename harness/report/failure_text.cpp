@@ -14,7 +14,7 @@
 namespace gloam::report {
 namespace {
 
-std::string allowed_text(const AllowedNumbers& allowed) {
+std::string allowed_text(const numeric::Bounds& allowed) {
     if (allowed.low > allowed.high) return allowed.nan ? "NaN" : "nothing";
     return fmt::format("{} to {}{}", numeric::to_text(allowed.low), numeric::to_text(allowed.high),
                        allowed.nan ? ", or NaN" : "");
@@ -29,15 +29,16 @@ std::string wanted_text(double number) {
     return whole ? fmt::format("{:.0f}", number) : numeric::to_text(number);
 }
 
-std::string input_text(const std::string& title, const WorstInput& input) {
+std::string input_text(const std::string& title, const check::Sample& input) {
     std::string text = fmt::format("{}\n  input   {}\n", title, input.values);
-    if (!input.images.empty()) text += fmt::format("  images  {}\n", input.images);
-    for (std::size_t i = 0; i < input.got_words.size(); ++i) {
-        const std::uint32_t word = input.got_words[i];
+    if (!input.scenario.empty()) text += fmt::format("  images  {}\n", input.scenario);
+    for (std::size_t i = 0; i < input.got.size(); ++i) {
+        const std::uint32_t word = input.got[i];
         text += fmt::format("  output {}: got 0x{:08x} (as a float {}, as an integer {})", i, word,
                             numeric::to_text(std::bit_cast<float>(word)), std::bit_cast<std::int32_t>(word));
         if (i < input.want.size()) text += fmt::format(", want {}", wanted_text(input.want[i]));
-        if (i < input.allowed.size()) text += fmt::format(", permitted {}", allowed_text(input.allowed[i]));
+        if (i < input.permitted.size())
+            text += fmt::format(", permitted {}", allowed_text(input.permitted[i]));
         text += "\n";
     }
     return text + fmt::format("  error   {:.6g} ulp, {:.6g} absolute\n\n", input.ulp, input.absolute);
@@ -49,8 +50,8 @@ std::string yes_no(bool flag) {
 
 }  // namespace
 
-std::string failure_text(const DeviceSummary& device, const CheckRow& row,
-                         const std::optional<WorstInput>& smallest, const std::string& note,
+std::string failure_text(const DeviceSummary& device, const check::Answer& row,
+                         const std::optional<check::Sample>& smallest, const std::string& note,
                          const RunAgain& again) {
     std::string text =
         fmt::format("{}: {} of {}, variant {}\n\n", row.equation, row.function, row.file, row.variant);
@@ -62,8 +63,9 @@ std::string failure_text(const DeviceSummary& device, const CheckRow& row,
         "Device: {}\n  driver {}, Vulkan {}, type {}\n"
         "  float32: keeps signed zero, infinity and NaN: {}; keeps subnormals: {}; flushes them: {}; "
         "rounds to even: {}\n\n",
-        row.verdict == "rules" ? "what Vulkan's precision rules permit" : "the documented accuracy",
-        row.budget.text, device.name, device.driver, device.api_version, device.type,
+        row.verdict == check::Verdict::rules ? "what Vulkan's precision rules permit"
+                                             : "the documented accuracy",
+        to_text(row.budget), device.name, device.driver, device.api_version, device.type,
         yes_no(device.preserves_signed_zero_inf_nan), yes_no(device.preserves_denormals),
         yes_no(device.flushes_denormals), yes_no(device.rounds_to_even));
     if (!again.versions.empty()) text += "Versions: " + again.versions + "\n\n";

@@ -17,8 +17,8 @@ struct RunAgain {
 // What a failing row is about, for a person who has only this text: what failed where, the smallest input
 // found in decimal and hexadecimal, what came out, what was wanted and allowed, the device and its driver,
 // and how to run it again. `note` says what could not be found out; may be empty.
-[[nodiscard]] std::string failure_text(const DeviceSummary& device, const CheckRow& row,
-                                       const std::optional<WorstInput>& smallest, const std::string& note,
+[[nodiscard]] std::string failure_text(const DeviceSummary& device, const check::Answer& row,
+                                       const std::optional<check::Sample>& smallest, const std::string& note,
                                        const RunAgain& again = {});
 
 // The word as a shell takes it, quoted where it has to be.

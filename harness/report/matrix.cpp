@@ -15,16 +15,16 @@ namespace {
 
 using Line = std::vector<std::string>;
 
-std::string cell(const CheckRow& row) {
+std::string cell(const check::Answer& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "FAULT";
-    if (row.outside > 0) return fmt::format("FAIL {}/{}", row.outside, row.inputs);
-    return "ok " + numeric::to_short_text(fraction_of(row));
+    if (row.outside() > 0) return fmt::format("FAIL {}/{}", row.outside(), row.inputs());
+    return "ok " + numeric::to_short_text(row.fraction_of_allowed());
 }
 
 std::vector<std::string> variants_of(const CheckReport& report) {
     std::vector<std::string> variants;
-    for (const CheckRow& row : report.rows) {
+    for (const check::Answer& row : report.rows) {
         if (!row.variant.empty() && std::ranges::find(variants, row.variant) == variants.end()) {
             variants.push_back(row.variant);
         }
@@ -42,7 +42,7 @@ std::vector<Line> lines_of(const std::vector<CheckReport>& reports) {
         for (const std::string& variant : variants) {
             lines.front().push_back(reports.size() == 1 ? variant : fmt::format("{} {}", i + 1, variant));
         }
-        for (const CheckRow& row : reports[i].rows) {
+        for (const check::Answer& row : reports[i].rows) {
             if (row.variant.empty()) continue;  // the device itself: the summary tells
             Line& line = by_equation.try_emplace(row.equation, Line{row.equation}).first->second;
             const auto at = std::ranges::find(variants, row.variant) - variants.begin();
@@ -64,11 +64,12 @@ constexpr std::string_view legend =
 
 std::string summary(const CheckReport& report) {
     std::map<std::string, std::size_t> reasons;
-    const CheckRow* worst = nullptr;
-    for (const CheckRow& row : report.rows) {
+    const check::Answer* worst = nullptr;
+    for (const check::Answer& row : report.rows) {
         if (!row.passed())
-            ++reasons[row.reason == Reason::none ? "outside" : std::string(name_of(row.reason))];
-        if (row.ran() && (worst == nullptr || fraction_of(row) > fraction_of(*worst))) worst = &row;
+            ++reasons[row.reason == check::Reason::none ? "outside" : std::string(name_of(row.reason))];
+        if (row.ran() && (worst == nullptr || row.fraction_of_allowed() > worst->fraction_of_allowed()))
+            worst = &row;
     }
     std::string text = fmt::format("{} checks, {} failed", report.rows.size(), report.failures());
     std::string separator = " (";
@@ -78,10 +79,10 @@ std::string summary(const CheckReport& report) {
     }
     if (!reasons.empty()) text += ")";
     if (worst != nullptr) {
-        text += fmt::format("; worst error {:.3g} of what is allowed: {} {}", fraction_of(*worst),
+        text += fmt::format("; worst error {:.3g} of what is allowed: {} {}", worst->fraction_of_allowed(),
                             worst->equation, worst->variant);
     }
-    for (const CheckRow& row : report.rows) {
+    for (const check::Answer& row : report.rows) {
         if (row.variant.empty()) text += "; " + row.error;
     }
     return text;

@@ -11,7 +11,7 @@ namespace gloam::report {
 namespace {
 
 struct Origin {
-    CheckRow row;
+    check::Answer row;
     std::string file;
 };
 
@@ -19,29 +19,30 @@ struct Origin {
 using Key = std::tuple<bool, std::string, std::string>;
 using Rows = std::map<Key, Origin>;
 
-Key key_of(const CheckRow& row) {
+Key key_of(const check::Answer& row) {
     return {row.equation == "device", row.equation, row.variant};
 }
 
-auto severity(const CheckRow& row) {
+auto severity(const check::Answer& row) {
     const double share =
-        row.inputs == 0 ? 0.0 : static_cast<double>(row.outside) / static_cast<double>(row.inputs);
-    return std::tuple(!row.ran(), !row.fault.empty(), share, fraction_of(row));
+        row.inputs() == 0 ? 0.0 : static_cast<double>(row.outside()) / static_cast<double>(row.inputs());
+    return std::tuple(!row.ran(), !row.fault.empty(), share, row.fraction_of_allowed());
 }
 
-bool tell_the_same(CheckRow a, CheckRow b) {
+bool tell_the_same(check::Answer a, check::Answer b) {
     a.seconds = b.seconds = 0.0;
     return to_json(a) == to_json(b);
 }
 
-std::string outcome(const CheckRow& row) {
+std::string outcome(const check::Answer& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "a fault";
-    return fmt::format("{} of {} inputs outside, worst error {:.3g} of what is allowed", row.outside,
-                       row.inputs, fraction_of(row));
+    return fmt::format("{} of {} inputs outside, worst error {:.3g} of what is allowed", row.outside(),
+                       row.inputs(), row.fraction_of_allowed());
 }
 
-void unite(Rows& rows, const CheckRow& row, const ReportFile& from, std::vector<std::string>& conflicts) {
+void unite(Rows& rows, const check::Answer& row, const ReportFile& from,
+           std::vector<std::string>& conflicts) {
     const auto [at, is_new] = rows.try_emplace(key_of(row), Origin{row, from.file});
     Origin& known = at->second;
     if (is_new || tell_the_same(known.row, row)) return;
@@ -52,10 +53,6 @@ void unite(Rows& rows, const CheckRow& row, const ReportFile& from, std::vector<
 }
 
 }  // namespace
-
-double fraction_of(const CheckRow& row) {
-    return row.width_fraction.value_or(row.budget_fraction);
-}
 
 MergedReports merge(const std::vector<ReportFile>& files) {
     MergedReports merged;
@@ -70,7 +67,7 @@ MergedReports merge(const std::vector<ReportFile>& files) {
                 {.device = file.report.device, .rows = {}, .versions = file.report.versions});
             rows.emplace_back();
         }
-        for (const CheckRow& row : file.report.rows) unite(rows[index], row, file, merged.conflicts);
+        for (const check::Answer& row : file.report.rows) unite(rows[index], row, file, merged.conflicts);
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (auto& [key, origin] : rows[i]) merged.reports[i].rows.push_back(std::move(origin.row));

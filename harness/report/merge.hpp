@@ -25,7 +25,4 @@ struct MergedReports {
 // then one with a fault, then the larger share outside, then the larger error.
 [[nodiscard]] MergedReports merge(const std::vector<ReportFile>& files);
 
-// The worst error of a row as a fraction of what it is held against: the permitted width or the budget.
-[[nodiscard]] double fraction_of(const CheckRow& row);
-
 }  // namespace gloam::report

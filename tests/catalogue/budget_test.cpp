@@ -36,16 +36,15 @@ TEST(Budgets, AreAtMostFourTimesWhatIsMeasured) {
     const auto labs = labs_of_all_devices();
     ASSERT_FALSE(labs.empty());
     for (const Entry& entry : all_entries()) {
-        const check::Case& check_case = entry.check_case;
-        if (check_case.only_rules || is_tightest(check_case.budget)) continue;
-        if (check_case.budget.ulp == 0.0 && check_case.budget.absolute == 0.0) continue;
+        const check::Question& question = entry.question;
+        if (question.only_rules || is_tightest(question.budget)) continue;
+        if (question.budget.ulp == 0.0 && question.budget.absolute == 0.0) continue;
         double worst = 0.0;
         for (const auto& lab : labs) {
-            worst = std::max(worst,
-                             check::run(*lab, check_case, {.inputs = inputs_per_equation}).census.fraction);
+            worst = std::max(worst, check::run(*lab, question, {.inputs = inputs_per_equation}).fraction);
         }
         EXPECT_GE(worst * most_slack, 1.0)
-            << entry.description.id << ": documents " << check::to_text(check_case.budget) << ", of which "
+            << entry.description.id << ": documents " << check::to_text(question.budget) << ", of which "
             << worst << " is used at most";
     }
 }

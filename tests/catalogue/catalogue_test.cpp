@@ -70,7 +70,7 @@ TEST(Catalogue, EveryEntryIsDescribed) {
 
 // Whether an entry returns a float: what holds for every input is then a statement of its own.
 bool returns_floats(const Entry& entry) {
-    return std::ranges::count(entry.check_case.signature.output_scalars(), shader::Scalar::float_) > 0;
+    return std::ranges::count(entry.question.signature.output_scalars(), shader::Scalar::float_) > 0;
 }
 
 // Results of which nothing is true for every input but that they are numbers, and why.
@@ -82,8 +82,8 @@ const std::map<std::string, std::string> any_number{
 
 TEST(Catalogue, EveryResultIsHeldInsideItsCodomain) {
     for (const Entry& entry : all_entries()) {
-        if (entry.check_case.only_rules || !returns_floats(entry)) continue;
-        const check::Codomain& codomain = entry.check_case.codomain;
+        if (entry.question.only_rules || !returns_floats(entry)) continue;
+        const check::Codomain& codomain = entry.question.codomain;
         const std::string& id = entry.description.id;
         EXPECT_LE(codomain.low, codomain.high) << id;
         const bool bounded = !(std::isinf(codomain.low) && codomain.low < 0.0 && std::isinf(codomain.high));

@@ -18,19 +18,19 @@ class Sweep : public testing::TestWithParam<Entry> {};
 
 TEST_P(Sweep, StaysWithinItsBudget) {
     const check::Lab lab = test::make_lab();
-    const check::Result result = check::run(lab, GetParam().check_case, {.inputs = inputs_per_equation});
+    const check::Answer result = check::run(lab, GetParam().question, {.inputs = inputs_per_equation});
     EXPECT_TRUE(result.passed()) << GetParam().description.id << ": " << result;
-    EXPECT_EQ(result.census.inputs(), inputs_per_equation);
+    EXPECT_EQ(result.inputs(), inputs_per_equation);
 }
 
 // Each operation rounded on its own: the narrowest bounds of Vulkan's rules, which budgets may hide errors
 // inside.
 TEST_P(Sweep, IsPermittedWhenStrict) {
     const check::Lab lab = test::make_lab({}, shader::variant("strict"));
-    const check::Result result = check::run(lab, GetParam().check_case, {.inputs = strict_inputs});
+    const check::Answer result = check::run(lab, GetParam().question, {.inputs = strict_inputs});
     EXPECT_TRUE(result.passed()) << GetParam().description.id << ": " << result;
     EXPECT_EQ(result.verdict, check::Verdict::rules);
-    EXPECT_EQ(result.census.by_rules, strict_inputs);
+    EXPECT_EQ(result.by_rules, strict_inputs);
 }
 
 std::string test_name(const testing::TestParamInfo<Entry>& info) {

@@ -105,8 +105,8 @@ TEST_P(ConstantKernelTest, AsManyInputsAsAllowedKeepTheirOrder) {
 }
 
 TEST_P(ConstantKernelTest, NanArrives) {
-    if (!lab.device().info().float32.preserves_signed_zero_inf_nan)
-        GTEST_SKIP() << lab.device().info().name << " does not promise to keep NaN";
+    if (!lab.info().float32.preserves_signed_zero_inf_nan)
+        GTEST_SKIP() << lab.info().name << " does not promise to keep NaN";
     const std::vector<Word> nans{0x7fc00000U, 0xffc00000U, 0x7f800001U, 0x7fffffffU};
     const auto result = kernel<float(float)>("overloaded").run(nans, nans.size());
     ASSERT_EQ(result.outputs.size(), nans.size());

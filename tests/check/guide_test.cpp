@@ -20,9 +20,9 @@ TEST(Guide, ManyInputsAgainstAReference) {
     const Lab lab = guide_lab();
     // Begin: compare
     const auto reinhard = [](double x) { return x / (1.0 + x); };
-    const Result result = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard,
+    const Answer answer = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard,
                                                 {log_uniform(1e-6, 1e6)}, {.ulp = 4});
-    EXPECT_TRUE(result.passed()) << result;
+    EXPECT_TRUE(answer.passed()) << answer;
     // End
 }
 
@@ -40,9 +40,9 @@ TEST(Guide, Domains) {
     const auto reinhard = [](double x) { return x / (1.0 + x); };
     // Begin: domain
     const Domain domain{log_uniform(1e-6, 1e6).and_near({1.0}).and_value(0.0F)};
-    const Result result = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard, domain,
+    const Answer answer = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard, domain,
                                                 {.ulp = 4, .absolute = 1e-30}, {.inputs = 4096, .seed = 7});
-    EXPECT_TRUE(result.passed()) << result;
+    EXPECT_TRUE(answer.passed()) << answer;
     // End
 }
 
@@ -98,11 +98,11 @@ TEST(Guide, AnEnginesDepthAndLight) {
 TEST(Guide, ANarrowBudgetFailsAndSaysWhere) {
     const Lab lab = guide_lab();
     const auto other = [](double x) { return x / (1.0 + 1.001 * x); };
-    const Result result =
+    const Answer answer =
         compare<float(float)>(lab, "tone.glsl", "tone_reinhard", other, {log_uniform(1e-6, 1e6)}, {.ulp = 4});
-    EXPECT_FALSE(result.passed());
+    EXPECT_FALSE(answer.passed());
     std::ostringstream text;
-    text << result;
+    text << answer;
     EXPECT_THAT(text.str(), testing::HasSubstr("tone_reinhard"));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every kind of failure that the judge can report, from a shader broken on purpose.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,30 +26,30 @@ class JudgeTest : public testing::Test {
     const Domain domain = Domain{signed_log_uniform(1e-3, 10).and_special(), uniform(0.5, 8)}.tied(0, 1);
     const Budget budget{.ulp = 2, .absolute = 4e-7};
 
-    Result weight(const std::string& function, const RunOptions& options = {}) {
+    Answer weight(const std::string& function, const RunOptions& options = {}) {
         return compare<float(float, float)>(lab, "wrong.glsl", function, exact_weight, domain, budget,
                                             options);
     }
 
-    static const ClassCount& count(const Result& result, InputClass input_class) {
-        return result.census.classes.at(static_cast<std::size_t>(input_class));
+    static const ClassCount& count(const Answer& result, InputClass input_class) {
+        return result.classes.at(static_cast<std::size_t>(input_class));
     }
 };
 
 TEST_F(JudgeTest, ARightFunctionPasses) {
-    const Result result = weight("weight");
+    const Answer result = weight("weight");
     EXPECT_TRUE(result.passed()) << result;
-    EXPECT_EQ(result.census.inputs(), 65'536U);
+    EXPECT_EQ(result.inputs(), 65'536U);
     EXPECT_GT(count(result, InputClass::branch).inputs, 1000U);
     EXPECT_GT(count(result, InputClass::nan).inputs, 10U);
     EXPECT_GT(count(result, InputClass::subnormal).inputs, 10U);
 }
 
 TEST_F(JudgeTest, AWrongConstantFails) {
-    const Result result = weight("weight_wrong_constant");
+    const Answer result = weight("weight_wrong_constant");
     EXPECT_FALSE(result.passed());
     EXPECT_GT(count(result, InputClass::ordinary).outside, 1000U);
-    EXPECT_NEAR(result.census.max_absolute, 1e-4, 1e-6);
+    EXPECT_NEAR(result.max_absolute, 1e-4, 1e-6);
 }
 
 TEST_F(JudgeTest, SwappedArgumentsFail) {
@@ -56,17 +57,16 @@ TEST_F(JudgeTest, SwappedArgumentsFail) {
 }
 
 TEST_F(JudgeTest, ANaNPassedThroughFailsInItsOwnClass) {
-    if (!lab.device().info().float32.preserves_signed_zero_inf_nan)
-        GTEST_SKIP() << "the device does not keep NaN";
-    const Result result = weight("weight_poisoned");
+    if (!lab.info().float32.preserves_signed_zero_inf_nan) GTEST_SKIP() << "the device does not keep NaN";
+    const Answer result = weight("weight_poisoned");
     EXPECT_FALSE(result.passed());
     EXPECT_EQ(count(result, InputClass::nan).outside, count(result, InputClass::nan).inputs);
     EXPECT_EQ(count(result, InputClass::ordinary).outside, 0U);
-    EXPECT_THAT(describe(result), AllOf(HasSubstr("nan"), HasSubstr("0x7fc00000")));
+    EXPECT_THAT(result.story, AllOf(HasSubstr("nan"), HasSubstr("0x7fc00000")));
 }
 
 TEST_F(JudgeTest, AFailureAtABranchIsCountedThere) {
-    const Result result = weight("weight_wrong_at_branch");
+    const Answer result = weight("weight_wrong_at_branch");
     EXPECT_FALSE(result.passed());
     EXPECT_GT(count(result, InputClass::branch).outside, 0U);
     EXPECT_EQ(count(result, InputClass::ordinary).outside, 0U);
@@ -78,9 +78,9 @@ TEST_F(JudgeTest, OneUlpTooMuchFailsAndOneUlpAllowedPasses) {
                                      {uniform(1.1, 1.9)}, {.ulp = ulp});
     };
     EXPECT_TRUE(check(1.0).passed());
-    const Result strict = check(0.999);
-    EXPECT_EQ(strict.census.outside(), strict.census.inputs());
-    EXPECT_EQ(strict.census.max_ulp, 1.0);
+    const Answer strict = check(0.999);
+    EXPECT_EQ(strict.outside(), strict.inputs());
+    EXPECT_EQ(strict.max_ulp, 1.0);
 }
 
 TEST_F(JudgeTest, DiscreteResultsMustBeEqualOrMeetTheBackwardBudget) {
@@ -99,37 +99,36 @@ TEST_F(JudgeTest, DiscreteResultsMustBeEqualOrMeetTheBackwardBudget) {
 }
 
 TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
-    Case check_case{.file = "wrong.glsl",
-                    .function = "identity_one_up",
-                    .signature = SignatureOf<float(float)>::describe(),
-                    .domain = {uniform(0, 2)},
-                    .reference = make_reference<float(float)>([](double x) { return x; }),
-                    .promised = make_predicate<float(float)>([](float) { return false; })};
-    EXPECT_TRUE(run(lab, check_case).passed());
-    check_case.codomain = {0, 1};
-    EXPECT_FALSE(run(lab, check_case).passed());
+    Question question{.file = "wrong.glsl",
+                      .function = "identity_one_up",
+                      .signature = SignatureOf<float(float)>::describe(),
+                      .domain = {uniform(0, 2)},
+                      .reference = make_reference<float(float)>([](double x) { return x; }),
+                      .promised = make_predicate<float(float)>([](float) { return false; })};
+    EXPECT_TRUE(run(lab, question).passed());
+    question.codomain = {0, 1};
+    EXPECT_FALSE(run(lab, question).passed());
 }
 
 TEST_F(JudgeTest, TheCodomainHoldsForIntegers) {
-    Case check_case{.file = "wrong.glsl",
-                    .function = "off_by_one",
-                    .signature = SignatureOf<int(float)>::describe(),
-                    .domain = {uniform(0, 1.5)},
-                    .reference = make_reference<int(float)>([](double x) { return std::floor(x) + 1.0; }),
-                    .codomain = {1, 2}};
-    EXPECT_TRUE(run(lab, check_case).passed());
-    check_case.promised = make_predicate<int(float)>([](float) { return false; });
-    check_case.codomain = {0, 1};
-    EXPECT_FALSE(run(lab, check_case).passed());
+    Question question{.file = "wrong.glsl",
+                      .function = "off_by_one",
+                      .signature = SignatureOf<int(float)>::describe(),
+                      .domain = {uniform(0, 1.5)},
+                      .reference = make_reference<int(float)>([](double x) { return std::floor(x) + 1.0; }),
+                      .codomain = {1, 2}};
+    EXPECT_TRUE(run(lab, question).passed());
+    question.promised = make_predicate<int(float)>([](float) { return false; });
+    question.codomain = {0, 1};
+    EXPECT_FALSE(run(lab, question).passed());
 }
 
 // What a function documents for zero, infinity and NaN is judged where its accuracy is not promised, in every
 // verdict.
 TEST_F(JudgeTest, TheEdgesHoldWhereNothingElseIsPromised) {
-    if (!lab.device().info().float32.preserves_signed_zero_inf_nan)
-        GTEST_SKIP() << "the device does not keep NaN";
+    if (!lab.info().float32.preserves_signed_zero_inf_nan) GTEST_SKIP() << "the device does not keep NaN";
     for (const auto& [function, right] : {std::pair{"inverse", true}, {"inverse_wrong_at_zero", false}}) {
-        Case check_case{
+        Question question{
             .file = "wrong.glsl",
             .function = function,
             .signature = SignatureOf<float(float)>::describe(),
@@ -138,25 +137,60 @@ TEST_F(JudgeTest, TheEdgesHoldWhereNothingElseIsPromised) {
                 [](double x) { return x > 0.0 && std::isfinite(x) ? 1.0 / x : 0.0; }),
             .budget = {.ulp = 2.5},
             .promised = make_predicate<float(float)>([](float x) { return x >= 0.01F && x <= 100.0F; })};
-        const Result result = run(lab, check_case, {.inputs = 4096});
+        const Answer result = run(lab, question, {.inputs = 4096});
         EXPECT_EQ(result.passed(), right) << result;
         EXPECT_EQ(count(result, InputClass::ordinary).outside, 0U) << function;
     }
 }
 
 TEST_F(JudgeTest, TheSameSeedGivesTheSameVerdict) {
-    const Result a = weight("weight_wrong_constant", {.inputs = 1000, .seed = 3});
-    const Result b = weight("weight_wrong_constant", {.inputs = 1000, .seed = 3});
-    const Result c = weight("weight_wrong_constant", {.inputs = 1000, .seed = 4});
-    EXPECT_EQ(describe(a), describe(b));
-    EXPECT_NE(describe(a), describe(c));
+    const Answer a = weight("weight_wrong_constant", {.inputs = 1000, .seed = 3});
+    const Answer b = weight("weight_wrong_constant", {.inputs = 1000, .seed = 3});
+    const Answer c = weight("weight_wrong_constant", {.inputs = 1000, .seed = 4});
+    EXPECT_EQ(a.story, b.story);
+    EXPECT_NE(a.story, c.story);
 }
 
 TEST_F(JudgeTest, TheWorstInputIsPrintedInDecimalAndHexadecimal) {
-    const Result result =
+    const Answer result =
         compare<float(float)>(lab, "wrong.glsl", "identity_one_up", [](double x) { return x; },
                               {uniform(0.5, 0.5)}, {}, {.inputs = 4});
-    EXPECT_THAT(describe(result), AllOf(HasSubstr("0.5 (0x3f000000)"), HasSubstr("0.50000006 (0x3f000001)")));
+    EXPECT_THAT(result.story, AllOf(HasSubstr("0.5 (0x3f000000)"), HasSubstr("0.50000006 (0x3f000001)")));
+}
+
+TEST_F(JudgeTest, TheWorstInputIsExplainedLineByLine) {
+    const Answer wrong = weight("weight_wrong_constant");
+    EXPECT_THAT(wrong.story, AllOf(HasSubstr("the worst input, operation by operation"),
+                                   testing::ContainsRegex("wrong.glsl:[0-9]+ weight_wrong_constant +OpF")));
+    EXPECT_EQ(weight("weight").story, "");
+}
+
+TEST_F(JudgeTest, TheWorstInputIsExplainedWithItsImages) {
+    const auto make = [](glm::ivec2 size, numeric::Random& random) {
+        return ImageSet{{"own_depth", make_image<float>(
+                                          size, [&](glm::ivec2) { return static_cast<float>(random.unit()); },
+                                          Border::clamp)}};
+    };
+    const Question question{.file = "own.glsl",
+                            .function = "own_mean",
+                            .signature = SignatureOf<float(glm::ivec2)>::describe(),
+                            .domain = {image_pixel()},
+                            .reference = make_reference<float(glm::ivec2)>([](glm::ivec2) { return 7.0; }),
+                            .scenarios = {{.name = "4 x 3", .size = {4, 3}, .make = make}}};
+    EXPECT_THAT(run(lab, question, {.inputs = 64}).story,
+                testing::ContainsRegex("own.glsl:[0-9]+ own_mean +OpFAdd"));
+}
+
+TEST_F(JudgeTest, AnExplanationIsBounded) {
+    const Explanation all = explain(lab.compile_options(), "wrong.glsl", "weight_wrong_constant",
+                                    std::vector<Word>{to_word(0.3F), to_word(0.7F)});
+    const std::string whole = to_text(all, all.steps.size());
+    const std::string bounded = to_text(all, 2);
+    EXPECT_GT(all.steps.size(), 2U);
+    EXPECT_THAT(whole, testing::Not(HasSubstr(" operations)")));
+    EXPECT_THAT(bounded, HasSubstr(fmt::format("(2 of {} operations)", all.steps.size())));
+    EXPECT_THAT(bounded, HasSubstr("most of the error"));
+    EXPECT_LT(bounded.size(), whole.size());
 }
 
 TEST_F(JudgeTest, ADomainThatDoesNotFitTheFunctionIsRefused) {

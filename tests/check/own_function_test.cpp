@@ -15,7 +15,7 @@ using testing::ElementsAre;
 class OwnFunctionTest : public testing::Test {
   protected:
     shader::Function function(const std::string& name) const {
-        for (const shader::Function& own : own_functions(lab, "own.glsl"))
+        for (const shader::Function& own : own_functions(lab.compile_options(), "own.glsl"))
             if (own.name == name) return own;
         ADD_FAILURE() << name;
         return {};
@@ -25,7 +25,8 @@ class OwnFunctionTest : public testing::Test {
 
 TEST_F(OwnFunctionTest, AreThoseOfTheFileItselfThatCanBeDrawnFor) {
     std::vector<std::string> names;
-    for (const shader::Function& own : own_functions(lab, "own.glsl")) names.push_back(own.name);
+    for (const shader::Function& own : own_functions(lab.compile_options(), "own.glsl"))
+        names.push_back(own.name);
     EXPECT_THAT(names, ElementsAre("own_root", "own_scaled", "own_mean"));
 }
 
@@ -34,27 +35,28 @@ TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
         const Lab other({.device = lab.options().device,
                          .include_roots = lab.options().include_roots,
                          .variant = variant});
-        for (const shader::Function& own : own_functions(other, "own.glsl")) {
-            const Result result = run(other, case_of(other, "own.glsl", own, {}), {.inputs = 256});
+        for (const shader::Function& own : own_functions(other.compile_options(), "own.glsl")) {
+            const Answer result = run(other, question_of(other, "own.glsl", own, {}), {.inputs = 256});
             EXPECT_TRUE(result.passed()) << variant.name << " " << own.name << "\n" << result;
             EXPECT_EQ(result.verdict, Verdict::rules);
-            EXPECT_GT(result.census.by_rules, 0U);
+            EXPECT_GT(result.by_rules, 0U);
         }
     }
 }
 
 TEST_F(OwnFunctionTest, DrawFromTheirRanges) {
-    const Case check_case = case_of(lab, "own.glsl", function("own_root"), {{"p", {2, 3}}, {"q", {0, 1}}});
-    const Domain::Inputs inputs = check_case.domain.draw(100, 1);
+    const Question question =
+        question_of(lab, "own.glsl", function("own_root"), {{"p", {2, 3}}, {"q", {0, 1}}});
+    const Domain::Inputs inputs = question.domain.draw(100, 1);
     for (std::size_t i = 0; i < inputs.count(); ++i) {
         EXPECT_GE(from_word<float>(inputs.row(i)[0]), 2.0F);
         EXPECT_LE(from_word<float>(inputs.row(i)[0]), 3.0F);
         EXPECT_LE(from_word<float>(inputs.row(i)[1]), 1.0F);
     }
-    const Result result = run(lab, check_case, {.inputs = 512});
+    const Answer result = run(lab, question, {.inputs = 512});
     EXPECT_TRUE(result.passed()) << result;
-    EXPECT_EQ(result.census.unbounded, 0U);
-    EXPECT_GT(result.census.guarantee.ulp, 10.0) << "it cancels";
+    EXPECT_EQ(result.unbounded, 0U);
+    EXPECT_GT(result.guarantee.ulp, 10.0) << "it cancels";
 }
 
 TEST_F(OwnFunctionTest, RangesAreNamesAndNumbers) {

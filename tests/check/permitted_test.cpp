@@ -7,9 +7,9 @@
 #include <limits>
 #include <memory>
 
-#include "check/case.hpp"
 #include "check/internal/interpretation.hpp"
 #include "check/permitted.hpp"
+#include "check/run.hpp"
 #include "numeric/ulp.hpp"
 #include "support/lab.hpp"
 

@@ -14,7 +14,7 @@ using numeric::Bounds;
 using testing::HasSubstr;
 
 // The weight of wrong.glsl, which is 1e-4 too large there.
-Case wrong_weight() {
+Question wrong_weight() {
     return {.file = "wrong.glsl",
             .function = "weight_wrong_constant",
             .signature = SignatureOf<float(float, float)>::describe(),
@@ -29,9 +29,9 @@ Case wrong_weight() {
 TEST(Reproduction, AFailureComesWithItsSimplestInputAndAShaderOfItsOwn) {
     const Lab lab = test::make_lab(FIXTURES);
     const RunOptions options{.inputs = 1000};
-    const Result result = run(lab, wrong_weight(), options);
+    const Answer result = run(lab, wrong_weight(), options);
     ASSERT_FALSE(result.passed());
-    const Reproduction all = reproduce(lab, wrong_weight(), options, *result.census.worst);
+    const Reproduction all = reproduce(lab, wrong_weight(), options, *result.worst);
     EXPECT_EQ(all.inputs, (std::vector<Word>{0U, to_word(1.0F)}));  // at the centre, radius 1
     ASSERT_TRUE(all.failure);
     EXPECT_EQ(all.failure->inputs, all.inputs);
@@ -52,9 +52,9 @@ TEST(Reproduction, InputsThatAreConstantsStayConstants) {
                        .include_roots = {FIXTURES},
                        .cache_directory = test::cache_directory(),
                        .variant = shader::variant(variant)});
-        const Result result = run(lab, wrong_weight(), {});
+        const Answer result = run(lab, wrong_weight(), {});
         ASSERT_FALSE(result.passed()) << variant;
-        const Reproduction all = reproduce(lab, wrong_weight(), {}, *result.census.worst);
+        const Reproduction all = reproduce(lab, wrong_weight(), {}, *result.worst);
         EXPECT_EQ(all.inputs, (std::vector<Word>{0U, to_word(1.0F)})) << variant;
         EXPECT_EQ(all.specialized, std::string(variant) == "specialization");
         EXPECT_EQ(all.glsl.find("constant_id") != std::string::npos, all.specialized) << all.glsl;
@@ -72,7 +72,7 @@ TEST(Reproduction, WithoutRunningThereIsTheFirstInput) {
 
 TEST(Reproduction, WhatPassesIsRefused) {
     const Lab lab = test::make_lab(FIXTURES);
-    Case right = wrong_weight();
+    Question right = wrong_weight();
     right.function = "weight";
     const Sample passing{.inputs = {to_word(0.5F), to_word(1.0F)}};
     EXPECT_THAT([&] { (void)reproduce(lab, right, {}, passing); },
@@ -85,7 +85,7 @@ TEST(Reproduction, WhatPassesIsRefused) {
 }
 
 // A sum over the pixel and its right neighbour: at the right border it reads outside.
-Case two_pixels() {
+Question two_pixels() {
     return {.file = "two_pixels.glsl",
             .function = "two_pixels",
             .signature = SignatureOf<float(glm::ivec2)>::describe(),
@@ -106,7 +106,7 @@ Case two_pixels() {
 TEST(Reproduction, AnAccessOutsideAnImageComesWithTheImageAndThePixel) {
     const Lab lab = test::make_lab(FIXTURES);
     const RunOptions options{.inputs = 50};
-    ASSERT_TRUE(run(lab, two_pixels(), options).fault);
+    ASSERT_FALSE(run(lab, two_pixels(), options).fault.empty());
     const Reproduction all = reproduce_fault(lab, two_pixels(), options);
     EXPECT_EQ(all.inputs.at(0), 2U);  // the last column
     EXPECT_EQ(all.scenario, "3 x 2");
@@ -119,33 +119,33 @@ TEST(Reproduction, AnAccessOutsideAnImageComesWithTheImageAndThePixel) {
 }
 
 TEST(AllowedOutputs, AreTheBudgetAroundTheReference) {
-    const Rules rules{.signature = SignatureOf<float(float)>::describe(),
-                      .reference = make_reference<float(float)>([](double x) { return x; }),
-                      .budget = {.ulp = 2, .absolute = 1e-9},
-                      .codomain = {.low = 0.0, .high = 1.0}};
-    const auto allowed = [&](const Rules& by, float x) {
+    const Question question{.signature = SignatureOf<float(float)>::describe(),
+                            .reference = make_reference<float(float)>([](double x) { return x; }),
+                            .budget = {.ulp = 2, .absolute = 1e-9},
+                            .codomain = {.low = 0.0, .high = 1.0}};
+    const auto allowed = [&](const Question& by, float x) {
         return allowed_outputs(by, {}, {.inputs = {to_word(x)}, .want = {static_cast<double>(x)}}).at(0);
     };
     const double ulp = std::ldexp(1.0, -24);  // between 0.5 and 1
-    EXPECT_EQ(allowed(rules, 0.75F), (Bounds{0.75 - 2 * ulp, 0.75 + 2 * ulp, false}));
-    EXPECT_EQ(allowed(rules, 1.0F).high, 1.0);  // the codomain's end
-    EXPECT_EQ(allowed(rules, 1e-30F).high, static_cast<double>(1e-30F) + 1e-9);
-    Rules backward = rules;
+    EXPECT_EQ(allowed(question, 0.75F), (Bounds{0.75 - 2 * ulp, 0.75 + 2 * ulp, false}));
+    EXPECT_EQ(allowed(question, 1.0F).high, 1.0);  // the codomain's end
+    EXPECT_EQ(allowed(question, 1e-30F).high, static_cast<double>(1e-30F) + 1e-9);
+    Question backward = question;
     backward.budget.backward_ulp = 3;
     EXPECT_EQ(allowed(backward, 0.75F), (Bounds{0.75 - 5 * ulp, 0.75 + 5 * ulp, false}));
-    Rules elsewhere = rules;
+    Question elsewhere = question;
     elsewhere.promised = [](auto) { return false; };
     EXPECT_EQ(allowed(elsewhere, 0.75F), (Bounds{0.0, 1.0, false}));
 }
 
 TEST(AllowedOutputs, SpecialsAndIntegersAreExact) {
-    const Rules rules{.signature = SignatureOf<void(Out<float>, Out<float>, Out<int>)>::describe(),
-                      .reference =
-                          [](const ImageSet&, std::span<const Word>, std::vector<double>& outputs) {
-                              outputs = {NAN, INFINITY, -3.0};
-                          },
-                      .budget = {.ulp = 2}};
-    const std::vector<Bounds> allowed = allowed_outputs(rules, {}, {.want = {NAN, INFINITY, -3.0}});
+    const Question question{.signature = SignatureOf<void(Out<float>, Out<float>, Out<int>)>::describe(),
+                            .reference =
+                                [](const ImageSet&, std::span<const Word>, std::vector<double>& outputs) {
+                                    outputs = {NAN, INFINITY, -3.0};
+                                },
+                            .budget = {.ulp = 2}};
+    const std::vector<Bounds> allowed = allowed_outputs(question, {}, {.want = {NAN, INFINITY, -3.0}});
     ASSERT_EQ(allowed.size(), 3U);
     EXPECT_TRUE(allowed[0].empty() && allowed[0].nan);
     EXPECT_EQ(allowed[1], Bounds::point(INFINITY));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "check/judge.hpp"
 #include "numeric/ulp.hpp"
 #include "support/lab.hpp"
 
@@ -16,7 +17,7 @@ using testing::HasSubstr;
 class RulesTest : public testing::Test {
   protected:
     template <class Signature>
-    Result judged(const std::string& function, const Domain& domain) {
+    Answer judged(const std::string& function, const Domain& domain) {
         return check_rules<Signature>(lab, "rules.glsl", function, domain, {.inputs = 8192});
     }
     static Lab in_variant(const Lab& lab, const char* variant) {
@@ -31,30 +32,30 @@ class RulesTest : public testing::Test {
 };
 
 TEST_F(RulesTest, ARightFunctionPassesAndIsBounded) {
-    const Result result = judged<float(float, float)>("quotient", pairs);
+    const Answer result = judged<float(float, float)>("quotient", pairs);
     EXPECT_TRUE(result.passed()) << result;
-    EXPECT_LE(result.census.fraction, 1.0);
-    EXPECT_EQ(result.census.by_rules, 8192U);
-    EXPECT_EQ(result.census.bounded, 8192U);
-    EXPECT_EQ(result.census.unbounded, 0U);
-    EXPECT_GT(result.census.guarantee.ulp, 2.4);
-    EXPECT_LE(result.census.guarantee.ulp, 5.0);
+    EXPECT_LE(result.fraction, 1.0);
+    EXPECT_EQ(result.by_rules, 8192U);
+    EXPECT_EQ(result.bounded, 8192U);
+    EXPECT_EQ(result.unbounded, 0U);
+    EXPECT_GT(result.guarantee.ulp, 2.4);
+    EXPECT_LE(result.guarantee.ulp, 5.0);
 }
 
 // The interpreter runs the very module that the driver was given, so a wrong result needs a driver that is
 // wrong: outputs are moved behind its back.
 class TamperedTest : public RulesTest {
   protected:
-    // The census of a function's outputs, each float moved by that many floats.
-    Census moved(const char* variant, const std::string& function, const Domain& domain, int floats) {
+    // What is said of a function's outputs, each float moved by that many floats.
+    Answer moved(const char* variant, const std::string& function, const Domain& domain, int floats) {
         const Lab other = in_variant(lab, variant);
         const Signature signature = SignatureOf<float(float, float)>::describe();
         const KernelCore kernel = other.kernel("rules.glsl", function, signature);
         const Domain::Inputs inputs = domain.draw(4096, 1, {1, 1});
         KernelCore::Result result = kernel.run(inputs.words, inputs.count());
         for (Word& word : result.outputs) word = to_word(numeric::step(from_word<float>(word), floats));
-        return judge({.signature = signature, .verdict = Verdict::rules, .modules = result.modules}, inputs,
-                     result.outputs);
+        return judge({.function = function, .signature = signature},
+                     {.verdict = Verdict::rules, .modules = result.modules}, inputs, result.outputs);
     }
 };
 
@@ -90,13 +91,10 @@ TEST_F(TamperedTest, HalfPrecisionHasItsOwnRules) {
 }
 
 TEST_F(TamperedTest, AFailureTellsWhatWasPermitted) {
-    const Census census = moved("shipped", "quotient", {constant(6.0F), constant(2.0F)}, 9);
-    ASSERT_TRUE(census.worst);
-    EXPECT_TRUE(census.worst->forbidden);
-    EXPECT_THAT(describe(Result{.function = "quotient",
-                                .signature = SignatureOf<float(float, float)>::describe(),
-                                .verdict = Verdict::rules,
-                                .census = census}),
+    const Answer answer = moved("shipped", "quotient", {constant(6.0F), constant(2.0F)}, 9);
+    ASSERT_TRUE(answer.worst);
+    EXPECT_TRUE(answer.worst->forbidden);
+    EXPECT_THAT(describe(SignatureOf<float(float, float)>::describe(), answer),
                 AllOf(HasSubstr("permitted [2.99999"), HasSubstr("Vulkan's precision rules")));
 }
 
@@ -106,15 +104,15 @@ TEST_F(TamperedTest, WhatIsForbiddenFailsHoweverWideTheBudgetIs) {
     const Domain::Inputs inputs = pairs.draw(256, 1, {1, 1});
     KernelCore::Result result = kernel.run(inputs.words, inputs.count());
     for (Word& word : result.outputs) word += 8;
-    Rules rules{.signature = signature,
-                .reference = make_reference<float(float, float)>([](double x, double y) { return x / y; }),
-                .budget = {.ulp = 1000}};
-    EXPECT_EQ(judge(rules, inputs, result.outputs).outside(), 0U)
+    const Question question{
+        .signature = signature,
+        .reference = make_reference<float(float, float)>([](double x, double y) { return x / y; }),
+        .budget = {.ulp = 1000}};
+    EXPECT_EQ(judge(question, {}, inputs, result.outputs).outside(), 0U)
         << "without modules nothing is asked of the rules";
-    rules.modules = result.modules;
-    const Census census = judge(rules, inputs, result.outputs);
-    EXPECT_EQ(census.outside(), 256U);
-    EXPECT_EQ(census.forbidden, 256U);
+    const Answer answer = judge(question, {.modules = result.modules}, inputs, result.outputs);
+    EXPECT_EQ(answer.outside(), 256U);
+    EXPECT_EQ(answer.forbidden, 256U);
 }
 
 TEST_F(RulesTest, AnUndecidedBranchPermitsBothSides) {
@@ -126,30 +124,29 @@ TEST_F(RulesTest, IntegersMustBeOneOfThoseInReach) {
 }
 
 TEST_F(RulesTest, WhatIsUndefinedIsCountedNotJudged) {
-    const Result result = judged<float(float)>("sine", {uniform(-6, 6)});
+    const Answer result = judged<float(float)>("sine", {uniform(-6, 6)});
     EXPECT_TRUE(result.passed()) << result;
-    EXPECT_GT(result.census.unbounded, result.census.inputs() / 3);
-    ASSERT_TRUE(result.census.first_unbounded);
-    EXPECT_GT(std::abs(from_word<float>(result.census.first_unbounded->inputs[0])), 3.14F);
+    EXPECT_GT(result.unbounded, result.inputs() / 3);
+    ASSERT_TRUE(result.first_unbounded);
+    EXPECT_GT(std::abs(from_word<float>(result.first_unbounded->inputs[0])), 3.14F);
 }
 
 TEST(Rules, AFunctionOfYourOwn) {
     const Lab lab({.include_roots = {FIXTURES}});
-    const Result result = check_rules<float(float)>(lab, "rules.glsl", "reciprocal", {uniform(1, 2)});
-    EXPECT_TRUE(result.passed()) << result;
-    EXPECT_LE(result.census.guarantee.ulp, 4.0);
+    const Answer answer = check_rules<float(float)>(lab, "rules.glsl", "reciprocal", {uniform(1, 2)});
+    EXPECT_TRUE(answer.passed()) << answer;
+    EXPECT_LE(answer.guarantee.ulp, 4.0);
 }
 
 TEST_F(RulesTest, WithoutModulesTheRulesCannotBeAsked) {
     const Domain::Inputs inputs = pairs.draw(4, 1, {1, 1});
-    EXPECT_THROW(
-        (void)judge({.signature = SignatureOf<float(float, float)>::describe(), .verdict = Verdict::rules},
-                    inputs, std::vector<Word>(4)),
-        std::invalid_argument);
+    EXPECT_THROW((void)judge({.signature = SignatureOf<float(float, float)>::describe()},
+                             {.verdict = Verdict::rules}, inputs, std::vector<Word>(4)),
+                 std::invalid_argument);
 }
 
 TEST_F(RulesTest, EveryVariantIsAskedTheRulesAndSomeTheRulesAlone) {
-    const Case check_case{
+    const Question question{
         .file = "rules.glsl",
         .function = "quotient",
         .signature = SignatureOf<float(float, float)>::describe(),
@@ -158,12 +155,12 @@ TEST_F(RulesTest, EveryVariantIsAskedTheRulesAndSomeTheRulesAlone) {
         .budget = {.ulp = 2.5}};
     for (const shader::Variant& variant : shader::variants()) {
         const Lab other = in_variant(lab, variant.name.c_str());
-        const Result result = run(other, check_case, {.inputs = 512});
+        const Answer result = run(other, question, {.inputs = 512});
         EXPECT_TRUE(result.passed()) << variant.name << result;
         EXPECT_EQ(result.differs, 0U) << variant.name;
         const bool constants = variant.constants != shader::Variant::Constants::none;
-        EXPECT_EQ(result.census.inputs(), constants ? 64U : 512U) << variant.name;
-        EXPECT_EQ(result.census.by_rules, result.census.inputs()) << variant.name;
+        EXPECT_EQ(result.inputs(), constants ? 64U : 512U) << variant.name;
+        EXPECT_EQ(result.by_rules, result.inputs()) << variant.name;
         EXPECT_EQ(result.verdict, variant.strict ? Verdict::rules : Verdict::budget) << variant.name;
     }
 }

@@ -9,7 +9,7 @@
 namespace gloam::check {
 namespace search_test {
 
-Case planted(const std::string& function, Domain domain) {
+Question planted(const std::string& function, Domain domain) {
     return {.file = "peaks.glsl",
             .function = function,
             .signature = SignatureOf<float(float, float)>::describe(),
@@ -24,41 +24,41 @@ class SearchTest : public testing::Test {
 };
 
 TEST_F(SearchTest, ClimbsANarrowPeakThatSamplingMisses) {
-    const Case narrow = planted("narrow_peak", {uniform(0, 1), uniform(0, 1)});
+    const Question narrow = planted("narrow_peak", {uniform(0, 1), uniform(0, 1)});
     const SearchResult found = search(lab, narrow, {.inputs = 32'768});
-    const Result sampled = run(lab, narrow, {.inputs = 32'768});
-    EXPECT_GT(found.result.census.fraction, 0.99) << "the peak is 1 high";
-    EXPECT_LT(sampled.census.fraction, 0.6) << "else the peak is no test";
-    EXPECT_EQ(found.result.census.inputs(), 32'768U);
-    EXPECT_GT(found.result.census.fraction, found.drawn_fraction);
+    const Answer sampled = run(lab, narrow, {.inputs = 32'768});
+    EXPECT_GT(found.answer.fraction, 0.99) << "the peak is 1 high";
+    EXPECT_LT(sampled.fraction, 0.6) << "else the peak is no test";
+    EXPECT_EQ(found.answer.inputs(), 32'768U);
+    EXPECT_GT(found.answer.fraction, found.drawn_fraction);
 }
 
 TEST_F(SearchTest, FindsThePeakAtASingleExponent) {
-    const Case small = planted("peak_at_small_numbers", {log_uniform(1e-30, 1), uniform(0, 1)});
-    EXPECT_GT(search(lab, small, {.inputs = 32'768}).result.census.fraction, 0.99);
+    const Question small = planted("peak_at_small_numbers", {log_uniform(1e-30, 1), uniform(0, 1)});
+    EXPECT_GT(search(lab, small, {.inputs = 32'768}).answer.fraction, 0.99);
 }
 
 TEST_F(SearchTest, StaysInsideTheDomain) {
     // The error grows without end beyond the domain.
-    const Case tempting = planted("grows", {uniform(0, 1), uniform(-2, 3)});
+    const Question tempting = planted("grows", {uniform(0, 1), uniform(-2, 3)});
     const SearchResult found = search(lab, tempting, {.inputs = 16'384});
-    ASSERT_TRUE(found.result.census.worst);
-    EXPECT_EQ(from_word<float>(found.result.census.worst->inputs[0]), 1.0F);
-    EXPECT_EQ(from_word<float>(found.result.census.worst->inputs[1]), 3.0F);
+    ASSERT_TRUE(found.answer.worst);
+    EXPECT_EQ(from_word<float>(found.answer.worst->inputs[0]), 1.0F);
+    EXPECT_EQ(from_word<float>(found.answer.worst->inputs[1]), 3.0F);
 }
 
 TEST_F(SearchTest, FindsTheSameAgain) {
-    const Case narrow = planted("narrow_peak", {uniform(0, 1), uniform(0, 1)});
+    const Question narrow = planted("narrow_peak", {uniform(0, 1), uniform(0, 1)});
     const SearchResult first = search(lab, narrow, {.inputs = 8192, .seed = 3});
     const SearchResult second = search(lab, narrow, {.inputs = 8192, .seed = 3});
-    ASSERT_TRUE(first.result.census.worst && second.result.census.worst);
-    EXPECT_EQ(first.result.census.worst->inputs, second.result.census.worst->inputs);
+    ASSERT_TRUE(first.answer.worst && second.answer.worst);
+    EXPECT_EQ(first.answer.worst->inputs, second.answer.worst->inputs);
 }
 
 TEST_F(SearchTest, AFoundInputIsPartOfEveryRunAfterwards) {
-    const Case narrow =
+    const Question narrow =
         planted("narrow_peak", Domain{uniform(0, 1), uniform(0, 1)}.and_input(0.7123F, 0.3004F));
-    EXPECT_GT(run(lab, narrow, {.inputs = 16}).census.fraction, 0.99);
+    EXPECT_GT(run(lab, narrow, {.inputs = 16}).fraction, 0.99);
 }
 
 TEST(Domain, AnAdjustedDomainKeepsAGivenInputAsItIs) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "check/case.hpp"
+#include "check/run.hpp"
 
 namespace gloam::check {
 namespace shrink_test {
@@ -27,11 +27,13 @@ template <class Function>
 struct Planted {
     Domain domain;
     std::function<bool(std::span<const Word>)> fails;
-    Rules rules = {
+    Question question = {
         .signature = SignatureOf<Function>::describe(),
+        .domain = domain,
         .reference = [](const ImageSet&, std::span<const Word> inputs, std::vector<double>& outputs) {
             outputs = {static_cast<double>(inputs[0])};
         }};
+    JudgeOptions options = {};
     ImageSet images = {};
     mutable std::size_t evaluations = 0;
 
@@ -47,10 +49,12 @@ struct Planted {
     }
 
     [[nodiscard]] ShrinkScope scope() const {
-        return {
-            .rules = rules, .domain = domain, .images = images, .evaluate = [this](auto inputs, auto count) {
-                return KernelCore::Result{.outputs = evaluate(inputs, count)};
-            }};
+        return {.question = question,
+                .options = options,
+                .images = images,
+                .evaluate = [this](auto inputs, auto count) {
+                    return KernelCore::Result{.outputs = evaluate(inputs, count)};
+                }};
     }
 
     // Shrinks every failing input of a draw; each must still fail, and lie in the domain.

@@ -2,7 +2,7 @@
 // What a worker process says, which a driver may have written over, and the rows of a check.
 #include "cli/check/task.hpp"
 #include "fuzz/fuzz.hpp"
-#include "report/check_row.hpp"
+#include "report/answer_json.hpp"
 
 using namespace gloam;
 
@@ -11,8 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::read_or_refuse([&] { (void)cli::to_line(cli::task_from(line)); });
     fuzz::read_or_refuse([&] { (void)cli::to_line(cli::greeting_from(line)); });
     fuzz::read_or_refuse([&] {
-        const std::string written = report::to_json(report::row_from_json(line));
-        fuzz::require(report::to_json(report::row_from_json(written)) == written);
+        const std::string written = report::to_json(report::answer_from_json(line));
+        fuzz::require(report::to_json(report::answer_from_json(written)) == written);
     });
     return 0;
 }

@@ -10,8 +10,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "check/case.hpp"
 #include "check/interpreted_kernel.hpp"
+#include "check/run.hpp"
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/opcodes.hpp"
 #include "support/lab.hpp"
@@ -57,7 +57,7 @@ class CatalogueTest : public testing::TestWithParam<Entry> {};
 // Bit for bit, where there is one result.
 TEST_P(CatalogueTest, IsTheDevicesWhereThereIsOneResult) {
     const check::Lab lab = test::make_lab({}, shader::variant("strict"));
-    const check::Case& c = GetParam().check_case;
+    const check::Question& c = GetParam().question;
     const check::KernelCore kernel = lab.kernel(c.file, c.function, c.signature);
     const interpreter::Program program(kernel.module().spirv);
     const bool one_result = has_one_result(program.code());
@@ -94,9 +94,9 @@ TEST_P(CatalogueTest, IsTheDevicesWhereThereIsOneResult) {
 TEST_P(CatalogueTest, PermitsTheDevicesResults) {
     const check::Lab lab = test::make_lab({}, shader::variant("strict"));
     constexpr std::size_t inputs = 1024;
-    const check::Result result = check::run(lab, GetParam().check_case, {.inputs = inputs});
+    const check::Answer result = check::run(lab, GetParam().question, {.inputs = inputs});
     EXPECT_TRUE(result.passed()) << result;
-    EXPECT_EQ(result.census.by_rules + result.census.recorded(), inputs);
+    EXPECT_EQ(result.by_rules + result.recorded(), inputs);
 }
 
 std::string test_name(const testing::TestParamInfo<Entry>& info) {

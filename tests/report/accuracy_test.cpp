@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "report/rows.hpp"
+
 namespace gloam::report {
 namespace accuracy_test {
 
@@ -11,26 +13,27 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-CheckRow row(const std::string& equation, const std::string& variant, double fraction) {
-    return {.equation = equation,
-            .variant = variant,
-            .inputs = 1000,
-            .max_ulp = 2.0,
-            .max_abs = 1e-7,
-            .budget_fraction = fraction,
-            .budget = {.ulp = 4, .text = "4 ulp"}};
+check::Answer row(const std::string& equation, const std::string& variant, double fraction) {
+    check::Answer answer{.equation = equation,
+                         .variant = variant,
+                         .budget = {.ulp = 4},
+                         .max_ulp = 2.0,
+                         .max_absolute = 1e-7,
+                         .budget_fraction = fraction};
+    ordinary(answer).inputs = 1000;
+    return answer;
 }
 
-CheckRow strict(const std::string& equation, double width, double guaranteed_ulp) {
-    CheckRow by_rules = row(equation, "strict", 0.2);
-    by_rules.verdict = "rules";
-    by_rules.width_fraction = width;
-    by_rules.guarantee =
-        GuaranteeNumbers{.ulp = guaranteed_ulp, .absolute = 3e-7, .fraction = guaranteed_ulp / 4};
+check::Answer strict(const std::string& equation, double width, double guaranteed_ulp) {
+    check::Answer by_rules = row(equation, "strict", 0.2);
+    by_rules.verdict = check::Verdict::rules;
+    by_rules.fraction = width;
+    by_rules.bounded = 500;
+    by_rules.guarantee = {.ulp = guaranteed_ulp, .absolute = 3e-7, .fraction = guaranteed_ulp / 4};
     return by_rules;
 }
 
-CheckReport device(const std::string& name, std::vector<CheckRow> rows) {
+CheckReport device(const std::string& name, std::vector<check::Answer> rows) {
     return {.device = {.name = name, .driver = "driver of " + name}, .rows = std::move(rows)};
 }
 
@@ -45,8 +48,8 @@ TEST(Accuracy, TakesTheWorstVariantThatIsJudgedByTheBudget) {
 }
 
 TEST(Accuracy, SaysWhereNothingIsPromised) {
-    CheckRow open = strict("E", 0.5, 2);
-    open.unbounded = 250;
+    check::Answer open = strict("E", 0.5, 2);
+    open.unbounded = 125;
     EXPECT_THAT(to_accuracy_markdown({device("one", {open, row("E", "shipped", 0.1)})}),
                 HasSubstr("3.0e-07, 2 ulp; 25 % open"));
 }
@@ -70,7 +73,7 @@ TEST(Accuracy, TwoVersionsOfADriverAreToldApart) {
 }
 
 TEST(Accuracy, ListsTheTenThatUseMost) {
-    std::vector<CheckRow> rows;
+    std::vector<check::Answer> rows;
     for (int i = 0; i < 20; ++i) rows.push_back(row("E" + std::to_string(i), "shipped", 0.04 * i));
     const std::string text = to_accuracy_markdown({device("one", rows)});
     EXPECT_THAT(text, AllOf(HasSubstr("| E19 | 4 ulp | not calculated | 0.76 shipped |"),
@@ -78,9 +81,10 @@ TEST(Accuracy, ListsTheTenThatUseMost) {
 }
 
 TEST(Accuracy, ListsEveryCheckThatFailed) {
-    CheckRow outside = row("E", "shipped", 3.0);
-    outside.outside = 17;
-    CheckRow crashed{.equation = "F", .variant = "shipped", .error = "gone", .reason = Reason::crash};
+    check::Answer outside = row("E", "shipped", 3.0);
+    ordinary(outside).outside = 17;
+    check::Answer crashed{
+        .equation = "F", .variant = "shipped", .error = "gone", .reason = check::Reason::crash};
     const std::string text = to_accuracy_markdown({device("one", {outside, crashed})});
     EXPECT_THAT(text, AllOf(HasSubstr("| E | shipped | budget | one | 17 of 1000 outside |"),
                             HasSubstr("| F | shipped | budget | one | crash |")));
@@ -95,7 +99,7 @@ TEST(Accuracy, CountsWhatTheRulesAloneKeep) {
 }
 
 TEST(Accuracy, AFunctionThatIsJudgedByTheRulesAloneDocumentsNothing) {
-    CheckRow alone = strict("E", 0.5, 2);
+    check::Answer alone = strict("E", 0.5, 2);
     alone.variant = "shipped";
     const PageTable table = accuracy_table({device("one", {alone})});
     ASSERT_EQ(table.rows.size(), 1U);

@@ -13,10 +13,10 @@ namespace check_report_test {
 using testing::HasSubstr;
 using testing::Not;
 
-CheckRow crashed_row() {
-    CheckRow row = passing_row("EQ-3");
+check::Answer crashed_row() {
+    check::Answer row = passing_row("EQ-3");
     row.error = "ended by signal 9 (Killed)\x1b[0m";
-    row.reason = Reason::crash;
+    row.reason = check::Reason::crash;
     return row;
 }
 
@@ -69,8 +69,8 @@ TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
     EXPECT_THAT(table_line(passing_row("EQ-2")), HasSubstr("ok"));
     EXPECT_THAT(table_line(failing_row()), HasSubstr("3 outside, reads outside its image"));
     EXPECT_THAT(table_line(crashed_row()), HasSubstr("crash"));
-    CheckRow row = crashed_row();
-    row.reason = Reason::error;
+    check::Answer row = crashed_row();
+    row.reason = check::Reason::error;
     EXPECT_THAT(table_line(row), HasSubstr("could not run"));
 }
 

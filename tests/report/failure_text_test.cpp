@@ -12,8 +12,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(FailureText, TellsAllThatAReportNeeds) {
-    const CheckRow row = failing_row();
-    WorstInput smallest = *row.worst;
+    const check::Answer row = failing_row();
+    check::Sample smallest = *row.worst;
     smallest.values = "float 1 (0x3f800000)";
     const std::string text = failure_text(report_of("GPU", {}).device, row, smallest, "");
     for (const char* part : {"EQ-1: f of gloam/f.glsl, variant strict", "line one", "float 1 (0x3f800000)",
@@ -26,8 +26,8 @@ TEST(FailureText, TellsAllThatAReportNeeds) {
 }
 
 TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
-    CheckRow row = passing_row("EQ-2");
-    row.reason = Reason::hang;
+    check::Answer row = passing_row("EQ-2");
+    row.reason = check::Reason::hang;
     row.error = "not finished after 5 s";
     const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "A note.");
     EXPECT_THAT(text, HasSubstr("hang: not finished after 5 s"));
@@ -44,7 +44,7 @@ TEST(FailureText, NamesVersionsAndTheWholeCommand) {
 }
 
 TEST(FailureText, WholeNumbersAreWrittenAsOneWritesThem) {
-    CheckRow row = failing_row();
+    check::Answer row = failing_row();
     row.worst->want.assign(row.worst->want.size(), 129'708'002.0);
     const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "");
     EXPECT_THAT(text, HasSubstr("want 129708002"));

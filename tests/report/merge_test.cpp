@@ -15,14 +15,14 @@ using testing::IsEmpty;
 
 std::vector<std::string> equations_of(const CheckReport& report) {
     std::vector<std::string> names;
-    for (const CheckRow& row : report.rows) names.push_back(row.equation + " " + row.variant);
+    for (const check::Answer& row : report.rows) names.push_back(row.equation + " " + row.variant);
     return names;
 }
 
-CheckRow crashed(const std::string& equation) {
-    CheckRow row = passing_row(equation);
+check::Answer crashed(const std::string& equation) {
+    check::Answer row = passing_row(equation);
     row.error = "ended";
-    row.reason = Reason::crash;
+    row.reason = check::Reason::crash;
     return row;
 }
 
@@ -49,7 +49,7 @@ TEST(Merge, DriversAreToldApartByAllTheySay) {
 }
 
 TEST(Merge, TheSameRowTwiceIsOneWhateverItsTime) {
-    CheckRow later = passing_row("EQ-1");
+    check::Answer later = passing_row("EQ-1");
     later.seconds = 9.0;
     const MergedReports merged =
         merge({{"a", report_of("A", {passing_row("EQ-1")})}, {"b", report_of("A", {later})}});
@@ -58,17 +58,18 @@ TEST(Merge, TheSameRowTwiceIsOneWhateverItsTime) {
 }
 
 TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
-    CheckRow little = passing_row("EQ-1");
-    little.outside = 1;
-    CheckRow larger_error = passing_row("EQ-1");
+    check::Answer little = passing_row("EQ-1");
+    ordinary(little).outside = 1;
+    check::Answer larger_error = passing_row("EQ-1");
     larger_error.budget_fraction = 0.9;
-    CheckRow fault = passing_row("EQ-1");
+    check::Answer fault = passing_row("EQ-1");
     fault.fault = "pixel";
-    const std::vector<CheckRow> ascending{passing_row("EQ-1"), larger_error, little, fault, crashed("EQ-1")};
+    const std::vector<check::Answer> ascending{passing_row("EQ-1"), larger_error, little, fault,
+                                               crashed("EQ-1")};
     for (std::size_t i = 1; i < ascending.size(); ++i) {
         for (const bool swapped : {false, true}) {
-            const CheckRow& first = ascending[swapped ? i : i - 1];
-            const CheckRow& second = ascending[swapped ? i - 1 : i];
+            const check::Answer& first = ascending[swapped ? i : i - 1];
+            const check::Answer& second = ascending[swapped ? i - 1 : i];
             const MergedReports merged =
                 merge({{"a.json", report_of("A", {first})}, {"b.json", report_of("A", {second})}});
             ASSERT_EQ(merged.reports.at(0).rows.size(), 1U);
@@ -85,11 +86,13 @@ TEST(Merge, NothingIsNothing) {
 }
 
 std::vector<CheckReport> two_drivers() {
-    CheckRow lost{.equation = "device", .error = "the device cannot be opened", .reason = Reason::crash};
-    CheckRow strict = passing_row("EQ-2", "strict");
-    strict.width_fraction = 0.5;
-    CheckRow wrong = passing_row("EQ-2");
-    wrong.outside = 3;
+    check::Answer lost{
+        .equation = "device", .error = "the device cannot be opened", .reason = check::Reason::crash};
+    check::Answer strict = passing_row("EQ-2", "strict");
+    strict.verdict = check::Verdict::rules;
+    strict.fraction = 0.5;
+    check::Answer wrong = passing_row("EQ-2");
+    ordinary(wrong).outside = 3;
     return {report_of("A", {passing_row("EQ-1"), strict}), report_of("B|C", {crashed("EQ-1"), wrong, lost})};
 }
 

@@ -82,9 +82,9 @@ TEST(Page, ARowWithoutItsCellsIsRefused) {
 }
 
 TEST(CheckPage, FailuresComeFirstAndEveryRowIsThere) {
-    CheckRow crashed = passing_row("EQ-9");
+    check::Answer crashed = passing_row("EQ-9");
     crashed.error = hostile;
-    crashed.reason = Reason::crash;
+    crashed.reason = check::Reason::crash;
     const std::vector<CheckReport> reports{report_of("A", {passing_row("EQ-1"), failing_row()}),
                                            report_of(hostile, {crashed})};
     const PageTable table = check_table(reports);
@@ -103,9 +103,9 @@ TEST(CheckPage, FailuresComeFirstAndEveryRowIsThere) {
 }
 
 TEST(CheckPage, ALongValueIsCutAndManyStoriesAreCounted) {
-    CheckRow row = failing_row();
+    check::Answer row = failing_row();
     row.worst->values = std::string(100'000, 'x');
-    const std::vector<CheckReport> reports{report_of("A", std::vector<CheckRow>(150, row))};
+    const std::vector<CheckReport> reports{report_of("A", std::vector<check::Answer>(150, row))};
     const std::string html = to_check_page(reports);
     EXPECT_LT(html.size(), 400'000U);
     EXPECT_EQ(count_of(html, "<pre>"), 100U);

@@ -8,52 +8,61 @@
 
 namespace gloam::report {
 
+// The first class of an answer's inputs.
+inline check::ClassCount& ordinary(check::Answer& row) {
+    return row.classes.front();
+}
+
 // A row with something in every field; it failed.
-inline CheckRow failing_row() {
-    return {.equation = "EQ-1",
-            .function = "f",
-            .file = "gloam/f.glsl",
-            .variant = "strict",
-            .verdict = "rules",
-            .inputs = 100,
-            .outside = 3,
-            .recorded = 7,
-            .unbounded = 5,
-            .differs = 2,
-            .max_ulp = std::numeric_limits<double>::infinity(),
-            .max_abs = 0.1,
-            .width_fraction = 1.25,
-            .budget_fraction = 0.5,
-            .budget = {.ulp = 4.0, .absolute = 1e-7, .backward_ulp = 1, .text = "4 ulp or 1e-07 absolute"},
-            .classes = {{.name = "ordinary", .inputs = 90, .outside = 3, .recorded = 0},
-                        {.name = "nan", .inputs = 10, .outside = 0, .recorded = 7}},
-            .worst = WorstInput{.input = 17,
-                                .input_class = "ordinary",
-                                .images = "3 x 3",
-                                .values = "float 0.5 (0x3f000000)",
-                                .input_words = {0x3f000000U, 0xffffffffU},
-                                .got_words = {0x7fc00000U},
-                                .want = {0.1, std::numeric_limits<double>::infinity()},
-                                .allowed = {{.low = 0.0, .high = 0.25, .nan = true}},
-                                .ulp = 1e9,
-                                .absolute = 0.1},
-            .fault = "gloam_fetch_depth: pixel (-1, 0)",
-            .error = {},
-            .reason = Reason::fault,
-            .seconds = 0.125,
-            .story = "line one\nline <two> & \"three\"\n"};
+inline check::Answer failing_row() {
+    check::Answer row{
+        .equation = "EQ-1",
+        .function = "f",
+        .file = "gloam/f.glsl",
+        .variant = "strict",
+        .verdict = check::Verdict::rules,
+        .budget = {.ulp = 4.0, .absolute = 1e-7, .backward_ulp = 1},
+        .max_ulp = std::numeric_limits<double>::infinity(),
+        .max_absolute = 0.1,
+        .fraction = 1.25,
+        .budget_fraction = 0.5,
+        .by_rules = 93,
+        .forbidden = 3,
+        .bounded = 90,
+        .guarantee = {.ulp = 2.5, .absolute = 1e-6, .fraction = 0.75},
+        .unbounded = 5,
+        .first_unbounded = check::Sample{.values = "float 4 (0x40800000)"},
+        .worst = check::Sample{.index = 17,
+                               .scenario = "3 x 3",
+                               .values = "float 0.5 (0x3f000000)",
+                               .inputs = {0x3f000000U, 0xffffffffU},
+                               .got = {0x7fc00000U},
+                               .want = {0.1, std::numeric_limits<double>::infinity()},
+                               .ulp = 1e9,
+                               .absolute = 0.1,
+                               .permitted = {{.low = 0.0, .high = 0.25, .nan = true}}},
+        .differs = 2,
+        .coverage = check::Coverage{.inputs = 100, .points = {{"f.glsl", 7, "return 0.0;", "", true}}},
+        .fault = "gloam_fetch_depth: pixel (-1, 0)",
+        .reason = check::Reason::fault,
+        .seconds = 0.125,
+        .story = "line one\nline <two> & \"three\"\n"};
+    ordinary(row) = {.inputs = 90, .outside = 3, .recorded = 0};
+    row.classes.back() = {.inputs = 10, .outside = 0, .recorded = 7};
+    return row;
 }
 
-inline CheckRow passing_row(const std::string& equation, const std::string& variant = "shipped") {
-    return {.equation = equation,
-            .function = "g",
-            .file = "gloam/g.glsl",
-            .variant = variant,
-            .inputs = 50,
-            .budget_fraction = 0.25};
+inline check::Answer passing_row(const std::string& equation, const std::string& variant = "shipped") {
+    check::Answer row{.equation = equation,
+                      .function = "g",
+                      .file = "gloam/g.glsl",
+                      .variant = variant,
+                      .budget_fraction = 0.25};
+    ordinary(row).inputs = 50;
+    return row;
 }
 
-inline CheckReport report_of(const std::string& device, std::vector<CheckRow> rows) {
+inline CheckReport report_of(const std::string& device, std::vector<check::Answer> rows) {
     return {.device = {.name = device,
                        .driver = "driver 1.2",
                        .type = "cpu",

@@ -13,7 +13,7 @@ namespace gloam::cli {
 namespace worker_session_test {
 
 using namespace std::chrono_literals;
-using report::Reason;
+using check::Reason;
 using testing::HasSubstr;
 
 std::vector<std::string> shell(const std::string& script) {
@@ -34,10 +34,10 @@ TEST(WorkerSession, OneWorkerAnswersManyQuestions) {
 TEST(WorkerSession, ACrashCostsOneQuestion) {
     WorkerSession session(obedient, 20s);
     const std::string first = session.ask("echo $$").line;
-    const Answer crashed = session.ask("echo oh no >&2; kill -ABRT $$");
+    const Reply crashed = session.ask("echo oh no >&2; kill -ABRT $$");
     EXPECT_EQ(crashed.reason, Reason::crash);
     EXPECT_EQ(crashed.error, "the process ended by signal 6 (ABRT: Aborted): oh no");
-    const Answer next = session.ask("echo $$");
+    const Reply next = session.ask("echo $$");
     EXPECT_EQ(next.reason, Reason::none);
     EXPECT_EQ(next.error, "");
     EXPECT_NE(next.line, first);
@@ -45,7 +45,7 @@ TEST(WorkerSession, ACrashCostsOneQuestion) {
 
 TEST(WorkerSession, AnExitWithoutAnAnswerIsACrashToo) {
     WorkerSession session(obedient, 20s);
-    const Answer answer = session.ask("exit 0");
+    const Reply answer = session.ask("exit 0");
     EXPECT_EQ(answer.reason, Reason::crash);
     EXPECT_THAT(answer.error, HasSubstr("ended with status 0"));
 }
@@ -53,7 +53,7 @@ TEST(WorkerSession, AnExitWithoutAnAnswerIsACrashToo) {
 TEST(WorkerSession, SilenceIsAHangAndCostsOneQuestion) {
     WorkerSession session(obedient, 300ms);
     const auto start = std::chrono::steady_clock::now();
-    const Answer hung = session.ask("sleep 1000");
+    const Reply hung = session.ask("sleep 1000");
     EXPECT_EQ(hung.reason, Reason::hang);
     EXPECT_EQ(hung.error, "not finished after 0.3 s, the time limit");
     EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);

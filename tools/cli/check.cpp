@@ -41,19 +41,39 @@ std::vector<std::string> devices_to_check(const std::string& device) {
     return all;
 }
 
-// Every equation in every variant that was asked for, of which this shard takes its share.
+bool is_of_file(const CheckOptions& options) {
+    return !options.equations.empty() && is_shader_file(options.equations.front());
+}
+
+// The IDs of the equations that were asked for, or the functions of a file.
+std::vector<std::string> names_of(const CheckOptions& options) {
+    if (is_of_file(options))
+        return own_functions(options.equations.front(),
+                             {options.equations.begin() + 1, options.equations.end()}, options.ranges);
+    std::vector<std::string> names;
+    for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(), options.equations))
+        names.push_back(entry.description.id);
+    return names;
+}
+
+// Each in every variant that was asked for, of which this shard takes its share.
 std::vector<CheckTask> tasks_of(const CheckOptions& options) {
     const Shard shard = shard_from(options.shard);
-    const catalogue::Entries entries = catalogue::select(catalogue::all_entries(), options.equations);
+    const std::vector<std::string> names = names_of(options);
+    const std::string file =
+        is_of_file(options) ? std::filesystem::absolute(options.equations.front()).string() : "";
     std::vector<CheckTask> tasks;
     std::size_t position = 0;
     for (const shader::Variant& variant : select_variants(options.variant)) {
-        for (const catalogue::Entry& entry : entries) {
+        for (const std::string& name : names) {
             if (!shard.holds(position++)) continue;
-            tasks.push_back({.equation = entry.description.id,
+            tasks.push_back({.equation = name,
                              .variant = variant.name,
                              .inputs = options.inputs,
-                             .seed = options.seed});
+                             .seed = options.seed,
+                             .coverage = options.coverage,
+                             .file = file,
+                             .ranges = options.ranges});
         }
     }
     return tasks;
@@ -64,7 +84,7 @@ void print_device(const report::DeviceSummary& device) {
     std::fflush(stdout);
 }
 
-void print_row(const report::CheckRow& row) {
+void print_row(const check::Answer& row) {
     std::string line = report::table_line(row);
     const std::string verdict = report::verdict_of(row);
     line.resize(line.size() - verdict.size());
@@ -74,25 +94,28 @@ void print_row(const report::CheckRow& row) {
 
 // What runs this check again, to the bit: the same inputs on the same device.
 std::string command_for(const CheckOptions& options, const report::DeviceSummary& device,
-                        const report::CheckRow& row) {
-    std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}",
-                                      report::shell_word(row.equation), report::shell_word(row.variant),
-                                      report::shell_word(device.name), options.inputs, options.seed);
+                        const check::Answer& row) {
+    std::string what = report::shell_word(row.equation);
+    if (is_of_file(options)) what = report::shell_word(options.equations.front()) + " " + what;
+    for (const std::string& range : options.ranges) what += " --range " + report::shell_word(range);
+    std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
+                                      report::shell_word(row.variant), report::shell_word(device.name),
+                                      options.inputs, options.seed);
     for (const auto& driver : drivers_asked_for())
         command += " --driver " + report::shell_word(driver.string());
     return options.validation ? command + " --validation" : command;
 }
 
-bool is_of_file(const CheckOptions& options) {
-    return !options.equations.empty() && is_shader_file(options.equations.front());
+void print_failure(const CheckOptions& options, const report::DeviceSummary& device,
+                   const check::Answer& row) {
+    fmt::print("\n{} {}: {}\n", row.equation, row.variant, row.ran() ? row.story : row.error);
+    if (row.variant.empty()) return;  // the device itself
+    fmt::print("run it again: {}\n", command_for(options, device, row));
 }
 
-void print_failure(const CheckOptions& options, const report::DeviceSummary& device,
-                   const report::CheckRow& row) {
-    const std::string& what = is_of_file(options) ? row.function : row.equation;
-    fmt::print("\n{} {}: {}\n", what, row.variant, row.ran() ? row.story : row.error);
-    if (row.variant.empty() || is_of_file(options)) return;  // the device itself, or no equation
-    fmt::print("run it again: {}\n", command_for(options, device, row));
+void print_coverage(const report::CheckReport& report) {
+    for (const check::Answer& row : report.rows)
+        if (row.coverage) fmt::print("{} {}: {}\n", row.equation, row.variant, to_text(*row.coverage));
 }
 
 std::chrono::milliseconds timeout_of(const CheckOptions& options) {
@@ -150,7 +173,7 @@ class CheckRun {
             if (options_.device != "all") throw;
             report::CheckReport report{
                 .device = {.name = "device " + device},
-                .rows = {device_row(report::Reason::error, refused.what(), tasks_.size())}};
+                .rows = {device_row(check::Reason::error, refused.what(), tasks_.size())}};
             if (options_.rows) print_row(report.rows.front());
             return report;
         }
@@ -158,9 +181,9 @@ class CheckRun {
 
   private:
     // A failure is run again where it is to be made ready to report.
-    [[nodiscard]] std::optional<report::CheckRow> known(const report::DeviceSummary& on,
-                                                        const CheckTask& task) const {
-        std::optional<report::CheckRow> row = journal_.known(on, task);
+    [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& on,
+                                                     const CheckTask& task) const {
+        std::optional<check::Answer> row = journal_.known(on, task);
         if (row && !row->passed() && failures_.wanted()) return std::nullopt;
         return row;
     }
@@ -171,7 +194,7 @@ class CheckRun {
         progress_.show();
     }
 
-    void take(const report::DeviceSummary& on, const report::CheckRow& row) {
+    void take(const report::DeviceSummary& on, const check::Answer& row) {
         const bool is_known = journal_.add(on, row);
         progress_.wipe();
         if (options_.rows) print_row(row);
@@ -206,38 +229,14 @@ std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& opti
     return reports;
 }
 
-// The functions of a shader file, by the rules alone.
-report::CheckReport report_of_file(const CheckOptions& options, const std::string& device) {
-    OwnFileRun run{.file = options.equations.front(),
-                   .functions = {options.equations.begin() + 1, options.equations.end()},
-                   .ranges = options.ranges,
-                   .device = device,
-                   .variants = select_variants(options.variant),
-                   .inputs = options.inputs,
-                   .seed = options.seed,
-                   .validation = options.validation,
-                   .timeout = timeout_of(options)};
-    if (options.rows) {
-        run.on_device = print_device;
-        run.on_row = print_row;
-    }
-    return check_own_file(run);
-}
-
-std::vector<report::CheckReport> reports_of_file(const CheckOptions& options) {
-    if (options.resume) throw std::invalid_argument("--resume is for equations, not for a shader file");
-    if (!options.failures.empty())
-        throw std::invalid_argument("--failures is for equations, not for a shader file");
-    std::vector<report::CheckReport> reports;
-    for (const std::string& device : devices_to_check(options.device))
-        reports.push_back(report_of_file(options, device));
-    return reports;
-}
-
-std::vector<report::CheckReport> reports_of_equations(const CheckOptions& options) {
-    if (!options.ranges.empty()) throw std::invalid_argument("--range is for the functions of a shader file");
+std::vector<report::CheckReport> reports_of(const CheckOptions& options) {
+    if (is_of_file(options) && options.resume)
+        throw std::invalid_argument("--resume is for equations, not for a shader file");
+    if (!is_of_file(options) && !options.ranges.empty())
+        throw std::invalid_argument("--range is for the functions of a shader file");
     std::vector<CheckTask> tasks = tasks_of(options);
-    std::vector<report::CheckReport> reports = reports_of_bad_drivers(options, tasks.size());
+    std::vector<report::CheckReport> reports;
+    if (options.device != check::interpreter_name) reports = reports_of_bad_drivers(options, tasks.size());
     const std::vector<std::string> devices = devices_to_check(options.device);
     CheckRun run(options, std::move(tasks), devices.size());
     for (const std::string& device : devices) reports.push_back(run.on_device(device));
@@ -250,8 +249,7 @@ CheckOutcome check(const CheckOptions& options) {
     const report::OutputFile json(options.json);
     const report::OutputFile junit(options.junit);
     const report::OutputFile html(options.html);
-    CheckOutcome outcome{.reports =
-                             is_of_file(options) ? reports_of_file(options) : reports_of_equations(options)};
+    CheckOutcome outcome{.reports = reports_of(options)};
     for (report::CheckReport& report : outcome.reports) {
         report.versions = versions();
         outcome.checks += report.rows.size();
@@ -260,8 +258,8 @@ CheckOutcome check(const CheckOptions& options) {
     json.write(report::to_json(outcome.reports));
     junit.write(report::to_junit(outcome.reports));
     html.write(report::to_check_page(outcome.reports));
-    if (!options.json.empty() && !is_of_file(options)) {  // the results are kept elsewhere now
-        std::error_code still_there;                      // harmless: the next run begins it anew
+    if (!options.json.empty()) {      // the results are kept elsewhere now
+        std::error_code still_there;  // harmless: the next run begins it anew
         std::filesystem::remove(journal_of(options), still_there);
     }
     return outcome;
@@ -270,11 +268,12 @@ CheckOutcome check(const CheckOptions& options) {
 int run_check(const CheckOptions& options) {
     const CheckOutcome outcome = check(options);
     for (const report::CheckReport& report : outcome.reports) {
-        for (const report::CheckRow& row : report.rows) {
+        for (const check::Answer& row : report.rows) {
             if (!row.passed()) print_failure(options, report.device, row);
         }
     }
     if (options.rows) fmt::print("\n{}", report::table_legend());
+    for (const report::CheckReport& report : outcome.reports) print_coverage(report);
     const std::string count = fmt::format("{} checks, {} failed", outcome.checks, outcome.failures);
     fmt::print("{}\n", colored(count, outcome.failures == 0 ? Ink::good : Ink::bad));
     return outcome.failures == 0 ? 0 : 1;
@@ -310,7 +309,8 @@ void add_check(CLI::App& app, int& status) {
         "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions");
     command->add_option("--range", options->ranges,
                         "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
-    command->add_option("--device", options->device, "name or index of the device, or all");
+    command->add_option("--device", options->device,
+                        "name or index of the device, or all; interpreter: none, rounded correctly");
     command
         ->add_option("--variant", options->variant,
                      "how the shaders are compiled (gloam list variants), or all")
@@ -322,6 +322,8 @@ void add_check(CLI::App& app, int& status) {
     command->add_option("--shard", options->shard,
                         "INDEX/COUNT: run only this share of the checks, counted from 0 "
                         "(default: GTEST_SHARD_INDEX of GTEST_TOTAL_SHARDS)");
+    command->add_flag("--coverage", options->coverage,
+                      "tell which lines and branches of the GLSL the inputs reach");
     command->add_flag("--validation", options->validation,
                       "Vulkan validation layers on; any message fails the check");
     command

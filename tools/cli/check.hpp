@@ -25,6 +25,7 @@ struct CheckOptions {
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
     std::string shard;  // see shard_from()
+    bool coverage = false;
     bool validation = false;
     double timeout = 120.0;  // seconds for each check
     std::size_t jobs = 0;    // worker processes for each device; 0: as many as pay

@@ -111,7 +111,7 @@ std::string check_line(const CheckOutcome& outcome) {
     std::string names;
     std::size_t named = 0;
     for (const report::CheckReport& report : outcome.reports) {
-        for (const report::CheckRow& row : report.rows) {
+        for (const check::Answer& row : report.rows) {
             if (row.passed() || ++named > most_named) continue;
             names += (names.empty() ? "" : ", ") + row.function;
         }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "check/lab.hpp"
 #include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
 #include "gpu/device.hpp"
@@ -15,19 +16,25 @@
 namespace gloam::cli {
 namespace {
 
+const char* yes(bool value) {
+    return value ? "yes" : "no";
+}
+
+void print_float_controls(const gpu::FloatControls& float32) {
+    fmt::print(
+        "   float32: keeps NaN, infinity and -0: {}; keeps subnormals: {}; can flush subnormals: {}; "
+        "can round to nearest even: {}; can round to zero: {}\n",
+        yes(float32.preserves_signed_zero_inf_nan), yes(float32.preserves_denormals),
+        yes(float32.flushes_denormals), yes(float32.rounds_to_even), yes(float32.rounds_to_zero));
+}
+
 void print_device(const gpu::DeviceInfo& device) {
-    const auto yes = [](bool value) { return value ? "yes" : "no"; };
     fmt::print("{}: {}\n", device.index, device.name);
     fmt::print("   type {}, driver {}, Vulkan {}\n", device.type, device.driver, device.api_version);
     fmt::print("   largest image {}, largest buffer {} MiB, subgroup {}, timestamps {}\n",
                device.max_image_size, device.max_buffer_bytes >> 20, device.subgroup_size,
                yes(device.timestamp_period_ns > 0.0));
-    fmt::print(
-        "   float32: keeps NaN, infinity and -0: {}; keeps subnormals: {}; can flush subnormals: {}; "
-        "can round to nearest even: {}; can round to zero: {}\n",
-        yes(device.float32.preserves_signed_zero_inf_nan), yes(device.float32.preserves_denormals),
-        yes(device.float32.flushes_denormals), yes(device.float32.rounds_to_even),
-        yes(device.float32.rounds_to_zero));
+    print_float_controls(device.float32);
 }
 
 nlohmann::ordered_json to_json(const gpu::DeviceInfo& device) {
@@ -53,7 +60,8 @@ void run_devices(bool json) {
     const auto devices = gpu::list_devices();
     if (devices.empty()) {
         throw std::runtime_error(
-            "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers");
+            "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers; `gloam check "
+            "--device interpreter` needs none");
     }
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const gpu::DeviceInfo& device : devices) {
@@ -63,15 +71,22 @@ void run_devices(bool json) {
             print_device(device);
         }
     }
-    if (json) fmt::print("{}\n", all.dump(2));
+    if (json) {
+        all.push_back(to_json(check::interpreter_info()));
+        all.back()["index"] = nullptr;
+        fmt::print("{}\n", all.dump(2));
+    } else {
+        fmt::print("interpreter: for `gloam check --device interpreter`\n");
+        print_float_controls(check::interpreter_info().float32);
+    }
 }
 
 }  // namespace
 
 void add_devices(CLI::App& app) {
     auto json = std::make_shared<bool>(false);
-    CLI::App* command =
-        app.add_subcommand("devices", "the Vulkan devices here, and what their float controls report");
+    CLI::App* command = app.add_subcommand(
+        "devices", "the Vulkan devices here and the interpreter, and what their float controls report");
     command->add_flag("--json", *json, "as JSON");
     add_driver_option(*command);
     command->callback([json] { run_devices(*json); });

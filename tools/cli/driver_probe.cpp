@@ -70,7 +70,7 @@ std::vector<fs::path> standard_folders() {
 // How many devices there are, with this driver alone or, without one, with all. Throws nothing.
 DriverTrouble tried(const fs::path& manifest) {
     DriverTrouble trouble{.manifest = manifest};
-    const auto fail = [&](report::Reason reason, const std::string& why) {
+    const auto fail = [&](check::Reason reason, const std::string& why) {
         trouble.reason = reason;
         trouble.error = base::one_line(why);
         return trouble;
@@ -78,20 +78,20 @@ DriverTrouble tried(const fs::path& manifest) {
     const base::ProcessResult result =
         base::run_process(counting_command(manifest), "", {.patience = time_to_load});
     if (result.end == base::ProcessResult::End::time)
-        return fail(report::Reason::hang, fmt::format("does not load within {} s", time_to_load.count()));
-    if (result.output.empty()) return fail(report::Reason::crash, "its process " + result.how());
+        return fail(check::Reason::hang, fmt::format("does not load within {} s", time_to_load.count()));
+    if (result.output.empty()) return fail(check::Reason::crash, "its process " + result.how());
     try {
         const Greeting greeting = greeting_from(result.output.substr(0, result.output.find('\n')));
-        if (!greeting.error.empty()) return fail(report::Reason::error, greeting.error);
-        if (greeting.devices == 0) return fail(report::Reason::error, "gives no device");
+        if (!greeting.error.empty()) return fail(check::Reason::error, greeting.error);
+        if (greeting.devices == 0) return fail(check::Reason::error, "gives no device");
     } catch (const std::exception& error) {
-        return fail(report::Reason::error, error.what());
+        return fail(check::Reason::error, error.what());
     }
     return trouble;
 }
 
 bool does_not_load(const DriverTrouble& driver) {
-    return driver.reason == report::Reason::crash || driver.reason == report::Reason::hang;
+    return driver.reason == check::Reason::crash || driver.reason == check::Reason::hang;
 }
 
 std::vector<fs::path>& asked_for() {
@@ -144,7 +144,7 @@ LeftOut leave_out_bad_drivers() {
     std::vector<fs::path> good;
     for (const fs::path& manifest : driver_manifests()) {
         DriverTrouble driver = probe_driver(manifest);
-        left_out.others = left_out.others || driver.reason == report::Reason::none;
+        left_out.others = left_out.others || driver.reason == check::Reason::none;
         if (does_not_load(driver)) {
             left_out.drivers.push_back(std::move(driver));
         } else {

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "report/check_row.hpp"
+#include "check/answer.hpp"
 
 namespace gloam::cli {
 
 // A Vulkan driver that gives no device, tried in a process of its own.
 struct DriverTrouble {
     std::filesystem::path manifest;
-    report::Reason reason = report::Reason::none;  // crash, hang; error: it is no driver, or has no device
+    check::Reason reason = check::Reason::none;  // crash, hang; error: it is no driver, or has no device
     std::string error;
     bool asked_for = false;  // by ask_for_driver()
 };

@@ -30,7 +30,7 @@ bool holds(const Manifests& manifests, const std::filesystem::path& file) {
 // loads it is for the command to say.
 void require_driver(const std::filesystem::path& manifest) {
     const DriverTrouble driver = probe_driver(manifest);
-    if (driver.reason != report::Reason::error) return;
+    if (driver.reason != check::Reason::error) return;
     throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
                                          manifest.string(), driver.error));
 }

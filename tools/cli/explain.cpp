@@ -6,7 +6,6 @@
 
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -64,40 +63,6 @@ Word word_from(Scalar scalar, const std::string& text) {
     }
 }
 
-std::string permitted_text(const numeric::Bounds& bounds) {
-    if (bounds.is_anything()) return "anything";
-    if (bounds.empty()) return "NaN";
-    return fmt::format("[{:.9g}, {:.9g}]{}", bounds.low, bounds.high, bounds.nan ? " or NaN" : "");
-}
-
-constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
-
-void print(const check::Explanation& all) {
-    fmt::print(line_format, "line", "operation", "float32", "double", "error ulp", "by itself", "inherited",
-               "permitted");
-    for (std::size_t i = 0; i < all.steps.size(); ++i) {
-        const check::ExplainedStep& step = all.steps[i];
-        const std::string place = fmt::format(
-            "{}:{} {}", std::filesystem::path(step.file).filename().string(), step.line, step.function);
-        const std::string operation = step.component == 0
-                                          ? step.operation
-                                          : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
-        fmt::print(line_format, place, operation, fmt::format("{:.9g}", step.value),
-                   fmt::format("{:.17g}", step.exact), fmt::format("{:.3g}", step.ulps),
-                   fmt::format("{:.2e}", step.local), fmt::format("{:.2e}", step.inherited()),
-                   permitted_text(step.permitted) + (i == all.worst ? "  <-- most of the error" : ""));
-    }
-    if (all.worst == all.steps.size()) {
-        fmt::print("no operation adds an error\n");
-        return;
-    }
-    const check::ExplainedStep& worst = all.steps[all.worst];
-    const bool cancels = std::abs(worst.inherited()) > std::abs(worst.local);
-    fmt::print(
-        "the error in ULP grows most at {}:{}, {}: {}\n", worst.file, worst.line, worst.operation,
-        cancels ? "the result is small beside its operands, whose errors it keeps" : "its own rounding");
-}
-
 void run_explain(const ExplainOptions& options) {
     const auto folder = std::filesystem::absolute(options.file).parent_path();
     const shader::CompileOptions compile{.include_roots = {folder, glsl_directory()},
@@ -112,7 +77,8 @@ void run_explain(const ExplainOptions& options) {
     std::vector<Word> input;
     for (std::size_t i = 0; i < scalars.size(); ++i)
         input.push_back(word_from(scalars[i], options.values[i]));
-    print(check::explain(compile, name, options.function, input));
+    const check::Explanation all = check::explain(compile, name, options.function, input);
+    fmt::print("{}", to_text(all, all.steps.size()));
 }
 
 }  // namespace

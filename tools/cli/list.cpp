@@ -59,10 +59,10 @@ nlohmann::ordered_json equation_json(const catalogue::Entry& entry) {
     const catalogue::Description& d = entry.description;
     return {{"name", d.id},
             {"description", d.title},
-            {"function", check::to_glsl(entry.check_case.signature, d.function)},
+            {"function", check::to_glsl(entry.question.signature, d.function)},
             {"file", d.file},
             {"formula", d.formula},
-            {"error", check::to_text(entry.check_case.budget)},
+            {"error", check::to_text(entry.question.budget)},
             {"source", d.source}};
 }
 
@@ -99,7 +99,7 @@ std::string equations_page() {
                               {d.title},
                               {d.function},
                               {d.file},
-                              {check::to_text(entry.check_case.budget)},
+                              {check::to_text(entry.question.budget)},
                               {d.source},
                               {d.formula}});
     }

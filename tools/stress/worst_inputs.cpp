@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "catalogue/catalogue.hpp"
-#include "check/describe.hpp"
 #include "check/search.hpp"
 
 namespace gloam::stress {
@@ -15,19 +14,19 @@ constexpr std::size_t full_inputs = 262'144;
 constexpr std::size_t brief_inputs = 4'096;
 
 // The input in a few words: those of a matrix would hide the rest of the line.
-std::string input_text(const check::Result& result) {
-    if (!result.census.worst) return "every input: exact";
+std::string input_text(const check::Answer& answer) {
+    if (!answer.worst) return "every input: exact";
     constexpr std::size_t longest = 120;
-    std::string text = check::describe_inputs(result.signature, result.census.worst->inputs);
+    std::string text = answer.worst->values;
     if (text.size() > longest) text = text.substr(0, longest) + "...";
     return "at " + text;
 }
 
 void append(Rows& rows, const std::string& equation, const check::SearchResult& found) {
-    const check::Census& census = found.result.census;
-    const std::string limit = found.result.verdict == check::Verdict::rules ? "permitted" : "documented";
-    rows.push_back({worst_inputs_name, fmt::format("{} {}", equation, input_text(found.result)),
-                    fmt::format("worst error found, of what is {}", limit), census.fraction, 1.0});
+    const check::Answer& answer = found.answer;
+    const std::string limit = answer.verdict == check::Verdict::rules ? "permitted" : "documented";
+    rows.push_back({worst_inputs_name, fmt::format("{} {}", equation, input_text(answer)),
+                    fmt::format("worst error found, of what is {}", limit), answer.fraction, 1.0});
     rows.push_back(
         {worst_inputs_name, equation, "worst error of the random inputs alone", found.drawn_fraction});
 }
@@ -40,7 +39,7 @@ Rows worst_inputs(const Context& context) {
     for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(), context.equations)) {
         context.progress(fmt::format("{}: {}", worst_inputs_name, entry.description.id));
         append(rows, entry.description.id,
-               check::search(context.lab, entry.check_case, {.inputs = inputs, .seed = context.seed}));
+               check::search(context.lab, entry.question, {.inputs = inputs, .seed = context.seed}));
     }
     return rows;
 }

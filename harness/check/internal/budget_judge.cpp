@@ -36,7 +36,7 @@ double as_number(Scalar scalar, Word word) {
 }
 
 Error BudgetJudge::measure(const Sample& sample) {
-    const bool promised = !rules_.promised || rules_.promised(sample.inputs);
+    const bool promised = !question_.promised || question_.promised(sample.inputs);
     if (!inside_codomain(sample.got)) return {.ulp = infinity, .absolute = infinity, .fraction = infinity};
     return promised ? best_error(sample) : Error{};
 }
@@ -45,7 +45,7 @@ bool BudgetJudge::inside_codomain(std::span<const Word> got) const {
     for (std::size_t i = 0; i < got.size(); ++i) {
         if (scalars_.outputs[i] == Scalar::bool_) continue;
         const double value = as_number(scalars_.outputs[i], got[i]);
-        if (!(value >= rules_.codomain.low && value <= rules_.codomain.high)) return false;
+        if (!(value >= question_.codomain.low && value <= question_.codomain.high)) return false;
     }
     return true;
 }
@@ -67,7 +67,7 @@ void BudgetJudge::add_value(Error& error, std::span<const Word> got, std::span<c
     for (std::size_t i = 0; i < got.size(); ++i) {
         if (scalar == Scalar::float_) {
             const Error here = float_error(from_word<float>(got[i]), want[i], unit);
-            error = {std::max(error.ulp, here.absolute > rules_.budget.absolute ? here.ulp : 0.0),
+            error = {std::max(error.ulp, here.absolute > question_.budget.absolute ? here.ulp : 0.0),
                      std::max(error.absolute, here.absolute), std::max(error.fraction, here.fraction)};
         } else if (as_number(scalar, got[i]) != want[i]) {
             error = {.ulp = infinity, .absolute = infinity, .fraction = infinity};
@@ -78,7 +78,7 @@ void BudgetJudge::add_value(Error& error, std::span<const Word> got, std::span<c
 double BudgetJudge::unit_of(std::span<const double> want) const {
     double unit = 0.0;
     for (const double w : want) {
-        if (rules_.budget.of_largest_component && std::isfinite(w))
+        if (question_.budget.of_largest_component && std::isfinite(w))
             unit = std::max(unit, numeric::ulp_size(w));
     }
     return unit;
@@ -89,8 +89,9 @@ Error BudgetJudge::float_error(double got, double want, double unit) const {
     const double absolute = numeric::absolute_error(value, want);
     const double ulp =
         unit > 0.0 && std::isfinite(absolute) ? absolute / unit : numeric::ulp_error(value, want);
-    return {ulp, absolute,
-            std::min(fraction_of(ulp, rules_.budget.ulp), fraction_of(absolute, rules_.budget.absolute))};
+    return {
+        ulp, absolute,
+        std::min(fraction_of(ulp, question_.budget.ulp), fraction_of(absolute, question_.budget.absolute))};
 }
 
 // The error against the reference at the input itself; if that fails, against the nearest of the inputs
@@ -98,13 +99,13 @@ Error BudgetJudge::float_error(double got, double want, double unit) const {
 Error BudgetJudge::best_error(const Sample& sample) {
     Error best = error_against(sample.got, sample.want);
     const auto try_at = [&](const std::vector<Word>& inputs) {
-        rules_.reference(images_, inputs, candidate_);
+        question_.reference(images_, inputs, candidate_);
         const Error error = error_against(sample.got, candidate_);
         if (error.fraction < best.fraction) best = error;
         return best.fraction <= 1.0;
     };
-    if (best.fraction <= 1.0 || !rules_.reference || try_at(flushed(sample.inputs))) return best;
-    for (int steps = 1; steps <= rules_.budget.backward_ulp; ++steps) {
+    if (best.fraction <= 1.0 || !question_.reference || try_at(flushed(sample.inputs))) return best;
+    for (int steps = 1; steps <= question_.budget.backward_ulp; ++steps) {
         if (try_moved(sample.inputs, steps, try_at)) break;
     }
     return best;

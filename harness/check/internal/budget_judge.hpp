@@ -32,8 +32,8 @@ struct Scalars {
 // Measures outputs against the documented budget.
 class BudgetJudge {
   public:
-    BudgetJudge(const Rules& rules, const ImageSet& images, const Scalars& scalars)
-        : rules_(rules), images_(images), scalars_(scalars) {}
+    BudgetJudge(const Question& question, const ImageSet& images, const Scalars& scalars)
+        : question_(question), images_(images), scalars_(scalars) {}
 
     // The error of the outputs of an input; all of it infinite outside the codomain.
     [[nodiscard]] Error measure(const Sample& sample);
@@ -54,7 +54,7 @@ class BudgetJudge {
     template <class Try>
     bool try_moved(std::span<const Word> inputs, int steps, Try&& try_at) const;
 
-    const Rules& rules_;
+    const Question& question_;
     const ImageSet& images_;
     const Scalars& scalars_;
     std::vector<double> candidate_;

@@ -68,8 +68,9 @@ bool is_edge(const Sample& sample, const Scalars& scalars) {
     return true;
 }
 
-bool holds_at_edge(const Rules& rules, const ImageSet& images, const Scalars& scalars, const Sample& sample) {
-    if (same_outputs(sample.got, sample.want, scalars, rules.budget)) return true;
+bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
+                   const Sample& sample) {
+    if (same_outputs(sample.got, sample.want, scalars, question.budget)) return true;
     std::vector<double> want;
     for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
         if (scalars.inputs[i] != Scalar::float_) continue;
@@ -77,8 +78,8 @@ bool holds_at_edge(const Rules& rules, const ImageSet& images, const Scalars& sc
         for (int steps = -most_steps; steps <= most_steps; ++steps) {
             std::vector<Word> moved = sample.inputs;
             moved[i] = to_word(numeric::step(from_word<float>(moved[i]), steps));
-            rules.reference(images, moved, want);
-            if (same_outputs(sample.got, want, scalars, rules.budget)) return true;
+            question.reference(images, moved, want);
+            if (same_outputs(sample.got, want, scalars, question.budget)) return true;
         }
     }
     return false;

@@ -18,7 +18,7 @@ namespace gloam::check::internal {
 // the largest of a value's components (0.01 at least) or within the budget, and an infinity, a NaN, an
 // integer and a truth value to the bit. A branch that rounding decides may go either way: the reference is
 // asked at inputs a few ULP away as well.
-[[nodiscard]] bool holds_at_edge(const Rules& rules, const ImageSet& images, const Scalars& scalars,
+[[nodiscard]] bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
                                  const Sample& sample);
 
 }  // namespace gloam::check::internal

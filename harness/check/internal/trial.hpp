@@ -3,52 +3,55 @@
 
 #include <span>
 
-#include "check/case.hpp"
 #include "check/constant_kernel.hpp"
+#include "check/judge.hpp"
+#include "check/lab.hpp"
 
 namespace gloam::check::internal {
 
-// A case ready to evaluate inputs, over the images of one scenario. What it is made from must outlive it.
+// A question ready to evaluate inputs, over the images of one scenario. What it is made from must outlive it.
 class Trial {
   public:
     // `seed` makes the images.
-    Trial(const Lab& lab, const Case& check_case, const KernelCore& kernel, const ImageScenario& scenario,
+    Trial(const Lab& lab, const Question& question, const KernelCore& kernel, const ImageScenario& scenario,
           std::uint64_t seed, Verdict verdict);
 
-    // Evaluates and judges the inputs, and adds what it found to the result; see judge() for `fractions`.
-    void evaluate(const Domain::Inputs& inputs, Result& result, std::span<double> fractions = {}) const;
+    // Evaluates and judges the inputs, and adds what it found to the answer; see judge() for `fractions`.
+    void evaluate(const Domain::Inputs& inputs, Answer& answer, std::span<double> fractions = {}) const;
 
     // The same with the inputs as constants of the shader; counts the results that differ from those of this
     // kernel.
     void compare_constants(const Domain::Inputs& inputs, const ConstantKernel& constants,
-                           Result& result) const;
+                           Answer& answer) const;
 
-    [[nodiscard]] const Rules& rules() const { return rules_; }
+    [[nodiscard]] const JudgeOptions& judge_options() const { return options_; }
     [[nodiscard]] const ImageSet& images() const { return images_; }
 
     // The seed of this scenario's inputs.
     [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
 
   private:
-    [[nodiscard]] KernelCore::Result run(const Domain::Inputs& inputs, Result& result) const;
+    [[nodiscard]] KernelCore::Result run(const Domain::Inputs& inputs, Answer& answer) const;
 
     const Lab& lab_;
+    const Question& question_;
     const KernelCore& kernel_;
     const ImageScenario& scenario_;
     std::uint64_t input_seed_;
     ImageSet images_;
-    Rules rules_;
+    JudgeOptions options_;
 };
 
-// Calls visit(scenario, share) for each scenario of a case with its share of `inputs`; once, with an empty
-// scenario, for a function without images.
-void for_each_scenario(const Case& check_case, std::size_t inputs,
+// Calls visit(scenario, share) for each scenario of a question with its share of `inputs`; once, with an
+// empty scenario, for a function without images.
+void for_each_scenario(const Question& question, std::size_t inputs,
                        const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit);
+
+// The seed of a scenario's inputs in a run with that seed.
+[[nodiscard]] std::uint64_t input_seed_of(const Question& question, const ImageScenario& scenario,
+                                          std::uint64_t seed);
 
 // The images of a scenario in a run with that seed; none for a scenario without.
 [[nodiscard]] ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed);
-
-// A result without inputs.
-[[nodiscard]] Result empty_result(const Case& check_case, Verdict verdict);
 
 }  // namespace gloam::check::internal

@@ -128,6 +128,7 @@ struct BuiltIn {
 
 struct Code {
     std::vector<Instruction> instructions;
+    std::vector<std::uint32_t> origins;  // of each instruction: the word of the module that it was made of
     std::vector<Edge> edges;
     std::vector<Switch> switches;
     std::vector<Chain> chains;

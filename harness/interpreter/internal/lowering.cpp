@@ -31,6 +31,7 @@ Instruction& Lowering::emit(std::uint16_t op, std::uint32_t count, Slot result, 
     const auto place = static_cast<std::uint32_t>(code_.places.size() - 1);
     code_.instructions.push_back(
         {.op = op, .count = count, .result = result, .a = a, .b = b, .c = c, .place = place});
+    code_.origins.push_back(static_cast<std::uint32_t>(place_.word));
     return code_.instructions.back();
 }
 

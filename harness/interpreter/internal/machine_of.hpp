@@ -160,6 +160,14 @@ void Machine<N>::run(const std::function<void(const Step<N>&)>& tell) {
 }
 
 template <class N>
+void Machine<N>::run(Coverage& coverage) {
+    execute([&](const internal::Instruction& i) {
+        const auto at = static_cast<std::size_t>(&i - state_->code.instructions.data());
+        coverage.add(at, i.op == internal::select ? Word{state_->bits(i.a) != 0} : state_->next);
+    });
+}
+
+template <class N>
 Value<N> Machine<N>::read(std::uint32_t set, std::uint32_t binding, std::size_t word) const {
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];

@@ -33,14 +33,14 @@ check::LabOptions options_for(const std::string& device, const std::filesystem::
     return {.device = device, .include_roots = {glsl_directory()}, .cache_directory = cache};
 }
 
-check::Case case_of(const std::string& equation) {
-    return catalogue::select(catalogue::all_entries(), {equation}).front().check_case;
+check::Question question_of(const std::string& equation) {
+    return catalogue::select(catalogue::all_entries(), {equation}).front().question;
 }
 
 // Framework and copy in turn, so that the machine's moods fall on both.
 void add_rate(std::vector<report::Figure>& figures, const check::Lab& lab, const std::string& equation,
               int repeat) {
-    const check::Case what = case_of(equation);
+    const check::Question what = question_of(equation);
     const check::KernelCore kernel = lab.kernel(what.file, what.function, what.signature);
     const check::Domain::Inputs inputs = what.domain.draw(evaluations, 1);
     BareCopy copy(lab, evaluations, kernel.input_words(), kernel.output_words() + 1);  // and the canary
@@ -69,7 +69,7 @@ struct Start {
 };
 
 Start start(const check::LabOptions& options) {
-    const check::Case what = case_of(cheap);
+    const check::Question what = question_of(cheap);
     const check::Domain::Inputs inputs = what.domain.draw(1, 1);
     const auto begin = Clock::now();
     const check::Lab lab(options);

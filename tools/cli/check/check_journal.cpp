@@ -26,7 +26,7 @@ std::string heading_of(const CheckJournalSetup& setup) {
 
 struct Kept {
     std::string device;
-    report::CheckRow row;
+    check::Answer row;
 };
 
 Kept kept_from(const std::string& line) {
@@ -36,7 +36,7 @@ Kept kept_from(const std::string& line) {
         !object.contains("row") || !object["row"].is_string())
         throw std::runtime_error("expected an object with the texts \"device\" and \"row\"");
     return {.device = object["device"].get<std::string>(),
-            .row = report::row_from_json(object["row"].get<std::string>())};
+            .row = report::answer_from_json(object["row"].get<std::string>())};
 }
 
 }  // namespace
@@ -57,13 +57,13 @@ CheckJournal::CheckJournal(std::filesystem::path path, const CheckJournalSetup& 
     }
 }
 
-std::optional<report::CheckRow> CheckJournal::known(const report::DeviceSummary& device,
-                                                    const CheckTask& task) const {
+std::optional<check::Answer> CheckJournal::known(const report::DeviceSummary& device,
+                                                 const CheckTask& task) const {
     const auto found = known_.find({report::name_of(device), task.equation, task.variant});
     return found == known_.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool CheckJournal::add(const report::DeviceSummary& device, const report::CheckRow& row) const {
+bool CheckJournal::add(const report::DeviceSummary& device, const check::Answer& row) const {
     const std::string name = report::name_of(device);
     if (known_.contains({name, row.equation, row.variant})) return true;
     file_.add(json{{"device", name}, {"row", report::to_json(row)}}.dump(-1, ' ', false,

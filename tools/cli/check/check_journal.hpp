@@ -30,17 +30,17 @@ class CheckJournal {
 
     // The row that an earlier run brought for a task on a device. None where that run got no result: a hang
     // or a crash may have had other reasons than the driver, and is tried again.
-    [[nodiscard]] std::optional<report::CheckRow> known(const report::DeviceSummary& device,
-                                                        const CheckTask& task) const;
+    [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& device,
+                                                     const CheckTask& task) const;
 
     // Keeps a row, unless it is known: true then. Throws std::runtime_error when it cannot be written.
-    bool add(const report::DeviceSummary& device, const report::CheckRow& row) const;
+    bool add(const report::DeviceSummary& device, const check::Answer& row) const;
 
   private:
     using Key = std::tuple<std::string, std::string, std::string>;  // device, equation, variant
 
     report::LineJournal file_;
-    std::map<Key, report::CheckRow> known_;
+    std::map<Key, check::Answer> known_;
 };
 
 }  // namespace gloam::cli

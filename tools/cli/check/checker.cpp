@@ -9,51 +9,61 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "cli/check/own_file.hpp"
 #include "cli/environment.hpp"
 #include "cli/variant.hpp"
-#include "report/row_of.hpp"
 
 namespace gloam::cli {
 namespace {
 
 constexpr std::string_view first_variant = "shipped";
 
-std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader::Variant& variant) {
+std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader::Variant& variant,
+                                     const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> roots{glsl_directory()};
+    if (!folder.empty()) roots.insert(roots.begin(), folder);
     return std::make_unique<check::Lab>(check::LabOptions{.device = options.device,
                                                           .validation = options.validation,
-                                                          .include_roots = {glsl_directory()},
+                                                          .include_roots = std::move(roots),
                                                           .cache_directory = cache_directory(),
                                                           .variant = variant,
                                                           .timeout = options.timeout});
 }
 
 check::RunOptions options_of(const CheckTask& task) {
-    return {.inputs = task.inputs, .seed = task.seed};
+    return {.inputs = task.inputs, .seed = task.seed, .coverage = task.coverage};
 }
 
 }  // namespace
 
 Checker::Checker(CheckerOptions options) : options_(std::move(options)), entries_(catalogue::all_entries()) {
-    lab(std::string(first_variant));
+    lab(std::string(first_variant), {});
 }
 
-const check::Lab& Checker::lab(const std::string& variant) {
-    if (!lab_ || variant != variant_) {
+const check::Lab& Checker::lab(const std::string& variant, const std::filesystem::path& folder) {
+    if (!lab_ || variant != variant_ || folder != folder_) {
         lab_.reset();  // before the next is made: two at once may be more than a device has memory for
-        lab_ = make_lab(options_, select_variants(variant).front());
+        lab_ = make_lab(options_, select_variants(variant).front(), folder);
         variant_ = variant;
+        folder_ = folder;
     }
     return *lab_;
 }
 
-const catalogue::Entry& Checker::entry(const std::string& id) const {
-    const auto found = std::ranges::find(entries_, id, [](const auto& e) { return e.description.id; });
-    if (found == entries_.end()) throw std::invalid_argument("no equation has the ID " + id);
-    return *found;
+const check::Lab& Checker::lab(const CheckTask& task) {
+    return lab(task.variant, std::filesystem::path(task.file).parent_path());
+}
+
+check::Question Checker::question_of(const CheckTask& task) {
+    if (!task.file.empty()) return own_question(lab(task), task);
+    const auto found =
+        std::ranges::find(entries_, task.equation, [](const auto& e) { return e.description.id; });
+    if (found == entries_.end()) throw std::invalid_argument("no equation has the ID " + task.equation);
+    return found->question;
 }
 
 report::DeviceSummary Checker::device() const {
-    return summary_of(lab_->device().info());
+    return summary_of(lab_->info());
 }
 
 report::DeviceSummary summary_of(const gpu::DeviceInfo& info) {
@@ -67,31 +77,29 @@ report::DeviceSummary summary_of(const gpu::DeviceInfo& info) {
             .rounds_to_even = info.float32.rounds_to_even};
 }
 
-report::CheckRow Checker::run(const CheckTask& task) {
+check::Answer Checker::run(const CheckTask& task) {
     const auto begin = std::chrono::steady_clock::now();
-    const catalogue::Entry& asked = entry(task.equation);
-    report::CheckRow row;
+    check::Answer answer;
     try {
-        row = report::row_of(task.equation, task.variant,
-                             check::run(lab(task.variant), asked.check_case, options_of(task)));
+        answer = check::run(lab(task), question_of(task), options_of(task));
     } catch (const std::exception& error) {
-        row = row_without_result(asked, task.variant, reason_of(error), error.what());
+        answer = answer_without_result(task, entries_, reason_of(error), error.what());
     }
-    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return row;
+    answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return answer;
 }
 
 HandOver Checker::hand_over(const HandOverRequest& request) {
     try {
         const CheckTask& task = request.task;
-        return make_hand_over(lab(task.variant), entry(task.equation), request, options_of(task));
+        return make_hand_over(lab(task), question_of(task), request, options_of(task));
     } catch (const std::exception& error) {
         return {.error = error.what()};
     }
 }
 
-report::Reason reason_of(const std::exception& error) {
-    using report::Reason;
+check::Reason reason_of(const std::exception& error) {
+    using check::Reason;
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return Reason::out_of_memory;
     // The rooms' own messages, and Vulkan's names of results.
     constexpr std::array<std::pair<std::string_view, Reason>, 10> signs{{
@@ -113,14 +121,20 @@ report::Reason reason_of(const std::exception& error) {
     return Reason::error;
 }
 
-report::CheckRow row_without_result(const catalogue::Entry& entry, const std::string& variant,
-                                    report::Reason reason, const std::string& error) {
-    return {.equation = entry.description.id,
-            .function = entry.description.function,
-            .file = entry.description.file,
-            .variant = variant,
-            .error = error,
-            .reason = reason};
+check::Answer answer_without_result(const CheckTask& task, const catalogue::Entries& entries,
+                                    check::Reason reason, const std::string& error) {
+    check::Answer answer{.equation = task.equation,
+                         .function = task.equation,
+                         .file = std::filesystem::path(task.file).filename().string(),
+                         .variant = task.variant,
+                         .error = error,
+                         .reason = reason};
+    const auto entry =
+        std::ranges::find(entries, task.equation, [](const auto& e) { return e.description.id; });
+    if (!task.file.empty() || entry == entries.end()) return answer;
+    answer.function = entry->description.function;
+    answer.file = entry->description.file;
+    return answer;
 }
 
 }  // namespace gloam::cli

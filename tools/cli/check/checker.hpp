@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -34,26 +35,28 @@ class Checker {
 
     // Never throws for what goes wrong in a check: the row tells it. After Reason::device_lost and
     // Reason::hang the device is of no more use.
-    [[nodiscard]] report::CheckRow run(const CheckTask& task);
+    [[nodiscard]] check::Answer run(const CheckTask& task);
 
     // Never throws for what goes wrong: HandOver::error tells it.
     [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
 
   private:
-    const check::Lab& lab(const std::string& variant);
-    [[nodiscard]] const catalogue::Entry& entry(const std::string& id) const;
+    const check::Lab& lab(const std::string& variant, const std::filesystem::path& folder);
+    const check::Lab& lab(const CheckTask& task);
+    [[nodiscard]] check::Question question_of(const CheckTask& task);
 
     CheckerOptions options_;
     catalogue::Entries entries_;
-    std::string variant_;  // that lab_ compiles
+    std::string variant_;           // that lab_ compiles
+    std::filesystem::path folder_;  // of somebody's own files
     std::unique_ptr<check::Lab> lab_;
 };
 
 // What kind of thing went wrong, from an exception of the rooms.
-[[nodiscard]] report::Reason reason_of(const std::exception& error);
+[[nodiscard]] check::Reason reason_of(const std::exception& error);
 
-// A row for a check that did not run.
-[[nodiscard]] report::CheckRow row_without_result(const catalogue::Entry& entry, const std::string& variant,
-                                                  report::Reason reason, const std::string& error);
+// The answer of a check that did not run.
+[[nodiscard]] check::Answer answer_without_result(const CheckTask& task, const catalogue::Entries& entries,
+                                                  check::Reason reason, const std::string& error);
 
 }  // namespace gloam::cli

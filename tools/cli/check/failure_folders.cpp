@@ -18,7 +18,7 @@ FailureFolders::FailureFolders(std::filesystem::path folder) {
     if (!folder.empty()) folder_.emplace(std::move(folder));
 }
 
-std::filesystem::path FailureFolders::write(const report::DeviceSummary& device, const report::CheckRow& row,
+std::filesystem::path FailureFolders::write(const report::DeviceSummary& device, const check::Answer& row,
                                             const HandOver& hand_over, const report::RunAgain& again) {
     const std::string name = report::slug(row.equation) + "-" + report::slug(row.variant);
     report::OutputFolder out(folder_->path() / report::slug(report::name_of(device)) / name);

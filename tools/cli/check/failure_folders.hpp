@@ -22,7 +22,7 @@ class FailureFolders {
     [[nodiscard]] bool wanted() const { return folder_.has_value(); }
 
     // Returns the folder that was written; what cannot be had (see HandOver::error) is said in report.txt.
-    std::filesystem::path write(const report::DeviceSummary& device, const report::CheckRow& row,
+    std::filesystem::path write(const report::DeviceSummary& device, const check::Answer& row,
                                 const HandOver& hand_over, const report::RunAgain& again);
 
   private:

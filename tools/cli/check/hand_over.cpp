@@ -12,26 +12,18 @@
 #include "check/reproduction.hpp"
 #include "numeric/text.hpp"
 #include "report/amber.hpp"
-#include "report/row_of.hpp"
+#include "report/answer_json.hpp"
 
 namespace gloam::cli {
 namespace {
 
 using nlohmann::json;
 
-// An input travels as the worst of a row that says nothing else.
-std::string worst_text(const std::optional<report::WorstInput>& worst) {
-    report::CheckRow row;
+// An input travels as the worst of an answer that says nothing else.
+std::string worst_text(const std::optional<check::Sample>& worst) {
+    check::Answer row;
     row.worst = worst;
     return report::to_json(row);
-}
-
-check::Sample sample_of(const report::WorstInput& worst) {
-    return {.index = worst.input,
-            .scenario = worst.images,
-            .inputs = worst.input_words,
-            .got = worst.got_words,
-            .want = worst.want};
 }
 
 std::string output_comment(const check::Reproduction& all, std::size_t i) {
@@ -43,16 +35,15 @@ std::string output_comment(const check::Reproduction& all, std::size_t i) {
     return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
 }
 
-report::KernelReplay replay_of(const check::Reproduction& all, const catalogue::Entry& entry,
+report::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
                                const CheckTask& task, const std::string& device) {
     report::KernelReplay replay{
         .assembly = all.assembly, .inputs = all.inputs, .specialized = all.specialized};
-    replay.comments = {
-        fmt::format("{}: {} of {}, variant {}", task.equation, entry.description.function,
-                    entry.description.file, task.variant),
-        fmt::format("Found on: {}", device),
-        fmt::format("Input: {}", check::describe_inputs(entry.check_case.signature, all.inputs)),
-        "Run it with: amber -v 1.2 -t spv1.5 repro.amber"};
+    replay.comments = {fmt::format("{}: {} of {}, variant {}", task.equation, question.function,
+                                   question.file, task.variant),
+                       fmt::format("Found on: {}", device),
+                       fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
+                       "Run it with: amber -v 1.2 -t spv1.5 repro.amber"};
     if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
     for (const auto& image : all.images) replay.images.push_back({.name = image.name, .words = image.words});
     for (std::size_t i = 0; i < all.outputs.size(); ++i) {
@@ -60,8 +51,7 @@ report::KernelReplay replay_of(const check::Reproduction& all, const catalogue::
                                             .allowed = {},
                                             .comment = output_comment(all, i)};
         if (i < all.allowed.size()) {
-            const numeric::Bounds& bounds = all.allowed[i];
-            output.allowed.push_back({.low = bounds.low, .high = bounds.high, .nan = bounds.nan});
+            output.allowed.push_back(all.allowed[i]);
         }
         replay.outputs.push_back(std::move(output));
     }
@@ -79,11 +69,11 @@ std::vector<std::uint32_t> words_of(const json& array) {
     return words;
 }
 
-check::Reproduction reproduction_of(const check::Lab& lab, const check::Case& check_case,
+check::Reproduction reproduction_of(const check::Lab& lab, const check::Question& question,
                                     const HandOverRequest& request, const check::RunOptions& options) {
-    if (!request.ran) return check::reproduce(lab, check_case, options);
-    if (request.worst) return check::reproduce(lab, check_case, options, sample_of(*request.worst));
-    return check::reproduce_fault(lab, check_case, options);
+    if (!request.ran) return check::reproduce(lab, question, options);
+    if (request.worst) return check::reproduce(lab, question, options, *request.worst);
+    return check::reproduce_fault(lab, question, options);
 }
 
 }  // namespace
@@ -103,7 +93,7 @@ HandOverRequest hand_over_request_from(std::string_view line) {
     const json object = json::parse(line);
     return {.task = task_from(object.at("hand_over").get<std::string>()),
             .ran = object.at("ran").get<bool>(),
-            .worst = report::row_from_json(object.at("worst").get<std::string>()).worst};
+            .worst = report::answer_from_json(object.at("worst").get<std::string>()).worst};
 }
 
 std::string to_line(const HandOver& hand_over) {
@@ -124,32 +114,28 @@ HandOver hand_over_from(std::string_view line) {
             .assembly = object.at("assembly").get<std::string>(),
             .spirv = words_of(object.at("spirv")),
             .amber = object.at("amber").get<std::string>(),
-            .smallest = report::row_from_json(object.at("smallest").get<std::string>()).worst,
+            .smallest = report::answer_from_json(object.at("smallest").get<std::string>()).worst,
             .error = object.at("error").get<std::string>()};
 }
 
-HandOverRequest request_for(const CheckTask& task, const report::CheckRow& row) {
+HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {
     HandOverRequest request{.task = task, .ran = row.ran(), .worst = std::nullopt};
-    if (row.outside > 0) request.worst = row.worst;
+    if (row.outside() > 0) request.worst = row.worst;
     return request;
 }
 
-HandOver make_hand_over(const check::Lab& lab, const catalogue::Entry& entry, const HandOverRequest& request,
-                        const check::RunOptions& options) {
-    const check::Reproduction all = reproduction_of(lab, entry.check_case, request, options);
-    const gpu::DeviceInfo& info = lab.device().info();
-    HandOver hand_over{
-        .glsl = all.glsl,
-        .assembly = all.assembly,
-        .spirv = all.spirv,
-        .amber = report::to_amber(replay_of(all, entry, request.task, info.name + " (" + info.driver + ")"))};
+HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
+                        const HandOverRequest& request, const check::RunOptions& options) {
+    const check::Reproduction all = reproduction_of(lab, question, request, options);
+    const gpu::DeviceInfo& info = lab.info();
+    HandOver hand_over{.glsl = all.glsl,
+                       .assembly = all.assembly,
+                       .spirv = all.spirv,
+                       .amber = report::to_amber(
+                           replay_of(all, question, request.task, info.name + " (" + info.driver + ")"))};
     if (all.failure) {
-        hand_over.smallest = report::worst_of(entry.check_case.signature, *all.failure);
-        hand_over.smallest->allowed.clear();
-        for (const numeric::Bounds& bounds : all.allowed) {
-            hand_over.smallest->allowed.push_back(
-                {.low = bounds.low, .high = bounds.high, .nan = bounds.nan});
-        }
+        hand_over.smallest = all.failure;
+        hand_over.smallest->permitted = all.allowed;
     }
     return hand_over;
 }

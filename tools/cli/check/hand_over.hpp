@@ -7,17 +7,16 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/catalogue.hpp"
+#include "check/run.hpp"
 #include "cli/check/task.hpp"
-#include "report/check_row.hpp"
 
 namespace gloam::cli {
 
 // What a worker is asked of a check that failed.
 struct HandOverRequest {
     CheckTask task;
-    bool ran = false;                         // else nothing is run: that cost a worker already
-    std::optional<report::WorstInput> worst;  // an input that fails; none: an access outside an image did
+    bool ran = false;                    // else nothing is run: that cost a worker already
+    std::optional<check::Sample> worst;  // an input that fails; none: an access outside an image did
 };
 
 // A failure, ready to report.
@@ -26,8 +25,8 @@ struct HandOver {
     std::string assembly;
     std::vector<std::uint32_t> spirv;
     std::string amber;
-    std::optional<report::WorstInput> smallest;  // the simplest input found to fail
-    std::string error;                           // why there is nothing of this; empty: there is
+    std::optional<check::Sample> smallest;  // the simplest input found to fail
+    std::string error;                      // why there is nothing of this; empty: there is
 };
 
 // Each in one line of JSON. Reading throws std::runtime_error.
@@ -38,10 +37,10 @@ struct HandOver {
 [[nodiscard]] HandOver hand_over_from(std::string_view line);
 
 // What to ask about a failing row.
-[[nodiscard]] HandOverRequest request_for(const CheckTask& task, const report::CheckRow& row);
+[[nodiscard]] HandOverRequest request_for(const CheckTask& task, const check::Answer& row);
 
 // Makes one, with the lab's variant. Throws what compiling and running throw.
-[[nodiscard]] HandOver make_hand_over(const check::Lab& lab, const catalogue::Entry& entry,
+[[nodiscard]] HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                                       const HandOverRequest& request, const check::RunOptions& options);
 
 }  // namespace gloam::cli

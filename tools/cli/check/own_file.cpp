@@ -4,35 +4,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <stdexcept>
 
-#include "cli/check/checker.hpp"
+#include "check/own_function.hpp"
 #include "cli/environment.hpp"
-#include "report/row_of.hpp"
 
 namespace gloam::cli {
 namespace {
 
-check::Lab lab_of(const OwnFileRun& run, const shader::Variant& variant) {
-    return check::Lab({.device = run.device,
-                       .validation = run.validation,
-                       .include_roots = {std::filesystem::absolute(run.file).parent_path(), glsl_directory()},
-                       .cache_directory = cache_directory(),
-                       .variant = variant,
-                       .timeout = run.timeout});
+check::Ranges ranges_from(const std::vector<std::string>& texts) {
+    check::Ranges ranges;
+    for (const std::string& text : texts) ranges.insert(check::range_from(text));
+    return ranges;
 }
 
-std::vector<shader::Function> asked_for(const OwnFileRun& run, const check::Lab& lab,
-                                        const std::string& file) {
-    std::vector<shader::Function> own = check::own_functions(lab, file);
-    if (run.functions.empty()) return own;
+std::vector<shader::Function> asked_for(std::vector<shader::Function> own,
+                                        const std::vector<std::string>& names, const std::string& file) {
+    if (names.empty()) return own;
     std::vector<shader::Function> asked;
-    for (const std::string& name : run.functions) {
+    for (const std::string& name : names) {
         const auto found = std::ranges::find(own, name, &shader::Function::name);
         if (found == own.end())
-            throw std::invalid_argument(fmt::format(
-                "{} defines no function {} of parameters that can be drawn", run.file.string(), name));
+            throw std::invalid_argument(
+                fmt::format("{} defines no function {} of parameters that can be drawn", file, name));
         asked.push_back(*found);
     }
     return asked;
@@ -49,27 +45,6 @@ void require_known(const check::Ranges& ranges, const std::vector<shader::Functi
     }
 }
 
-report::CheckRow row_of(const OwnFileRun& run, const check::Lab& lab, const std::string& file,
-                        const shader::Function& function, const check::Ranges& ranges) {
-    const auto begin = std::chrono::steady_clock::now();
-    const std::string& variant = lab.options().variant.name;
-    report::CheckRow row;
-    try {
-        const check::Case check_case = check::case_of(lab, file, function, ranges);
-        row = report::row_of(function.name, variant,
-                             check::run(lab, check_case, {.inputs = run.inputs, .seed = run.seed}));
-    } catch (const std::exception& error) {
-        row = {.equation = function.name,
-               .function = function.name,
-               .file = file,
-               .variant = variant,
-               .error = error.what(),
-               .reason = reason_of(error)};
-    }
-    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return row;
-}
-
 }  // namespace
 
 bool is_shader_file(const std::string& word) {
@@ -78,27 +53,25 @@ bool is_shader_file(const std::string& word) {
     return known.contains(extension);
 }
 
-report::CheckReport check_own_file(const OwnFileRun& run) {
-    if (!std::filesystem::exists(run.file))
-        throw std::runtime_error(fmt::format("cannot read {}", run.file.string()));
-    check::Ranges ranges;
-    for (const std::string& text : run.ranges) ranges.insert(check::range_from(text));
-    const std::string file = run.file.filename().string();
-    report::CheckReport report;
-    for (const shader::Variant& variant : run.variants) {
-        const check::Lab lab = lab_of(run, variant);
-        const std::vector<shader::Function> functions = asked_for(run, lab, file);
-        require_known(ranges, functions);
-        if (report.rows.empty()) {
-            report.device = summary_of(lab.device().info());
-            if (run.on_device) run.on_device(report.device);
-        }
-        for (const shader::Function& function : functions) {
-            report.rows.push_back(row_of(run, lab, file, function, ranges));
-            if (run.on_row) run.on_row(report.rows.back());
-        }
-    }
-    return report;
+std::vector<std::string> own_functions(const std::string& file, const std::vector<std::string>& names,
+                                       const std::vector<std::string>& ranges) {
+    const std::filesystem::path path = std::filesystem::absolute(file);
+    if (!std::filesystem::exists(path)) throw std::runtime_error(fmt::format("cannot read {}", file));
+    const check::Ranges known = ranges_from(ranges);
+    const shader::CompileOptions options{.include_roots = {path.parent_path(), glsl_directory()}};
+    const std::vector<shader::Function> functions =
+        asked_for(check::own_functions(options, path.filename().string()), names, file);
+    require_known(known, functions);
+    std::vector<std::string> all;
+    for (const shader::Function& function : functions) all.push_back(function.name);
+    return all;
+}
+
+check::Question own_question(const check::Lab& lab, const CheckTask& task) {
+    const std::string file = std::filesystem::path(task.file).filename().string();
+    const std::vector<shader::Function> asked =
+        asked_for(check::own_functions(lab.compile_options(), file), {task.equation}, file);
+    return check::question_of(lab, file, asked.front(), ranges_from(task.ranges));
 }
 
 }  // namespace gloam::cli

@@ -1,37 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "check/own_function.hpp"
-#include "report/check_report.hpp"
-
-namespace gloam::cli {
+#include "check/lab.hpp"
+#include "check/question.hpp"
+#include "cli/check/task.hpp"
 
 // The check of somebody's shader file: no reference, no C++.
-struct OwnFileRun {
-    std::filesystem::path file;
-    std::vector<std::string> functions;  // empty: all that the file defines
-    std::vector<std::string> ranges;     // see check::range_from()
-    std::string device;
-    std::vector<shader::Variant> variants;
-    std::size_t inputs = 0;
-    std::uint64_t seed = 0;
-    bool validation = false;
-    std::chrono::milliseconds timeout{0};
-    std::function<void(const report::DeviceSummary&)> on_device{};  // before the first row
-    std::function<void(const report::CheckRow&)> on_row{};
-};
+namespace gloam::cli {
 
 // Whether a word of the command line means a shader file, not an equation.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
-// Judges each function by Vulkan's rules, in this process. Throws std::invalid_argument for a function that
-// the file does not define, or a range that no parameter has.
-[[nodiscard]] report::CheckReport check_own_file(const OwnFileRun& run);
+// The functions of these names that a file defines, or all that a check can draw inputs for when there are
+// none. Throws std::invalid_argument for a function that the file does not define, or a range that is none or
+// that no parameter has; std::runtime_error for a file that is not there; shader::CompileError.
+[[nodiscard]] std::vector<std::string> own_functions(const std::string& file,
+                                                     const std::vector<std::string>& names,
+                                                     const std::vector<std::string>& ranges);
+
+// What a task asks of a function of its file.
+[[nodiscard]] check::Question own_question(const check::Lab& lab, const CheckTask& task);
 
 }  // namespace gloam::cli

@@ -15,8 +15,8 @@
 namespace gloam::cli {
 namespace {
 
-using report::CheckRow;
-using report::Reason;
+using check::Answer;
+using check::Reason;
 
 std::string refusal_of(const std::string& greeting) {
     return greeting_from(greeting).error;
@@ -43,7 +43,7 @@ class Board {
         return taken_++;
     }
 
-    void put(std::size_t task, CheckRow row) {
+    void put(std::size_t task, Answer row) {
         const std::scoped_lock lock(mutex_);
         rows_[task] = std::move(row);
         try {
@@ -53,7 +53,7 @@ class Board {
         }
     }
 
-    void hand_over(const CheckRow& row, const HandOver& failure) {
+    void hand_over(const Answer& row, const HandOver& failure) {
         const std::scoped_lock lock(mutex_);
         try {
             run_.on_failure(device_, row, failure);
@@ -69,9 +69,9 @@ class Board {
     }
 
     // All rows, once nobody works any more. Throws what on_row and on_failure threw.
-    std::vector<CheckRow> finish() {
+    std::vector<Answer> finish() {
         if (trouble_) std::rethrow_exception(trouble_);
-        std::vector<CheckRow> all;
+        std::vector<Answer> all;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             if (!rows_[i]) continue;
             if (i >= told_) tell(*rows_[i]);
@@ -85,7 +85,7 @@ class Board {
     }
 
   private:
-    void tell(const CheckRow& row) const {
+    void tell(const Answer& row) const {
         if (run_.on_row) run_.on_row(device_, row);
     }
 
@@ -101,41 +101,39 @@ class Board {
     const DeviceRun& run_;
     const report::DeviceSummary& device_;
     std::mutex mutex_;
-    std::vector<std::optional<CheckRow>> rows_;
+    std::vector<std::optional<Answer>> rows_;
     std::size_t taken_ = 0;
     std::size_t told_ = 0;
-    std::optional<Answer> given_up_;
+    std::optional<Reply> given_up_;
     std::exception_ptr trouble_;
 };
 
 // Asks a worker for the row of one task. Throws NoWorker.
-CheckRow ask(WorkerSession& session, const CheckTask& task, const catalogue::Entries& entries) {
+Answer ask(WorkerSession& session, const CheckTask& task, const catalogue::Entries& entries) {
     const auto begin = std::chrono::steady_clock::now();
-    Answer answer = session.ask(to_line(task));
-    if (answer.error.empty()) {
+    Reply reply = session.ask(to_line(task));
+    if (reply.error.empty()) {
         try {
-            CheckRow row = report::row_from_json(answer.line);
+            Answer row = report::answer_from_json(reply.line);
             if (is_unusable_after(row.reason)) session.dismiss();
             return row;
         } catch (const std::runtime_error& error) {
-            answer.reason = Reason::error;
-            answer.error = fmt::format("the worker's answer makes no sense: {}", error.what());
+            reply.reason = Reason::error;
+            reply.error = fmt::format("the worker's answer makes no sense: {}", error.what());
             session.dismiss();
         }
     }
-    const auto entry =
-        std::ranges::find(entries, task.equation, [](const auto& e) { return e.description.id; });
-    CheckRow row = row_without_result(*entry, task.variant, answer.reason, answer.error);
+    Answer row = answer_without_result(task, entries, reply.reason, reply.error);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return row;
 }
 
 // Asks a worker to make a failure ready to report. Throws NoWorker.
-HandOver ask_more(WorkerSession& session, const CheckTask& task, const CheckRow& row) {
-    const Answer answer = session.ask(to_line(request_for(task, row)));
-    if (!answer.error.empty()) return {.error = answer.error};
+HandOver ask_more(WorkerSession& session, const CheckTask& task, const Answer& row) {
+    const Reply reply = session.ask(to_line(request_for(task, row)));
+    if (!reply.error.empty()) return {.error = reply.error};
     try {
-        return hand_over_from(answer.line);
+        return hand_over_from(reply.line);
     } catch (const std::exception& error) {
         session.dismiss();
         return {.error = fmt::format("the worker's answer makes no sense: {}", error.what())};
@@ -145,7 +143,7 @@ HandOver ask_more(WorkerSession& session, const CheckTask& task, const CheckRow&
 void work(WorkerSession& session, const DeviceRun& run, const catalogue::Entries& entries, Board& board) {
     try {
         while (const auto task = board.take()) {
-            const CheckRow row = ask(session, run.tasks[*task], entries);
+            const Answer row = ask(session, run.tasks[*task], entries);
             board.put(*task, row);
             if (!row.passed() && run.on_failure)
                 board.hand_over(row, ask_more(session, run.tasks[*task], row));
@@ -197,7 +195,7 @@ void run_here(const DeviceRun& run, report::CheckReport& report) {
     for (const CheckTask& task : run.tasks) {
         const auto known = run.known ? run.known(report.device, task) : std::nullopt;
         report.rows.push_back(known ? *known : checker->run(task));
-        const CheckRow& row = report.rows.back();
+        const Answer& row = report.rows.back();
         if (run.on_row) run.on_row(report.device, row);
         if (known || row.passed() || !run.on_failure) continue;
         run.on_failure(report.device, row, checker->hand_over(request_for(task, row)));
@@ -206,7 +204,7 @@ void run_here(const DeviceRun& run, report::CheckReport& report) {
 
 }  // namespace
 
-report::CheckRow device_row(Reason reason, const std::string& error, std::size_t checks_left) {
+check::Answer device_row(Reason reason, const std::string& error, std::size_t checks_left) {
     return {
         .equation = "device",
         .error = fmt::format("the device cannot be opened, {} checks were not run: {}", checks_left, error),

@@ -23,12 +23,12 @@ struct DeviceRun {
     std::size_t jobs = 1;                        // worker processes
     bool in_process = false;                     // no workers: a driver that crashes takes all with it
     // The row of a task that need not run again; empty: every task runs.
-    std::function<std::optional<report::CheckRow>(const report::DeviceSummary&, const CheckTask&)> known;
+    std::function<std::optional<check::Answer>(const report::DeviceSummary&, const CheckTask&)> known;
     // Called in the order of the tasks, never from two threads at once.
     std::function<void(const report::DeviceSummary&)> on_device;
-    std::function<void(const report::DeviceSummary&, const report::CheckRow&)> on_row;
+    std::function<void(const report::DeviceSummary&, const check::Answer&)> on_row;
     // Called for each row that failed, in any order, never from two threads at once; empty: not wanted.
-    std::function<void(const report::DeviceSummary&, const report::CheckRow&, const HandOver&)> on_failure;
+    std::function<void(const report::DeviceSummary&, const check::Answer&, const HandOver&)> on_failure;
 };
 
 // The device cannot be opened, and says so itself: there is none of that name, say.
@@ -42,7 +42,7 @@ class DeviceRefused : public std::runtime_error {
 [[nodiscard]] report::CheckReport run_on_device(const DeviceRun& run);
 
 // The row of a device that cannot be opened.
-[[nodiscard]] report::CheckRow device_row(report::Reason reason, const std::string& error,
-                                          std::size_t checks_left);
+[[nodiscard]] check::Answer device_row(check::Reason reason, const std::string& error,
+                                       std::size_t checks_left);
 
 }  // namespace gloam::cli

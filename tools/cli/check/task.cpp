@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/check/task.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -42,20 +43,40 @@ std::string text_in(const json& object, const char* member) {
     return value.get<std::string>();
 }
 
+bool flag_in(const json& object, const char* member) {
+    const json& value = object[member];
+    if (!value.is_boolean())
+        throw std::runtime_error(std::string("\"") + member + "\": expected true or false");
+    return value.get<bool>();
+}
+
+std::vector<std::string> texts_in(const json& object, const char* member) {
+    const json& value = object[member];
+    const auto is_text = [](const json& element) { return element.is_string(); };
+    if (!value.is_array() || !std::ranges::all_of(value, is_text))
+        throw std::runtime_error(std::string("\"") + member + "\": expected texts");
+    return value.get<std::vector<std::string>>();
+}
+
 }  // namespace
 
 std::string to_line(const CheckTask& task) {
-    const json object{
-        {"equation", task.equation}, {"variant", task.variant}, {"inputs", task.inputs}, {"seed", task.seed}};
+    const json object{{"equation", task.equation}, {"variant", task.variant},   {"inputs", task.inputs},
+                      {"seed", task.seed},         {"coverage", task.coverage}, {"file", task.file},
+                      {"ranges", task.ranges}};
     return object.dump(-1, ' ', false, replace);
 }
 
 CheckTask task_from(std::string_view line) {
-    const json object = object_from(line, {"equation", "variant", "inputs", "seed"});
+    const json object =
+        object_from(line, {"equation", "variant", "inputs", "seed", "coverage", "file", "ranges"});
     return {.equation = text_in(object, "equation"),
             .variant = text_in(object, "variant"),
             .inputs = count_in(object, "inputs"),
-            .seed = count_in(object, "seed")};
+            .seed = count_in(object, "seed"),
+            .coverage = flag_in(object, "coverage"),
+            .file = text_in(object, "file"),
+            .ranges = texts_in(object, "ranges")};
 }
 
 std::string to_line(const Greeting& greeting) {

@@ -13,10 +13,13 @@ namespace gloam::cli {
 
 // One check that a worker is to run.
 struct CheckTask {
-    std::string equation;  // its ID
+    std::string equation;  // its ID; or a function of `file`
     std::string variant;
     std::size_t inputs = 0;
     std::uint64_t seed = 0;
+    bool coverage = false;
+    std::string file;                 // somebody's own, with its folder; empty: an equation of the catalogue
+    std::vector<std::string> ranges;  // of its parameters: see check::range_from()
 };
 
 // What workers and their parent say to each other, each in one line of JSON. Reading throws

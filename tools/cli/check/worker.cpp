@@ -95,7 +95,7 @@ std::size_t count_devices() {
     try {
         return greeting_from(session.greeting()).devices;
     } catch (const NoWorker& none) {
-        if (none.reason == report::Reason::error) throw;
+        if (none.reason == check::Reason::error) throw;
         throw std::runtime_error(std::string("cannot list the devices: ") + none.what());
     }
 }

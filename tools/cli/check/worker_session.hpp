@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "check/answer.hpp"
 #include "cli/worker_process.hpp"
-#include "report/check_row.hpp"
 
 namespace gloam::cli {
 
 // What became of a question: the answer, or why there is none.
-struct Answer {
+struct Reply {
     std::string line;
-    report::Reason reason = report::Reason::none;
+    check::Reason reason = check::Reason::none;
     std::string error;  // empty: there is an answer
 };
 
@@ -24,8 +24,8 @@ struct Answer {
 // a refusal (Reason::error).
 class NoWorker : public std::runtime_error {
   public:
-    NoWorker(report::Reason why, const std::string& message) : std::runtime_error(message), reason(why) {}
-    report::Reason reason;
+    NoWorker(check::Reason why, const std::string& message) : std::runtime_error(message), reason(why) {}
+    check::Reason reason;
 };
 
 // A worker that answers lines with lines, in a process of its own: one that crashes or stays silent costs
@@ -44,14 +44,14 @@ class WorkerSession {
     const std::string& greeting();
 
     // Asks one question. Throws NoWorker.
-    [[nodiscard]] Answer ask(const std::string& question);
+    [[nodiscard]] Reply ask(const std::string& question);
 
     // The next question goes to a new worker: this one's device is lost, say.
     void dismiss() { process_.reset(); }
 
   private:
     // The next line of the worker; without one it is dismissed and the reason told.
-    Answer listen();
+    Reply listen();
 
     std::vector<std::string> command_;
     std::chrono::milliseconds timeout_;

@@ -4,15 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <limits>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include "check/judge.hpp"
-#include "check/kernel_core.hpp"
-#include "check/lab.hpp"
+#include "check/budget.hpp"
+#include "check/domain.hpp"
+#include "check/image.hpp"
+#include "check/signature.hpp"
 #include "numeric/random.hpp"
 
 namespace gloam::check {
@@ -24,9 +26,20 @@ struct ImageScenario {
     std::function<ImageSet(glm::ivec2 size, numeric::Random& random)> make;
 };
 
-// Everything that a check needs: a function, where its inputs come from, what it should return and how
-// closely.
-struct Case {
+// A reference without its C++ types: input words in, one double for each output word. Where a question has
+// none, the module in double takes its place.
+using Reference =
+    std::function<void(const ImageSet& images, std::span<const Word> inputs, std::vector<double>& outputs)>;
+
+// The values that every output but a truth value must lie in, for every input whatever. NaN is never inside.
+struct Codomain {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+};
+
+// What is asked of a function: where its inputs come from, what it should return and how closely.
+struct Question {
+    std::string name;  // in reports: an ID of the catalogue; empty: that of the function
     std::string file;
     std::string function;
     Signature signature;
@@ -34,9 +47,11 @@ struct Case {
     Reference reference;  // empty: the function is judged by the rules, and measured against itself in double
     Budget budget;
     Codomain codomain;
-    std::function<bool(std::span<const Word>)> promised;  // see Rules
-    bool only_rules = false;  // documents no accuracy of its own: judged by the rules however it is compiled
+    // Inputs for which the budget is promised; empty: all. Elsewhere (overflow in between, say) only the
+    // codomain is, and what is documented for zero, infinity and NaN.
+    std::function<bool(std::span<const Word>)> promised;
     std::vector<ImageScenario> scenarios;  // empty: the function reads no image
+    bool only_rules = false;  // documents no accuracy of its own: judged by the rules however it is compiled
 };
 
 namespace detail {
@@ -109,7 +124,7 @@ template <class Function, class Callable>
     };
 }
 
-// A test of typed inputs as a `promised` rule: called with the exact values of in and inout parameters.
+// A test of typed inputs as what is `promised`: called with the exact values of in and inout parameters.
 template <class Function, class Predicate>
 [[nodiscard]] std::function<bool(std::span<const Word>)> make_predicate(Predicate predicate) {
     return [predicate](std::span<const Word> words) {
@@ -122,64 +137,6 @@ template <class Function, class Predicate>
             inputs);
         return std::apply(predicate, inputs);
     };
-}
-
-struct RunOptions {
-    std::size_t inputs = 65'536;
-    std::uint64_t seed = 1;
-};
-
-// What results of shaders compiled in a variant are held against: those of strict and relaxed ones the rules
-// alone, all others the documented budget and the rules. A case with only_rules or without a reference is
-// never held against a budget.
-[[nodiscard]] Verdict verdict_of(const shader::Variant& variant, const Case& check_case);
-
-// What a check found of one function.
-struct Result {
-    std::string file;
-    std::string function;
-    Signature signature;
-    Budget budget;
-    Verdict verdict = Verdict::budget;
-    Census census;
-    std::optional<ImageFault> fault;  // an access outside an image
-    // Of inputs given as constants of the shader: those whose results have other bits than the same shader
-    // gives for the same inputs read from memory (one NaN is as good as another).
-    std::size_t differs = 0;
-
-    [[nodiscard]] bool passed() const { return census.outside() == 0 && !fault; }
-};
-
-// Compiles the function, evaluates the inputs and judges every output. Throws as Lab::kernel and
-// KernelCore::run do.
-[[nodiscard]] Result run(const Lab& lab, const Case& check_case, const RunOptions& options = {});
-
-// The whole check of a function against a reference in one call.
-template <class Function, class Callable>
-[[nodiscard]] Result compare(const Lab& lab, const std::string& file, const std::string& function,
-                             Callable reference, const Domain& domain, const Budget& budget = {},
-                             const RunOptions& options = {}) {
-    return run(lab,
-               Case{.file = file,
-                    .function = function,
-                    .signature = SignatureOf<Function>::describe(),
-                    .domain = domain,
-                    .reference = make_reference<Function>(std::move(reference)),
-                    .budget = budget},
-               options);
-}
-
-// Whether the results of a function are ones that Vulkan's precision rules permit the module that the driver
-// was given, with no reference and no tolerance of anybody's choice.
-template <class Function>
-[[nodiscard]] Result check_rules(const Lab& lab, const std::string& file, const std::string& function,
-                                 const Domain& domain, const RunOptions& options = {}) {
-    return run(lab,
-               Case{.file = file,
-                    .function = function,
-                    .signature = SignatureOf<Function>::describe(),
-                    .domain = domain},
-               options);
 }
 
 }  // namespace gloam::check

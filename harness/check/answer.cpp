@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/census.hpp"
+#include "check/answer.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -19,17 +19,37 @@ bool is_worse(const Sample& sample, const std::optional<Sample>& worst) {
 
 }  // namespace
 
-std::size_t Census::inputs() const {
+std::string_view name_of(Reason reason) {
+    switch (reason) {
+        case Reason::crash:
+            return "crash";
+        case Reason::hang:
+            return "hang";
+        case Reason::device_lost:
+            return "device lost";
+        case Reason::out_of_memory:
+            return "out of memory";
+        case Reason::error:
+            return "error";
+        case Reason::fault:
+            return "fault";
+        case Reason::none:
+            break;
+    }
+    return "";
+}
+
+std::size_t Answer::inputs() const {
     return total(classes, &ClassCount::inputs);
 }
-std::size_t Census::outside() const {
+std::size_t Answer::outside() const {
     return total(classes, &ClassCount::outside);
 }
-std::size_t Census::recorded() const {
+std::size_t Answer::recorded() const {
     return total(classes, &ClassCount::recorded);
 }
 
-void Census::add(const Sample& sample, bool is_outside) {
+void Answer::add(const Sample& sample, bool is_outside) {
     ++count(sample.input_class).inputs;
     max_ulp = std::max(max_ulp, sample.ulp);
     max_absolute = std::max(max_absolute, sample.absolute);
@@ -43,17 +63,17 @@ void Census::add(const Sample& sample, bool is_outside) {
     if (!first) first = sample;
 }
 
-void Census::add_unbounded(const Sample& sample) {
+void Answer::add_unbounded(const Sample& sample) {
     ++unbounded;
     if (!first_unbounded) first_unbounded = sample;
 }
 
-void Census::add_guarantee(const Guarantee& more) {
+void Answer::add_guarantee(const Guarantee& more) {
     guarantee = {std::max(guarantee.ulp, more.ulp), std::max(guarantee.absolute, more.absolute),
                  std::max(guarantee.fraction, more.fraction)};
 }
 
-void Census::merge(const Census& later) {
+void Answer::merge(const Answer& later) {
     for (std::size_t i = 0; i < input_class_count; ++i) {
         classes[i].inputs += later.classes[i].inputs;
         classes[i].outside += later.classes[i].outside;
@@ -69,6 +89,7 @@ void Census::merge(const Census& later) {
     forbidden += later.forbidden;
     bounded += later.bounded;
     unbounded += later.unbounded;
+    differs += later.differs;
     if (!first_unbounded) first_unbounded = later.first_unbounded;
     if (later.worst && is_worse(*later.worst, worst)) worst = later.worst;
 }

@@ -8,10 +8,19 @@
 #include <string_view>
 #include <vector>
 
+#include "check/budget.hpp"
+#include "check/coverage.hpp"
 #include "check/scalars.hpp"
 #include "numeric/bounds.hpp"
 
 namespace gloam::check {
+
+// What is asked of an output: that the function's documented budget holds, or that Vulkan's precision rules
+// permit it.
+enum class Verdict { budget, rules };
+[[nodiscard]] constexpr std::string_view name_of(Verdict verdict) {
+    return verdict == Verdict::budget ? "budget" : "rules";
+}
 
 // The class of an input: the most unusual of its float values, in this order (NaN is the most unusual).
 enum class InputClass { ordinary, branch, zero, subnormal, huge, infinite, nan };
@@ -28,6 +37,7 @@ struct Sample {
     std::size_t index = 0;  // position in its run
     InputClass input_class = InputClass::ordinary;
     std::string scenario;  // images it ran with; empty without images
+    std::string values;    // of the inputs, in decimal and hexadecimal, once it is part of an answer
     std::vector<Word> inputs;
     std::vector<Word> got;
     std::vector<double> want;
@@ -54,8 +64,32 @@ struct Guarantee {
     double fraction = 0.0;  // of the budget: each output by its ULP or its absolute error, whichever is less
 };
 
-// What a check found, by class of input.
-struct Census {
+// Why a check has no result, or a result that cannot be believed.
+enum class Reason {
+    none,           // it ran to its end
+    crash,          // the process that ran it ended by itself or by a signal
+    hang,           // the time limit passed
+    device_lost,    // the device was lost
+    out_of_memory,  // of the host or of the device
+    error,          // any other error: a shader that does not compile, say
+    fault           // the shader reached outside an image
+};
+inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,         Reason::hang,
+                                         Reason::device_lost, Reason::out_of_memory, Reason::error,
+                                         Reason::fault};
+
+// "", "crash", "hang", "device lost", "out of memory", "error", "fault".
+[[nodiscard]] std::string_view name_of(Reason reason);
+
+// What came out of one question in one variant on one device, or why nothing did: what tables, pages and JSON
+// read, and what travels between processes.
+struct Answer {
+    std::string equation;  // the question's name: an ID of the catalogue, else that of the function
+    std::string function;
+    std::string file;
+    std::string variant;
+    Verdict verdict = Verdict::budget;
+    Budget budget;
     std::array<ClassCount, input_class_count> classes{};
     double max_ulp = 0.0;          // over judged outputs that the absolute part of the budget does not cover
     double max_absolute = 0.0;     // over judged outputs
@@ -69,10 +103,25 @@ struct Census {
     std::optional<Sample> first_unbounded;
     std::optional<Sample> worst;                                         // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
+    // Of inputs given as constants of the shader: those whose results have other bits than the same shader
+    // gives for the same inputs read from memory (one NaN is as good as another).
+    std::size_t differs = 0;
+    std::optional<Coverage> coverage;  // what the inputs reached, where that was asked
+    std::string fault;                 // an access outside an image; empty: none
+    std::string error;                 // why it could not run; empty: it ran
+    Reason reason = Reason::none;
+    double seconds = 0.0;
+    std::string story;  // of a failure, in several lines for people
 
     [[nodiscard]] std::size_t inputs() const;
     [[nodiscard]] std::size_t outside() const;
     [[nodiscard]] std::size_t recorded() const;
+    // The worst error as a fraction of the permitted width, or of the budget.
+    [[nodiscard]] double fraction_of_allowed() const {
+        return verdict == Verdict::rules ? fraction : budget_fraction;
+    }
+    [[nodiscard]] bool ran() const { return error.empty(); }
+    [[nodiscard]] bool passed() const { return ran() && outside() == 0 && fault.empty(); }
 
     // Adds a judged sample; `outside` when it failed.
     void add(const Sample& sample, bool is_outside);
@@ -80,7 +129,7 @@ struct Census {
     void add_unbounded(const Sample& sample);
     void add_guarantee(const Guarantee& guarantee);
     // Adds what another part of the same run found; parts are merged in the order of their inputs.
-    void merge(const Census& later);
+    void merge(const Answer& later);
 
   private:
     ClassCount& count(InputClass input_class) { return classes.at(static_cast<std::size_t>(input_class)); }

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "check/coverage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "check/internal/trial.hpp"
+#include "check/interpreted_kernel.hpp"
+#include "check/measure_coverage.hpp"
+#include "shader/cache.hpp"
+#include "shader/include.hpp"
+
+namespace gloam::check {
+namespace {
+
+constexpr const char* generated = "kernel";
+constexpr std::uint64_t most_steps = 100'000'000;  // about a second
+constexpr std::size_t first_inputs = 1024;         // of each scenario, among which all kinds are
+constexpr std::size_t first_look = 64;             // after so many inputs, then after twice as many
+
+// The lines of a source file; none where it cannot be read.
+std::vector<std::string> lines_of(const std::string& file) {
+    std::vector<std::string> lines;
+    try {
+        std::istringstream text(shader::read_text(file));
+        for (std::string line; std::getline(text, line);) {
+            const std::size_t first = line.find_first_not_of(" \t");
+            lines.push_back(first == std::string::npos ? "" : line.substr(first));
+        }
+    } catch (const std::exception&) {
+        lines.clear();
+    }
+    return lines;
+}
+
+// The lines of source files.
+class Texts {
+  public:
+    std::string at(const std::string& file, unsigned line) {
+        const auto [known, fresh] = files_.try_emplace(file);
+        if (fresh) known->second = lines_of(file);
+        return line >= 1 && line <= known->second.size() ? known->second[line - 1] : "";
+    }
+
+  private:
+    std::map<std::string, std::vector<std::string>> files_;
+};
+
+bool is_of_source(const interpreter::Place& place) {
+    return !place.file.empty() && place.file != generated;
+}
+
+// The same program over the images of each scenario.
+class Measurement {
+  public:
+    Measurement(const Lab& lab, const Question& question, const RunOptions& options)
+        : question_(question),
+          options_(options),
+          module_(module_of(lab, question)),
+          program_(module_.spirv),
+          seen_(program_) {}
+
+    Coverage run() {
+        const std::size_t scenarios = std::max<std::size_t>(question_.scenarios.size(), 1);
+        internal::for_each_scenario(question_, options_.inputs,
+                                    [&](const ImageScenario& scenario, std::size_t share) {
+                                        if (!complete_) run(scenario, share, most_steps / scenarios);
+                                    });
+        Coverage all = summary();
+        Texts texts;
+        for (Coverage::Point& point : all.points) point.text = texts.at(point.file, point.line);
+        return all;
+    }
+
+  private:
+    static KernelModule module_of(const Lab& lab, const Question& question) {
+        KernelSource source = lab.source(question.file, question.function, question.signature);
+        shader::CompileOptions options = lab.compile_options();
+        options.variant = {};  // an optimiser removes branches and copies others
+        options.lines = true;
+        return {
+            .spirv = shader::SpirvCache().compile({.name = generated, .text = kernel_code(source)}, options),
+            .input_words = question.signature.input_words(),
+            .output_words = question.signature.output_words(),
+            .images = std::move(source.images)};
+    }
+
+    void run(const ImageScenario& scenario, std::size_t share, std::uint64_t steps) {
+        const ImageSet images = internal::images_of(scenario, options_.seed);
+        const auto words = image_words(module_.images, images, question_.function);
+        InterpretedKernel<float> kernel(program_, module_, words);
+        const Domain::Inputs inputs = question_.domain.draw(
+            share, internal::input_seed_of(question_, scenario, options_.seed), scenario.size);
+        for (std::size_t i = 0; i < inputs.count() && !complete_; ++i) {
+            if (i >= first_inputs && kernel.machine().steps() > steps) break;
+            kernel.run(inputs.row(i), seen_);
+            if (++run_ < next_look_) continue;
+            next_look_ *= 2;
+            complete_ = is_complete();
+        }
+        complete_ = complete_ || is_complete();
+    }
+
+    [[nodiscard]] bool is_complete() const { return summary().is_complete(); }
+
+    [[nodiscard]] Coverage summary() const {
+        Coverage all{.inputs = run_, .points = {}};
+        for (const interpreter::Coverage::Line& line : seen_.lines()) {
+            if (is_of_source(line.place))
+                all.points.push_back({line.place.file, line.place.line, "", "", line.reached});
+        }
+        for (const interpreter::Coverage::Way& way : seen_.ways()) {
+            if (!is_of_source(way.place)) continue;
+            const std::string number =
+                way.branch == 1 ? "" : fmt::format(", branch {} of the line", way.branch);
+            all.points.push_back({way.place.file, way.place.line, "", way.way + number, way.reached});
+        }
+        return all;
+    }
+
+    const Question& question_;
+    const RunOptions& options_;
+    KernelModule module_;
+    interpreter::Program program_;
+    interpreter::Coverage seen_;
+    std::size_t run_ = 0;
+    std::size_t next_look_ = first_look;
+    bool complete_ = false;
+};
+
+}  // namespace
+
+bool Coverage::is_complete() const {
+    return std::ranges::all_of(points, &Point::reached);
+}
+
+std::string to_text(const Coverage& coverage) {
+    std::array<std::size_t, 2> all{};  // lines, ways
+    std::array<std::size_t, 2> reached{};
+    std::string missed;
+    std::set<std::pair<std::string, unsigned>> missed_lines;
+    for (const Coverage::Point& point : coverage.points) {
+        const std::size_t kind = point.way.empty() ? 0 : 1;
+        ++all.at(kind);
+        reached.at(kind) += point.reached ? 1 : 0;
+        // Of a branch that was not reached the line alone tells.
+        if (point.reached || (kind == 1 && missed_lines.contains({point.file, point.line}))) continue;
+        if (kind == 0) missed_lines.insert({point.file, point.line});
+        missed += fmt::format("\n    {}:{} {}: {}", point.file, point.line,
+                              kind == 0 ? "not reached" : "never " + point.way, point.text);
+    }
+    return fmt::format("lines {} of {}, ways of branches {} of {}, {} inputs{}", reached[0], all[0],
+                       reached[1], all[1], coverage.inputs, missed);
+}
+
+Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options) {
+    return Measurement(lab, question, options).run();
+}
+
+}  // namespace gloam::check

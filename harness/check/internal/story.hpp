@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "check/answer.hpp"
+#include "check/lab.hpp"
+#include "check/question.hpp"
+
+namespace gloam::check::internal {
+
+// Gives an answer that failed its story: what was found, and the worst input operation by operation. `seed`
+// is that of the run.
+void tell_story(const Lab& lab, const Question& question, std::uint64_t seed, Answer& answer);
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "report/answer_json.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "report/rows.hpp"
+
+namespace gloam::report {
+namespace answer_json_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from << " is not in " << text;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+auto says(const std::string& text) {
+    return testing::ThrowsMessage<std::runtime_error>(HasSubstr(text));
+}
+
+TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
+    const check::Answer row = answer_from_json(to_json(failing_row()));
+    const check::Answer want = failing_row();
+    EXPECT_EQ(to_json(row), to_json(want));
+    EXPECT_EQ(row.equation, want.equation);
+    EXPECT_EQ(row.verdict, check::Verdict::rules);
+    EXPECT_EQ(row.inputs(), 100U);
+    EXPECT_EQ(row.by_rules, 93U);
+    EXPECT_EQ(row.forbidden, 3U);
+    EXPECT_EQ(row.bounded, 90U);
+    EXPECT_EQ(row.guarantee.fraction, 0.75);
+    EXPECT_EQ(row.unbounded, 5U);
+    EXPECT_EQ(row.differs, 2U);
+    EXPECT_TRUE(std::isinf(row.max_ulp));
+    EXPECT_EQ(row.max_absolute, want.max_absolute);
+    EXPECT_EQ(row.fraction_of_allowed(), 1.25);
+    EXPECT_EQ(row.budget.absolute, 1e-7);
+    EXPECT_EQ(row.classes.back().recorded, 7U);
+    ASSERT_TRUE(row.first_unbounded);
+    EXPECT_EQ(row.first_unbounded->values, want.first_unbounded->values);
+    ASSERT_TRUE(row.worst);
+    EXPECT_EQ(row.worst->inputs, want.worst->inputs);
+    EXPECT_EQ(row.worst->want, want.worst->want);
+    ASSERT_EQ(row.worst->permitted.size(), 1U);
+    EXPECT_TRUE(row.worst->permitted[0].nan);
+    ASSERT_TRUE(row.coverage);
+    EXPECT_EQ(row.coverage->points.at(0).text, "return 0.0;");
+    EXPECT_EQ(row.fault, want.fault);
+    EXPECT_EQ(row.reason, check::Reason::fault);
+    EXPECT_EQ(row.seconds, 0.125);
+    EXPECT_EQ(row.story, want.story);
+    EXPECT_FALSE(row.passed());
+}
+
+TEST(AnswerJson, IsOneLineWhateverItHolds) {
+    EXPECT_EQ(to_json(failing_row()).find('\n'), std::string::npos);
+    check::Answer row = passing_row("A");
+    row.error = "a driver's \xff byte\nand line";
+    EXPECT_EQ(to_json(row).find('\n'), std::string::npos);
+    EXPECT_THAT(answer_from_json(to_json(row)).error, HasSubstr("byte\nand line"));
+}
+
+TEST(AnswerJson, WhatWasNotCalculatedIsNull) {
+    const std::string text = to_json(passing_row("A"));
+    EXPECT_THAT(text, AllOf(HasSubstr("\"width_fraction\":null"), HasSubstr("\"guarantee\":null"),
+                            HasSubstr("\"coverage\":null")));
+    const check::Answer row = answer_from_json(text);
+    EXPECT_FALSE(row.worst);
+    EXPECT_FALSE(row.first_unbounded);
+    EXPECT_TRUE(row.passed());
+}
+
+TEST(AnswerJson, EveryReasonHasANameOfItsOwn) {
+    for (const check::Reason reason : check::all_reasons) {
+        check::Answer row = passing_row("A");
+        row.reason = reason;
+        EXPECT_EQ(answer_from_json(to_json(row)).reason, reason) << name_of(reason);
+    }
+}
+
+TEST(AnswerJson, WhatIsWrongIsNamed) {
+    const std::string good = to_json(failing_row());
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"inputs\":100", "\"inputs\":\"many\"")); },
+                says("inputs: expected a count, found \"many\""));
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"inputs\":100", "\"inputs\":-1")); },
+                says("inputs: expected a count"));
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"inputs\":100", "\"inputs\":99")); },
+                says("inputs: expected the sum over the classes, found 99"));
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"ordinary\":", "\"strange\":")); },
+                says("classes: expected a class of inputs"));
+    EXPECT_THAT(
+        [&] { (void)answer_from_json(replaced(good, "\"width_fraction\":1.25", "\"width_fraction\":null")); },
+        says("width_fraction: expected a number"));
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"max_abs\":0.1", "\"max_abs\":\"big\"")); },
+                says("max_abs: expected a number"));
+    EXPECT_THAT(
+        [&] { (void)answer_from_json(replaced(good, "\"reason\":\"fault\"", "\"reason\":\"mood\"")); },
+        says("reason: expected"));
+    EXPECT_THAT(
+        [&] { (void)answer_from_json(replaced(good, "\"verdict\":\"rules\"", "\"verdict\":\"luck\"")); },
+        says("verdict: expected budget or rules"));
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"variant\"", "\"varying\"")); },
+                says("variant: expected this field"));
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "4294967295", "4294967296")); },
+                says("worst.input_words[1]: expected a 32-bit word"));
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"got_words\":[", "\"got_words\":[true,")); },
+                says("worst.got_words[0]: expected a count"));
+    EXPECT_THAT([&] { (void)answer_from_json(good.substr(0, 40)); }, says("no JSON"));
+    EXPECT_THAT([&] { (void)answer_from_json("[1]"); }, says("expected an object"));
+}
+
+}  // namespace answer_json_test
+}  // namespace gloam::report
