@@ -12,7 +12,6 @@
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/measure_coverage.hpp"
-#include "shader/cache.hpp"
 #include "shader/include.hpp"
 
 namespace gloam::check {
@@ -83,11 +82,10 @@ class Measurement {
         shader::CompileOptions options = lab.compile_options();
         options.variant = {};  // an optimiser removes branches and copies others
         options.lines = true;
-        return {
-            .spirv = shader::SpirvCache().compile({.name = generated, .text = kernel_code(source)}, options),
-            .input_words = question.signature.input_words(),
-            .output_words = question.signature.output_words(),
-            .images = std::move(source.images)};
+        return {.spirv = lab.compile({.name = generated, .text = kernel_code(source)}, options),
+                .input_words = question.signature.input_words(),
+                .output_words = question.signature.output_words(),
+                .images = std::move(source.images)};
     }
 
     void run(const ImageScenario& scenario, std::size_t share, std::uint64_t steps) {

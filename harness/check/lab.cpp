@@ -133,7 +133,11 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
 }
 
 shader::Spirv Lab::compile(const shader::Source& text) const {
-    return cache_.compile(text, compile_options());
+    return compile(text, compile_options());
+}
+
+shader::Spirv Lab::compile(const shader::Source& text, const shader::CompileOptions& options) const {
+    return cache_.compile(text, options);
 }
 
 shader::Spirv Lab::compile_kernel(const shader::Source& text) const {

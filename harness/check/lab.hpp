@@ -54,6 +54,9 @@ class Lab {
 
     // The module of a compute shader, in the lab's variant. Throws shader::CompileError.
     [[nodiscard]] shader::Spirv compile(const shader::Source& text) const;
+    // The same in any other way.
+    [[nodiscard]] shader::Spirv compile(const shader::Source& text,
+                                        const shader::CompileOptions& options) const;
 
     // The same for a kernel. Throws std::invalid_argument as well, for a function that uses bindings of its
     // own: nothing stands behind them.

@@ -9,6 +9,7 @@
 #include "reference/occlusion/curvature.hpp"
 #include "reference/occlusion/visibility_bitmask.hpp"
 #include "reference/sampling/depth_mip.hpp"
+#include "reference/sampling/hash_rotation.hpp"
 #include "reference/sampling/tangent_frame.hpp"
 #include "reference/shading/bent_cone.hpp"
 
@@ -179,6 +180,17 @@ TEST(Printed, LevelIsTheLogarithmOfTheDistanceInPixels) {
         const int printed = std::clamp(static_cast<int>(std::floor(std::log2(h))) - 3, 0, 5);
         EXPECT_EQ(gloam_depth_mip_level(h, 16.0, 5), printed) << h;
     });
+}
+
+// 10 h mod 2 pi with 60 digits; at x = 0 the hash is y.
+TEST(Printed, TheHashsAngleLosesNoDigitOfItsTurns) {
+    const std::pair<unsigned, double> angles[] = {{1U, 3.71681469282041352307},
+                                                  {355U, 0.00030144353364053721},
+                                                  {1068966896U, 6.28318529673325368618},
+                                                  {2147483648U, 5.54276186321225303096},
+                                                  {4294967295U, 1.08552372642450606193}};
+    for (const auto& [hash, angle] : angles)
+        EXPECT_NEAR(gloam_hash_rotation({0, static_cast<int>(hash)}), angle, 1e-15) << hash;
 }
 
 TEST(Printed, KeysInTwoBytes) {

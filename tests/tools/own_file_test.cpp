@@ -32,6 +32,39 @@ TEST(OwnFile, OneFunctionInAllVariantsFromItsRange) {
     EXPECT_THAT(result.out, HasSubstr("8 checks, 0 failed"));
 }
 
+// Each function in a worker: what hangs there is told, and the others are checked.
+TEST(OwnFile, AHangCostsOneFunction) {
+    const std::string spins = std::string(GLOAM_TOOLS_FIXTURES) + "/own_spins.glsl";
+    const TemporaryDirectory folder;
+    const std::string json = (folder.path() / "own.json").string();
+    const std::string failures = (folder.path() / "failures").string();
+    const CommandResult result = run_command(
+        {"check", spins, "--inputs", "64", "--timeout", "1.5", "--json", json, "--failures", failures});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.out, HasSubstr("3 checks, 1 failed"));
+    EXPECT_THAT(result.out, testing::ContainsRegex("run it again: gloam check .*own_spins.glsl own_spins"));
+    const nlohmann::json rows = nlohmann::json::parse(read_file(json)).at("results");
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[1].at("reason"), "hang");
+    EXPECT_EQ(rows[1].at("function"), "own_spins");
+    EXPECT_EQ(rows[2].at("outside"), 0);
+    EXPECT_EQ(rows[2].at("inputs"), 64);
+    EXPECT_EQ(rows[2].at("by_rules"), 64);
+    EXPECT_EQ(rows[2].at("bounded"), 64);
+    EXPECT_FALSE(std::filesystem::is_empty(failures));
+}
+
+TEST(OwnFile, CoverageIsToldWhereItIsAskedFor) {
+    const TemporaryDirectory folder;
+    const std::string json = (folder.path() / "own.json").string();
+    const CommandResult result =
+        run_command({"check", file, "own_swap", "--inputs", "64", "--coverage", "--json", json});
+    expect_success(result);
+    EXPECT_THAT(result.out, HasSubstr("own_swap shipped: lines 1 of 1, ways of branches 2 of 2"));
+    const nlohmann::json row = nlohmann::json::parse(read_file(json)).at("results").at(0);
+    EXPECT_EQ(row.at("coverage").at("points").at(0).at("text"), "return really ? v.yx : v;");
+}
+
 TEST(OwnFile, BadInputIsNamed) {
     expect_could_not_run(run_command({"check", file, "no_such"}), "no_such");
     expect_could_not_run(run_command({"check", "no_such.glsl"}), "no_such.glsl");

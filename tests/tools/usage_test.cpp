@@ -49,9 +49,11 @@ TEST(Devices, AreListedWithTheirFloatControls) {
     const CommandResult result = run_command({"devices", "--json"});
     expect_success(result);
     const auto devices = nlohmann::json::parse(result.out);
-    ASSERT_FALSE(devices.empty());
+    ASSERT_GE(devices.size(), 2U);
     for (std::size_t i = 0; i < devices.size(); ++i) {
-        EXPECT_EQ(devices[i].at("index"), i);
+        const bool is_interpreter = i + 1 == devices.size();
+        EXPECT_EQ(devices[i].at("index"), is_interpreter ? nlohmann::json() : nlohmann::json(i));
+        EXPECT_EQ(devices[i].at("name") == "interpreter", is_interpreter);
         EXPECT_NE(devices[i].at("name"), "");
         EXPECT_TRUE(devices[i].at("float32").at("denorm_preserve").is_boolean());
     }
@@ -62,6 +64,17 @@ TEST(Devices, NoneIsOneClearLine) {
         .environment = {"VK_ICD_FILENAMES=/no/such/driver.json", "VK_DRIVER_FILES=/no/such/driver.json"}};
     expect_could_not_run(run_command({"devices"}, none), "Vulkan");
     expect_could_not_run(run_command({"check", "gloam_radical_inverse_base2"}, none), "Vulkan");
+}
+
+TEST(Devices, TheInterpreterNeedsNoDriver) {
+    const CommandOptions none{
+        .environment = {"VK_ICD_FILENAMES=/no/such/driver.json", "VK_DRIVER_FILES=/no/such/driver.json"}};
+    const CommandResult result =
+        run_command({"check", "TSSAO-5", "HALTON", "--inputs", "512", "--device", "interpreter"}, none);
+    expect_success(result);
+    EXPECT_THAT(result.out, testing::StartsWith("device: interpreter"));
+    EXPECT_THAT(result.out, HasSubstr("2 checks, 0 failed"));
+    expect_could_not_run(run_command({"render", "--device", "interpreter"}, none), "Vulkan");
 }
 
 TEST(List, NamesOneALine) {
