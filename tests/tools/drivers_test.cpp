@@ -115,6 +115,22 @@ TEST(Drivers, OneThatEndsTheProcessCostsItselfOnly) {
     EXPECT_THAT(list.err, HasSubstr(manifest + ": its process ended with status 0"));
 }
 
+TEST(Drivers, OneThatHangsCostsItselfAndItsTimeOnly) {
+    const TemporaryDirectory folder;
+    const std::string manifest = manifest_in(folder, "hangs.json", GLOAM_CRASHING_DRIVER);
+    std::vector<std::string> environment{"VK_ADD_DRIVER_FILES=" + manifest, "GLOAM_TEST_DRIVER_HANGS=1",
+                                         "GLOAM_DRIVER_SECONDS=3"};
+    const CommandResult list = run_command({"devices"}, {.environment = environment});
+    EXPECT_EQ(list.status, 0);
+    EXPECT_THAT(list.out, testing::StartsWith("0: "));
+    EXPECT_THAT(list.err, HasSubstr(manifest + ": does not load within 3 s"));
+    for (const char* wrong :
+         {"GLOAM_DRIVER_SECONDS=soon", "GLOAM_DRIVER_SECONDS=0", "GLOAM_DRIVER_SECONDS=nan"}) {
+        environment.back() = wrong;
+        expect_could_not_run(run_command({"devices"}, {.environment = environment}), "GLOAM_DRIVER_SECONDS");
+    }
+}
+
 TEST(Drivers, NoneThatLoadsIsOneLine) {
     const TemporaryDirectory folder;
     const std::string crashing = manifest_in(folder, "crashing.json", GLOAM_CRASHING_DRIVER);

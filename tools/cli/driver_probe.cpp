@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -21,7 +23,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds time_to_load{30};
+constexpr double seconds_to_load = 30.0;
+
+// How long a driver may take to load. Throws std::invalid_argument.
+std::chrono::milliseconds time_to_load() {
+    const char* text = std::getenv("GLOAM_DRIVER_SECONDS");
+    if (text == nullptr) return std::chrono::milliseconds(static_cast<int>(1e3 * seconds_to_load));
+    constexpr double most = 86'400.0;
+    char* end = nullptr;
+    const double seconds = std::strtod(text, &end);
+    if (end == text || *end != '\0' || !(seconds >= 0.1 && seconds <= most)) {
+        throw std::invalid_argument(
+            fmt::format("GLOAM_DRIVER_SECONDS \"{}\": expected seconds, 0.1 to {}", text, most));
+    }
+    return std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * seconds));
+}
 
 std::vector<std::string> parts_of(const char* list) {
     std::vector<std::string> parts;
@@ -67,7 +83,7 @@ std::vector<fs::path> standard_folders() {
     return folders;
 }
 
-// How many devices there are, with this driver alone or, without one, with all. Throws nothing.
+// How many devices there are, with this driver alone or, without one, with all.
 DriverTrouble tried(const fs::path& manifest) {
     DriverTrouble trouble{.manifest = manifest};
     const auto fail = [&](check::Reason reason, const std::string& why) {
@@ -75,10 +91,13 @@ DriverTrouble tried(const fs::path& manifest) {
         trouble.error = base::one_line(why);
         return trouble;
     };
+    const std::chrono::milliseconds patience = time_to_load();
     const base::ProcessResult result =
-        base::run_process(counting_command(manifest), "", {.patience = time_to_load});
-    if (result.end == base::ProcessResult::End::time)
-        return fail(check::Reason::hang, fmt::format("does not load within {} s", time_to_load.count()));
+        base::run_process(counting_command(manifest), "", {.patience = patience});
+    if (result.end == base::ProcessResult::End::time) {
+        const double seconds = std::chrono::duration<double>(patience).count();
+        return fail(check::Reason::hang, fmt::format("does not load within {:g} s", seconds));
+    }
     if (result.output.empty()) return fail(check::Reason::crash, "its process " + result.how());
     try {
         const Greeting greeting = greeting_from(result.output.substr(0, result.output.find('\n')));
