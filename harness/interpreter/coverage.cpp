@@ -15,13 +15,9 @@ namespace {
 using internal::Code;
 using internal::Instruction;
 
-bool chooses_by_one_condition(const Instruction& i) {
-    return i.op == internal::select && (i.stride == 0 || i.count == 1);
-}
-
 // What may follow an instruction, as Coverage::add() is told it; nothing where that is one thing.
 std::vector<std::uint32_t> followers_of(const Code& code, const Instruction& i) {
-    if (chooses_by_one_condition(i)) return {1, 0};
+    if (i.op == internal::select) return {1, 0};
     std::vector<std::uint32_t> targets;
     if (i.op == internal::branch) {
         targets = {code.edges[i.extra].target, code.edges[i.b].target};

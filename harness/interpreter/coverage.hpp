@@ -37,7 +37,7 @@ class Coverage {
     [[nodiscard]] bool is_complete() const;
 
     // Counts an instruction that ran, by its position, and what followed: the next instruction, or, of a
-    // choice between values, its condition.
+    // choice between values, its condition (of each component, where they have their own).
     void add(std::size_t instruction, std::uint32_t next);
 
   private:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <glm/gtc/packing.hpp>
 
 #include "interpreter/shader_run.hpp"
 
@@ -68,6 +69,31 @@ TEST(Program, ArraysAndStructuresAreReachedByWhatIsKnownWhenItRunsOnly) {
         "put(0u, pick(p, word(0), word(1))); put(1u, pick(p, 0u, 2u)); put(2u, p[word(0)].a);\n";
     EXPECT_EQ(words_of(body, {1, 2, 0, 0}, 3, functions), (std::vector<Word>{112, 2, 78}));
     EXPECT_EQ(words_of(body, {0, 2, 0, 0}, 3, functions), (std::vector<Word>{102, 102, 77}));
+}
+
+TEST(Program, FloatsOf16BitsAreConstantsAndLieInBuffers) {
+    const std::string text =
+        "#version 450\n#extension GL_EXT_shader_16bit_storage : require\n"
+        "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n"
+        "layout(local_size_x = 1) in;\n"
+        "layout(std430, binding = 0) readonly buffer In { float16_t a; f16vec3 v; float f; float16_t rest[]; "
+        "};\n"
+        "layout(std430, binding = 1) buffer Out { f16vec2 two; float16_t one; float16_t last; };\n"
+        "void main() { two = f16vec2(a + 0.333hf, v.z); one = rest[1] * v.x; last = float16_t(f); }\n";
+    const auto pair = [](float low, float high) { return glm::packHalf2x16({low, high}); };
+    const std::vector<Word> in{pair(1.5F, 0.0F),          0,
+                               pair(2.0F, 3.0F),          pair(-4.25F, 0.0F),
+                               std::bit_cast<Word>(0.1F), pair(7.0F, -0.375F)};
+    const std::vector<Word> out{0, pair(9.0F, 9.0F)};
+    for (const char* variant : {"shipped", "optimized"}) {
+        Machine<float> machine(Program(compiled(text, variant)));
+        machine.bind(0, 0, in);
+        machine.bind(0, 1, out);
+        machine.set_invocation({0, 0, 0});
+        machine.run();
+        EXPECT_EQ(machine.read(0, 1, 0).bits(), pair(1.8330078125F, -4.25F)) << variant;  // 0.333 has 11 bits
+        EXPECT_EQ(machine.read(0, 1, 1).bits(), pair(-0.75F, 0.1F)) << variant;
+    }
 }
 
 TEST(Program, MatricesInBuffersLieAsTheirLayoutSays) {

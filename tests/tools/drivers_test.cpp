@@ -13,11 +13,15 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
+// Of Vulkan: the interpreter, which comes last, is left out.
 json devices(std::vector<std::string> arguments = {}, const CommandOptions& options = {}) {
     arguments.insert(arguments.begin(), {"devices", "--json"});
     const CommandResult result = run_command(arguments, options);
     expect_success(result);
-    return json::parse(result.out);
+    json all = json::parse(result.out);
+    EXPECT_EQ(all.back().at("name"), "interpreter");
+    all.erase(all.end() - 1);
+    return all;
 }
 
 std::size_t swiftshaders(const json& devices) {
@@ -101,7 +105,8 @@ TEST(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
         EXPECT_THAT(check.out, HasSubstr(crashing));
         EXPECT_THAT(check.out, HasSubstr("1 failed"));
         std::ifstream stream(file);
-        EXPECT_EQ(json::parse(stream).size(), json::parse(run({"devices", "--json"}).out).size() + 1);
+        // The driver that crashed has a report, the interpreter, which is listed too, has none.
+        EXPECT_EQ(json::parse(stream).size(), json::parse(run({"devices", "--json"}).out).size());
     }
 }
 

@@ -39,7 +39,7 @@ TEST(OwnFile, AHangCostsOneFunction) {
     const std::string json = (folder.path() / "own.json").string();
     const std::string failures = (folder.path() / "failures").string();
     const CommandResult result = run_command(
-        {"check", spins, "--inputs", "64", "--timeout", "1.5", "--json", json, "--failures", failures});
+        {"check", spins, "--inputs", "4096", "--timeout", "1.5", "--json", json, "--failures", failures});
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, HasSubstr("3 checks, 1 failed"));
     EXPECT_THAT(result.out, testing::ContainsRegex("run it again: gloam check .*own_spins.glsl own_spins"));
@@ -48,9 +48,9 @@ TEST(OwnFile, AHangCostsOneFunction) {
     EXPECT_EQ(rows[1].at("reason"), "hang");
     EXPECT_EQ(rows[1].at("function"), "own_spins");
     EXPECT_EQ(rows[2].at("outside"), 0);
-    EXPECT_EQ(rows[2].at("inputs"), 64);
-    EXPECT_EQ(rows[2].at("by_rules"), 64);
-    EXPECT_EQ(rows[2].at("bounded"), 64);
+    EXPECT_EQ(rows[2].at("inputs"), 4096);
+    EXPECT_EQ(rows[2].at("by_rules"), 4096);
+    EXPECT_EQ(rows[2].at("bounded"), 4096);
     EXPECT_FALSE(std::filesystem::is_empty(failures));
 }
 

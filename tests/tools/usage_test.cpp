@@ -74,7 +74,7 @@ TEST(Devices, TheInterpreterNeedsNoDriver) {
     expect_success(result);
     EXPECT_THAT(result.out, testing::StartsWith("device: interpreter"));
     EXPECT_THAT(result.out, HasSubstr("2 checks, 0 failed"));
-    expect_could_not_run(run_command({"render", "--device", "interpreter"}, none), "Vulkan");
+    expect_could_not_run(run_command({"render", "corner", "--device", "interpreter"}, none), "Vulkan");
 }
 
 TEST(List, NamesOneALine) {

@@ -35,10 +35,10 @@ enum Operation : std::uint16_t {
     chain,            // pointer `result` by chain `extra`
     load_slots,       // count slots from where pointer a points
     store_slots,      // count slots at b to where pointer a points
-    load_memory,      // count slots; their byte offsets from pointer a are in the list at `extra`
-    store_memory,     // the same from the slots at b
-    array_length,     // elements behind pointer a; `extra`: bytes of one
-    load_resource,    // which image stands behind pointer a
+    load_memory,    // count slots; their offsets from pointer a, as append_offsets() has them, are at `extra`
+    store_memory,   // the same from the slots at b
+    array_length,   // elements behind pointer a; `extra`: bytes of one
+    load_resource,  // which image stands behind pointer a
     image_load,   // count components of image a at b, whose components are c; `extra`: slot of the level + 1
     image_store,  // the count components at c to image a at b, whose components are `extra`
     image_size,   // of image a; `extra`: slot of the level + 1

@@ -3,6 +3,7 @@
 
 #include "interpreter/internal/opcodes.hpp"
 
+#include "interpreter/internal/conversions.hpp"
 #include "interpreter/internal/integers.hpp"
 
 // Copies, branches, memory and images.
@@ -149,18 +150,36 @@ void do_store_slots(State<N>& s, const Instruction& i) {
     std::copy_n(s.slots.begin() + i.b, i.count, s.slots.begin() + s.pointers[i.a].offset);
 }
 
+// A scalar behind a pointer; an odd offset is that of a float of 16 bits.
+template <class N>
+[[nodiscard]] Value<N> load_scalar(const State<N>& s, const Pointer& pointer, std::uint32_t offset) {
+    const Value<N> word = s.read(pointer, offset);
+    if ((offset & 1U) == 0) return word;
+    const Word half = word.bits() >> (((pointer.offset + offset) & 2U) * 8U) & 0xffffU;
+    return Value<N>::of_float(std::bit_cast<Word>(half_value(half)));
+}
+
+template <class N>
+void store_scalar(State<N>& s, const Pointer& pointer, std::uint32_t offset, const Value<N>& value) {
+    if ((offset & 1U) == 0) return s.write(pointer, offset, value);
+    const Word shift = ((pointer.offset + offset) & 2U) * 8U;
+    const Word others = s.read(pointer, offset).bits() & ~(0xffffU << shift);
+    s.write(pointer, offset, Value<N>::of_bits(others | apply(HalfBits{}, value.number()) << shift));
+}
+
 template <class N>
 void do_load_memory(State<N>& s, const Instruction& i) {
     const Pointer& pointer = s.pointers[i.a];
     for (std::uint32_t k = 0; k < i.count; ++k)
-        s.slots[i.result + k] = s.read(pointer, s.code.lists[i.extra + k]);
+        s.slots[i.result + k] = load_scalar(s, pointer, s.code.lists[i.extra + k]);
     if ((i.flags & flags::relaxed) != 0) copy_slots(s, i, i.result);
 }
 
 template <class N>
 void do_store_memory(State<N>& s, const Instruction& i) {
     const Pointer& pointer = s.pointers[i.a];
-    for (std::uint32_t k = 0; k < i.count; ++k) s.write(pointer, s.code.lists[i.extra + k], s.slots[i.b + k]);
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        store_scalar(s, pointer, s.code.lists[i.extra + k], s.slots[i.b + k]);
 }
 
 template <class N>

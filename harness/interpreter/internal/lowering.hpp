@@ -15,11 +15,11 @@ struct PointerInfo {
     enum class Space { slots, memory, resource };
     Space space = Space::slots;
     bool is_static = true;
-    Pointer target;           // when static
-    std::uint32_t index = 0;  // of the machine's pointer, when not
-    Id pointee = 0;           // type
-    MatrixLayout matrix;      // in memory
-    std::uint32_t scalar_stride = 4;
+    Pointer target;                   // when static
+    std::uint32_t index = 0;          // of the machine's pointer, when not
+    Id pointee = 0;                   // type
+    MatrixLayout matrix;              // in memory
+    std::uint32_t scalar_stride = 0;  // of a column of a row-major matrix; 0: none of its own
 };
 
 // Turns an entry point and all it calls into Code. Every call becomes a copy of the function.

@@ -24,9 +24,11 @@ struct Walk {
         if (in_slots()) return {types.slots(type.element), type.count};
         switch (type.kind) {
             case Type::Kind::vector:
-                return {at.scalar_stride, type.count};
+                return {at.scalar_stride == 0 ? types.scalar_bytes(type.element) : at.scalar_stride,
+                        type.count};
             case Type::Kind::matrix:
-                return {at.matrix.row_major ? 4 : at.matrix.stride, type.count};
+                return {at.matrix.row_major ? types.scalar_bytes(type.element) : at.matrix.stride,
+                        type.count};
             default:
                 return {type.array_stride, type.count};
         }
@@ -46,7 +48,7 @@ struct Walk {
 
     void enter_element() {
         const Type& type = types.at(at.pointee);
-        at.scalar_stride = type.kind == Type::Kind::matrix && at.matrix.row_major ? at.matrix.stride : 4;
+        at.scalar_stride = type.kind == Type::Kind::matrix && at.matrix.row_major ? at.matrix.stride : 0;
         at.pointee = type.element;
     }
 };

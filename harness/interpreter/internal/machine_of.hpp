@@ -163,7 +163,9 @@ template <class N>
 void Machine<N>::run(Coverage& coverage) {
     execute([&](const internal::Instruction& i) {
         const auto at = static_cast<std::size_t>(&i - state_->code.instructions.data());
-        coverage.add(at, i.op == internal::select ? Word{state_->bits(i.a) != 0} : state_->next);
+        if (i.op != internal::select) return coverage.add(at, state_->next);
+        for (std::uint32_t k = 0; k < (i.stride == 0 ? 1 : i.count); ++k)
+            coverage.add(at, state_->bits(i.a + k) != 0 ? 1 : 0);
     });
 }
 

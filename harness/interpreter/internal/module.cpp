@@ -4,13 +4,20 @@
 #include <fmt/format.h>
 #include "interpreter/internal/opcodes.hpp"
 
+#include <bit>
+
 #include "interpreter/error.hpp"
+#include "interpreter/internal/conversions.hpp"
 
 namespace gloam::interpreter::internal {
 namespace {
 
 [[noreturn]] void malformed(const std::string& message) {
     throw Error(Error::Kind::malformed, message);
+}
+
+bool is_half(const Type& type) {
+    return type.kind == Type::Kind::real && type.width == 16;
 }
 
 std::vector<shader::Instruction> split(const shader::Spirv& words) {
@@ -181,7 +188,8 @@ void Module::read_constant(const shader::Instruction& i) {
         case SpvOpSpecConstant:
             if (i.words.size() != 4)
                 throw Error(Error::Kind::unknown_instruction, "a constant of more than 32 bits");
-            value.bits = {i.word(3)};
+            value.bits = {is_half(types.at(value.type)) ? std::bit_cast<Word>(half_value(i.word(3) & 0xffffU))
+                                                        : i.word(3)};
             break;
         case SpvOpConstantComposite:
         case SpvOpSpecConstantComposite:

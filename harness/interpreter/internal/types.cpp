@@ -11,7 +11,6 @@ namespace {
 
 // A variable that holds more scalars than this is no shader's.
 constexpr std::uint64_t most_scalars = 1U << 22;
-constexpr std::uint32_t scalar_bytes = 4;
 
 std::uint32_t bounded(std::uint64_t slots) {
     if (slots > most_scalars)
@@ -114,19 +113,22 @@ void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scal
     switch (type.kind) {
         case Type::Kind::integer:
         case Type::Kind::real:
-            if (type.width != 32)
-                throw Error(Error::Kind::unknown_instruction,
-                            fmt::format("a number of {} bits in a buffer, expected 32", type.width));
-            return offsets.push_back(base);
+            if (type.width != 32 && !(type.width == 16 && type.kind == Type::Kind::real))
+                throw Error(
+                    Error::Kind::unknown_instruction,
+                    fmt::format("{} of {} bits in a buffer, expected 32",
+                                type.kind == Type::Kind::real ? "a float" : "an integer", type.width));
+            return offsets.push_back(type.width == 16 ? base | 1U : base);
         case Type::Kind::vector:
-            return every(scalar_stride, scalar_stride);
+            return every(scalar_stride == 0 ? scalar_bytes(type.element) : scalar_stride, 0);
         case Type::Kind::matrix:
-            return matrix.row_major ? every(scalar_bytes, matrix.stride) : every(matrix.stride, scalar_bytes);
+            return matrix.row_major ? every(scalar_bytes(type.element), matrix.stride)
+                                    : every(matrix.stride, 0);
         case Type::Kind::array:
-            return every(type.array_stride, scalar_bytes);
+            return every(type.array_stride, 0);
         case Type::Kind::structure:
             for (const Type::Member& member : type.members)
-                append_offsets(member.type, member.matrix, scalar_bytes, base + member.offset, offsets);
+                append_offsets(member.type, member.matrix, 0, base + member.offset, offsets);
             return;
         default:
             throw Error(Error::Kind::unknown_instruction,

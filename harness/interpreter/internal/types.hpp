@@ -70,7 +70,11 @@ class Types {
     // The type of every scalar in it: floats, integers or bools.
     [[nodiscard]] const Type& scalar_of(Id id) const;
 
-    // Appends the byte offset of every scalar of a type that lies at `base` in memory.
+    // Bytes in memory of the scalars that a type is made of.
+    [[nodiscard]] std::uint32_t scalar_bytes(Id id) const { return scalar_of(id).width == 16 ? 2 : 4; }
+
+    // Appends the byte offset of every scalar of a type that lies at `base` in memory; plus 1 for one of 16
+    // bits. `scalar_stride`: of the components of a vector; 0: one behind the other.
     void append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scalar_stride, std::uint32_t base,
                         std::vector<std::uint32_t>& offsets) const;
 
