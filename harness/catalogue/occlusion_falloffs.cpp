@@ -92,7 +92,7 @@ void append_falloffs(Entries& entries) {
                     .title = "visibility of Filion and McNaughton",
                     .formula = "clamp((D - R) / D, 0, 1), 1 for D <= 0",
                     .source = "Filion and McNaughton 2008"},
-                   &reference::gloam_visibility_filion, {.ulp = 1.5});
+                   &reference::gloam_visibility_filion, {.ulp = 2});
     entries.push_back(equation<float(float)>({.id = "FALLOFF-one",
                                               .function = "gloam_falloff_one",
                                               .file = file,

@@ -98,7 +98,7 @@ float gloam_falloff_one(float hit_distance) {
 // delta: D, how far the surface at the sample's pixel lies in front of the sample, world units. radius: R, world
 // units, >= 0.
 // Returns visibility in [0, 1]: 1 for D <= 0 (D = 0 included), 0 for 0 < D <= R, 1 - R / D beyond; 1 for R = 0,
-// subnormal D or R, and NaN. Error: 1.5 ULP.
+// subnormal D or R, and NaN. Error: 2 ULP.
 float gloam_visibility_filion(float delta, float radius) {
     if (!(delta >= 1.175494351e-38 && radius >= 1.175494351e-38)) return 1.0;
     return gloam_falloff_linear(radius, delta);
