@@ -23,6 +23,15 @@ TEST(RenderDirections, BentNormalsAndLightAreFiles) {
         EXPECT_GT(fs::file_size(out / (std::string("f0000_") + name)), 100U) << name;
 }
 
+TEST(RenderDirections, InterleavedBentNormals) {
+    const TemporaryDirectory folder;
+    const fs::path out = folder.path() / "out";
+    expect_success(render(out, {"--bent-normals", "--bent-interleave", "4"}));
+    EXPECT_GT(fs::file_size(out / "f0000_bent.pfm"), 100U);
+    EXPECT_EQ(render(out, {"--bent-normals", "--bent-interleave", "9"}).status, 2);
+    EXPECT_EQ(render(out, {"--bent-interleave", "4"}).status, 2);
+}
+
 TEST(RenderDirections, NothingIsWrittenThatWasNotAskedFor) {
     const TemporaryDirectory folder;
     const fs::path out = folder.path() / "out";

@@ -116,7 +116,9 @@ class Renderer {
         if (output_.folder == nullptr || (!options_.bent_normals && !environment_)) return;
         if (!directional_) directional_.emplace(bench_.device, bench_.passes);
         if (options_.bent_normals)
-            write_bent_normals(*output_.folder, stem(number), directional_->bent_normals(wide, settings));
+            write_bent_normals(
+                *output_.folder, stem(number),
+                directional_->bent_normals(wide, settings, {.interleave = options_.bent_interleave}));
         if (environment_)
             write_light(*output_.folder, stem(number), directional_->light(wide, settings, *environment_));
     }
@@ -181,8 +183,8 @@ class Renderer {
     void show(int view_number, int frame_number, const scene::GBuffer& view, const effect::Frame& frame,
               const ViewTruth& truth) {
         const scene::SplitLight& light = bench_.light_of(input_, view_number, view, !options_.quiet);
-        pictures_.push_back(
-            pictures_of(stem(frame_number), frame.extent, light, frame.filtered, truth.truth));
+        pictures_.push_back(pictures_of(bench_.composite, stem(frame_number), frame.extent, light,
+                                        frame.filtered, truth.truth));
         if (output_.folder != nullptr) write_pictures(*output_.folder, pictures_.back());
     }
 
@@ -218,7 +220,9 @@ class Renderer {
 }  // namespace
 
 RenderBench::RenderBench(const RenderOptions& options)
-    : device(open_device(options.device, options.validation)), passes(glsl_directory(), cache_directory()) {}
+    : device(open_device(options.device, options.validation)),
+      passes(glsl_directory(), cache_directory()),
+      composite(device, passes) {}
 
 const scene::SplitLight& RenderBench::light_of(const RenderInput& input, int number,
                                                const scene::GBuffer& view, bool watched) {
