@@ -165,9 +165,8 @@ constexpr double exact = 1e-5;
 TEST(OwnValues, OfABarePlane) {
     for (const OwnValue& own : own_values()) {
         if (own.integrand == nullptr || own.of_pixels) continue;
-        const bool whole_ball = own.name == "crytek" || own.name == "volumetric";
         for (const char* plane : {"plane 0", "plane 30", "plane 60"})
-            expect_own_value(own.name, plane, whole_ball ? 0.5 : 0.0, exact);
+            expect_own_value(own.name, plane, method_named(own.name).on_a_plane, exact);
     }
 }
 

@@ -37,8 +37,7 @@ GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamK
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
     GloamCoveringDisc disc = gloam_covering_disc(position, kernel.radius, kernel.angle, camera);
     float phi = settings.intensity * kernel.radius;
-    GloamDistinctPixels known;
-    known.count = 0u;
+    GloamDistinctPixels known = GloamDistinctPixels(disc.footprint.pixel, uvec2(0u));
     float sum = 0.0;
     uint taken = 0u;
     for (uint i = 0u; i < kernel.count; ++i) {
