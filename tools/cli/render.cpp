@@ -12,6 +12,7 @@
 #include "cli/drivers.hpp"
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
+#include "cli/render_further.hpp"
 #include "cli/render_gallery.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/render_truth.hpp"
@@ -134,6 +135,11 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
         ->needs(bent)
         ->check(CLI::Range(1, 8))
         ->capture_default_str();
+    command
+        .add_option("--further-views", options.further_views,
+                    "so many other cameras around what is looked at see it too, and the largest occlusion "
+                    "counts: written beside the frame's own, of a scene or mesh")
+        ->check(CLI::Range(0, most_further_views));
     command.add_option(
         "--light", options.light,
         "white, sky, or an environment as .exr or .pfm: write the scene in its light, with what "

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 // Vectors as the texels of an image of four channels, and back.
 namespace gloam::effect {
 
 // (x, y, z, 0) of each.
-[[nodiscard]] inline std::vector<float> texels_of(const std::vector<glm::vec3>& vectors) {
+[[nodiscard]] inline std::vector<float> texels_of(std::span<const glm::vec3> vectors) {
     std::vector<float> texels;
     texels.reserve(4 * vectors.size());
     for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z, 0.0F});
