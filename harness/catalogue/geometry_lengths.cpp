@@ -68,14 +68,14 @@ void append_moments(Entries& entries) {
                                            .title = "moments of no surface point",
                                            .formula = "weight 0",
                                            .source = "definition"},
-                                          GLOAM_REFERENCE(gloam_moments_empty), {}));
+                                          &reference::gloam_moments_empty, {}));
     entries.push_back(equation<Moments(glm::vec3)>({.id = "MOMENTS-of",
                                                     .function = "gloam_moments_of",
                                                     .file = file,
                                                     .title = "moments of one surface point",
                                                     .formula = "weight 1, its mean, no variance",
                                                     .source = "definition"},
-                                                   GLOAM_REFERENCE(gloam_moments_of),
+                                                   &reference::gloam_moments_of,
                                                    {.domain = {vector(3, uniform(-5, 5)).only_as_drawn()}}));
     entries.push_back(equation<Moments(Moments, Moments)>(
         {.id = "MOMENTS-add",
@@ -84,7 +84,7 @@ void append_moments(Entries& entries) {
          .title = "moments of two groups of surface points",
          .formula = "m = m_a + t d;  C = (1 - t) C_a + t C_b + t (1 - t) d d^T,  d = m_b - m_a,  t = w_b / w",
          .source = source},
-        GLOAM_REFERENCE(gloam_moments_add),
+        &reference::gloam_moments_add,
         {.domain = {moments(), moments()},
          .budget = {.absolute = 2e-5},
          .promised = make_predicate<Moments(Moments, Moments)>(
@@ -96,7 +96,7 @@ void append_moments(Entries& entries) {
          .title = "variance of surface points along a direction",
          .formula = "max(n^T C n, 0)",
          .source = "definition"},
-        GLOAM_REFERENCE(gloam_moments_along),
+        &reference::gloam_moments_along,
         {.domain = {moments(), unit_vector(3).and_special()},
          .budget = {.absolute = 2e-6},
          .codomain = {0, numeric::infinity},

@@ -132,7 +132,7 @@ void append_issao_contributions(Entries& entries) {
                          .title = "ISSAO's contribution of a direction, without attenuation",
                          .formula = "max(v . n / |v|, 0) for |v| < R",
                          .source = "ISSAO, eq 3, reconstructed"},
-                        GLOAM_REFERENCE(gloam_contribution_issao_basic),
+                        &reference::gloam_contribution_issao_basic,
                         {.domain = {offsets(), normals(), lengths()},
                          .budget = {.absolute = 4e-7},
                          .codomain = {0, 1},

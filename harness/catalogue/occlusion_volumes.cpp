@@ -132,7 +132,7 @@ void append_areas_and_balls(Entries& entries) {
          .title = "solid part of a chord over an area of heights",
          .formula = "(1 / (2 w)) integral of clamp((h + z) / (2 h), 0, 1) dz over [m - w, m + w]",
          .source = "Loos and Sloan 2010, reconstructed"},
-        GLOAM_REFERENCE(gloam_area_occlusion),
+        &reference::gloam_area_occlusion,
         {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(),
                           either(uniform(0, 2), lengths()).and_value(0.0F), lengths()}
                        .tied(0, 2)
@@ -148,7 +148,7 @@ void append_areas_and_balls(Entries& entries) {
          .title = "balls of two radii as one occlusion",
          .formula = "clamp(q_fine + q_broad - 1/2, 0, 1)",
          .source = "after Loos and Sloan 2010"},
-        GLOAM_REFERENCE(gloam_two_balls),
+        &reference::gloam_two_balls,
         {.domain = {solid, solid}, .budget = {.absolute = 1.2e-7}, .codomain = {0, 1}}));
 }
 
