@@ -166,7 +166,7 @@ void probe(ivec2 pixel, float depth) {
 // Read by the samples, which thereby are the probes.
 float gloam_fetch_depth(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
-    if (moving_objects) probe(pixel, depth);
+    if (moving_objects && parameters.invalidation != 0u) probe(pixel, depth);
     return depth;
 }
 

@@ -5,12 +5,25 @@
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
 //   4  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is
-//               open the normal and 0; zeros at the background
+//               open the normal and 0; zeros at the background. With interleave above 1 (sum of open directions,
+//               number of them) for bent_gather.comp
 #include "directional/points.glsl"
 #include "gloam/shading/bent_cone.glsl"
 #include "gloam/shading/bent_normal.glsl"
 
+// Side of the blocks whose pixels share a pattern, each taking a part of it (interleaved sampling); 1: each has its own
+layout(constant_id = 1) const int interleave = 1;
+
 layout(binding = 4, rgba32f) uniform writeonly image2D bent_image;
+
+// i: number of the sample, from 0. A block's pixels take the points of one sequence, none of them turned, each pixel
+// those that follow one another: they alone cover the half ball too, where the other pixels lie on another surface.
+Sample shared_sample(Shaded shaded, ivec2 pixel, uint i) {
+    if (interleave == 1) return sample_of(shaded, i);
+    uint part = uint(pixel.y % interleave * interleave + pixel.x % interleave);
+    uint index = part * parameters.samples + i;
+    return sample_at(shaded, gloam_hemisphere_uniform(gloam_halton_3d(index + 1u)));
+}
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -22,8 +35,12 @@ void main() {
     }
     vec4 bent = vec4(0.0);
     for (uint i = 0u; i < parameters.samples; ++i) {
-        Sample s = sample_of(shaded, i);
+        Sample s = shared_sample(shaded, pixel, i);
         if (s.counts) bent = gloam_bent_add(bent, s.direction, s.visibility);
+    }
+    if (interleave > 1) {
+        imageStore(bent_image, pixel, bent);
+        return;
     }
     imageStore(bent_image, pixel,
                vec4(gloam_bent_normal(bent, shaded.normal), gloam_cone_angle(gloam_bent_length(bent))));

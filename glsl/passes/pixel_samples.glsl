@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/radius_cap.glsl"
+#include "gloam/occlusion/bias.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/count_by_distance.glsl"
 #include "gloam/sampling/count_by_radius.glsl"
@@ -59,7 +60,7 @@ GloamKernel kernel_of(ivec2 pixel, float depth, GloamHistory before, uint sample
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     float angle =
         gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
-    float bias = max(parameters.bias, gloam_is_background(depth) ? 0.0 : parameters.bias_depth * depth);
+    float bias = max(parameters.bias, gloam_depth_bias(parameters.bias_depth, depth, 1.0));
     float farthest = reject_taps ? method_values.range : uintBitsToFloat(0x7F800000u);
     return GloamKernel(radius_at(depth), bias, angle, before.index, samples, farthest, layers, ends_marches);
 }

@@ -7,6 +7,7 @@
 #include "reference/geometry/curvature.hpp"
 #include "reference/geometry/length.hpp"
 #include "reference/geometry/radius_cap.hpp"
+#include "reference/geometry/surface_moments.hpp"
 
 namespace gloam::catalogue {
 
@@ -43,10 +44,72 @@ void append_curvatures(Entries& entries) {
              })}));
 }
 
+using Moments = reference::GloamSurfaceMoments;
+
+bool usual_moments(const Moments& m) {
+    return moderate(1e-9, 1e4, m.weight, m.mean, m.variance, m.covariance);
+}
+
+// Weight, mean, variances, covariances.
+Values moments() {
+    std::vector<Values> members{either(uniform(0.25, 64), constant(0.0F))};
+    members.insert(members.end(), 3, uniform(-5, 5));
+    members.insert(members.end(), 3, uniform(0, 2));
+    members.insert(members.end(), 3, uniform(-1, 1));
+    return vector(members).only_as_drawn();
+}
+
+void append_moments(Entries& entries) {
+    constexpr const char* file = "gloam/geometry/surface_moments.glsl";
+    constexpr const char* source = "Chan, Golub and LeVeque 1979";
+    entries.push_back(equation<Moments()>({.id = "MOMENTS-empty",
+                                           .function = "gloam_moments_empty",
+                                           .file = file,
+                                           .title = "moments of no surface point",
+                                           .formula = "weight 0",
+                                           .source = "definition"},
+                                          &reference::gloam_moments_empty, {}));
+    entries.push_back(equation<Moments(glm::vec3)>({.id = "MOMENTS-of",
+                                                    .function = "gloam_moments_of",
+                                                    .file = file,
+                                                    .title = "moments of one surface point",
+                                                    .formula = "weight 1, its mean, no variance",
+                                                    .source = "definition"},
+                                                   &reference::gloam_moments_of,
+                                                   {.domain = {vector(3, uniform(-5, 5)).only_as_drawn()}}));
+    entries.push_back(equation<Moments(Moments, Moments)>(
+        {.id = "MOMENTS-add",
+         .function = "gloam_moments_add",
+         .file = file,
+         .title = "moments of two groups of surface points",
+         .formula = "m = m_a + t d;  C = (1 - t) C_a + t C_b + t (1 - t) d d^T,  d = m_b - m_a,  t = w_b / w",
+         .source = source},
+        &reference::gloam_moments_add,
+        {.domain = {moments(), moments()},
+         .budget = {.absolute = 2e-5},
+         .promised = make_predicate<Moments(Moments, Moments)>(
+             [](const Moments& a, const Moments& b) { return usual_moments(a) && usual_moments(b); })}));
+    entries.push_back(equation<float(Moments, glm::vec3)>(
+        {.id = "MOMENTS-along",
+         .function = "gloam_moments_along",
+         .file = file,
+         .title = "variance of surface points along a direction",
+         .formula = "max(n^T C n, 0)",
+         .source = "definition"},
+        &reference::gloam_moments_along,
+        {.domain = {moments(), unit_vector(3).and_special()},
+         .budget = {.absolute = 2e-6},
+         .codomain = {0, numeric::infinity},
+         .promised = make_predicate<float(Moments, glm::vec3)>([](const Moments& m, const glm::dvec3& n) {
+             return usual_moments(m) && moderate(1e-9, 1.1, n);
+         })}));
+}
+
 }  // namespace
 
 void append_geometry_lengths(Entries& entries) {
     append_curvatures(entries);
+    append_moments(entries);
     const Values any =
         either(vector_of_length(3, log_uniform(1e-3, 10)), vector_of_length(3, log_uniform(1e-37, 1e38)))
             .and_value(glm::vec3(0))

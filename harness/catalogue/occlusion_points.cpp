@@ -124,6 +124,21 @@ void append_issao_contributions(Entries& entries) {
          .codomain = {0, float_max},
          .promised = make_predicate<float(float, float, float)>(
              [](double d, double phi, double mu) { return moderate(1e-9, 1e9, d, phi, mu); })}));
+    using Basic = float(glm::vec3, glm::vec3, float);
+    entries.push_back(
+        equation<Basic>({.id = "ISSAO-3",
+                         .function = "gloam_contribution_issao_basic",
+                         .file = file,
+                         .title = "ISSAO's contribution of a direction, without attenuation",
+                         .formula = "max(v . n / |v|, 0) for |v| < R",
+                         .source = "ISSAO, eq 3, reconstructed"},
+                        &reference::gloam_contribution_issao_basic,
+                        {.domain = {offsets(), normals(), lengths()},
+                         .budget = {.absolute = 4e-7},
+                         .codomain = {0, 1},
+                         .promised = make_predicate<Basic>([](glm::dvec3 v, glm::dvec3 n, double radius) {
+                             return ordinary(v) && moderate(1e-9, 2, n) && moderate(1e-9, 1e9, radius);
+                         })}));
     using Attenuated = float(glm::vec3, glm::vec3, float, float, float);
     entries.push_back(equation<Attenuated>(
         {.id = "ISSAO-4",

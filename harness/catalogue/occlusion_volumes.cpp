@@ -123,6 +123,35 @@ void append_lines(Entries& entries) {
          .budget = {.ulp = 0.5, .absolute = 0x1p-126}}));
 }
 
+void append_areas_and_balls(Entries& entries) {
+    using Area = float(float, float, float);
+    entries.push_back(equation<Area>(
+        {.id = "CS-I-area",
+         .function = "gloam_area_occlusion",
+         .file = volume_file,
+         .title = "solid part of a chord over an area of heights",
+         .formula = "(1 / (2 w)) integral of clamp((h + z) / (2 h), 0, 1) dz over [m - w, m + w]",
+         .source = "Loos and Sloan 2010, reconstructed"},
+        &reference::gloam_area_occlusion,
+        {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(),
+                          either(uniform(0, 2), lengths()).and_value(0.0F), lengths()}
+                       .tied(0, 2)
+                       .tied(0, 1)
+                       .tied(1, 2),
+         .budget = {.absolute = 2e-7},
+         .codomain = {0, 1}}));
+    const Values solid = uniform(0, 1).and_near({0.0, 0.5, 1.0}).and_special();
+    entries.push_back(equation<float(float, float)>(
+        {.id = "CS-I-two-balls",
+         .function = "gloam_two_balls",
+         .file = volume_file,
+         .title = "balls of two radii as one occlusion",
+         .formula = "clamp(q_fine + q_broad - 1/2, 0, 1)",
+         .source = "after Loos and Sloan 2010"},
+        &reference::gloam_two_balls,
+        {.domain = {solid, solid}, .budget = {.absolute = 1.2e-7}, .codomain = {0, 1}}));
+}
+
 void append_tangent_sphere(Entries& entries) {
     using Line = float(glm::vec3, glm::vec3, float);
     // Away from the outline of the sphere.
@@ -281,6 +310,7 @@ void append_unreal(Entries& entries) {
 void append_volumes(Entries& entries) {
     append_acos(entries);
     append_lines(entries);
+    append_areas_and_balls(entries);
     append_tangent_sphere(entries);
     append_angle_pairs(entries);
     append_angle_means(entries);

@@ -9,13 +9,27 @@
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/internal/texels.hpp"
 #include "scene/guard_band.hpp"
 
 namespace gloam::effect {
+
+// A pass as it is compiled.
+struct DirectionalProgram {
+    std::string pass;
+    std::uint32_t layers = 1;
+    std::uint32_t interleave = 0;  // 0: the pass has none
+    std::size_t reads = 0;         // images that it reads besides those of all
+
+    [[nodiscard]] auto operator<=>(const DirectionalProgram&) const = default;
+};
+
 namespace {
 
 using enum gpu::BindingKind;
 using enum gpu::Format;
+
+constexpr int most_interleave = 8;
 
 // As in directional/points.glsl.
 struct Parameters {
@@ -42,32 +56,19 @@ Parameters parameters_of(const scene::GBuffer& view, const Settings& settings) {
     return parameters;
 }
 
-std::vector<float> texels_of(const std::vector<glm::vec3>& vectors) {
-    std::vector<float> texels;
-    texels.reserve(4 * vectors.size());
-    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z, 0.0F});
-    return texels;
-}
-
-std::vector<glm::vec3> vectors_of(const std::vector<float>& texels) {
-    std::vector<glm::vec3> vectors(texels.size() / 4);
-    for (std::size_t i = 0; i < vectors.size(); ++i)
-        vectors[i] = {texels[4 * i], texels[4 * i + 1], texels[4 * i + 2]};
-    return vectors;
-}
-
 gpu::ComputePipeline make_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
-                                   const std::string& pass, std::uint32_t layers) {
-    const bool lights = pass != "bent_normals";
+                                   const DirectionalProgram& program) {
     std::vector<gpu::BindingKind> bindings{storage_image, storage_image, storage_image, storage_buffer,
                                            storage_image};
-    if (lights) bindings.insert(bindings.end(), 2, storage_image);
-    const shader::Spirv spirv = library.compile(pass + ".comp");
+    bindings.insert(bindings.end(), program.reads, storage_image);
+    std::vector<gpu::SpecializationConstant> constants{{.id = 0, .bits = program.layers}};
+    if (program.interleave > 0) constants.push_back({.id = 1, .bits = program.interleave});
+    const shader::Spirv spirv = library.compile(program.pass + ".comp");
     return {device,
             {.spirv = spirv,
              .bindings = bindings,
              .push_constant_bytes = sizeof(Parameters),
-             .constants = {{.id = 0, .bits = layers}}}};
+             .constants = std::move(constants)}};
 }
 
 void require(const scene::GBuffer& view, const Settings& settings) {
@@ -95,15 +96,14 @@ struct Directional::Impl {
     const gpu::Device* device;
     scene::PassLibrary library;
     gpu::ComputePipeline normals;
-    std::map<std::pair<std::string, std::uint32_t>, gpu::ComputePipeline> pipelines;  // by pass and layers
+    std::map<DirectionalProgram, gpu::ComputePipeline> pipelines;
     gpu::Image nothing;
     gpu::Buffer method;
 
-    [[nodiscard]] const gpu::ComputePipeline& pipeline(const std::string& pass, std::uint32_t layers) {
-        const std::pair key(pass, layers);
-        const auto found = pipelines.find(key);
+    [[nodiscard]] const gpu::ComputePipeline& pipeline(const DirectionalProgram& program) {
+        const auto found = pipelines.find(program);
         if (found != pipelines.end()) return found->second;
-        return pipelines.emplace(key, make_pipeline(*device, library, pass, layers)).first->second;
+        return pipelines.emplace(program, make_pipeline(*device, library, program)).first->second;
     }
 
     // A view on the device, with normals.
@@ -123,12 +123,14 @@ struct Directional::Impl {
 
     // Runs a pass that writes `out`; `read` are its bindings behind that.
     void shade(const std::string& pass, const FrameImages& images, const gpu::Image& out,
-               std::vector<gpu::Resource> read, const scene::GBuffer& view, const Settings& settings) {
+               std::vector<gpu::Resource> read, const scene::GBuffer& view, const Settings& settings,
+               std::uint32_t interleave = 0) {
         const Parameters parameters = parameters_of(view, settings);
         std::vector<gpu::Resource> resources{images.depth, images.normal,
                                              images.layers ? *images.layers : nothing, method, out};
         resources.insert(resources.end(), read.begin(), read.end());
-        const Step step{pass, &pipeline(pass, settings.layers), std::move(resources), bytes_of(parameters)};
+        const DirectionalProgram program{pass, settings.layers, interleave, read.size()};
+        const Step step{pass, &pipeline(program), std::move(resources), bytes_of(parameters)};
         (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1);
     }
 };
@@ -139,10 +141,21 @@ Directional::~Directional() = default;
 Directional::Directional(Directional&&) noexcept = default;
 Directional& Directional::operator=(Directional&&) noexcept = default;
 
-BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings) {
+BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings,
+                                      const BentOptions& options) {
+    if (options.interleave < 1 || options.interleave > most_interleave) {
+        throw std::invalid_argument(
+            fmt::format("interleave {}: expected 1 to {}", options.interleave, most_interleave));
+    }
+    const auto interleave = static_cast<std::uint32_t>(options.interleave);
     const FrameImages images = impl_->taken(view, settings);
-    const gpu::Image bent(*impl_->device, view.extent, rgba32f);
-    impl_->shade("bent_normals", images, bent, {}, view, settings);
+    gpu::Image bent(*impl_->device, view.extent, rgba32f);
+    impl_->shade("bent_normals", images, bent, {}, view, settings, interleave);
+    if (interleave > 1) {
+        gpu::Image gathered(*impl_->device, view.extent, rgba32f);
+        impl_->shade("bent_gather", images, gathered, {bent}, view, settings, interleave);
+        bent = std::move(gathered);
+    }
     const std::vector<float> texels = bent.download();
     return {.extent = scene::frame_of(view),
             .direction = scene::cropped(view, vectors_of(texels)),

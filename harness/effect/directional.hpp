@@ -21,6 +21,13 @@ struct BentNormals {
     std::vector<float> half_angle;  // of the cone that stands for them, radians in [0, pi / 2]
 };
 
+// Interleaved sampling (Klehm et al. 2011): the pixels of blocks of so many on a side share a pattern of that
+// many times as many samples, and each takes its part; then each has those of a block's worth around it that
+// lie on its surface. 1: each pixel by itself. 1 to 8.
+struct BentOptions {
+    int interleave = 1;
+};
+
 // Radiance that leaves the surfaces (CS-D), linear, in the environment's unit, likewise; 0 at the background.
 struct DirectionalLight {
     gpu::Extent extent;
@@ -40,8 +47,10 @@ class Directional {
     Directional& operator=(Directional&&) noexcept;
 
     // Both throw std::invalid_argument for settings out of range, images whose size disagrees, and fewer
-    // layers than the settings ask for. Normals that are missing are reconstructed from depth.
-    [[nodiscard]] BentNormals bent_normals(const scene::GBuffer& view, const Settings& settings);
+    // layers than the settings ask for, the first for options out of range. Normals that are missing are
+    // reconstructed from depth.
+    [[nodiscard]] BentNormals bent_normals(const scene::GBuffer& view, const Settings& settings,
+                                           const BentOptions& options = {});
     [[nodiscard]] DirectionalLight light(const scene::GBuffer& view, const Settings& settings,
                                          const scene::Environment& environment);
 

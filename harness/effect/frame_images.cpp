@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "effect/internal/passes.hpp"
+#include "effect/internal/texels.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -16,13 +17,6 @@ void require_size(const char* what, std::size_t found, gpu::Extent extent) {
     if (found == pixels_of(extent)) return;
     throw std::invalid_argument(
         fmt::format("{}: {} pixels, expected {} x {}", what, found, extent.width, extent.height));
-}
-
-std::vector<float> texels_of(std::span<const glm::vec3> vectors) {
-    std::vector<float> texels;
-    texels.reserve(4 * vectors.size());
-    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z, 0.0F});
-    return texels;
 }
 
 std::vector<float> texels_of(std::span<const std::vector<float>> layers) {

@@ -32,7 +32,7 @@ enum class OpenProof {
 enum class SampleUnit {
     one,
     pair,   // an odd number is taken as the even one above it
-    cross,  // of four taps, or two slices of one frame
+    cross,  // of four taps: two slices of one frame, or a pair at two radii
     ray,    // of Settings::steps taps
     slice   // of Settings::steps taps to both sides
 };
@@ -51,6 +51,7 @@ struct MethodInfo {
     double on_a_plane = 0.0;  // what it says of a bare plane
     OpenProof open_proof = OpenProof::none;
     bool ends_marches = false;   // leaves out taps that cannot change its march (skip_closed)
+    bool takes_fewer = false;    // samples than asked for, where several fall into one pixel
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
     void (*adapt)(Settings&) =
         nullptr;  // what it needs beside a preset's settings; lengths for a radius of 1

@@ -219,6 +219,18 @@ PassSource occlusion_source(const Program& program, Counting counts, std::uint32
                           {.id = open_tiles_constant, .bits = open_tiles_each}}};
 }
 
+PassSource further_view_source(const Program& program, bool other_orthographic) {
+    const MethodInfo& method = method_named(program.method);
+    return {.file = "further_view.comp",
+            .defines = {"METHOD(position, normal, camera, kernel, values) " + call_of(method)},
+            .replaced = {{method_include("hemisphere"), method_include(program.method)}},
+            .constants = {{.id = 0, .bits = flag(program.orthographic)},
+                          {.id = 1, .bits = flag(other_orthographic)},
+                          {.id = 2, .bits = samples_taken(method, program.samples, program.steps)},
+                          {.id = 3, .bits = program.steps},
+                          {.id = 4, .bits = flag(program.reject_taps)}}};
+}
+
 PassSource reprojection_source(const ReprojectionProgram& program) {
     return {.file = "reproject.comp",
             .defines = defines_for(program.precision),

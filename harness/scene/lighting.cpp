@@ -161,13 +161,4 @@ SplitLight light_of(const GBuffer& view, const Scene* scene, const LightingOptio
     return light;
 }
 
-std::vector<glm::vec3> shaded(const SplitLight& light, std::span<const float> occlusion) {
-    require(light.direct.size(), light.ambient.size(), "pixels with direct light");
-    if (!occlusion.empty()) require(occlusion.size(), light.ambient.size(), "occlusions");
-    std::vector<glm::vec3> image = light.direct;
-    for (std::size_t i = 0; i < image.size(); ++i)
-        image[i] += light.ambient[i] * (occlusion.empty() ? 1.0F : 1.0F - occlusion[i]);
-    return image;
-}
-
 }  // namespace gloam::scene

@@ -4,7 +4,6 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "scene/gbuffer.hpp"
@@ -32,9 +31,5 @@ struct LightingOptions {
 // images whose size disagrees.
 [[nodiscard]] SplitLight light_of(const GBuffer& view, const Scene* scene,
                                   const LightingOptions& options = {});
-
-// What the eye sees: ambient * (1 - occlusion) + direct, rows from the top. `occlusion` in [0, 1], a value
-// for each pixel; empty: none. Throws std::invalid_argument when the sizes disagree.
-[[nodiscard]] std::vector<glm::vec3> shaded(const SplitLight& light, std::span<const float> occlusion);
 
 }  // namespace gloam::scene

@@ -22,6 +22,7 @@ const std::vector<BuiltIn>& all_built_in() {
         {{"knot", "a knotted tube on the ground before a wall, under a circling camera"}, make_knot},
         {{"moving", "a rolling ball and a turning box before steps and a wall, under a moving camera"},
          make_moving},
+        {{"relief", "a carved panel in the hall of columns, close up"}, make_relief},
         {{"room", "a closed room with books, boards and other small things, under a moving camera"},
          make_room},
         {{"sky", "masts, wires and a kite, mostly sky, under a moving camera"}, make_sky}};

@@ -68,6 +68,59 @@ TEST_F(Directions, AnOpenPlaneBendsNothing) {
     }
 }
 
+// Every window of as many pixels as share a pattern has all of it, wherever it lies: on a plane all pixels of
+// few samples agree, and with as many of one pixel. By itself each pixel has a direction of its own.
+TEST_F(Directions, InterleavedPixelsShareOnePattern) {
+    const scene::GBuffer view = step(3.0F, 3.0F);
+    Settings few = with_radius({}, 1.0F);
+    few.samples = 4;
+    Settings all = few;
+    all.samples = 4 * 16;
+    const auto off = [&](const BentNormals& bent) {
+        float most = 0.0F;
+        for (std::size_t y = 4; y + 4 < 32; ++y)
+            for (std::size_t x = 4; x + 4 < 48; ++x)
+                most =
+                    std::max(most, glm::distance(bent.direction[48 * y + x], bent.direction[48 * 16 + 24]));
+        return most;
+    };
+    EXPECT_GT(off(directional_.bent_normals(view, few)), 0.1F);
+    const BentNormals shared = directional_.bent_normals(view, few, {.interleave = 4});
+    EXPECT_LT(off(shared), 1e-6F);
+    // One pixel with the same points, but for its turn around the normal.
+    const BentNormals alone = directional_.bent_normals(view, all);
+    EXPECT_NEAR(shared.direction[48 * 16 + 24].z, alone.direction[48 * 16 + 24].z, 1e-6F);
+    EXPECT_NEAR(shared.half_angle[48 * 16 + 24], alone.half_angle[48 * 16 + 24], 1e-5F);
+}
+
+// What lies on another surface does not bend: beside a high step all is as without interleaving.
+TEST_F(Directions, InterleavingStopsAtEdges) {
+    const scene::GBuffer view = step(3.0F - high, 3.0F, close);
+    const BentNormals bent = directional_.bent_normals(view, many(), {.interleave = 4});
+    const float diagonal = std::sqrt(0.5F);
+    EXPECT_LT(degrees_between(bent.direction[beside], {diagonal, 0, diagonal}), 10.0);
+    EXPECT_LT(degrees_between(bent.direction[beside - 1], {0, 0, 1}), 0.5);  // on top
+    for (const int sides : {0, 9, -1})
+        EXPECT_THROW((void)directional_.bent_normals(view, many(), {.interleave = sides}),
+                     std::invalid_argument);
+}
+
+// With as many samples a pixel, less noise.
+TEST_F(Directions, InterleavingTakesNoise) {
+    const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36});
+    const BentNormals truth = directional_.bent_normals(view, many());
+    Settings few = many();
+    few.samples = 8;
+    const auto error = [&](int interleave) {
+        const BentNormals bent = directional_.bent_normals(view, few, {.interleave = interleave});
+        double sum = 0.0;
+        for (std::size_t i = 0; i < bent.direction.size(); ++i)
+            sum += std::pow(double{glm::distance(bent.direction[i], truth.direction[i])}, 2.0);
+        return std::sqrt(sum / static_cast<double>(bent.direction.size()));
+    };
+    EXPECT_LT(error(4), 0.5 * error(1));
+}
+
 TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
     const BentNormals bent = directional_.bent_normals(step(3.0F - high, 3.0F, close), many());
     const float diagonal = std::sqrt(0.5F);

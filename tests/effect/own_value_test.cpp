@@ -165,9 +165,8 @@ constexpr double exact = 1e-5;
 TEST(OwnValues, OfABarePlane) {
     for (const OwnValue& own : own_values()) {
         if (own.integrand == nullptr || own.of_pixels) continue;
-        const bool whole_ball = own.name == "crytek" || own.name == "volumetric";
         for (const char* plane : {"plane 0", "plane 30", "plane 60"})
-            expect_own_value(own.name, plane, whole_ball ? 0.5 : 0.0, exact);
+            expect_own_value(own.name, plane, method_named(own.name).on_a_plane, exact);
     }
 }
 
@@ -189,6 +188,10 @@ TEST(OwnValues, OfGroovesAndPits) {
     // A rising line that leaves the ball by its near side is not believed: integrated over the taps that are.
     expect_own_value("volumetric", "groove", 0.5 + 1.0 / (4.0 * pi), exact, parallel);
     expect_own_value("volumetric", "valley", 0.5 + 1.0 / (2.0 * pi), exact, parallel);
+    // Of two balls the excess of both; a line of a smaller ball is that of the larger one.
+    expect_own_value("volumetric_two", "groove", 0.5 + 1.0 / (2.0 * pi), exact, parallel);
+    // The cosine of 45 degrees, for the 45 degrees' cosine of the radii.
+    expect_own_value("issao_basic", "pit", 0.5, exact, parallel);
     expect_own_value("angle", "groove", 1.0 - 0.828708, exact, parallel);
     expect_own_value("angle", "pit", 0.5, exact, parallel);
 }

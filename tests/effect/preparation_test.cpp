@@ -151,6 +151,7 @@ TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
     Settings settings = settings_for(GetParam(), 1.0F);
     settings.skip_background = settings.skip_open = settings.skip_settled = settings.skip_filtered = false;
     settings.sample_table = false;
+    settings.remap_a = 0.0F;
     AmbientOcclusion effect(device_, passes_, view.extent);
     effect.begin(view, settings);
     std::vector<std::string> names;

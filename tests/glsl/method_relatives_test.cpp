@@ -211,7 +211,7 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
         const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.5F, .first = 0, .count = 48};
         return gather.with_images(view, {glm::vec3(0, 0, -4.9F), glm::vec3(0, 0, 1), eye, samples, method});
     };
-    const Method plain{.range = 0.8F, .intensity = 0.05F, .angle_bias = 0.1F, .steps = 4};
+    const Method plain{.range = 0.8F, .epsilon = 0.3F, .intensity = 0.05F, .angle_bias = 0.1F, .steps = 4};
     std::map<std::string, Method> changed;
     for (const char* name : {"range", "epsilon", "intensity", "thickness", "angle_bias", "mip_distance",
                              "steps", "disagreement"})
@@ -232,6 +232,34 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
 
 INSTANTIATE_TEST_SUITE_P(All, RelativesSettings, testing::ValuesIn(unprepared_methods()),
                          [](const auto& info) { return info.param; });
+
+// Taps that fall into one pixel count once: where the whole disc lies in one pixel there is one sample, of a
+// disc a few pixels wide no more than it has pixels, and the mean is that over the pixels that were read.
+TEST_F(Relatives, TapsInOnePixelCountOnce) {
+    const check::Kernel<Gather> every = method("issao");
+    const check::Kernel<Gather> distinct = method("issao_distinct");
+    // One pixel beside the middle stands up: whichever tap falls into it counts, all others are 0.
+    const auto view = test::view_of(glm::ivec2(side), [](glm::ivec2 p) {
+        return p == glm::ivec2(middle + 1, middle) ? static_cast<float>(5.0 - 0.5 * pixel) : 5.0F;
+    });
+    const auto at = [&](const check::Kernel<Gather>& kernel, double pixels, unsigned count) {
+        const Samples samples{.radius = static_cast<float>(pixels * pixel),
+                              .bias = 0.0F,
+                              .angle = 0.3F,
+                              .first = 0,
+                              .count = count};
+        return glm::dvec2(kernel.with_images(
+            view, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), eye, samples, Method{.intensity = 0.02F}}));
+    };
+    EXPECT_EQ(at(distinct, 0.4, 12).y, 1.0);
+    EXPECT_EQ(at(every, 0.4, 12).y, 12.0);
+    EXPECT_EQ(at(distinct, 1.4, 32).y, 9.0);  // 3 x 3 pixels
+    // One of 9 pixels blocks, however many of the taps fall into it.
+    const double one = at(distinct, 1.4, 32).x;
+    EXPECT_GT(one, 0.0);
+    EXPECT_EQ(at(distinct, 1.4, 24).x, one);
+    EXPECT_GT(at(every, 1.4, 32).x, 1.5 * one);
+}
 
 // Whatever stands in front of the ball of volumetric obscurance, on one side or all around, is another
 // object: the floor below reads as if it went on under it (CS-3.5: no halo).

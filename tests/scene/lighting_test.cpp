@@ -62,22 +62,6 @@ TEST(Lighting, ALampLightsWhatFacesIt) {
         EXPECT_EQ(brightness(color), 0.0F);
 }
 
-TEST(Lighting, OcclusionDarkensTheAmbientLightAlone) {
-    const Scene scene = ball_on_floor();
-    const SplitLight light = light_of(floor_view(scene), &scene);
-    const std::size_t pixels = light.ambient.size();
-    const auto open = shaded(light, {});
-    const auto half = shaded(light, std::vector<float>(pixels, 0.5F));
-    const auto closed = shaded(light, std::vector<float>(pixels, 1.0F));
-    for (std::size_t i = 0; i < pixels; ++i) {
-        for (int c = 0; c < 3; ++c) {
-            EXPECT_FLOAT_EQ(open[i][c], light.direct[i][c] + light.ambient[i][c]);
-            EXPECT_FLOAT_EQ(half[i][c], light.direct[i][c] + 0.5F * light.ambient[i][c]);
-            EXPECT_FLOAT_EQ(closed[i][c], light.direct[i][c]);
-        }
-    }
-}
-
 TEST(Lighting, TheBackgroundIsSkyAndHasNoOcclusion) {
     const Scene scene = ball_on_floor();
     GBuffer view = floor_view(scene);
@@ -118,9 +102,6 @@ TEST(Lighting, RefusesImagesOfAnotherSize) {
     GBuffer view = floor_view(scene);
     view.normal.resize(5);
     expect_error<std::invalid_argument>([&] { (void)light_of(view, &scene); }, {"5 normals"});
-    const SplitLight light = light_of(floor_view(scene), nullptr);
-    expect_error<std::invalid_argument>([&] { (void)shaded(light, std::vector<float>(4)); },
-                                        {"4 occlusions"});
 }
 
 }  // namespace lighting_test

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "tools/expect.hpp"
+#include "tools/installation.hpp"
 
 namespace gloam::test {
 namespace render_directions_test {
@@ -21,6 +23,32 @@ TEST(RenderDirections, BentNormalsAndLightAreFiles) {
     expect_success(render(out, {"--bent-normals", "--light", "sky"}));
     for (const char* name : {"bent.pfm", "bent.png", "cone.pfm", "light.pfm", "light.png", "bounce.pfm"})
         EXPECT_GT(fs::file_size(out / (std::string("f0000_") + name)), 100U) << name;
+}
+
+TEST(RenderDirections, InterleavedBentNormals) {
+    const TemporaryDirectory folder;
+    const fs::path out = folder.path() / "out";
+    expect_success(render(out, {"--bent-normals", "--bent-interleave", "4"}));
+    EXPECT_GT(fs::file_size(out / "f0000_bent.pfm"), 100U);
+    EXPECT_EQ(render(out, {"--bent-normals", "--bent-interleave", "9"}).status, 2);
+    EXPECT_EQ(render(out, {"--bent-interleave", "4"}).status, 2);
+}
+
+// Other cameras see the sides that this one sees edge-on.
+TEST(RenderDirections, FurtherViewsRaiseTheOcclusion) {
+    const TemporaryDirectory folder;
+    const fs::path out = folder.path() / "out";
+    const CommandResult result =
+        run_command({"render", "knot", "--size", "64x36", "--method", "gtao", "--frames", "1",
+                     "--further-views", "4", "--truth", "--truth-rays", "64", "--out", out.string()});
+    expect_success(result);
+    EXPECT_GT(fs::file_size(out / "f0000_views.pfm"), 100U);
+    EXPECT_GT(fs::file_size(out / "f0000_views.png"), 100U);
+    EXPECT_THAT(result.out, testing::HasSubstr("by further views"));
+    const auto errors = nlohmann::json::parse(read_file(out / "render.json")).at("frames").at(0).at("errors");
+    EXPECT_GT(errors.at("further_views").at("bias"), errors.at("raw").at("bias"));
+    EXPECT_EQ(render(out, {"--further-views", "7"}).status, 2);
+    expect_could_not_run(render(out, {"--further-views", "1", "--method", "mssao"}), "mssao");
 }
 
 TEST(RenderDirections, NothingIsWrittenThatWasNotAskedFor) {

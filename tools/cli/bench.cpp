@@ -8,6 +8,7 @@
 #include "cli/bench/methods.hpp"
 #include "cli/bench/passes.hpp"
 #include "cli/bench/skips.hpp"
+#include "cli/bench/sources.hpp"
 #include "cli/bench/temporal.hpp"
 
 namespace gloam::cli {
@@ -22,6 +23,7 @@ void add_bench(CLI::App& app, int& status) {
     add_bench_passes(*group, status);
     add_bench_skips(*group, status);
     add_bench_bar(*group, status);
+    add_bench_sources(*group, status);
 }
 
 }  // namespace gloam::cli

@@ -12,6 +12,7 @@
 #include "cli/drivers.hpp"
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
+#include "cli/render_further.hpp"
 #include "cli/render_gallery.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/render_truth.hpp"
@@ -124,8 +125,21 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
         "guard band: part of the image rendered around it on each side, so that what lies near "
         "its edge has its neighbourhood; 0 to 0.5, usually 0.05 to 0.1 (default: none)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
-    command.add_flag("--bent-normals", options.bent_normals,
-                     "write the directions in which points are open, and the cones around them, too");
+    CLI::Option* bent =
+        command.add_flag("--bent-normals", options.bent_normals,
+                         "write the directions in which points are open, and the cones around them, too");
+    command
+        .add_option(
+            "--bent-interleave", options.bent_interleave,
+            "pixels of blocks of that many on a side share a pattern of samples (1: each has its own)")
+        ->needs(bent)
+        ->check(CLI::Range(1, 8))
+        ->capture_default_str();
+    command
+        .add_option("--further-views", options.further_views,
+                    "so many other cameras around what is looked at see it too, and the largest occlusion "
+                    "counts: written beside the frame's own, of a scene or mesh")
+        ->check(CLI::Range(0, most_further_views));
     command.add_option(
         "--light", options.light,
         "white, sky, or an environment as .exr or .pfm: write the scene in its light, with what "

@@ -31,12 +31,13 @@ std::vector<report::SheetPicture> pictures_of_one(const Rendered& run) {
 
 }  // namespace
 
-Pictures pictures_of(std::string name, gpu::Extent extent, const scene::SplitLight& light,
-                     const std::vector<float>& occlusion, const effect::Truth& truth) {
+Pictures pictures_of(const effect::Composite& composite, std::string name, gpu::Extent extent,
+                     const scene::SplitLight& light, const std::vector<float>& occlusion,
+                     const effect::Truth& truth) {
     Pictures pictures{.name = std::move(name),
                       .extent = extent,
-                      .plain = report::srgb_of(components_of(scene::shaded(light, {}))),
-                      .shaded = report::srgb_of(components_of(scene::shaded(light, occlusion))),
+                      .plain = report::srgb_of(components_of(composite.lit(extent, light, {}))),
+                      .shaded = report::srgb_of(components_of(composite.lit(extent, light, occlusion))),
                       .visibility = report::visibility_rgb(occlusion),
                       .truth = {},
                       .error = {}};

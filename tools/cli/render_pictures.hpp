@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/render_report.hpp"
+#include "effect/composite.hpp"
 #include "effect/errors.hpp"
 #include "report/image.hpp"
 #include "report/output_folder.hpp"
@@ -34,9 +35,11 @@ struct Rendered {
 // An error of this size is as bright as the heat map goes.
 inline constexpr double brightest_error = 0.25;
 
-// occlusion: a value for each pixel of the light; truth: the same, or empty.
-[[nodiscard]] Pictures pictures_of(std::string name, gpu::Extent extent, const scene::SplitLight& light,
-                                   const std::vector<float>& occlusion, const effect::Truth& truth);
+// Lit by the pass that engines use. occlusion: a value for each pixel of the light; truth: the same, or
+// empty.
+[[nodiscard]] Pictures pictures_of(const effect::Composite& composite, std::string name, gpu::Extent extent,
+                                   const scene::SplitLight& light, const std::vector<float>& occlusion,
+                                   const effect::Truth& truth);
 
 // NAME_plain.png, NAME_shaded.png, NAME_error.png where there is one.
 void write_pictures(report::OutputFolder& folder, const Pictures& pictures);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 #include "cli/environment.hpp"
@@ -11,9 +12,11 @@
 #include "cli/progress.hpp"
 #include "cli/render_directions.hpp"
 #include "cli/render_files.hpp"
+#include "cli/render_further.hpp"
 #include "cli/render_history.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/render_truth.hpp"
+#include "effect/further_views.hpp"
 #include "scene/frame_link.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/read_gbuffer.hpp"
@@ -102,6 +105,8 @@ class Renderer {
             if (i == 0) entry.history.cut = cut;
             const bool last = i + 1 == input_.frames_per_view;
             compare(entry, view, frame, truth, last);
+            if (last && options_.further_views > 0)
+                add_further(entry, number, number + i, view, frame, truth);
             if (last && (options_.mesh.turntable > 0 || number == input_.views.back()))
                 show(number, number + i, view, frame, truth);
             report_.frames.push_back(std::move(entry));
@@ -116,9 +121,26 @@ class Renderer {
         if (output_.folder == nullptr || (!options_.bent_normals && !environment_)) return;
         if (!directional_) directional_.emplace(bench_.device, bench_.passes);
         if (options_.bent_normals)
-            write_bent_normals(*output_.folder, stem(number), directional_->bent_normals(wide, settings));
+            write_bent_normals(
+                *output_.folder, stem(number),
+                directional_->bent_normals(wide, settings, {.interleave = options_.bent_interleave}));
         if (environment_)
             write_light(*output_.folder, stem(number), directional_->light(wide, settings, *environment_));
+    }
+
+    // The estimate of a view's last frame, raised by further views.
+    void add_further(FrameReport& entry, int view_number, int frame_number, const scene::GBuffer& view,
+                     const effect::Frame& frame, const ViewTruth& truth) {
+        if (!input_.scene)
+            throw std::invalid_argument("--further-views: expected a scene or a mesh, not G-buffers");
+        if (!further_) further_.emplace(bench_.device, bench_.passes);
+        const auto others =
+            further_views_of(bench_.device, bench_.passes, *input_.scene, input_.first_frame + view_number,
+                             view.extent, options_.further_views);
+        const std::vector<float> raised = further_->raised(view, frame.occlusion, others, entry.settings);
+        if (entry.errors) entry.errors->further_views = effect::errors_of(raised, truth.truth);
+        if (output_.folder != nullptr)
+            write_further(*output_.folder, stem(frame_number), view.extent, raised);
     }
 
     // Why the view has no history; empty: it has.
@@ -181,8 +203,8 @@ class Renderer {
     void show(int view_number, int frame_number, const scene::GBuffer& view, const effect::Frame& frame,
               const ViewTruth& truth) {
         const scene::SplitLight& light = bench_.light_of(input_, view_number, view, !options_.quiet);
-        pictures_.push_back(
-            pictures_of(stem(frame_number), frame.extent, light, frame.filtered, truth.truth));
+        pictures_.push_back(pictures_of(bench_.composite, stem(frame_number), frame.extent, light,
+                                        frame.filtered, truth.truth));
         if (output_.folder != nullptr) write_pictures(*output_.folder, pictures_.back());
     }
 
@@ -207,6 +229,7 @@ class Renderer {
     std::optional<report::OutputFolder> gbuffer_out_;
     std::optional<effect::AmbientOcclusion> effect_;
     std::optional<effect::Directional> directional_;
+    std::optional<effect::FurtherViews> further_;
     std::optional<scene::Environment> environment_;
     std::optional<Before> before_;
     RenderHistory history_;
@@ -218,7 +241,9 @@ class Renderer {
 }  // namespace
 
 RenderBench::RenderBench(const RenderOptions& options)
-    : device(open_device(options.device, options.validation)), passes(glsl_directory(), cache_directory()) {}
+    : device(open_device(options.device, options.validation)),
+      passes(glsl_directory(), cache_directory()),
+      composite(device, passes) {}
 
 const scene::SplitLight& RenderBench::light_of(const RenderInput& input, int number,
                                                const scene::GBuffer& view, bool watched) {

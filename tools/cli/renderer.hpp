@@ -30,6 +30,7 @@ class RenderBench {
 
     gpu::Device device;
     scene::PassLibrary passes;
+    effect::Composite composite;
 
   private:
     std::optional<int> lit_;

@@ -140,6 +140,7 @@ void append_counts(const Context& context, effect::AmbientOcclusion& effect, Row
     for (const std::uint32_t samples : {1U, 2U, 31U, 33U, 1024U, effect::most_samples}) {
         double missing = 0.0;
         for (const effect::MethodInfo& method : methods_of(context)) {
+            if (method.takes_fewer) continue;  // of a few pixels all samples share some
             effect::Settings settings = settings_for(method);
             settings.samples = samples;
             settings.steps = 1;
@@ -170,9 +171,11 @@ Row highest_points(const Gather& gather, const effect::MethodInfo& method) {
 }
 
 void append_highest_points(const Context& context, Rows& rows) {
-    for (const effect::MethodInfo& method : methods_of(context))
+    for (const effect::MethodInfo& method : methods_of(context)) {
+        if (method.takes_fewer) continue;
         rows.push_back(
             highest_points(Gather(context.lab, gather_file(method), effect::method_function), method));
+    }
 }
 
 // Its pipelines are compiled once for all sizes: advance() takes views of another size.

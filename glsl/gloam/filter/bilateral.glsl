@@ -21,6 +21,7 @@ float gloam_fetch_depth(ivec2 pixel);
 // sigma_d, sigma_r: see gloam_bilateral_weight.
 // Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and
 // for occlusion outside [0, 1]. Error: 6e-7 of the tap.
+// No method or pass here calls it: it is there to be copied.
 GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float center, ivec2 tap, ivec2 size,
                                       float sigma_d, float sigma_r) {
     if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
@@ -38,6 +39,7 @@ GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float
 // Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; background, and occlusion
 // outside [0, 1] or NaN, have no weight. The pixel's own value (taken into [0, 1], 0 for NaN) where it is background.
 // Error: 6e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_bilateral_filter(ivec2 pixel, ivec2 half_width, ivec2 size, float sigma_d, float sigma_r) {
     float own = gloam_fetch_occlusion(pixel);
     float center = gloam_fetch_depth(pixel);

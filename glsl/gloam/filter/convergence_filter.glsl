@@ -25,6 +25,7 @@ vec3 gloam_fetch_position(ivec2 pixel);
 // world units.
 // Returns the mean with the tap's occlusion, weighted by coverage, distance and convergence (read inside [0, 1], NaN
 // as 0). Unchanged for background and for occlusion outside [0, 1]. Error: 5e-7 of the tap.
+// No method or pass here calls it: it is there to be copied.
 GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, vec3 center, ivec2 tap, float coverage, float scale) {
     vec3 position = gloam_fetch_position(tap);
     vec2 value = gloam_fetch_occlusion_convergence(tap);
@@ -43,6 +44,7 @@ GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, vec3 center, ivec2 ta
 // into [0, 1], 0 for NaN) where the window has shrunk to nothing (no neighbour is read), at background, and where K <
 // 1e-8: nothing near has converged.
 // Error: 8e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_convergence_filter(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, float c_adaptive, float sigma) {
     vec2 own = gloam_fetch_occlusion_convergence(pixel);
     float reach = float(max(half_width, 0)) * gloam_shrink(own.y, c_adaptive);

@@ -10,6 +10,7 @@
 // depth: d, eye-linear, world units. z_key: depth of the key 1, world units, in [2^-126, 2^126]; SAO uses 300 m.
 // Returns a key in [0, 1]; 1 for background, for a depth from z_key on, and for a z_key outside its range.
 // Error: 1.5 ULP; 3.5 by any device that keeps Vulkan's rules.
+// No method or pass here calls it: it is there to be copied.
 float gloam_depth_key(float depth, float z_key) {
     bool divides = z_key >= 1.175494351e-38 && z_key <= 8.507059173e37;
     return !gloam_is_background(depth) && divides && depth < z_key ? min(depth / z_key, 1.0) : 1.0;
@@ -20,6 +21,7 @@ float gloam_depth_key(float depth, float z_key) {
 // key: in [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns (high, low), multiples of 1 / 255 in [0, 1]. Error: 1.5 ULP, and a key within rounding of half a step may
 // fall to either.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_pack_key(float key) {
     float inside = key > 0.0 ? (key < 1.0 ? key : 1.0) : 0.0;
     float whole = floor(inside * 65535.0 + 0.5);
@@ -32,6 +34,7 @@ vec2 gloam_pack_key(float key) {
 // [0, 1]. Others are rounded to the nearest, outside [0, 1] taken to the nearer end, NaN to 0.
 // Returns a key in [0, 1], within 1 / 131070 of the one that was packed. Error: 1.5 ULP; 3.5 by any device that keeps
 // Vulkan's rules.
+// No method or pass here calls it: it is there to be copied.
 float gloam_unpack_key(vec2 packed_key) {
     vec2 inside =
         vec2(packed_key.x > 0.0 ? min(packed_key.x, 1.0) : 0.0, packed_key.y > 0.0 ? min(packed_key.y, 1.0) : 0.0);

@@ -24,6 +24,7 @@ vec3 gloam_fetch_normal(ivec2 pixel);
 // powers: (p_n, p_z) of gloam_geometry_weight.
 // Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and
 // for occlusion outside [0, 1]. Error: 2e-6 of the tap.
+// No method or pass here calls it: it is there to be copied.
 GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, vec3 normal, ivec2 tap, ivec2 size,
                                           vec2 powers) {
     if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
@@ -39,6 +40,7 @@ GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, 
 // (10, 0.5).
 // Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; the pixel itself has weight
 // 1. Its own value (taken into [0, 1], 0 for NaN) where it is background. Error: 2e-6.
+// No method or pass here calls it: it is there to be copied.
 float gloam_geometry_blur(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, vec2 powers) {
     float own = gloam_fetch_occlusion(pixel);
     float center = gloam_fetch_depth(pixel);

@@ -11,6 +11,7 @@
 // depth_difference: the same of the depth, world units. coordinate: of the pixel along the axis; its lowest bit alone
 // counts. edge: largest depth difference that is still smoothed over, world units: 0.02 m.
 // Returns visibility in [0, 1]; A itself (1 for NaN) at an edge and where a difference is NaN. Error: 1e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_quad_box(float visibility, float difference, float depth_difference, int coordinate, float edge) {
     bool smooth_here = abs(depth_difference) < edge && abs(difference) <= 3.402823466e38;
     float side = (coordinate & 1) == 1 ? 0.5 : -0.5;

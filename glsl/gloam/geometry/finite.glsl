@@ -22,6 +22,7 @@ bool gloam_is_finite3(vec3 v) {
 
 // Whether all four components are neither infinite nor NaN.
 // v: any vector. Error: none.
+// No method or pass here calls it: it is there to be copied.
 bool gloam_is_finite4(vec4 v) {
     return gloam_is_finite2(v.xy) && gloam_is_finite2(v.zw);
 }

@@ -10,6 +10,7 @@
 // units. view, normal: unit.
 // Returns a length in world units, ((offset - aim) . n) / (view . n), the divisor at least 1e-4; 0 where it is not
 // finite. Error: 3.5e-7 of the offset over view . n.
+// No method or pass here calls it: it is there to be copied.
 float gloam_height_at(vec3 offset, vec3 aim, vec3 view, vec3 normal) {
     float facing = dot(view, normal);
     float height = dot(offset - aim, normal) / (facing <= 1e-4 ? 1e-4 : facing);  // NaN stays, which max() may drop

@@ -16,6 +16,7 @@
 // ray, or meets it behind the eye or beyond what float32 holds; background for a point that is not in front of the
 // eye. Error: 14 ULP while neither n . ray nor n . point is below a quarter of the sum of its products' magnitudes,
 // growing as they cancel further.
+// No method or pass here calls it: it is there to be copied.
 float gloam_plane_depth(ivec2 pixel, vec3 point, vec3 normal, GloamCamera camera) {
     if (gloam_is_background(-point.z)) return gloam_background_depth();
     vec3 ray = gloam_camera_position(pixel, 1.0, camera);

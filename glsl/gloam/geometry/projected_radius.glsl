@@ -29,6 +29,7 @@ vec2 gloam_projected_radius_uv(float radius, float depth, vec2 p00_p11) {
 // elements.
 // size: image size in pixels (negative counts as 0).
 // Returns the half-axes in pixels, at most FLT_MAX; (0, 0) for background depth. Error: at most 4.5 ulp.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_projected_radius_pixels(float radius, float depth, vec2 p00_p11, ivec2 size) {
     vec2 axes = gloam_projected_radius_uv(radius, depth, p00_p11) * vec2(max(size, ivec2(0)));
     return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
@@ -49,6 +50,7 @@ vec2 gloam_projected_radius_uv_orthographic(float radius, float depth, vec2 p00_
 // elements.
 // size: image size in pixels (negative counts as 0).
 // Returns the half-axes in pixels, at most FLT_MAX; (0, 0) for background depth. Error: at most 3 ulp.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_projected_radius_pixels_orthographic(float radius, float depth, vec2 p00_p11, ivec2 size) {
     vec2 axes = gloam_projected_radius_uv_orthographic(radius, depth, p00_p11) * vec2(max(size, ivec2(0)));
     return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));

@@ -46,6 +46,7 @@ float gloam_slice_whole(GloamSlice slice) {
 // offset: s - p, view space, world units; its part across the slice is dropped.
 // Returns (along view, along tangent), unit: cosine and sine of the sample's angle; (0, 0) for an offset without a
 // part in the slice, and for NaN. Error: 4e-7 where |offset| lies mostly in the slice.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_slice_direction(vec3 offset, GloamSlice slice) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     return gloam_safe_normalize(vec3(dot(direction, slice.view), dot(direction, slice.tangent), 0.0), vec3(0.0)).xy;

@@ -2,10 +2,10 @@
 #ifndef GLOAM_METHODS_DISC_PROXY_GLSL
 #define GLOAM_METHODS_DISC_PROXY_GLSL
 
+#include "gloam/gather/disc_piece.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/disc_proxy.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/circle.glsl"
 #include "gloam/sampling/halton_point.glsl"
@@ -19,16 +19,6 @@
 struct GloamDiscProxy {
     float intensity;  // factor of the sum
 };
-
-// Surfaces seen at less than this cosine count as seen at it: a pixel across their outline would stand for more than
-// is there.
-const float GLOAM_DISC_LEAST_FACING = 0.05;
-
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: view-space normal facing the eye of a pixel inside the image, any length.
-vec3 gloam_fetch_normal(ivec2 pixel);
 
 // All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse
 // square. They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the
@@ -50,21 +40,7 @@ GloamEstimate gloam_disc_proxy(vec3 position, vec3 normal, GloamCamera camera, G
         vec2 tap = gloam_turn_disc(random.y * gloam_circle_point(random.x), turn);
         ivec2 at = gloam_footprint_pixel(footprint, tap);
         if (at == footprint.pixel) continue;
-        float most = 0.0;
-        float depth = gloam_fetch_depth(at);
-        vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-        bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
-                      dot(offset, n) > kernel.bias;
-        if (!counts) continue;
-        // Half-axes of the radius there, pixels: so large is a pixel in the world.
-        vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
-        size = kernel.radius / size;
-        vec3 emitter = gloam_safe_normalize(gloam_fetch_normal(at), vec3(0.0));
-        vec3 ray = vec3(footprint.orthographic ? vec2(0.0) : gloam_footprint_ray(footprint, at), -1.0);
-        float area = size.x * size.y / max(-dot(emitter, ray), GLOAM_DISC_LEAST_FACING);
-        float piece = gloam_contribution_disc_proxy_cosine(offset, n, emitter, area, 1.0);
-        most = max(most, piece);
-        sum += 2.0 * random.y * pixels * most;
+        sum += 2.0 * random.y * pixels * gloam_disc_piece(footprint, at, position, n, kernel, axes);
     }
     return gloam_estimate(settings.intensity * sum, float(kernel.count), kernel.count);
 }

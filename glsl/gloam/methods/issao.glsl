@@ -2,26 +2,23 @@
 #ifndef GLOAM_METHODS_ISSAO_GLSL
 #define GLOAM_METHODS_ISSAO_GLSL
 
-#include "gloam/gather/footprint.glsl"
-#include "gloam/geometry/covering_radius.glsl"
-#include "gloam/numeric/sincos.glsl"
+#include "gloam/gather/covering_disc.glsl"
+#include "gloam/gather/distinct_pixels.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
-#include "gloam/sampling/halton_point.glsl"
-#include "gloam/sampling/issao_offset.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the
 // image of a disc across the view ray (ISSAO-P), radii uniform (ISSAO-1, polar reading), each counting phi (v . n -
-// psi) / (v . v + sigma) (ISSAO-6). The kernel's bias is psi.
+// psi) / (v . v + sigma) (ISSAO-6). The kernel's bias is psi: a constant, or psi(z) of gloam_depth_bias.
 struct GloamIssao {
     float epsilon;    // root of sigma, world units
     float intensity;  // lambda phi as a share of the radius
+    bool distinct;    // GLOAM_EVERY_TAP or GLOAM_DISTINCT_TAPS
 };
 
-// No circle covers more than this many times the disc parallel to the screen.
-const float GLOAM_ISSAO_MOST_STRETCH = 4.0;
+const bool GLOAM_EVERY_TAP = false;
+const bool GLOAM_DISTINCT_TAPS = true;  // several taps in one pixel count once (gloam_distinct_add)
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
@@ -32,30 +29,27 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
+// Returns the occlusion, and as samples the taps that counted; outside the image the nearest pixel counts. No samples
+// where there is nothing to gather (gloam_can_gather). Error: that of the contributions, but for taps within rounding
+// of a pixel's border.
 GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamIssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = gloam_safe_normalize(normal, vec3(0.0));
-    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    vec2 turn = gloam_sincos(kernel.angle);
-    float parallel = gloam_covering_radius_parallel(position, kernel.radius, 3.402823466e38);
-    float covering = gloam_covering_radius_perpendicular(position, kernel.radius, GLOAM_ISSAO_MOST_STRETCH * parallel);
-    float stretch = parallel > 0.0 ? covering / parallel : 1.0;
+    GloamCoveringDisc disc = gloam_covering_disc(position, kernel.radius, kernel.angle, camera);
     float phi = settings.intensity * kernel.radius;
+    GloamDistinctPixels known = GloamDistinctPixels(disc.footprint.pixel, uvec2(0u));
     float sum = 0.0;
     uint taken = 0u;
     for (uint i = 0u; i < kernel.count; ++i) {
-        vec2 tap =
-            gloam_turn_disc(gloam_issao_offset_polar(gloam_halton_point(kernel.first + i + 1u).yx, stretch), turn);
-        ivec2 at = gloam_footprint_pixel(footprint, tap);
+        ivec2 at = gloam_covering_pixel(disc, kernel.first + i + 1u);
+        if (settings.distinct && !gloam_distinct_add(known, at)) continue;
         float first = gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
         vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+            vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
             float squared = dot(offset, offset);
             float above = dot(offset, n) - kernel.bias;
             bool counts = gloam_tap_sees(depth) && above > 0.0 && squared < kernel.radius * kernel.radius;

@@ -4,6 +4,7 @@
 
 #include "gloam/filter/mssao_upsample.glsl"
 #include "gloam/filter/weighted_mean.glsl"
+#include "gloam/gather/pyramid.glsl"
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
@@ -21,11 +22,8 @@ struct GloamMssao {
     uint resolutions;  // 1 to 9
 };
 
-// Surfaces at ever smaller resolutions, and what was found there, in one image of about the size of the full one:
-// positions of level 1, of half the resolution, in its upper left quarter, normals in the upper right, results in the
-// lower left, and in the fourth likewise the next level. A texel of level l stands for the block of 2^l x 2^l pixels
-// that it covers, and the last of a row for what is left of one: sizes are rounded up, so that at any size texel i
-// begins at pixel 2^l i and nothing drifts.
+// Surfaces at ever smaller resolutions, and what was found there, in one image (gloam/gather/pyramid.glsl): positions,
+// normals and results.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, in world units.
 float gloam_fetch_depth(ivec2 pixel);
@@ -43,19 +41,6 @@ const uint GLOAM_MOST_RESOLUTIONS = 9u;
 // The last level of so many resolutions, 0 for one.
 int gloam_coarsest_level(uint resolutions) {
     return int(clamp(resolutions, 1u, GLOAM_MOST_RESOLUTIONS)) - 1;
-}
-
-// Size of a level of an image of `size` pixels; level 0 is the image.
-ivec2 gloam_level_size(ivec2 size, int level) {
-    return (size + ((1 << level) - 1)) >> level;
-}
-
-// Where in the image of all levels a texel lies.
-// texel: inside its level, from 1. size: of the full image. kind: one of the three above.
-ivec2 gloam_pyramid_texel(ivec2 texel, int level, ivec2 size, int kind) {
-    ivec2 at = texel + gloam_level_size(size, level) * ivec2(kind & 1, kind >> 1);
-    for (int l = 1; l < level; ++l) at += gloam_level_size(size, l);
-    return at;
 }
 
 // Position of the surface that a texel stands for, view space, world units; the zero vector for background.

@@ -8,6 +8,7 @@
 // A cosine taken into [-1, 1].
 // x: any float.
 // Returns x, the nearer end outside; 0 for NaN. Error: none.
+// No method or pass here calls it: it is there to be copied.
 float gloam_clamp_cosine(float x) {
     return abs(x) <= 1.0 ? x : (x > 1.0 ? 1.0 : (x < -1.0 ? -1.0 : 0.0));
 }
@@ -15,6 +16,7 @@ float gloam_clamp_cosine(float x) {
 // Linear: pi (1 - x) / 2. Up to 0.3307 rad from acos.
 // x: cosine; taken to the nearer end outside [-1, 1], NaN to 0.
 // Returns radians in [0, pi]. Error against its own formula: 3.5e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_acos_linear(float x) {
     return 1.570796327 - 1.570796327 * gloam_clamp_cosine(x);
 }
@@ -22,6 +24,7 @@ float gloam_acos_linear(float x) {
 // Quadratic: pi (1 - sgn(x) x^2) / 2. Up to 0.165337 rad from acos.
 // x: cosine; taken to the nearer end outside [-1, 1], NaN to 0.
 // Returns radians in [0, pi]. Error against its own formula: 4e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_acos_quadratic(float x) {
     float c = gloam_clamp_cosine(x);
     return 1.570796327 - 1.570796327 * (c * abs(c));
@@ -31,6 +34,7 @@ float gloam_acos_quadratic(float x) {
 // (10.2 degrees) from acos, at |x| = 0.9275. The copy at hand prints its first constant as -0-69813.
 // x: cosine; taken to the nearer end outside [-1, 1], NaN to 0.
 // Returns radians in [0, pi]. Error against its own formula: 4e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_acos_cubic(float x) {
     float c = gloam_clamp_cosine(x);
     return clamp((-0.6981317008 * (c * c) - 0.8726646260) * c + 1.570796327, 0.0, 3.141592654);

@@ -47,6 +47,7 @@ float gloam_acos(float x) {
 // x: sine; taken to the nearer end outside [-1, 1].
 // Returns radians in [-pi / 2, pi / 2] (pi / 2 as a float); 0 for NaN, x itself near 0.
 // Error: 1e-6 whatever the rounding, 3e-7 where it is to nearest.
+// No method or pass here calls it: it is there to be copied.
 float gloam_asin(float x) {
     float m = gloam_unit_magnitude(x);
     float arc = gloam_small_arc(m);

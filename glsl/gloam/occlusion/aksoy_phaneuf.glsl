@@ -15,6 +15,7 @@
 // >= 0.
 // Returns a contribution in [0, 1]; 0 on and behind the plane, at and beyond the radius, for a radius not positive,
 // subnormal or NaN, and for what is not finite. Error: 4e-7, but for points within rounding of the plane.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_aksoy_phaneuf(vec3 offset, vec3 normal, float radius, float bias) {
     bool in_front = gloam_is_finite3(offset) && dot(offset, normal) > bias;
     return in_front ? gloam_falloff_linear(gloam_length(offset), radius) : 0.0;

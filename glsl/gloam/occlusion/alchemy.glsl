@@ -15,6 +15,7 @@
 // Returns a contribution in 1 / world units, >= 0, for gloam_visibility_alchemy. 0 in and below the tangent plane
 // raised by the bias, for v = 0, for v . v + epsilon outside [2^-126, 2^126], and for NaN in any argument. Error:
 // 3e-7 / |v| (3e-6 from |v| = 0.1 on).
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_alchemy(vec3 offset, vec3 normal, float bias, float epsilon) {
     float above = dot(offset, normal) - bias;
     float denominator = dot(offset, offset) + epsilon;
@@ -30,6 +31,7 @@ float gloam_contribution_alchemy(vec3 offset, vec3 normal, float bias, float eps
 // estimate.
 // Returns visibility in [0, 1], 1 = open; 1 for a count below 1 and for NaN in any argument. Error: 3e-7 for k = 1,
 // and that of gloam_remap.
+// No method or pass here calls it: it is there to be copied.
 float gloam_visibility_alchemy(vec2 accumulated, float sigma, float k) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
     return gloam_remap(1.0 - 2.0 * sigma * (accumulated.x / accumulated.y), 0.0, 1.0, k);

@@ -53,6 +53,7 @@ vec3 gloam_angle_pair(vec3 first, vec3 second, vec3 normal, vec3 view, float ran
 // acos of the cosines less a bias (0.08), by gloam_acos or one of its approximations.
 // Returns (sum + w (1 - angles / pi), weight + w); unchanged for a weight that is not positive or not finite, and
 // NaN. Error: 3e-7.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_angle_add(vec2 accumulated, float weight, float angles) {
     float occluded = 1.0 - angles * 0.3183098862;
     if (!(weight > 0.0 && weight <= 3.402823466e38 && abs(occluded) <= 3.402823466e38)) return accumulated;
@@ -63,6 +64,7 @@ vec2 gloam_angle_add(vec2 accumulated, float weight, float angles) {
 // accumulated: (sum, weight).
 // Returns occlusion in [0, 1]; 0 for a weight below 1e-4, of which nothing can be said (the published shader adds
 // 1e-4 to the divisor), and for NaN. Error: 0.5 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_angle_occlusion(vec2 accumulated) {
     if (!(accumulated.x > 0.0 && accumulated.y >= 1e-4 && accumulated.y <= 8.507059173e37)) return 0.0;
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
@@ -73,6 +75,7 @@ float gloam_angle_occlusion(vec2 accumulated) {
 // offset: v = s - p, view space, world units. normal: n, unit. scale: world units, 0.8 in the engine.
 // Returns occlusion in [0, 1]; 0 for v = 0, for v . v outside [2^-126, 2^126], for a scale not positive, and NaN.
 // Error: 5e-7 of scale / |v|.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_unreal(vec3 offset, vec3 normal, float scale) {
     float squared = dot(offset, offset);
     float above = dot(offset, normal);

@@ -14,6 +14,7 @@
 // buffer_depth: s_d at its pixel.
 // Returns occlusion, 0 or 1: 1 where buffer_depth <= sample_depth, equality included: a bias keeps a plane seen
 // head-on from that. 0 for background in the buffer, for a sample at or behind the eye, and for NaN. Error: none.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_crytek(float sample_depth, float buffer_depth) {
     if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
     return buffer_depth <= sample_depth ? 1.0 : 0.0;
@@ -23,6 +24,7 @@ float gloam_contribution_crytek(float sample_depth, float buffer_depth) {
 // - b for reversed Z).
 // sample_value: third component of gloam_crytek_sample. buffer_value: b at its pixel, in [0, 1].
 // Returns occlusion, 0 or 1: 0 for b >= 1, which is background, and for NaN. Error: none.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_crytek_buffer(float sample_value, float buffer_value) {
     return buffer_value < 1.0 && buffer_value <= sample_value ? 1.0 : 0.0;
 }
@@ -34,6 +36,7 @@ float gloam_contribution_crytek_buffer(float sample_value, float buffer_value) {
 // eye-linear, world units. z_far: far plane, world units, > 0.
 // Returns (u, v, b) of the sample; (uv, b) itself for background depth, for z_far outside [1e-30, 2^126], and where the
 // sample would not be finite. Error: 4 ULP of the largest of the value and its change.
+// No method or pass here calls it: it is there to be copied.
 vec3 gloam_crytek_sample(vec2 uv, float buffer_value, vec3 s, float radius, float depth, float z_far) {
     vec3 center = vec3(uv, buffer_value);
     if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 8.507059173e37)) return center;

@@ -34,6 +34,7 @@ vec2 gloam_disc_share(float area, float distance_to) {
 // area: A, world units squared, > 0. weight: visibility of the disc from the pass before, 1 in the first; [0, 1].
 // Returns a contribution in [0, 1]; 0 for a disc that faces away or lies below the tangent plane, for v = 0 and for
 // what is not finite. Error: 8e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_disc_proxy(vec3 offset, vec3 normal, vec3 emitter_normal, float area, float weight) {
     vec2 share = gloam_disc_share(area, gloam_length(offset));
     float facing = gloam_sample_cosine(-offset, emitter_normal) * min(4.0 * gloam_sample_cosine(offset, normal), 1.0);

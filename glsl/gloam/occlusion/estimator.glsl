@@ -18,6 +18,7 @@ vec2 gloam_estimator_add(vec2 accumulated, float contribution) {
 // weighted: (sum of contributions times weights, sum of weights).
 // Returns sum / weight inside [0, 1]; 0 for a weight not positive, for a subnormal one and for NaN. Error: 0.5 ULP,
 // 1e-44 near 0.
+// No method or pass here calls it: it is there to be copied.
 float gloam_weighted_ratio(vec2 weighted) {
     if (!(weighted.y >= 1.175494351e-38 && weighted.x > 0.0)) return 0.0;
     return weighted.x < weighted.y ? min(weighted.x / weighted.y, 1.0) : 1.0;
@@ -35,6 +36,7 @@ float gloam_estimator_mean(vec2 accumulated) {
 // weighted: (sum of contributions times weights, sum of weights). count: of samples.
 // Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5
 // ULP, 5e-35 near 0.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_estimator_of_weighted(vec2 weighted, uint count) {
     return float(count) * vec2(gloam_weighted_ratio(weighted), 1.0);
 }

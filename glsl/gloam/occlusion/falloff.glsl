@@ -11,6 +11,7 @@
 // Step falloff (D-step): 1 if d <= R, else 0. The plain AO integral, cut off.
 // hit_distance: d, world units. radius: R, world units, >= 0; at 0 only d = 0 counts.
 // Returns 0 or 1. Error: none.
+// No method or pass here calls it: it is there to be copied.
 float gloam_falloff_step(float hit_distance, float radius) {
     return abs(hit_distance) <= radius ? 1.0 : 0.0;
 }
@@ -42,6 +43,7 @@ float gloam_falloff_quadratic(float hit_distance, float radius) {
 // it is a (3 - a (3 - a)).
 // hit_distance: d, world units. radius: R, world units, > 0.
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 5 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_falloff_cubic(float hit_distance, float radius) {
     float a = gloam_falloff_linear(hit_distance, radius);
     return min(a * (3.0 - a * (3.0 - a)), 1.0);
@@ -50,6 +52,7 @@ float gloam_falloff_cubic(float hit_distance, float radius) {
 // Falloff of Scalable Ambient Obscurance (D-sao): (1 - d^2 / R^2)^3 inside the radius, else 0.
 // hit_distance: d, world units. radius: R, world units, > 0.
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 10 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_falloff_sao(float hit_distance, float radius) {
     float b = gloam_falloff_quadratic(hit_distance, radius);
     return b * b * b;
@@ -60,6 +63,7 @@ float gloam_falloff_sao(float hit_distance, float radius) {
 // hit_distance: d, world units. radius: R, world units, > 0: the distance at which 1/e is left.
 // Returns a weight in {0} and [1/255, 1]; 0 for R = 0. Error: 10 ULP; within 4 ULP of the cut a distance may fall to
 // either side.
+// No method or pass here calls it: it is there to be copied.
 float gloam_falloff_exponential(float hit_distance, float radius) {
     float d = abs(hit_distance);
     if (!(d <= 3.402823466e38 && radius >= 1.175494351e-38)) return 0.0;
@@ -76,6 +80,7 @@ float gloam_falloff_exponential(float hit_distance, float radius) {
 // hit_distance: d, world units. u: distance of the strongest influence, world units, > 0.
 // Returns a weight in [0, 1]; 0 (not 1) at d = 0, and 0 for u not positive, subnormal or NaN and for infinite d or u.
 // Error: 1 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_falloff_alchemy(float hit_distance, float u) {
     float d = abs(hit_distance);
     if (!(d <= 3.402823466e38 && u >= 1.175494351e-38 && u <= 3.402823466e38)) return 0.0;
@@ -89,6 +94,7 @@ float gloam_falloff_alchemy(float hit_distance, float u) {
 // No falloff (D-one): 1 at every distance. For Ritschel's kernel, whose radii already imply one.
 // hit_distance: d, world units.
 // Returns 1; 0 for NaN. Error: none.
+// No method or pass here calls it: it is there to be copied.
 float gloam_falloff_one(float hit_distance) {
     return abs(hit_distance) >= 0.0 ? 1.0 : 0.0;
 }
@@ -99,6 +105,7 @@ float gloam_falloff_one(float hit_distance) {
 // units, >= 0.
 // Returns visibility in [0, 1]: 1 for D <= 0 (D = 0 included), 0 for 0 < D <= R, 1 - R / D beyond; 1 for R = 0,
 // subnormal D or R, and NaN. Error: 2 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_visibility_filion(float delta, float radius) {
     if (!(delta >= 1.175494351e-38 && radius >= 1.175494351e-38)) return 1.0;
     return gloam_falloff_linear(radius, delta);

@@ -12,6 +12,7 @@
 // Returns occlusion in [0, 1]: 0 for D <= 0 (where the printed quotient divides by 0), 1 for 0 < D <= R, R / D
 // beyond. 0 for background in the buffer, a sample at or behind the eye, R not positive or subnormal, and NaN. Error:
 // 2.5 ULP, and what the difference of two depths loses.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_filion(float sample_depth, float buffer_depth, float radius) {
     if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
     float in_front = sample_depth - buffer_depth;

@@ -15,6 +15,7 @@
 // occlusion. 0 for s = p, for epsilon infinite or NaN, and where s - p is not finite. An epsilon of 0 or less bounds
 // nothing. The larger of epsilon and |s - p| is taken into [2^-126, 2^126], where division is accurate.
 // Error: 3e-6 for an epsilon of 0.03 or more, 1e-7 / epsilon below.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
     float cosine = gloam_sample_cosine(offset, normal);
@@ -29,6 +30,7 @@ float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_pos
 // Returns a contribution in [0, 1]: the cosine within epsilon of p, falling as epsilon / |s - p| beyond. 0 for s = p,
 // epsilon <= 0 or NaN, and where s - p is not finite; the cosine for an infinite epsilon. Error: 3e-7, unless a
 // component of s - p is subnormal: a device may flush it to 0.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_fox_compton_scaled(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
     float cosine = gloam_sample_cosine(offset, normal);

@@ -18,6 +18,7 @@
 // of the sample, [0, 1]: a falloff of |s - p|.
 // Returns a cosine in [-1, 1]; the horizon itself for a zero or non-finite offset, and for a weight not positive or
 // NaN. Error: 4e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_gtao_horizon(float horizon, float lowest, vec3 offset, vec3 view, float weight) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     if (!(weight > 0.0 && dot(direction, direction) > 0.5)) return horizon;
@@ -27,6 +28,7 @@ float gloam_gtao_horizon(float horizon, float lowest, vec3 offset, vec3 view, fl
 
 // Cosines of the tangent plane's angles from the view vector: cos(n - pi / 2), cos(n + pi / 2).
 // Returns (sin n, -sin n): negative, then positive side. Error: none.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_gtao_lowest(GloamSlice slice) {
     return vec2(slice.normal.y, -slice.normal.y);
 }
@@ -46,6 +48,7 @@ float gloam_gtao_elevation(float horizon, float angle) {
 // 1/4 (-cos(2 h - n) + cos n + 2 h sin n). The sum of both sides is the visibility of the slice.
 // horizon: h, radians, in [n - pi / 2, 0] on the negative side, in [0, n + pi / 2] on the positive. angle: n, radians.
 // Returns an amount in [0, pi / 2]; 0 for NaN. A free half plane has cos n + n sin n in all. Error: 5e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_gtao_inner(float horizon, float angle) {
     vec2 n = gloam_sincos(angle);
     float visible = 0.25 * (n.x - gloam_sincos(2.0 * horizon - angle).x + 2.0 * horizon * n.y);
@@ -68,6 +71,7 @@ float gloam_gtao_arc(float elevation, vec2 horizon, vec2 normal) {
 // horizon: cos h. sine: sin n.
 // Returns an amount in [0, 1]; 0 for a horizon below the tangent plane and for NaN. A free half plane holds 1. Error:
 // 1e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_gtao_arc_uniform(float horizon, float sine) {
     float arc = 0.5 * (sine + horizon);
     return arc > 0.0 ? min(arc, 1.0) : 0.0;
@@ -88,6 +92,7 @@ float gloam_gtao_side(float horizon, float angle, vec2 normal) {
 // positive side.
 // Returns (occluded, whole) with the slice: its weight times the amount behind the horizons, and its weight times cos
 // n + n sin n. Unchanged for a weight that is not positive or not finite. Error: 1.2e-6 a slice.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_gtao_add(vec2 accumulated, GloamSlice slice, vec2 horizons) {
     if (!(slice.weight > 0.0 && slice.weight <= 3.402823466e38)) return accumulated;
     float occluded = gloam_gtao_side(horizons.x, -slice.angle, vec2(slice.normal.x, -slice.normal.y)) +
@@ -100,6 +105,7 @@ vec2 gloam_gtao_add(vec2 accumulated, GloamSlice slice, vec2 horizons) {
 // Returns (occluded, whole) with the slice: the amount behind the horizons, and 1. Unchanged for a weight that is not
 // positive.
 // Error: 5e-7 a slice.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_gtao_add_uniform(vec2 accumulated, GloamSlice slice, vec2 horizons) {
     if (!(slice.weight > 0.0)) return accumulated;
     float occluded =
@@ -112,6 +118,7 @@ vec2 gloam_gtao_add_uniform(vec2 accumulated, GloamSlice slice, vec2 horizons) {
 // Returns occlusion in [0, 1]; 0 exactly where no horizon rises above the tangent plane, 0 where no slice counts and
 // for NaN.
 // Error: 0.5 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_gtao_occlusion(vec2 accumulated) {
     if (!(accumulated.x > 0.0 && accumulated.y >= 1.175494351e-38 && accumulated.y <= 8.507059173e37)) return 0.0;
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;

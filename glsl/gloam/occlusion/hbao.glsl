@@ -19,6 +19,7 @@
 // differences.
 // Returns a tangent in [-1e6, 1e6]; 0 where T is not finite or has no direction. Error: 6 ULP, and 8e-6 of the
 // longest derivative over |T.xy|.
+// No method or pass here calls it: it is there to be copied.
 float gloam_tangent_slope(vec2 direction, vec3 dpdu, vec3 dpdv) {
     vec3 t = gloam_safe_normalize(direction.x * dpdu + direction.y * dpdv, vec3(0.0));
     float across = gloam_sqrt(dot(t.xy, t.xy));
@@ -69,6 +70,7 @@ vec2 gloam_hbao_start_slope(float slope, float bias) {
 // Returns the new pair; the occlusion lies in [0, 2] (1 where the tangent is level). Unchanged for v = 0, |v| >= R,
 // for a sample not above the horizon, and for NaN. Error: 1e-6 for each step; one within 4 ULP of the radius or of
 // the horizon may fall to either side.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_hbao_step(vec2 horizon, vec3 offset, float radius) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     float x = dot(offset, direction) / radius;
@@ -85,6 +87,7 @@ vec2 gloam_hbao_step(vec2 horizon, vec3 offset, float radius) {
 // + 1) (NVIDIA).
 // Returns (pixels between steps, number of steps): min(N_s, pixels) steps; (0, 0) for a radius below 1 pixel or NaN.
 // Error: 1 ULP; a radius within 1 ULP of a whole number may give a step more or less.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_hbao_step_size(float radius, float largest, float steps, float extra) {
     float reach = radius < largest ? radius : largest;
     if (!(reach >= 1.0 && reach <= 8.507059173e37 && steps >= 1.0 && extra >= 0.0)) return vec2(0.0);
@@ -108,6 +111,7 @@ float gloam_hbao_visibility(float occlusion, float bias, float contrast) {
 // offset: v = s - p, view space, world units. normal: n, unit. radius: R, world units. bias: cosine, [0, 1), 0.1.
 // Returns a contribution in [0, 1] for gloam_visibility_hbao_simplified; 0 for v = 0, |v| >= R, a bias outside [0,
 // 1), NaN. Error: 1e-6.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_hbao_simplified(vec3 offset, vec3 normal, float radius, float bias) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     float x = dot(offset, direction) / radius;
@@ -120,6 +124,7 @@ float gloam_contribution_hbao_simplified(vec3 offset, vec3 normal, float radius,
 // Visibility from those: sat(1 - 2 mean)^power.
 // accumulated: (sum, count) of gloam_estimator_add. power: > 0, 1.5.
 // Returns visibility in [0, 1]; 1 for a count below 1 and for NaN. Error: 2e-6.
+// No method or pass here calls it: it is there to be copied.
 float gloam_visibility_hbao_simplified(vec2 accumulated, float power) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
     return gloam_remap(1.0 - 2.0 * (accumulated.x / accumulated.y), 0.0, 1.0, power);

@@ -6,7 +6,17 @@
 
 // ISSAO, the improved screen-space ambient occlusion whose equations 2 to 6 are lost in the copies at hand:
 // reconstructed from its prose, which describes an Alchemy-like estimator with its own attenuation. ISSAO-3 is the
-// integral of TSSAO-1, whose contribution is gloam_contribution_uniform_directions.
+// integral of TSSAO-1, ISSAO-4 the same with an attenuation by distance, ISSAO-6 what is summed.
+
+// Contribution of a direction (the integrand of ISSAO-3): max(v . n / |v|, 0), 0 from the radius on.
+// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units.
+// Returns a contribution in [0, 1], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v| >= R and
+// NaN.
+// Error: 4e-7; a point within 4 ULP of the radius may fall to either side.
+float gloam_contribution_issao_basic(vec3 offset, vec3 normal, float radius) {
+    float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
+    return reach < radius ? gloam_sample_cosine(offset, normal) : 0.0;
+}
 
 // Attenuation (ISSAO-5): Q = phi |v| / max(mu, |v|)^2.
 // hit_distance: |v|, world units. phi: world units, >= 0, how dark. mu: world units, > 0, bounds the distance from
@@ -40,6 +50,7 @@ float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius
 // grows with the scene.
 // Returns a contribution >= 0 for gloam_issao_occlusion; 0 for v = 0, for |v| >= R, in and below the tangent plane
 // raised by psi, for v . v + sigma outside [2^-126, 2^126], and for NaN in any argument. Error: 4e-7 of phi / |v|.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi, float bias, float sigma) {
     float squared = dot(offset, offset);
     float denominator = squared + sigma;
@@ -53,6 +64,7 @@ float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi
 // Occlusion factor from the contributions of all taps (ISSAO-6): A_0 = (lambda / s) sum, clamped.
 // accumulated: (sum, count) of gloam_estimator_add. lambda: gain of the shadow, >= 0, 1 to 1.06 in the paper's figures.
 // Returns occlusion in [0, 1]; 0 for a count below 1 and for NaN. Error: 1.5 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_issao_occlusion(vec2 accumulated, float lambda) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0 && lambda > 0.0)) return 0.0;
     float occlusion = lambda * (accumulated.x / accumulated.y);

@@ -12,6 +12,7 @@
 // changes nothing.
 // occlusion: largest so far, starting at 0. layer: of one more. Both in [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns occlusion in [0, 1]. Error: none.
+// No method or pass here calls it: it is there to be copied.
 float gloam_layers_occlusion(float occlusion, float layer) {
     return max(gloam_unit_interval(occlusion), gloam_unit_interval(layer));
 }
@@ -21,6 +22,7 @@ float gloam_layers_occlusion(float occlusion, float layer) {
 // units. Background at the back: solid all the way.
 // Returns 1 if front <= sample_depth <= back, else 0; 0 for background in front and for a sample at or behind the eye.
 // Error: none.
+// No method or pass here calls it: it is there to be copied.
 float gloam_layer_blocked(float sample_depth, float front, float back) {
     if (gloam_is_background(sample_depth) || gloam_is_background(front)) return 0.0;
     bool before_back = gloam_is_background(back) || sample_depth <= back;

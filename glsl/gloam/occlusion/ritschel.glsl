@@ -13,6 +13,7 @@
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
 // normal.
 // Returns a contribution in [0, 1]. Error: 1.5 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_ritschel(float blocked, float falloff, float cosine) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
 }
@@ -20,6 +21,7 @@ float gloam_contribution_ritschel(float blocked, float falloff, float cosine) {
 // Contribution for cosine-weighted directions (density cos / pi, TSSAO-14): V D. The cosine is in the density already.
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii).
 // Returns a contribution in [0, 1] whose mean is the occlusion. Error: 0.5 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_cosine_directions(float blocked, float falloff) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff);
 }
@@ -28,6 +30,7 @@ float gloam_contribution_cosine_directions(float blocked, float falloff) {
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
 // normal.
 // Returns a contribution in [0, 2] whose mean is the occlusion: clamp the mean, not the contribution. Error: 1.5 ULP.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_uniform_directions(float blocked, float falloff, float cosine) {
     return 2.0 * gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
 }

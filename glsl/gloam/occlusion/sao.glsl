@@ -14,6 +14,7 @@
 // The part 1 - v^2 / r^2 of the falloffs, without a square root.
 // squared_distance: v^2, world units squared, >= 0. radius: r, world units, in [8.9e-16, 9.2e18].
 // Returns a weight in [0, 1]; 0 at and beyond the radius, for a radius outside its range and for NaN. Error: 3e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_sao_window(float squared_distance, float radius) {
     float r2 = radius * radius;
     // 2^-100: a difference below 2^-126 may be flushed to 0, and is then less than the error.
@@ -25,6 +26,7 @@ float gloam_sao_window(float squared_distance, float radius) {
 // Height of the surface point over the tangent plane, less the bias: max(v . n - bias, 0).
 // offset: v, world units. normal: n, unit vector, same space. bias: world units, 0.01 m.
 // Returns a height >= 0 in world units; 0 where it is not finite. Error: 5e-7 for |v| up to 3.
+// No method or pass here calls it: it is there to be copied.
 float gloam_sao_height(vec3 offset, vec3 normal, float bias) {
     float height = dot(offset, normal) - bias;
     return height > 0.0 && height <= 3.402823466e38 ? height : 0.0;
@@ -36,6 +38,7 @@ float gloam_sao_height(vec3 offset, vec3 normal, float bias) {
 // Returns 1 / world units, at most 1 / (2 sqrt(epsilon)) for h <= |v|; 0 where v^2 + epsilon is not in [2^-126,
 // 2^126], and for h NaN.
 // Error: 2 ULP; 3.5 by any device that keeps Vulkan's rules for division.
+// No method or pass here calls it: it is there to be copied.
 float gloam_sao_quotient(float height, float squared_distance, float epsilon) {
     float denominator = squared_distance + epsilon;
     bool divides = denominator >= 1.175494351e-38 && denominator <= 8.507059173e37;
@@ -47,6 +50,7 @@ float gloam_sao_quotient(float height, float squared_distance, float epsilon) {
 // bias: world units, 0.01 m. epsilon: world units squared, > 0: 0.01 m^2.
 // Returns a contribution >= 0 in 1 / world units; 0 for v = 0, at and beyond the radius, below the plane raised by
 // the bias, and for what is not finite. Error: 3e-6 for an epsilon of 0.01 or more.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_sao(vec3 offset, vec3 normal, float radius, float bias, float epsilon) {
     float vv = dot(offset, offset);
     float window = gloam_sao_window(vv, radius);
@@ -58,6 +62,7 @@ float gloam_contribution_sao(vec3 offset, vec3 normal, float radius, float bias,
 // offset, normal, radius, bias, epsilon: as for gloam_contribution_sao.
 // Returns a contribution >= 0 in 1 / world units; 0 as there. Error: 1.2e-6 for an epsilon of 0.01 or more, but for
 // points within rounding of the radius.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_sao_paper(vec3 offset, vec3 normal, float radius, float bias, float epsilon) {
     float vv = dot(offset, offset);
     bool inside = gloam_sao_window(vv, radius) > 0.0;
@@ -67,6 +72,7 @@ float gloam_contribution_sao_paper(vec3 offset, vec3 normal, float radius, float
 // Alternative C, medium contrast, no epsilon: 4 (1 - v^2 / r^2) max(v . n - bias, 0) / r^2, for |v| < r.
 // offset, normal, radius, bias: as for gloam_contribution_sao.
 // Returns a contribution >= 0 in 1 / world units, at most 1.54 / r; 0 as there. Error: 1.4e-6 for radii of 0.5 or more.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_sao_medium(vec3 offset, vec3 normal, float radius, float bias) {
     float window = gloam_sao_window(dot(offset, offset), radius);
     return window > 0.0 ? 4.0 * window * gloam_sao_height(offset, normal, bias) / (radius * radius) : 0.0;
@@ -76,6 +82,7 @@ float gloam_contribution_sao_medium(vec3 offset, vec3 normal, float radius, floa
 // offset, normal, radius, bias: as for gloam_contribution_sao.
 // Returns a contribution >= 0 in 1 / world units, at most 2 / r; 0 as there. Error: 1e-6 for radii of 0.5 or more,
 // but for points within rounding of the radius.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_sao_low(vec3 offset, vec3 normal, float radius, float bias) {
     bool inside = gloam_sao_window(dot(offset, offset), radius) > 0.0;
     return inside ? 2.0 * gloam_sao_height(offset, normal, bias) / (radius * radius) : 0.0;
@@ -85,6 +92,7 @@ float gloam_contribution_sao_low(vec3 offset, vec3 normal, float radius, float b
 // sqrt(epsilon + v^2).
 // offset, normal, radius, bias, epsilon: as for gloam_contribution_sao.
 // Returns a contribution in [0, 1], for gloam_visibility_deep; 0 as there. Error: 5e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_contribution_deep(vec3 offset, vec3 normal, float radius, float bias, float epsilon) {
     float vv = dot(offset, offset);
     float window = gloam_sao_window(vv, radius);
@@ -96,6 +104,7 @@ float gloam_contribution_deep(vec3 offset, vec3 normal, float radius, float bias
 // Visibility from the sum of contributions: A = max(0, 1 - 5 sigma sum / count).
 // accumulated: (sum, count) of gloam_estimator_add, contributions in 1 / world units. sigma: intensity, world units.
 // Returns visibility in [0, 1]; 1 for a count outside [1, 2^24], for a negative sigma, and for NaN. Error: 3e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_visibility_sao(vec2 accumulated, float sigma) {
     if (!(accumulated.y >= 1.0 && accumulated.y <= 16777216.0)) return 1.0;
     return gloam_visibility(5.0 * sigma * (accumulated.x / accumulated.y));
@@ -105,6 +114,7 @@ float gloam_visibility_sao(vec2 accumulated, float sigma) {
 // accumulated: (sum, count) of gloam_contribution_deep. power: contrast, 1.
 // Returns visibility in [0, 1]; 1 for a count outside [1, 2^24], for a power of 0, and for NaN. Error: 1e-6 for a
 // power of 1 or more.
+// No method or pass here calls it: it is there to be copied.
 float gloam_visibility_deep(vec2 accumulated, float power) {
     if (!(accumulated.y >= 1.0 && accumulated.y <= 16777216.0)) return 1.0;
     return gloam_remap(gloam_visibility(gloam_sqrt(3.0 * (accumulated.x / accumulated.y))), 0.0, 1.0, power);

@@ -17,6 +17,7 @@
 // Returns (along view, along tangent), unit; the direction of the front, which covers nothing, for a thickness not
 // positive or not finite, and for a zero or non-finite offset. A sample within rounding of the view ray through p
 // covers one side only. Error: 1e-6.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_bitmask_back(vec3 offset, GloamSlice slice, float thickness) {
     vec3 behind = offset - thickness * slice.view;
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
@@ -27,6 +28,7 @@ vec2 gloam_bitmask_back(vec3 offset, GloamSlice slice, float thickness) {
 // Part of the half plane below a direction, all angles weighted alike, as in the paper: (a - n) / pi + 1/2.
 // direction: (cos a, sin a) of gloam_slice_direction.
 // Returns a fraction in [0, 1]: 0 on the tangent plane on the negative side and below, 1 on the other. Error: 3.5e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_slice_fraction_angle(vec2 direction, GloamSlice slice) {
     return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) * 0.3183098862 + 0.5);
 }
@@ -47,6 +49,7 @@ float gloam_slice_fraction_cosine(vec2 direction, GloamSlice slice) {
 // The same weighted by solid angle alone; every slice counts the same.
 // direction: (cos a, sin a) of gloam_slice_direction.
 // Returns a fraction in [0, 1], of NaN as well. Error: 1.5e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_slice_fraction_uniform(vec2 direction, GloamSlice slice) {
     bool negative = direction.y < 0.0;
     float part = gloam_gtao_arc_uniform(direction.x, negative ? -slice.normal.y : slice.normal.y);
@@ -77,6 +80,7 @@ uint gloam_bitmask_sectors(vec2 fractions) {
 // Every sample that is seen covers a sector at least, so thin ones block too much.
 // fractions: (lower, upper), as above.
 // Returns bits, sector i as bit i. Error: none, but for ends within rounding of a border of sectors.
+// No method or pass here calls it: it is there to be copied.
 uint gloam_bitmask_sectors_outward(vec2 fractions) {
     float lower = gloam_unit_interval(fractions.x);
     float width = gloam_unit_interval(fractions.y) - lower;

@@ -60,6 +60,37 @@ vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
     return second ? vec2(1.0 - ratios.y, ratios.y) : vec2(0.5);
 }
 
+// Solid part of a chord over an area of the image, in which the surface is not at one height but at any of an interval
+// alike (area samples, Loos and Sloan 2010, reconstructed): the mean of clamp((h + z) / (2 h), 0, 1) over z in [m - w,
+// m + w]. An interval of the distribution's variance has w = sqrt(3 variance).
+// height: m, mean of the heights as for gloam_line_occlusion. half_width: w, world units, >= 0. half_height: h.
+// Returns occlusion in [0, 1]; that of the mean height for w = 0, negative or NaN; 1/2 for h that is not positive,
+// subnormal or above 2^126, for w above 2^126, and for a NaN height. Error: 2e-7.
+float gloam_area_occlusion(float height, float half_width, float half_height) {
+    if (!(half_width > 0.0)) return gloam_line_occlusion(height, half_height);
+    if (!(half_height >= 1.175494351e-38 && max(half_height, half_width) <= 8.507059173e37)) return 0.5;
+    float beyond_far = half_height + height - half_width;  // of the lower end, from the chord's far end
+    float beyond_near = half_height - height - half_width;  // of the upper end, back from its near end
+    if (beyond_far >= 0.0 && beyond_near >= 0.0) return 0.5 + 0.5 * (height / half_height);
+    float far = half_height + height + half_width;
+    float near = half_height - height + half_width;
+    if (!(near > 0.0)) return near <= 0.0 ? 1.0 : 0.5;
+    if (!(far > 0.0)) return far <= 0.0 ? 0.0 : 0.5;
+    if (beyond_far < 0.0 && beyond_near < 0.0) return clamp(0.5 + 0.5 * (height / half_width), 0.0, 1.0);
+    bool crosses_near = beyond_near < 0.0;
+    float length_inside = crosses_near ? near : far;
+    float share = 0.125 * (length_inside / half_height) * (length_inside / half_width);
+    return clamp(crosses_near ? 1.0 - share : share, 0.0, 1.0);
+}
+
+// Occlusion of balls of two radii around one point: what both hold beyond the half that a plane fills, added.
+// fine, broad: solid share of each, [0, 1].
+// Returns clamp(fine + broad - 1/2, 0, 1); what is not finite counts as 1/2. Error: 1.2e-7.
+float gloam_two_balls(float fine, float broad) {
+    float sum = (abs(fine) <= 3.402823466e38 ? fine - 0.5 : 0.0) + (abs(broad) <= 3.402823466e38 ? broad : 0.5);
+    return clamp(sum, 0.0, 1.0);
+}
+
 // Half the chord, at a tap, of the sphere of half the radius that touches the surface from outside (Szirmay-Kalos et
 // al. 2009): a plane leaves it empty, and no offset is needed.
 // offset: s - p, view space, world units, of which x and y count. normal: n, unit. radius: r of the whole kernel,

@@ -15,6 +15,7 @@
 // 0 for NaN.
 // Returns a point in view space; p itself for a radius that is negative or NaN, and where the point would not be
 // finite. Error: 1e-6 of R and 1 ULP of p.
+// No method or pass here calls it: it is there to be copied.
 vec3 gloam_eye_march(vec3 position, vec3 direction, float radius, int index, int count, float jitter) {
     int steps = clamp(count, 1, 16777216);
     float along = (float(clamp(index, 0, steps - 1)) + gloam_unit_interval(jitter)) / float(steps);

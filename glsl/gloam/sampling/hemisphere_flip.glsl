@@ -8,6 +8,7 @@
 // normal: direction, of any length below 1e19.
 // Returns s or -s; -s where s . n = 0, as faceforward(s, s, -n) does, and where the normal is NaN; the zero vector
 // for a longer, infinite or NaN s. Error: none, but for the sign of an s within rounding of the tangent plane.
+// No method or pass here calls it: it is there to be copied.
 vec3 gloam_hemisphere_flip(vec3 s, vec3 normal) {
     if (!(dot(s, s) <= 1e38)) return vec3(0.0);
     return dot(s, normal) > 0.0 ? s : -s;

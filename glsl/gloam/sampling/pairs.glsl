@@ -6,6 +6,7 @@
 // s: the point of pair m, in the unit disc.
 // index: number of the sample, 2 m or 2 m + 1; its lowest bit alone counts.
 // Returns s for an even index, -s for an odd one; the zero vector for an infinite or NaN s. Error: none.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_paired_sample(vec2 s, int index) {
     if (!(abs(s.x) <= 3.402823466e38 && abs(s.y) <= 3.402823466e38)) return vec2(0.0);
     return (index & 1) == 0 ? s : -s;

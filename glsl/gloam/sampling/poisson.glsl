@@ -11,6 +11,7 @@
 // Returns whether the candidate may stand beside the other point; false if anything is NaN. Differences below 1e-19
 // count as 0.
 // Error: none, but for distances within rounding of min_distance.
+// No method or pass here calls it: it is there to be copied.
 bool gloam_poisson_accepts(vec2 candidate, vec2 other, float min_distance) {
     vec2 offset = candidate - other;
     float squared = dot(offset, offset);

@@ -12,6 +12,7 @@
 // Radius whose distribution is F(x) = x: the average has the linear falloff 1 - x (that of TSSAO-14).
 // zeta: uniform number in [0, 1); taken to the nearer end outside, 0 for NaN.
 // Returns zeta, the radius as a fraction of the kernel's. Error: none.
+// No method or pass here calls it: it is there to be copied.
 float gloam_radius_linear(float zeta) {
     return gloam_unit_interval(zeta);
 }
@@ -19,6 +20,7 @@ float gloam_radius_linear(float zeta) {
 // Radius whose distribution is F(x) = x^2 (uniform area of a disc): the average has the falloff 1 - x^2.
 // zeta: uniform number in [0, 1); taken to the nearer end outside, 0 for NaN; a subnormal number is read as 0.
 // Returns sqrt(zeta), the radius as a fraction of the kernel's. Error: at most 2 ulp.
+// No method or pass here calls it: it is there to be copied.
 float gloam_radius_quadratic(float zeta) {
     return gloam_sqrt(gloam_unit_interval(zeta));
 }
@@ -27,6 +29,7 @@ float gloam_radius_quadratic(float zeta) {
 // zeta: uniform number in [0, 1); taken to the nearer end outside, 0 for NaN; a subnormal number is read as 0.
 // Returns the cube root of zeta, the radius as a fraction of the kernel's. Error: at most 1.5 ulp; 5e-7 by any device
 // that keeps Vulkan's rules for exp2() and log2().
+// No method or pass here calls it: it is there to be copied.
 float gloam_radius_cubic(float zeta) {
     float x = gloam_unit_interval(zeta);
     if (x < 1.175494351e-38) return 0.0;

@@ -11,6 +11,7 @@
 // Returns s reflected, of the same length; s itself where 2 encoded - 1 is zero (a grey texel) or not finite; the zero
 // vector for a longer, infinite or NaN s. Error: 16 ulp of the largest component, while that is above 1e-30; shorter
 // vectors may be flushed to 0.
+// No method or pass here calls it: it is there to be copied.
 vec3 gloam_reflect_sample(vec3 s, vec3 encoded) {
     if (!(dot(s, s) <= 1e38)) return vec3(0.0);
     vec3 n = gloam_safe_normalize(2.0 * encoded - 1.0, vec3(0.0));

@@ -26,6 +26,7 @@ vec2 gloam_spiral_point(int index, int count, int turns) {
 // index, count, turns: as above. phase: rotation of the whole spiral in radians, |phase| <= 65536; anything else, NaN
 // included, counts as 0.
 // Returns an offset in the unit disc; the zero vector for a count or an index outside its range. Error: 5e-7.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_spiral_tap(int index, int count, int turns, float phase) {
     return gloam_rotate_disc(gloam_spiral_point(index, count, turns), phase);
 }

@@ -12,6 +12,7 @@
 // agreement: L of gloam_bent_length, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]. Right for an open hemisphere and for a point, 15 degrees too small for a cap of 60.
 // Error: 2e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_cone_angle_linear(float agreement) {
     return (1.0 - max(2.0 * gloam_unit_interval(agreement) - 1.0, 0.0)) * 1.570796327;
 }
@@ -28,6 +29,7 @@ float gloam_cone_angle(float agreement) {
 // arcsin(sqrt(v / 2)).
 // visibility: v in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]. Error: 6e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_cone_angle_uniform(float visibility) {
     return 2.0 * gloam_asin(gloam_sqrt(0.5 * gloam_unit_interval(visibility)));
 }
@@ -36,6 +38,7 @@ float gloam_cone_angle_uniform(float visibility) {
 // cone around the normal.
 // visibility: v in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]. Error: 4e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_cone_angle_cosine(float visibility) {
     float v = gloam_unit_interval(visibility);
     // From the nearer end, where the square root loses nothing.

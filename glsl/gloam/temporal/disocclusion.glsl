@@ -21,6 +21,7 @@ bool gloam_depth_consistent(float stored_depth, float expected_depth, float epsi
 // Whether there was nothing before and is nothing now: valid, with no occlusion to compute.
 // stored_depth: eye-linear depth of the history. expected_depth: as above, or the current depth. World units.
 // Returns true if both are background. Error: none.
+// No method or pass here calls it: it is there to be copied.
 bool gloam_both_background(float stored_depth, float expected_depth) {
     return gloam_is_background(stored_depth) && gloam_is_background(expected_depth);
 }

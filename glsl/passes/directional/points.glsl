@@ -95,9 +95,8 @@ float blocked_at(ivec2 pixel, float depth) {
     return seen.occlusion;
 }
 
-// i: number of the sample, from 0.
-Sample sample_of(Shaded shaded, uint i) {
-    vec3 point = gloam_turn_hemisphere(gloam_hemisphere_uniform(gloam_halton_3d(i + 1u)), shaded.turn);
+// point: of the unit half ball, z along the normal.
+Sample sample_at(Shaded shaded, vec3 point) {
     vec3 along = shaded.frame * point;
     vec3 at = shaded.position + parameters.radius * along;
     ivec2 pixel = gloam_footprint_seen(shaded.footprint, at);
@@ -105,6 +104,12 @@ Sample sample_of(Shaded shaded, uint i) {
     float blocked =
         counts ? blocked_at(pixel, gloam_footprint_plane_depth(shaded.footprint, pixel, at, shaded.frame[2])) : 0.0;
     return Sample(gloam_safe_normalize(along, vec3(0.0)), 1.0 - blocked, pixel, counts);
+}
+
+// The same points for every pixel, turned from one to the next. i: number of the sample, from 0.
+Sample sample_of(Shaded shaded, uint i) {
+    vec3 point = gloam_hemisphere_uniform(gloam_halton_3d(i + 1u));
+    return sample_at(shaded, gloam_turn_hemisphere(point, shaded.turn));
 }
 
 #endif

@@ -3,7 +3,7 @@
 // The surfaces of one level of MSSAO's pyramid, from the level before (CS-F): one invocation for each texel. Bindings
 // and constants: pass.glsl. Reads range: how far apart in depth the pixels of one surface may be.
 //
-// Writes the position and the normal of the pyramid's texel (pyramid.glsl), zeros for background.
+// Writes the position and the normal of the pyramid's texel (gloam/gather/pyramid.glsl), zeros for background.
 
 #include "passes/preparation/pass.glsl"
 

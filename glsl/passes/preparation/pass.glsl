@@ -6,7 +6,7 @@
 // list, and write parts of one image that the method reads by gloam_fetch_prepared. Nothing of a frame stays in it.
 //
 // The history is held as history_image.glsl says. Define GLOAM_PREPARED as r32f for the passes whose image has one
-// channel (first_direction.comp, depth_chain.comp), else it is rgba32f.
+// channel (first_direction.comp, depth_chain.comp, disc_visibility.comp), else it is rgba32f.
 // Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz

@@ -18,11 +18,14 @@ namespace gloam::effect::own {
 [[nodiscard]] Integrand alchemy(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand sao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand issao(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand issao_attenuated(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand issao_basic(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand aksoy_phaneuf(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand aksoy_phaneuf_two(const SeenSurface& seen, const Settings& settings);
 
 // Opposite pairs of them.
 [[nodiscard]] Integrand volumetric(const SeenSurface& seen, const Settings& settings);
+[[nodiscard]] Integrand volumetric_two(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand tangent_sphere(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand angle(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand depth_darkening(const SeenSurface& seen, const Settings& settings);

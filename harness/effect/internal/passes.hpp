@@ -175,6 +175,7 @@ enum class Counting : std::uint32_t { none, each_invocation, each_group };
 [[nodiscard]] PassSource normals_source();
 [[nodiscard]] PassSource occlusion_source(const Program& program, Counting counts,
                                           std::uint32_t open_tiles_each);
+[[nodiscard]] PassSource further_view_source(const Program& program, bool other_orthographic);
 [[nodiscard]] PassSource reprojection_source(const ReprojectionProgram& program);
 [[nodiscard]] PassSource filter_source(const FilterProgram& program);
 [[nodiscard]] PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list);

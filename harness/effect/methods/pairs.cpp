@@ -15,6 +15,16 @@ std::vector<Preset> volumetric_presets(const MethodInfo& method) {
          studied(configuration(method, 64))}};
 }
 
+std::vector<Preset> two_balls_presets(const MethodInfo& method) {
+    return {{"volumetric-two", "volumetric-performance at two radii", blurred(configuration(method, 24), 1)}};
+}
+
+// What the game has besides is not printed: 6 pairs, as many as volumetric-performance.
+std::vector<Preset> spiral_presets(const MethodInfo& method) {
+    return {{"volumetric-spiral", "Toy Story 3's: pairs on a turned spiral, 6 here; a blur of one pixel",
+             blurred(configuration(method, 12), 1)}};
+}
+
 std::vector<Preset> angle_presets(const MethodInfo& method) {
     return {
         {"angle-performance", "the study's: 6 pairs, its blur, no history",
@@ -35,6 +45,23 @@ std::vector<MethodInfo> pair_methods() {
          .on_a_plane = 0.5,
          .adapt = [](Settings& s) { s.remap_a = 0.5F; },
          .presets = volumetric_presets},
+        {.name = "volumetric_two",
+         .description = "volumetric in a ball of a quarter of the radius and in the whole one",
+         .measure = volume,
+         .falloff = "none",
+         .points = "disc",
+         .unit = SampleUnit::cross,
+         .on_a_plane = 0.5,
+         .adapt = [](Settings& s) { s.remap_a = 0.5F; },
+         .presets = two_balls_presets},
+        {.name = "volumetric_spiral",
+         .description = "the same ball, pairs of lines on a turned spiral (Toy Story 3; Ownby et al. 2010)",
+         .measure = volume,
+         .falloff = "none",
+         .unit = SampleUnit::pair,
+         .on_a_plane = 0.5,
+         .adapt = [](Settings& s) { s.remap_a = 0.5F; },
+         .presets = spiral_presets},
         {.name = "tangent_sphere",
          .description = "solid share of the ball on the surface, by lines (Szirmay-Kalos et al. 2009)",
          .measure = volume,

@@ -13,6 +13,9 @@ using enum Measure;
 // GLOAM_MOST_RESOLUTIONS of gloam/methods/mssao.glsl.
 constexpr std::uint32_t most_resolutions = 9;
 
+// GLOAM_LAST_AREA_LEVEL of gloam/methods/volumetric_area.glsl.
+constexpr std::uint32_t last_area_level = 6;
+
 // From a texel of the coarsest level to the last that counts for it: its kernel's 6, 2 for each
 // interpolation, whose texels grow to it as 1 + 1/2 + 1/4 ..., and its own.
 constexpr int mssao_texels = 11;
@@ -50,6 +53,31 @@ Preparation resolutions(const Settings& settings, gpu::Extent view) {
     return all;
 }
 
+// Moments of blocks, each level from the one before. A sample reaches a block beyond the disc.
+Preparation area_moments(const Settings&, gpu::Extent view) {
+    Preparation all{.image = pyramid_size(view, last_area_level)};
+    for (std::uint32_t level = 1; level <= last_area_level; ++level) {
+        all.passes.push_back({fmt::format("moments_{}", level), "area_moments.comp", level_size(view, level),
+                              static_cast<int>(level)});
+    }
+    all.spread = 1 << last_area_level;
+    return all;
+}
+
+std::vector<Preset> area_presets(const MethodInfo& method) {
+    return {{"volumetric-area", "a pair of area samples, a blur of one pixel, no history",
+             blurred(configuration(method, 2), 1)}};
+}
+
+// Each pixel's visibility, by which its disc counts for others as far as the radius.
+Preparation disc_visibility(const Settings& settings, gpu::Extent view) {
+    return {.image = view,
+            .format = gpu::Format::r32f,
+            .passes = {{"disc_visibility", "disc_visibility.comp", view}},
+            .spread = 1,
+            .reach = settings.radius};
+}
+
 }  // namespace
 
 std::vector<MethodInfo> surface_methods() {
@@ -63,6 +91,17 @@ std::vector<MethodInfo> surface_methods() {
          .points = "disc",
          .adapt = [](Settings& s) { s.range = 0.25F, s.steps = 5; },
          .prepare = resolutions},
+        {.name = "volumetric_area",
+         .description =
+             "volumetric by samples of areas, their mean and variance prepared (Loos and Sloan 2010)",
+         .measure = volume,
+         .falloff = "none",
+         .points = "disc",
+         .unit = SampleUnit::pair,
+         .on_a_plane = 0.5,
+         .adapt = [](Settings& s) { s.remap_a = 0.5F; },
+         .prepare = area_moments,
+         .presets = area_presets},
         {.name = "sphere_proxy",
          .description = "pixels as balls (Shanmugam and Arikan 2007)",
          .measure = shape,
@@ -78,6 +117,16 @@ std::vector<MethodInfo> surface_methods() {
          .reads = {"intensity"},
          .points = "halton",
          .reads_normals = true},
+        {.name = "disc_proxy_two",
+         .description = "disc_proxy, each disc by its own visibility from a first pass (Bunnell 2005)",
+         .measure = cosine,
+         .falloff = "none up to the radius",
+         .own_settings = "GloamDiscProxy",
+         .reads = {"intensity"},
+         .points = "halton",
+         .unit = SampleUnit::pair,
+         .reads_normals = true,
+         .prepare = disc_visibility},
         {.name = "mixture",
          .description = "pixels as balls above the biased tangent plane (Song 2010)",
          .measure = shape,

@@ -92,14 +92,29 @@ Settings of_figure(const MethodInfo& method, const Figure& figure) {
     settings.bias = figure.psi / figure.radius;
     settings.epsilon = figure.sigma_root / figure.radius;
     settings.filter = Filter::bilateral;
+    // Radii are uniform: with more taps than the radius has pixels some read the same ones.
+    settings.samples_radius = 12.0F;
     return settings;
 }
 
+constexpr Figure figure4{1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F};
+
 std::vector<Preset> issao_presets(const MethodInfo& method) {
-    return {{"issao-figure3", "the ISSAO paper's figure 3: 12 samples",
-             of_figure(method, {1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F})},
-            {"issao-figure4", "its figure 4", of_figure(method, {1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F})},
-            {"issao-figure5", "its figure 5", of_figure(method, {2.20F, 0.55F, 0.018F, 1.00F, 0.0122474F})}};
+    return {
+        {"issao-figure3", "the ISSAO paper's figure 3: 12 samples, fewer where the radius is below 12 pixels",
+         of_figure(method, {1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F})},
+        {"issao-figure4", "its figure 4, by eq. 6", of_figure(method, figure4)},
+        {"issao-figure5", "its figure 5", of_figure(method, {2.20F, 0.55F, 0.018F, 1.00F, 0.0122474F})}};
+}
+
+std::vector<Preset> basic_presets(const MethodInfo& method) {
+    Settings settings = of_figure(method, figure4);
+    settings.intensity = 1.0F;  // eq. 3 has none
+    return {{"issao-figure4-basic", "its figure 4 on the left, by eq. 3", settings}};
+}
+
+std::vector<Preset> attenuated_presets(const MethodInfo& method) {
+    return {{"issao-figure4-attenuated", "its figure 4 on the right, by eq. 4", of_figure(method, figure4)}};
 }
 
 std::vector<Preset> two_radii_presets(const MethodInfo& method) {
@@ -150,9 +165,36 @@ std::vector<MethodInfo> tap_methods() {
          .falloff = "alchemy",
          .own_settings = "GloamIssao",
          .reads = {"epsilon", "intensity"},
+         .fixed = {"GLOAM_EVERY_TAP"},
          .points = "halton",
+         .adapt = adapt_issao},
+        {.name = "issao_distinct",
+         .description = "issao, in which taps that fall into the same pixel count once",
+         .measure = cosine,
+         .falloff = "alchemy",
+         .own_settings = "GloamIssao",
+         .reads = {"epsilon", "intensity"},
+         .fixed = {"GLOAM_DISTINCT_TAPS"},
+         .points = "halton",
+         .takes_fewer = true,
          .adapt = adapt_issao,
          .presets = issao_presets},
+        {.name = "issao_attenuated",
+         .description = "the taps of issao by its eq. 4: cosines, attenuated by distance",
+         .measure = cosine,
+         .falloff = "alchemy",
+         .own_settings = "GloamIssaoAttenuated",
+         .reads = {"epsilon", "intensity"},
+         .points = "halton",
+         .adapt = adapt_issao,
+         .presets = attenuated_presets},
+        {.name = "issao_basic",
+         .description = "the taps of issao by its eq. 3: cosines of all within the radius",
+         .measure = cosine,
+         .falloff = "none up to the radius",
+         .points = "halton",
+         .adapt = [](Settings& s) { s.bias = 0.022F / 1.75F; },
+         .presets = basic_presets},
         {.name = "aksoy_phaneuf",
          .description = "surface points under a disc by their distance (Aksoy and Phaneuf 2011)",
          .measure = shape,

@@ -30,9 +30,10 @@ double height_over(const SeenSurface& seen, const glm::dvec2& place, const glm::
     return glm::dot(offset - aim, seen.normal()) / std::max(seen.normal().z, 1e-4);
 }
 
-// Taps alike over the area of the disc.
-Pair pair_at(const SeenSurface& seen, const std::array<double, 3>& u) {
-    const glm::dvec2 point = std::sqrt(u[0]) * glm::dvec2(std::cos(turn * u[1]), std::sin(turn * u[1]));
+// Taps alike over the area of a disc of that share of the radius.
+Pair pair_at(const SeenSurface& seen, const std::array<double, 3>& u, double share = 1.0) {
+    const glm::dvec2 point =
+        share * std::sqrt(u[0]) * glm::dvec2(std::cos(turn * u[1]), std::sin(turn * u[1]));
     const glm::dvec3 aim(point, 0.0);
     return {aim, height_over(seen, seen.reach() * point, aim),
             height_over(seen, -seen.reach() * point, -aim)};
@@ -41,6 +42,15 @@ Pair pair_at(const SeenSurface& seen, const std::array<double, 3>& u) {
 // Where the surface crosses a chord: 0 at its far end, 1 at its near end, outside both where it misses it.
 double place_on_chord(double height, double half_chord) {
     return 0.5 + 0.5 * height / half_chord;
+}
+
+// Shares of both chords of a pair, added.
+double solid_of(const Pair& pair, double half_chord) {
+    const double first = place_on_chord(pair.first, half_chord);
+    const double second = place_on_chord(pair.second, half_chord);
+    const auto own = [](double place) { return place >= 0.35 && place <= 1.0; };
+    // One alone and its complement make 1, and so do two halves.
+    return own(first) && own(second) ? first + second : 1.0;
 }
 
 // What the tangent sphere's chord at the tap holds (CS-I, last paragraph): the sphere of half the radius on
@@ -70,15 +80,20 @@ double cosine_to_eye(const glm::dvec3& offset, const glm::dvec3& normal) {
 // lies in front of the ball, is another object's; its partner's complement stands for it.
 Integrand volumetric(const SeenSurface& seen, const Settings&) {
     return [seen](const std::array<double, 3>& u) {
-        const Pair pair = pair_at(seen, u);
         const double half_chord = std::sqrt(1.0 - std::min(u[0], 1.0));
         if (half_chord == 0.0) return glm::dvec2(0.0);
-        const double first = place_on_chord(pair.first, half_chord);
-        const double second = place_on_chord(pair.second, half_chord);
-        const auto own = [](double place) { return place >= 0.35 && place <= 1.0; };
-        // One alone and its complement make 1, and so do two halves.
-        const double sum = own(first) && own(second) ? first + second : 1.0;
-        return half_chord * glm::dvec2(sum, 2.0);
+        return half_chord * glm::dvec2(solid_of(pair_at(seen, u), half_chord), 2.0);
+    };
+}
+
+// The same ball and one of a quarter of the radius: what both hold beyond a half, added.
+Integrand volumetric_two(const SeenSurface& seen, const Settings&) {
+    return [seen](const std::array<double, 3>& u) {
+        const double half_chord = std::sqrt(1.0 - std::min(u[0], 1.0));
+        if (half_chord == 0.0) return glm::dvec2(0.0);
+        const double broad = solid_of(pair_at(seen, u), half_chord);
+        const double fine = solid_of(pair_at(seen, u, 0.25), 0.25 * half_chord);
+        return half_chord * glm::dvec2(broad + fine - 1.0, 2.0);
     };
 }
 

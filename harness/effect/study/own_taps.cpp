@@ -69,6 +69,23 @@ Integrand issao(const SeenSurface& seen, const Settings& s) {
                 });
 }
 
+// ISSAO-4: phi |v| / max(mu, |v|)^2 times the cosine.
+Integrand issao_attenuated(const SeenSurface& seen, const Settings& s) {
+    return taps(seen, Radii::uniform,
+                [phi = double{s.intensity}, bias = double{s.bias}, mu = double{s.epsilon}](double distance,
+                                                                                           double height) {
+                    if (!(distance < 1.0 && height > bias)) return 0.0;
+                    return phi * height / std::pow(std::max(mu, distance), 2.0);
+                });
+}
+
+// ISSAO-3: the cosine.
+Integrand issao_basic(const SeenSurface& seen, const Settings& s) {
+    return taps(seen, Radii::uniform, [bias = double{s.bias}](double distance, double height) {
+        return distance < 1.0 && height > bias ? height / distance : 0.0;
+    });
+}
+
 // CS-J: 1 - |v| in front of the tangent plane.
 Integrand aksoy_phaneuf(const SeenSurface& seen, const Settings& s) {
     return taps(seen, Radii::area, [bias = double{s.bias}](double distance, double height) {

@@ -12,6 +12,10 @@ inline double gloam_issao_attenuation(double hit_distance, double phi, double mu
     return is_finite(q) ? q : 0.0;
 }
 
+inline double gloam_contribution_issao_basic(dvec3 offset, dvec3 normal, double radius) {
+    return gloam_length(offset) < radius ? gloam_sample_cosine(offset, normal) : 0.0;
+}
+
 inline double gloam_contribution_issao_attenuated(dvec3 offset, dvec3 normal, double radius, double phi,
                                                   double mu) {
     if (!(gloam_length(offset) < radius)) return 0.0;

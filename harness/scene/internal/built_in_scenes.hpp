@@ -12,6 +12,7 @@ namespace gloam::scene {
 [[nodiscard]] Scene make_grass();
 [[nodiscard]] Scene make_knot();
 [[nodiscard]] Scene make_moving();
+[[nodiscard]] Scene make_relief();
 [[nodiscard]] Scene make_room();
 [[nodiscard]] Scene make_sky();
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_GATHER_LINE_PAIR_GLSL
+#define GLOAM_GATHER_LINE_PAIR_GLSL
+
+#include "gloam/gather/footprint.glsl"
+#include "gloam/gather/pair.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/volumetric.glsl"
+
+// Two opposite line samples of volumetric obscurance (CS-3.5), of which each stands in for the other where that tells
+// nothing.
+
+// The surface at a chord is another object's below this share of the chord and beyond its near end, as the published
+// shader has it.
+const float GLOAM_LEAST_SOLID = 0.35;
+
+// What volumetric obscurance knows of the shaded point, the same for all its pairs.
+struct GloamLinePoint {
+    vec3 position;  // view space, world units
+    vec3 normal;    // unit
+    float facing;   // cosine between the normal and the direction to the eye, at least 1e-4
+    vec2 upright;   // gloam_upright
+    GloamFootprint footprint;
+};
+
+// Computed once a pixel; only for what gloam_can_gather lets pass.
+// position: of the surface, view space, world units. normal: unit. radius: of influence, world units.
+// Error of the facing: 1e-6.
+GloamLinePoint gloam_line_point(vec3 position, vec3 normal, float radius, GloamCamera camera) {
+    float facing = max(dot(gloam_toward_eye(position, camera.orthographic), normal), 1e-4);
+    return GloamLinePoint(position, normal, facing, gloam_upright(camera), gloam_footprint(position, radius, camera));
+}
+
+// Solid lengths of the chords of the ball at a tap and opposite to it; of several layers those stay that block most.
+// tap: of the unit disc, y as in the image. kernel: of it the radius and the layers count.
+// Returns as `whole` both chords' lengths, as `occluded` the solid part of that. Error: that of gloam_pair_height and
+// gloam_line_pair times the chord, but for taps within rounding of a pixel's border.
+GloamPairShare gloam_line_pair_share(GloamLinePoint point, vec2 tap, GloamKernel kernel) {
+    vec3 aim = vec3(kernel.radius * tap * point.upright, 0.0);
+    float half_height = gloam_chord_half_height(tap, kernel.radius);
+    GloamPairDepths depths = gloam_pair_depths(point.footprint, tap, kernel.layers);
+    GloamPairShare most = GloamPairShare(0.0, 0.0);
+    vec2 stayed = vec2(0.0);
+    for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
+        vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
+        float first = gloam_pair_height(point.footprint, depths.first_pixel, looked.x, aim, point.position,
+                                        point.normal, point.facing, kernel.radius);
+        float second = gloam_pair_height(point.footprint, depths.second_pixel, looked.y, -aim, point.position,
+                                         point.normal, point.facing, kernel.radius);
+        vec2 ratios = vec2(gloam_line_ratio(first, half_height), gloam_line_ratio(second, half_height));
+        vec2 solid = gloam_line_pair(ratios, GLOAM_LEAST_SOLID, 1.0);
+        GloamPairShare found = GloamPairShare(half_height * (solid.x + solid.y), 2.0 * half_height);
+        if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;
+        most = found;
+        stayed = looked;
+    }
+    return most;
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_METHODS_DISC_PROXY_TWO_GLSL
+#define GLOAM_METHODS_DISC_PROXY_TWO_GLSL
+
+#include "gloam/methods/disc_proxy.glsl"
+#include "gloam/sampling/unit_interval.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+
+// disc_proxy in two passes (Bunnell, GPU Gems 2; CS-S): the first is disc_proxy for every pixel
+// (preparation/disc_visibility.comp); here each disc blocks as far as it was found visible itself. A disc that stands
+// in another's shadow stands behind it for most points: what both add is counted once. Half of the samples are the
+// first pass's. Its result is that of one frame: of few samples it is noisy, and clamped.
+
+// Defined by the user: what the preparation passes have written; here the visibility of each pixel's disc in x.
+vec4 gloam_fetch_prepared(ivec2 pixel);
+
+// Samples of one of the passes: half of those asked for.
+GloamKernel gloam_disc_pass_kernel(GloamKernel kernel) {
+    GloamKernel half_of = kernel;
+    half_of.first = kernel.first / 2u;
+    half_of.count = gloam_paired_samples(kernel.count) / 2u;
+    return half_of;
+}
+
+// All samples of one pixel in one frame, the prepared ones counted; an odd number is taken as the even one above it.
+// Parameters are those of gloam_disc_proxy.
+// Returns the occlusion, no larger than that of gloam_disc_proxy by as many samples; outside the image the nearest
+// pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: as there.
+GloamEstimate gloam_disc_proxy_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                                   GloamDiscProxy settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    GloamKernel second = gloam_disc_pass_kernel(kernel);
+    GloamFootprint footprint = gloam_footprint(position, second.radius, camera);
+    vec2 axes = footprint.reach * footprint.size;
+    float pixels = GLOAM_PI * axes.x * axes.y;
+    vec2 turn = gloam_sincos(second.angle);
+    float sum = 0.0;
+    for (uint i = 0u; i < second.count; ++i) {
+        vec3 random = gloam_halton_point(second.first + i + 1u);
+        vec2 tap = gloam_turn_disc(random.y * gloam_circle_point(random.x), turn);
+        ivec2 at = gloam_footprint_pixel(footprint, tap);
+        if (at == footprint.pixel) continue;
+        float piece = gloam_disc_piece(footprint, at, position, n, second, axes);
+        if (!(piece > 0.0)) continue;
+        sum += 2.0 * random.y * pixels * piece * gloam_unit_interval(gloam_fetch_prepared(at).x);
+    }
+    return gloam_estimate(settings.intensity * sum, float(second.count), 2u * second.count);
+}
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// What interleaved sampling has taken in parts, put together (Klehm et al. 2011; CS-L): each pixel has the open
+// directions of as many pixels around it as share a pattern, of which every part is then there once, as far as they lie
+// on the same surface. After bent_normals.comp with the same interleave; one invocation a pixel.
+//
+// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
+//   4  rgba32f  written: as bent_normals.comp without interleave
+//   5  rgba32f  what bent_normals.comp wrote: (sum of open directions, number of them)
+#include "directional/points.glsl"
+#include "gloam/filter/geometry_weight.glsl"
+#include "gloam/shading/bent_cone.glsl"
+#include "gloam/shading/bent_normal.glsl"
+
+layout(constant_id = 1) const int interleave = 4;  // side of the blocks whose pixels share a pattern
+
+layout(binding = 4, rgba32f) uniform writeonly image2D bent_image;
+layout(binding = 5, rgba32f) uniform readonly image2D sums_image;
+
+// A neighbour on the same surface is no further from the tangent plane than a small part of this share of the radius.
+const float PLANE_SHARE = 0.1;
+const float NORMAL_POWER = 10.0;
+const float PLANE_POWER = 8.0;
+
+// How much a neighbour counts: 1 on the tangent plane with the same normal.
+float weight_of(Shaded shaded, ivec2 at) {
+    float depth = gloam_fetch_depth(at);
+    if (gloam_is_background(depth)) return 0.0;
+    vec3 offset = gloam_camera_position(at, depth, this_camera()) - shaded.position;
+    vec3 normal = gloam_safe_normalize(imageLoad(normal_image, at).xyz, vec3(0.0));
+    float height = dot(offset, shaded.normal) / (PLANE_SHARE * parameters.radius);
+    return gloam_geometry_weight(shaded.normal, normal, height, NORMAL_POWER, PLANE_POWER);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    Shaded shaded;
+    if (!shaded_at(pixel, shaded)) {
+        imageStore(bent_image, pixel, vec4(0.0));
+        return;
+    }
+    vec4 bent = vec4(0.0);
+    for (int i = 0; i < interleave * interleave; ++i) {
+        ivec2 at = pixel + ivec2(i % interleave, i / interleave) - interleave / 2;
+        if (at.x < 0 || at.y < 0 || at.x >= parameters.size.x || at.y >= parameters.size.y) continue;
+        float weight = at == pixel ? 1.0 : weight_of(shaded, at);
+        bent += weight * imageLoad(sums_image, at);
+    }
+    imageStore(bent_image, pixel,
+               vec4(gloam_bent_normal(bent, shaded.normal), gloam_cone_angle(gloam_bent_length(bent))));
+}

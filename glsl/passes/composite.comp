@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// The lit image: ambient light as far as it arrives, and direct light, which occlusion does not darken (McGuire, Mara
+// and Luebke 2012; ISSAO-2): ambient * (1 - occlusion) + direct. One invocation a pixel.
+//
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  rgba32f  light that leaves the surface by ambient light that nothing hides, in xyz, linear
+//   1  rgba32f  by direct light, in xyz, its shadows in it, the same unit; the sky at the background
+//   2  r32f     occlusion, [0, 1], as it is shown: filtered, remapped
+//   3  rgba32f  written: the sum in xyz; w is 1
+#include "gloam/shading/ambient_light.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0, rgba32f) uniform readonly image2D ambient_image;
+layout(binding = 1, rgba32f) uniform readonly image2D direct_image;
+layout(binding = 2, r32f) uniform readonly image2D occlusion_image;
+layout(binding = 3, rgba32f) uniform writeonly image2D lit_image;
+
+layout(push_constant) uniform Parameters {
+    ivec2 size;  // of the images, pixels
+} parameters;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    vec3 ambient = gloam_ambient_light(imageLoad(ambient_image, pixel).xyz, imageLoad(occlusion_image, pixel).x);
+    imageStore(lit_image, pixel, vec4(ambient + imageLoad(direct_image, pixel).xyz, 1.0));
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "effect/composite.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
+#include "effect/internal/texels.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum gpu::BindingKind;
+using enum gpu::Format;
+
+void require(std::size_t found, std::size_t expected, const char* what) {
+    if (found == expected) return;
+    throw std::invalid_argument(fmt::format("composite: {} {}, expected {}", found, what, expected));
+}
+
+}  // namespace
+
+Composite::Composite(const gpu::Device& device, const scene::PassLibrary& passes)
+    : device_(&device),
+      pipeline_(device, {.spirv = passes.compile("composite.comp"),
+                         .bindings = {storage_image, storage_image, storage_image, storage_image},
+                         .push_constant_bytes = sizeof(glm::ivec2)}) {}
+
+std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLight& light,
+                                      std::span<const float> occlusion) const {
+    const std::size_t pixels = std::size_t{extent.width} * extent.height;
+    require(light.ambient.size(), pixels, "pixels with ambient light");
+    require(light.direct.size(), pixels, "pixels with direct light");
+    if (!occlusion.empty()) require(occlusion.size(), pixels, "occlusions");
+    gpu::Image ambient(*device_, extent, rgba32f);
+    gpu::Image direct(*device_, extent, rgba32f);
+    gpu::Image shown(*device_, extent, r32f);
+    const gpu::Image image(*device_, extent, rgba32f);
+    ambient.upload(texels_of(light.ambient));
+    direct.upload(texels_of(light.direct));
+    std::vector<float> values(occlusion.begin(), occlusion.end());
+    values.resize(pixels, 0.0F);
+    shown.upload(values);
+    const glm::ivec2 size(extent.width, extent.height);
+    const Step step{"composite", &pipeline_, {ambient, direct, shown, image}, bytes_of(size)};
+    (void)run(*device_, std::span(&step, 1), groups_for(extent), 1);
+    return vectors_of(image.download());
+}
+
+}  // namespace gloam::effect

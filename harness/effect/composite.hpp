@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "gpu/compute.hpp"
+#include "gpu/device.hpp"
+#include "gpu/image.hpp"
+#include "scene/lighting.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::effect {
+
+// What the eye sees, put together on the device by composite.comp: ambient * (1 - occlusion) + direct.
+class Composite {
+  public:
+    // The device must outlive this. Throws std::runtime_error when the shader does not compile.
+    Composite(const gpu::Device& device, const scene::PassLibrary& passes);
+
+    // Rows from the top. `occlusion` in [0, 1], a value for each pixel of the light; empty: none. Throws
+    // std::invalid_argument when the sizes disagree with the extent.
+    [[nodiscard]] std::vector<glm::vec3> lit(gpu::Extent extent, const scene::SplitLight& light,
+                                             std::span<const float> occlusion) const;
+
+  private:
+    const gpu::Device* device_;
+    gpu::ComputePipeline pipeline_;
+};
+
+}  // namespace gloam::effect

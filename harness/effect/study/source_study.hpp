@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "gpu/device.hpp"
+#include "gpu/image.hpp"
+#include "scene/pass_library.hpp"
+#include "scene/truth_cache.hpp"
+
+// Experiments that the sources print, with ours in their place.
+namespace gloam::effect {
+
+struct SourceOptions {
+    gpu::Extent extent{640, 360};
+    int rounds = 7;  // in each of them everything is timed once, in turn; what is reported is the least time
+    int rays = 256;  // of the truth, for each pixel
+    std::function<void(double)> progress{};  // called with the part done, in [0, 1]
+};
+
+// One configuration in an experiment, on the first frame of a scene.
+struct SourceRow {
+    std::string scene;
+    std::string name;           // of the configuration
+    std::string what;           // was changed
+    Settings settings;          // for a radius of 1
+    double radius = 1.0;        // in radii of the scene
+    double taken = 0.0;         // samples, for each pixel with geometry
+    double occlusion_ms = 0.0;  // least times: what estimates the occlusion, preparation included
+    double filter_ms = 0.0;     // both passes of the filter
+    double error = 0.0;         // RMSE of what is shown, against the geometry's truth for that radius
+    double error_before = 0.0;  // against the truth for the scene's own radius
+};
+
+// ISSAO's table 1: four methods of 12 taps, each without a filter and with the bilateral one, on `scene`.
+[[nodiscard]] std::vector<SourceRow> study_issao_table(const gpu::Device& device,
+                                                       const scene::PassLibrary& passes,
+                                                       const scene::TruthCache& cache,
+                                                       const std::string& scene,
+                                                       const SourceOptions& options);
+
+// The comparative study's scalability (Aalund and Baerentzen 2013): its performance configurations at the
+// scene's radius, at twice the radius, and at twice the radius with twice the samples. Throws, like the
+// other, std::runtime_error for a device that has no clock, and like AmbientOcclusion.
+[[nodiscard]] std::vector<SourceRow> study_radius(const gpu::Device& device, const scene::PassLibrary& passes,
+                                                  const scene::TruthCache& cache, const std::string& scene,
+                                                  const SourceOptions& options);
+
+}  // namespace gloam::effect

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "effect/further_views.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
+#include "effect/methods.hpp"
+#include "on_device.hpp"
+#include "scene/primitives.hpp"
+#include "scene/rasterize.hpp"
+#include "scene/truth.hpp"
+
+namespace gloam::effect {
+namespace further_views_test {
+
+constexpr gpu::Extent extent{96, 64};
+
+// A table with a thin top on a floor, seen from straight above: its underside and what it stands over are
+// hidden.
+scene::Scene table(double azimuth_degrees, double elevation_degrees) {
+    scene::Scene scene{.name = "table", .ao_radius = 0.6};
+    scene.mesh = scene::make_parallelogram({-3, 0, -3}, {0, 0, 6}, {6, 0, 0}, 0.5);
+    append(scene.mesh, scene::make_box({-0.4, 0, -0.4}, {0.4, 1.2, 0.4}, 0.2));
+    append(scene.mesh, scene::make_box({-0.9, 0.35, -0.9}, {0.9, 0.37, 0.9}, 0.2));
+    const double a = azimuth_degrees * std::numbers::pi / 180.0;
+    const double e = elevation_degrees * std::numbers::pi / 180.0;
+    scene.camera.eye = 5.0 * glm::dvec3(std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a));
+    scene.camera.target = {0, 0.3, 0};
+    scene.camera.up = elevation_degrees > 80.0 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+    scene.camera.fovy_rad = 0.7;
+    return scene;
+}
+
+class Further : public OnDevice<testing::Test> {
+  protected:
+    FurtherViews further_{device_, passes_};
+
+    [[nodiscard]] scene::GBuffer view_from(double azimuth, double elevation,
+                                           gpu::Extent size = extent) const {
+        return scene::rasterize(device_, passes_, table(azimuth, elevation), size);
+    }
+
+    [[nodiscard]] std::vector<float> one_frame(const scene::GBuffer& view, const Settings& settings) const {
+        AmbientOcclusion& effect = effect_for(view.extent);
+        effect.begin(view, settings);
+        return effect.next().occlusion;
+    }
+};
+
+Settings settings_for(const std::string& method, std::uint32_t samples = 32) {
+    Settings settings = with_radius(with_method({}, method), 0.6F);
+    settings.samples = settings.samples_converged = samples;
+    settings.history = false;
+    settings.least_radius = 0.0F;
+    settings.skip_closed = false;
+    return settings;
+}
+
+// The same depth buffer tells nothing more: the samples are those of the first frame.
+TEST_F(Further, TheSameViewChangesNothing) {
+    const scene::GBuffer view = view_from(20, 50);
+    const scene::GBuffer views[] = {view, view};
+    for (const MethodInfo& method : methods()) {
+        if (method.prepare != nullptr) continue;
+        const Settings settings = settings_for(method.name);
+        const std::vector<float> once = one_frame(view, settings);
+        const std::vector<float> again = further_.raised(view, once, views, settings);
+        ASSERT_GT(std::ranges::max(once), 0.05F) << method.name;
+        for (std::size_t i = 0; i < once.size(); ++i)
+            ASSERT_NEAR(again[i], once[i], 2e-3F) << method.name << ' ' << i;
+    }
+}
+
+TEST_F(Further, AViewThatDoesNotShowThePointChangesNothing) {
+    const scene::GBuffer view = view_from(0, 89);
+    scene::Scene away = table(0, 30);
+    away.camera.target = 2.0 * away.camera.eye;
+    const scene::GBuffer others[] = {scene::rasterize(device_, passes_, away, extent)};
+    const std::vector<float> once = one_frame(view, settings_for("alchemy"));
+    EXPECT_EQ(further_.raised(view, once, others, settings_for("alchemy")), once);
+    EXPECT_EQ(further_.raised(view, once, {}, settings_for("alchemy")), once);
+}
+
+// From above the sides of the box and of the table's edge are seen edge-on, and the floor beside reads as
+// open. From the sides they are seen, in images of another size and in parallel, and the occlusion comes
+// nearer to the truth; nowhere does it fall.
+TEST_F(Further, WhatOneEyeMissesAnotherSees) {
+    const scene::GBuffer view = view_from(0, 89);
+    const Truth truth = truth_from(
+        view, scene::trace_geometry(table(0, 89), 0, view, {.rays = {.radius = 0.6, .rays = 128}}).occlusion);
+    const Settings settings = settings_for("gtao", 128);
+    const std::vector<float> once = one_frame(view, settings);
+    std::vector<scene::GBuffer> others;
+    for (const double azimuth : {0.0, 90.0, 180.0, 270.0}) others.push_back(view_from(azimuth, 25, {80, 80}));
+    scene::Scene parallel = table(45, 25);
+    parallel.camera.projection = scene::Projection::orthographic;
+    parallel.camera.view_height = 4.0;
+    others.push_back(scene::rasterize(device_, passes_, parallel, {72, 64}));
+    const std::vector<float> all = further_.raised(view, once, others, settings);
+    std::size_t more = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        ASSERT_GE(all[i], once[i]);
+        more += all[i] > once[i] + 0.02F ? 1 : 0;
+    }
+    EXPECT_GT(more, all.size() / 50);
+    EXPECT_LT(errors_of(all, truth).rmse, 0.9 * errors_of(once, truth).rmse);
+}
+
+TEST_F(Further, WhatCannotBeUsedIsNamed) {
+    const scene::GBuffer view = view_from(0, 50, {16, 16});
+    const std::vector<float> once(view.depth.size());
+    const scene::GBuffer others[] = {view};
+    using testing::HasSubstr;
+    using testing::ThrowsMessage;
+    EXPECT_THAT([&] { (void)further_.raised(view, once, others, settings_for("mssao")); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("mssao")));
+    EXPECT_THAT([&] { (void)further_.raised(view, {}, others, settings_for("gtao")); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("0 occlusions")));
+    scene::GBuffer wide = view;
+    wide.border = {1, 1};
+    EXPECT_THAT([&] { (void)further_.raised(wide, once, others, settings_for("gtao")); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("guard band")));
+}
+
+}  // namespace further_views_test
+}  // namespace gloam::effect

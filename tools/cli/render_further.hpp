@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gpu/device.hpp"
+#include "report/output_folder.hpp"
+#include "scene/gbuffer.hpp"
+#include "scene/pass_library.hpp"
+#include "scene/scene.hpp"
+
+namespace gloam::cli {
+
+constexpr int most_further_views = 6;
+
+// What so many further cameras see of a scene in a frame: they look where its camera looks, from as far,
+// turned around the vertical by 40 degrees to both sides, then by 80 and 120.
+[[nodiscard]] std::vector<scene::GBuffer> further_views_of(const gpu::Device& device,
+                                                           const scene::PassLibrary& passes,
+                                                           const scene::Scene& scene, int frame,
+                                                           gpu::Extent extent, int count);
+
+// STEM_views.pfm and .png: occlusion, as of the frame itself.
+void write_further(report::OutputFolder& folder, const std::string& stem, gpu::Extent extent,
+                   const std::vector<float>& occlusion);
+
+}  // namespace gloam::cli
