@@ -371,9 +371,9 @@ Frame AmbientOcclusion::next(int repeat) {
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
     // Each run reads the same history and writes the same images, so running again changes nothing.
     const std::vector<Step> steps = impl.steps();
-    std::vector<PassTime> times =
-        run(*impl.device, steps, groups_for(impl.view.extent), repeat, [&] { impl.images->tiles.clear(); },
-            impl.watcher);
+    std::vector<PassTime> times = run(
+        *impl.device, steps, groups_for(impl.view.extent), repeat, [&] { impl.images->tiles.clear(); },
+        impl.watcher);
     Frame frame = impl.collect();
     frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);

@@ -34,7 +34,7 @@ std::span<const std::byte> bytes_of(const Parameters& parameters) {
 }
 
 // Runs the passes in order, `repeat` times, each time after `before_each`, each over its own groups or
-// `groups`; returns the median time of each. With a watcher the time of a pass is that of a submission. Throws like gpu::Commands::submit().
+// `groups`; returns the median time of each, NaN with a watcher. Throws like gpu::Commands::submit().
 [[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                                         const std::array<std::uint32_t, 3>& groups, int repeat,
                                         const std::function<void()>& before_each = {},
