@@ -164,8 +164,11 @@ void Lowering::place_globals() {
         // [length | OpSpecConstantOp, type, result, opcode, operands...] as an instruction of that opcode.
         computed_.emplace_back(i.words.begin(), i.words.end());
         std::vector<std::uint32_t>& words = computed_.back();
-        const std::uint32_t opcode = words[3];
-        words.erase(words.begin() + 3);
+        std::uint32_t opcode = SpvOpCompositeConstruct;
+        if (i.opcode == SpvOpSpecConstantOp) {
+            opcode = words[3];
+            words.erase(words.begin() + 3);
+        }
         words[0] = static_cast<std::uint32_t>(words.size()) << 16U | opcode;
         global_slots_[i.word(2)] = new_slots(module_.types.slots(i.word(1)));
         global_types_[i.word(2)] = i.word(1);

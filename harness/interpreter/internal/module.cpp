@@ -198,8 +198,7 @@ void Module::read_constant(const shader::Instruction& i) {
         case SpvOpSpecConstantComposite:
             for (const Id part : i.words.subspan(3)) {
                 const auto found = constants.find(part);
-                if (found == constants.end())
-                    throw Error(Error::Kind::unknown_instruction, "a constant made of computed constants");
+                if (found == constants.end()) return computed_constants.push_back(i);
                 value.bits.insert(value.bits.end(), found->second.bits.begin(), found->second.bits.end());
             }
             break;

@@ -51,7 +51,7 @@ class Module {
 
     Types types;
     std::map<Id, ConstantValue> constants;
-    std::vector<shader::Instruction> computed_constants;  // OpSpecConstantOp
+    std::vector<shader::Instruction> computed_constants;  // OpSpecConstantOp, and what is composed of those
     std::vector<shader::Instruction> variables;           // outside of functions
     std::map<Id, Id> undefined;                           // OpUndef outside of functions: its type
     std::set<Id> extended_sets;                           // GLSL.std.450
