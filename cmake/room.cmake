@@ -60,8 +60,9 @@ gloam_precompiled(gloam_glue_headers FLAGS $<$<CONFIG:Release>:-O1>
   HEADERS <nlohmann/json.hpp> LIBRARIES nlohmann_json::nlohmann_json)
 
 # gloam_room(NAME SOURCES file... [| file...]... USES room... LIBRARIES target... [HEADERS precompiled])
-# A room of the house: static library gloam_NAME (interface library when it has no sources), alias gloam::NAME.
-# USES are rooms that its headers may include; LIBRARIES stay hidden behind its sources. HEADERS: see gloam_precompiled().
+# A room (docs/architecture.md): static library gloam_NAME (interface library when it has no sources), alias
+# gloam::NAME. USES are rooms that its headers may include; only its sources see LIBRARIES. HEADERS: see
+# gloam_precompiled().
 function(gloam_room NAME)
   cmake_parse_arguments(ROOM "" "HEADERS" "SOURCES;USES;LIBRARIES" ${ARGN})
   set(target gloam_${NAME})
