@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D PROGRAM=file -D PREFIX=name -D OUTPUT=file -D ENVIRONMENT=list -D SEEN=folder -P list_suites.cmake
-# Writes for ctest one test for each suite of a GoogleTest program, so that its tests share a process and its device. A suite
-# of many tests becomes several, so that every core has something to do. SEEN gets a file for each, which lists the shaders
-# that its tests read (tools/test --seeing; a / in a name is a comma there).
+# Writes one ctest test for each suite of a GoogleTest program: the tests of a suite share a process and its device. A
+# suite of many tests becomes several ctest tests, so that every core has work. SEEN gets a file for each ctest test,
+# which lists the shaders that it reads (tools/test --seeing; a / in a name is a comma there).
 set(most_tests 48)
 
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing RESULT_VARIABLE status)

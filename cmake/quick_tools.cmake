@@ -7,8 +7,8 @@ endif()
 
 find_program(GLOAM_CCACHE ccache)
 if(GLOAM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # The two kinds of sloppiness are those that ccache requires for precompiled headers. Checkouts do not share results: a
-  # precompiled header of one was handed to another.
+  # ccache requires these two kinds of sloppiness for precompiled headers. Checkouts do not share results, because
+  # ccache once gave the precompiled header of one checkout to another.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GLOAM_CCACHE})
 endif()
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # gloam_sources(RESULT file... [| file...]...)
-# The files of the list in RESULT. Those between two | are compiled as one, because reading headers is most of the cost of a
-# source here; so they may not define the same name, unnamed namespaces included. -DCMAKE_UNITY_BUILD=OFF compiles every
-# file alone.
+# Puts the files of the list into RESULT. The files between two | are compiled as one, because most of the cost of a
+# source is reading its headers. They may therefore not define the same name, not even in unnamed namespaces.
+# -DCMAKE_UNITY_BUILD=OFF compiles every file alone.
 function(gloam_sources RESULT)
   set(group 1)
   set(files)
@@ -32,8 +32,8 @@ function(gloam_compile_together TARGET)
 endfunction()
 
 # gloam_precompiled(NAME [FLAGS flag...] HEADERS header... LIBRARIES target...)
-# Headers that many sources read, precompiled once. gloam_precompile() makes a target read them; it is then compiled with the
-# same flags, because GCC takes precompiled headers under their own level of optimisation only.
+# Headers that many sources read, precompiled once. gloam_precompile() makes a target read them. The target is then
+# compiled with the same flags, because GCC accepts precompiled headers only at the optimisation level that made them.
 function(gloam_precompiled NAME)
   cmake_parse_arguments(PRE "" "" "FLAGS;HEADERS;LIBRARIES" ${ARGN})
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${NAME}.cpp CONTENT "")
@@ -54,14 +54,15 @@ endfunction()
 
 gloam_precompiled(gloam_headers)
 
-# Glue, which is not worth optimising for longer: what takes time is the compilers, the drivers and the other rooms. CLI11 does
-# not belong here: every source that sees it, used or not, compiles 1.4 s longer.
+# For code that need not be fast: most of the run time is spent in the compilers, the drivers and the other rooms.
+# CLI11 is not among these headers: every source that reads it, used or not, takes 1.4 s longer to compile.
 gloam_precompiled(gloam_glue_headers FLAGS $<$<CONFIG:Release>:-O1>
   HEADERS <nlohmann/json.hpp> LIBRARIES nlohmann_json::nlohmann_json)
 
 # gloam_room(NAME SOURCES file... [| file...]... USES room... LIBRARIES target... [HEADERS precompiled])
-# A room of the house: static library gloam_NAME (interface library when it has no sources), alias gloam::NAME.
-# USES are rooms that its headers may include; LIBRARIES stay hidden behind its sources. HEADERS: see gloam_precompiled().
+# A room (docs/architecture.md): static library gloam_NAME (interface library when it has no sources), alias
+# gloam::NAME. USES are rooms that its headers may include; only its sources see LIBRARIES. HEADERS: see
+# gloam_precompiled().
 function(gloam_room NAME)
   cmake_parse_arguments(ROOM "" "HEADERS" "SOURCES;USES;LIBRARIES" ${ARGN})
   set(target gloam_${NAME})
@@ -89,8 +90,9 @@ function(gloam_room NAME)
 endfunction()
 
 # gloam_test(NAME SOURCES file... USES room... LIBRARIES target... [SWIFTSHADER filter])
-# A GoogleTest program, its suites found by ctest (list_suites.cmake). Those of the filter run once more, as one test, on a
-# browser's SwiftShader where there is one. Five sources are compiled as one: each has a namespace with the name of its file.
+# A GoogleTest program whose suites ctest finds (list_suites.cmake). The tests that match the filter run once more, as
+# one ctest test, on a browser's SwiftShader where there is one. Five sources are compiled as one, so each has a
+# namespace with the name of its file.
 function(gloam_test NAME)
   cmake_parse_arguments(TEST "" "SWIFTSHADER" "SOURCES;USES;LIBRARIES" ${ARGN})
   list(TRANSFORM TEST_USES PREPEND gloam_)
@@ -100,18 +102,21 @@ function(gloam_test NAME)
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   gloam_compile_together(${NAME} 5)
   gloam_precompile(${NAME} gloam_test_headers)
-  set(environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
+  string(CONCAT environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;"
+    "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
   string(REGEX REPLACE "_tests$" "" prefix ${NAME})
   set(listing "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_suites.cmake")
   add_custom_command(TARGET ${NAME} POST_BUILD BYPRODUCTS ${listing} VERBATIM
-    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${NAME}> -D PREFIX=${prefix} -D OUTPUT=${listing} -D "ENVIRONMENT=${environment}"
-      -D SEEN=${CMAKE_BINARY_DIR}/seen -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${NAME}> -D PREFIX=${prefix} -D OUTPUT=${listing}
+      -D "ENVIRONMENT=${environment}" -D SEEN=${CMAKE_BINARY_DIR}/seen -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_tests.cmake")
-  file(WRITE "${file}" "if(EXISTS [==[${listing}]==])\n  include([==[${listing}]==])\nelse()\n  add_test(${NAME}_NOT_BUILT ${NAME}_NOT_BUILT)\nendif()\n")
+  file(WRITE "${file}" "if(EXISTS [==[${listing}]==])\n  include([==[${listing}]==])\n"
+    "else()\n  add_test(${NAME}_NOT_BUILT ${NAME}_NOT_BUILT)\nendif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${file}")
   if(TEST_SWIFTSHADER)
     target_sources(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/device_main.cpp)
-    add_test(NAME ${NAME}.swiftshader COMMAND ${NAME} --swiftshader "--gtest_filter=${TEST_SWIFTSHADER}" --gtest_brief=1)
+    add_test(NAME ${NAME}.swiftshader
+      COMMAND ${NAME} --swiftshader "--gtest_filter=${TEST_SWIFTSHADER}" --gtest_brief=1)
     set_tests_properties(${NAME}.swiftshader PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77
       ENVIRONMENT "${environment};GLOAM_DEPENDENCIES_OUTPUT=${CMAKE_BINARY_DIR}/seen/${NAME}.swiftshader")
   else()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The warnings for code of ours, tests included. They stop the build where CMAKE_COMPILE_WARNING_AS_ERROR is set (.ci/run, the
-# presets debug and sanitize), never that of somebody who only uses gloam.
+# The warnings for gloam's own code, tests included. They stop the build where CMAKE_COMPILE_WARNING_AS_ERROR is set
+# (.ci/run, the presets debug and sanitize). They never stop the build of a project that only uses gloam.
 add_library(gloam_warnings INTERFACE)
 target_compile_options(gloam_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion
   -Wno-missing-field-initializers)  # designated initializers leave members out on purpose

@@ -8,7 +8,8 @@
 
 namespace gloam::effect {
 
-// CS-REMAP: v' = (b (v + a))^c of a visibility v in [0, 1], clamped to [0, 1]; 0 for a base below 0.
+// The remap of a visibility v in [0, 1] (CS-REMAP): v' = (b (v + a))^c, clamped to [0, 1]. 0 for a base
+// below 0.
 struct Remap {
     double a = 0.0;
     double b = 1.0;

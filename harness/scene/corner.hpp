@@ -5,10 +5,10 @@
 
 namespace gloam::scene {
 
-// Occlusion (TSSAO-1, cosine-weighted, linear falloff 1 - d / R) of a point on a floor before two infinite
-// walls at right angles, at the distances a and b from them (>= 0, the same unit as R > 0). A direction of
-// azimuth phi meets the nearer wall at the horizontal distance rho(phi); the integral over its elevation is
-// (1 - rho / R)^2 / 2, and the integral over phi has an antiderivative.
+// Occlusion of a point on a floor before two infinite walls at right angles: cosine-weighted (TSSAO-1), with
+// the linear falloff 1 - d / R. a and b are the distances of the point from the walls (>= 0, in the unit of
+// R > 0). A direction of azimuth phi meets the nearer wall at the horizontal distance rho(phi). The integral
+// over its elevation is (1 - rho / R)^2 / 2, and the integral over phi has an antiderivative.
 [[nodiscard]] double corner_occlusion(double a, double b, double radius);
 
 // The same for a point of the scene "corner": on one of the planes x = 0, y = 0, z = 0 (the nearest is

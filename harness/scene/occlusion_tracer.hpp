@@ -43,11 +43,11 @@ struct OcclusionEstimate {
 // Estimates the occlusion of points by tracing rays:
 // (1 / pi) * integral over the hemisphere of V(w) D(d(w)) (n . w) dw, with V = 1 where the ray is blocked at
 // the distance d; 1 / (2 pi) and without (n . w) where all directions count alike. Directions are points of
-// Sobol' sequences of that weight, scrambled anew for each of 16 equal parts of the rays, whose means give
-// the standard error (15 degrees of freedom). May be used by several threads at once.
+// Sobol' sequences of that weight. The rays are divided into 16 equal parts, each with its own scrambling;
+// the means of the parts give the standard error (15 degrees of freedom). Several threads may use it at once.
 //
-// A direction that leaves through the back of the triangle it starts on (a smooth normal is not the facet's)
-// is mirrored at it, so that the facets of a smooth shape do not shade themselves.
+// A direction may leave through the back of the triangle it starts on, because a smooth normal is not the
+// facet's. It is mirrored at the triangle, so that the facets of a smooth shape do not shade themselves.
 class OcclusionTracer {
   public:
     // The triangles of a mesh; its normals are not used. Coordinates are single precision: best near the

@@ -69,14 +69,16 @@ vec2 gloam_fetch_occlusion_convergence(ivec2 pixel) {
 }
 
 vec3 gloam_fetch_position(ivec2 pixel) {
-    return gloam_camera_position(pixel, depth_at(pixel), GloamCamera(parameters.p00_p11, parameters.size, orthographic));
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
+    return gloam_camera_position(pixel, depth_at(pixel), camera);
 }
 
 float filtered(ivec2 pixel) {
     float own = convergence_at(pixel);
     most = own > 0.0 ? max(parameters.cap, 1.0) * own : 1.0;
     float depth = orthographic ? 1.0 : depth_at(pixel);
-    float sigma = gloam_filter_sigma(depth, 1.0 / abs(parameters.p00_p11.y), float(parameters.size.y), parameters.sigma_pixels);
+    float sigma = gloam_filter_sigma(depth, 1.0 / abs(parameters.p00_p11.y), float(parameters.size.y),
+                                     parameters.sigma_pixels);
     return gloam_convergence_filter(pixel, filter_axis(), parameters.size, HALF_WIDTH, parameters.c_adaptive, sigma);
 }
 #else
@@ -105,7 +107,8 @@ float gloam_fetch_depth(ivec2 pixel) {
 }
 
 float filtered(ivec2 pixel) {
-    return gloam_bilateral_filter(pixel, HALF_WIDTH * filter_axis(), parameters.size, parameters.sigma_pixels, parameters.depth_scale);
+    return gloam_bilateral_filter(pixel, HALF_WIDTH * filter_axis(), parameters.size, parameters.sigma_pixels,
+                                  parameters.depth_scale);
 }
 #endif
 

@@ -28,7 +28,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     uint number = pixel.y * 1000u + pixel.x;
-    uint kind = number % 5u == 0u ? COUNT_BACKGROUND : number % 5u == 1u ? COUNT_BELOW_LIMIT : number % 5u == 2u ? COUNT_FROZEN : 0u;
+    uint kind = number % 5u == 0u   ? COUNT_BACKGROUND
+                : number % 5u == 1u ? COUNT_BELOW_LIMIT
+                : number % 5u == 2u ? COUNT_FROZEN
+                                    : 0u;
     if (number % 3u == 0u) kind += COUNT_FILTERED;
     count_tile(entry_of(gl_WorkGroupID.xy), uvec2(3u, 2u), number % 7u == 0u ? 2048u : 0u, kind);
 }

@@ -225,7 +225,7 @@ def guard(source):
 
 
 def spdx(source):
-    """Every source says its licence in its first line (the second after #!); a test's fixtures may be odd on purpose."""
+    """Every source says its licence in its first line (the second after #!). A test's fixtures need not."""
     if "fixtures" in source.path.parts:
         return
     named = source.path.name in ("CMakeLists.txt", "packages.txt", "packages-tests.txt") or source.has_shebang()

@@ -42,7 +42,8 @@ CLEAN = {
         "const float GLOAM_LIMITS[2] = float[2](0.0, 1.0);\n"
         "// Two numbers.\nstruct GloamPair {\n    float a;\n    vec2 b;\n};\n"
         "// Asked of the user.\nfloat gloam_fetch_depth(ivec2 pixel);\n"
-        "// Shades.\nfloat gloam_shade(float buffer_size,\n                  int i) { if (i > 0) { return 1.0; } return 0.0; }"),
+        "// Shades.\nfloat gloam_shade(float buffer_size,\n"
+        "                  int i) { if (i > 0) { return 1.0; } return 0.0; }"),
 }
 
 # rule: (file, its whole text, line) for each way to break it

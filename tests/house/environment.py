@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: MIT
 """environment.py CTEST BUILD: every GoogleTest of a build is run with the variables that gloam_test() gives it.
 
-Without GLOAM_CACHE_DIR each of them would compile its shaders itself: nothing would fail, and the run would take twice as long."""
+Without GLOAM_CACHE_DIR each of them would compile its shaders itself. Nothing would fail, and the run would take twice
+as long.
+"""
 import json
 import subprocess
 import sys
@@ -22,7 +24,8 @@ def environment(test):
 def main():
     ctest, build = sys.argv[1:]
     listing = subprocess.run([ctest, "--show-only=json-v1"], cwd=build, capture_output=True, check=True)
-    tests = [test for test in json.loads(listing.stdout)["tests"] if "--gtest_filter" in " ".join(test.get("command", []))]
+    tests = [test for test in json.loads(listing.stdout)["tests"]
+             if "--gtest_filter" in " ".join(test.get("command", []))]
     if not tests:
         sys.exit(f"{build}: no GoogleTest found")
     wrong = [test["name"] for test in tests if environment(test) - SHARDING != EXPECTED]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rules of borders.py for the documentation: what it names exists, and the code that it shows is code that is tested."""
+"""Rules of borders.py for the documentation: the files that it names exist, and the code that it shows is tested."""
 import re
 
 SHOWN_FROM = ("examples", "glsl", "harness", "tests")

@@ -21,7 +21,8 @@ PRETENDED = {
                  'for p; do if grep -qx -- "$p" offered; then printf "%s:\\n  Candidate: 1.0\\n" "$p"; fi\n'
                  'if grep -qx -- "$p" snaps; then printf "%s:\\n  Candidate: 2:1snap1-0\\n" "$p"; fi; done',
     "apt-get": 'cd "$MACHINE"; echo "$*" >>log\n'
-               'case "$*" in\n*" update") exit 0 ;;\n*) [ ! -e broken ] || { echo "E: disk full"; exit 100; } ;;\nesac\n'
+               'case "$*" in\n*" update") exit 0 ;;\n'
+               '*) [ ! -e broken ] || { echo "E: disk full"; exit 100; } ;;\nesac\n'
                'for p; do if grep -qx -- "$p" offered; then echo "$p" >>installed; fi; done',
 }
 
@@ -58,8 +59,8 @@ class Machine:
 
     def setup(self, *arguments, **options):
         environment = {"PATH": str(self.folder / "bin"), "MACHINE": str(self.folder)}
-        return subprocess.run([self.folder / "tools" / "setup", *arguments], env=environment, capture_output=True, text=True, check=False,
-                              **options)
+        return subprocess.run([self.folder / "tools" / "setup", *arguments], env=environment, capture_output=True,
+                              text=True, check=False, **options)
 
 
 class Setup(unittest.TestCase):
@@ -97,7 +98,8 @@ class Setup(unittest.TestCase):
         self.assertEqual((again.returncode, again.stderr, len(machine.log())), (0, "", 2))
 
     def test_the_program_needs_less_than_its_tests(self):
-        machine = self.machine(tests=("clang-format", "browser?"), offered=("g++", "libfmt-dev", "clang-format", "browser"))
+        machine = self.machine(tests=("clang-format", "browser?"),
+                               offered=("g++", "libfmt-dev", "clang-format", "browser"))
         program = machine.setup("program")
         self.assertEqual((program.returncode, program.stderr), (0, "tools/setup: installing g++ libfmt-dev\n"))
         tests = machine.setup()

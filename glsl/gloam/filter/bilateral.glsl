@@ -33,9 +33,9 @@ GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float
 
 // Smoothed occlusion of one pixel: (1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)) over the window, k the sum of the
 // weights.
-// pixel: x, inside the image. half_width: pixels on each side, along x and y, at most 16: (h, h) is the window of
-// ISSAO-7, (h, 0) and (0, h) are the two passes of the usual approximation. size: of the image; neighbours outside
-// are left out. sigma_d, sigma_r: see gloam_bilateral_weight.
+// pixel: x, inside the image. half_width: pixels on each side, along x and y, at most 16. (h, h) is the window of the
+// full bilateral filter (ISSAO-7); (h, 0) and (0, h) are the two passes of the usual approximation. size: of the image;
+// neighbours outside are skipped. sigma_d, sigma_r: see gloam_bilateral_weight.
 // Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; background, and occlusion
 // outside [0, 1] or NaN, have no weight. The pixel's own value (taken into [0, 1], 0 for NaN) where it is background.
 // Error: 6e-7.

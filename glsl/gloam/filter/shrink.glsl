@@ -17,9 +17,9 @@ float gloam_shrink(float convergence, float c_adaptive) {
 }
 
 // How much of a pixel lies in the filter's window. The window reaches from the middle of the centre pixel to `reach`
-// pixels beyond it and half a pixel more on either side; a pixel counts by the part covered. So every pixel counts
-// once whatever the shrink factor, a reach of n gives n whole pixels on each side, and the result changes smoothly as
-// the window shrinks (spreading fewer taps over rounded positions would do neither).
+// pixels beyond it and half a pixel more on either side; a pixel counts by the part covered. No pixel counts twice,
+// whatever the shrink factor, and a reach of n gives n whole pixels on each side. The result changes smoothly as the
+// window shrinks. Fewer taps spread over rounded positions would do neither.
 // offset: distance from the centre pixel, 1 or more. reach: half width of the window in pixels, >= 0.
 // Returns clamp(reach - (offset - 1), 0, 1); 0 for NaN. Error: none for offsets up to 2^24.
 float gloam_window_coverage(int offset, float reach) {

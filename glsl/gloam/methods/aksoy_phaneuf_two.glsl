@@ -6,11 +6,11 @@
 #include "gloam/occlusion/aksoy_phaneuf.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// aksoy_phaneuf at two radii (Aksoy and Phaneuf 2011; CS-J): half of the samples within a quarter of the radius, for
-// fine detail, half within the whole; both are added and the sum clamped. (The larger of the two would depend on the
-// noise of a frame's few samples.)
+// aksoy_phaneuf at two radii (Aksoy and Phaneuf 2011; CS-J). Half of the samples are within a quarter of the radius,
+// for fine detail, and half within the whole radius. Both results are added and the sum is clamped. (The larger of
+// the two would depend on the noise of a frame's few samples.)
 
-// The fine radius, as a share of the other.
+// The fine radius, as a fraction of the other.
 const float GLOAM_FINE_SHARE = 0.25;
 
 // All samples of one pixel in one frame, as many at both radii. Parameters and result are those of gloam_aksoy_phaneuf.

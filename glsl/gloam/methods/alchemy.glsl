@@ -10,9 +10,9 @@
 #include "gloam/sampling/disc_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10): surface points under a disc, each of which counts
-// 2 sigma (v . n - bias) / (v . v + epsilon^2). Its falloff is 0 for touching geometry, rises to the distance sigma
-// and falls as its inverse beyond.
+// Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10): surface points under a disc. Each counts 2 sigma
+// (v . n - bias) / (v . v + epsilon^2). Its falloff is 0 for touching geometry, rises up to the distance sigma, and
+// beyond falls as the inverse of the distance.
 struct GloamAlchemy {
     float epsilon;    // world units, here small: it bounds what one tap counts
     float intensity;  // sigma as a share of the radius

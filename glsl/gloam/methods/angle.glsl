@@ -13,8 +13,8 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Angles between opposite samples, as in Unreal Engine 4 (Mittring 2012; CS-P): what they lack of half a turn is
-// blocked. Neither cosine-weighted nor uniform.
+// Angles between opposite samples, as in Unreal Engine 4 (Mittring 2012; CS-P). The difference between the angle and
+// half a turn is blocked. The result is neither cosine-weighted nor uniform.
 
 struct GloamAngle {
     float range;       // world units: samples nearer to the eye than that are other objects

@@ -12,9 +12,9 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Visibility bitmask (Therrien et al. 2023): samples cover sectors of a slice between their front and their back, so
-// that light passes behind thin things. Sectors are equal shares of the cosine-weighted half plane. Each slice takes
-// only samples up to a random distance, uniform up to the radius: in the mean that is the linear falloff.
+// Visibility bitmask (Therrien et al. 2023). A sample covers the sectors of a slice between its front and its back,
+// so light passes behind thin things. Sectors are equal parts of the cosine-weighted half plane. Each slice takes
+// only samples up to a random distance, uniform up to the radius. In the mean that is the linear falloff.
 struct GloamBitmask {
     float thickness;  // world units: how far behind its front a surface blocks
     uint steps;       // taps along each half of a slice, at least 1

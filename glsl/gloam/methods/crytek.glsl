@@ -11,10 +11,10 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
 
-// Crytek's method (Mittring 2007; CS-3.1): points of a whole ball, without falloff. On a plane half of the ball lies
-// in the ground: points come in opposite pairs, so a bare plane reads exactly 1/2 for an even number of them. The
-// remap's a = 0.5 undoes it. The bias opens the points that lie less than it behind the surface; left at 0, opposite
-// points of a plane differ.
+// Crytek's method (Mittring 2007; CS-3.1): points of a whole ball, without falloff. On a plane half of the ball is
+// below the surface. Points come in opposite pairs, so an even number of them gives exactly 1/2 on a bare plane, and
+// a = 0.5 of the remap subtracts it. A point counts as open if it is behind the surface by less than the bias. With a
+// bias of 0, opposite points of a plane differ.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);

@@ -11,10 +11,10 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Curvature (after Hattori et al. 2012; CS-K): the two principal curvatures of the surface, from how position and
-// normal change across the pixel at the scale of the radius, and the occlusion of the quadric that has them. One
-// estimate reads the four ends of a cross and counts as four samples. Cosine-weighted on a bowl that ends at the
-// radius; of what does not belong to the surface it sees nothing.
+// Curvature (after Hattori et al. 2012; CS-K). It finds the two principal curvatures of the surface from the change
+// of position and normal across the pixel, at the scale of the radius. The result is the occlusion of the quadric
+// that has these curvatures. One estimate reads the four ends of a cross and counts as four samples. On a bowl that
+// ends at the radius the result is cosine-weighted. Objects that do not belong to the surface have no effect.
 struct GloamCurvature {
     float range;  // world units: the ends of a cross farther away than that lie on another surface; there the point
                   // itself stands for the end
@@ -29,7 +29,7 @@ vec3 gloam_fetch_normal(ivec2 pixel);
 // Pixels that one cross reads.
 const uint GLOAM_CROSS_TAPS = 4u;
 
-// The surface at a pixel, as seen from the shaded point, or its change along an arm.
+// The surface at a pixel, relative to the shaded point, or its change along an arm.
 struct GloamNeighbor {
     vec3 offset;  // to it, view space, world units
     vec3 turn;    // its unit normal less that of the point

@@ -12,9 +12,9 @@
 #include "gloam/sampling/whole_samples.glsl"
 
 // Depth darkening (Luft, Colditz and Deussen 2006; CS-R) by samples: the unsharp mask of the depth, lambda max(D - G
-// * D, 0), G a Gaussian whose deviation is half the radius, cut off at the radius. It darkens what lies behind its
-// surroundings; it is no occlusion. Depths are those of opposite pairs, along the view vector: a plane is not
-// darkened at any tilt, up to the border of the image.
+// * D, 0). G is a Gaussian whose deviation is half the radius, cut off at the radius. It darkens surfaces behind
+// their surroundings and is not an occlusion. Depths are those of opposite pairs, along the view vector, so a plane
+// is not darkened at any tilt, up to the border of the image.
 
 struct GloamDepthDarkening {
     float range;      // world units: no surface counts as further than that before or behind the point

@@ -11,10 +11,10 @@
 #include "gloam/sampling/rotation.glsl"
 
 // Crease shading by the surface points under a disc (TSSAO-2, -12 and -4 with the kernel of TSSAO-13; Fox and Compton
-// 2008). The mean over the disc's pixels of cos(s - p, n) min(1, epsilon / |s - p|): a measure of how concave the
-// surface is, which looks like occlusion but is not the occlusion integral (TSSAO-1), and depends on epsilon, 0.01 to
+// 2008): the mean over the disc's pixels of cos(s - p, n) min(1, epsilon / |s - p|). It measures how concave the
+// surface is. It looks like occlusion but is not the occlusion integral (TSSAO-1), and it depends on epsilon, 0.01 to
 // 0.1 of the radius. A point beyond the radius, or no higher than the bias above the tangent plane, contributes
-// nothing: there noise would decide.
+// nothing, because noise would decide there.
 struct GloamDisc {
     float epsilon;  // world units: distance below which a patch counts fully
 };

@@ -11,18 +11,19 @@
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Discs in the place of pixels (Bunnell, GPU Gems 2, on what the eye sees; CS-S): each pixel within the radius is a
-// disc of the surface's area there and its normal, which blocks A / (A + pi D^2) times both cosines: the exact
-// cosine-weighted occlusion up to the radius, of surfaces that do not hide one another. A surface through the point
-// itself is seen edge-on from there and blocks nothing: a groove is open along its line. Of further layers nobody
-// knows the normals: they do not count.
+// Discs in the place of pixels (Bunnell, GPU Gems 2, applied to visible surfaces; CS-S). Each pixel within the radius
+// is a disc with the area and normal of the surface there. It blocks A / (A + pi D^2) times both cosines. This is the
+// exact cosine-weighted occlusion up to the radius, for surfaces that do not hide one another. A surface through the
+// point itself is seen edge-on from there and blocks nothing, so a groove is open along its line. Further layers do
+// not count, because their normals are not known.
 struct GloamDiscProxy {
     float intensity;  // factor of the sum
 };
 
-// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse
-// square. They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the
-// intensity. Pieces behind one another all count: the sum is clamped, and where much is stacked it says too much.
+// All samples of one pixel in one frame. The density of taps is 1 / distance from the pixel, because a piece counts by
+// the inverse square of its distance. They are weighted so that their mean is the sum over all pixels of the disc but
+// the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where many pieces lie
+// behind one another it is too large.
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.

@@ -6,10 +6,10 @@
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// disc_proxy in two passes (Bunnell, GPU Gems 2; CS-S): the first is disc_proxy for every pixel
-// (preparation/disc_visibility.comp); here each disc blocks as far as it was found visible itself. A disc that stands
-// in another's shadow stands behind it for most points: what both add is counted once. Half of the samples are the
-// first pass's. Its result is that of one frame: of few samples it is noisy, and clamped.
+// disc_proxy in two passes (Bunnell, GPU Gems 2; CS-S). The first pass is disc_proxy for every pixel
+// (preparation/disc_visibility.comp). In the second, here, each disc blocks in proportion to its own visibility. A
+// disc in the shadow of another is behind it for most points, so what both block is counted once. The first pass
+// takes half of the samples. Its result is that of one frame: with few samples it is noisy, and it is clamped.
 
 // Defined by the user: what the preparation passes have written; here the visibility of each pixel's disc in x.
 vec4 gloam_fetch_prepared(ivec2 pixel);

@@ -8,9 +8,10 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/methods/hbao.glsl"
 
-// Horizon-based occlusion in two resolutions (Bavoil and Sainz 2009): at half the resolution first
-// (preparation/half_resolution.comp), and in full where the 3 x 3 neighbourhood of the small image disagrees, or
-// where none of it lies on the pixel's surface; elsewhere the small image is interpolated along the surface.
+// Horizon-based occlusion in two resolutions (Bavoil and Sainz 2009). It is computed at half the resolution first
+// (preparation/half_resolution.comp). It is computed in full where the 3 x 3 neighbourhood of the small image differs
+// too much, or where none of it lies on the pixel's surface. Elsewhere the small image is interpolated along the
+// surface.
 struct GloamDualResolution {
     float angle_bias;    // these three as hbao has them, at both resolutions
     float contrast;
@@ -18,8 +19,8 @@ struct GloamDualResolution {
     float disagreement;  // of neighbours at half the resolution, in occlusion, beyond which a pixel is sampled in full
 };
 
-// Which pixels an image of half the resolution stands for: pixel p of it has the result of pixel 2 p of the full one,
-// not that of a point between four pixels. So nothing moves by half a pixel, and odd sizes need no care.
+// Which pixels an image of half the resolution stands for: its pixel p has the result of pixel 2 p of the full image,
+// not that of a point between four pixels. So nothing moves by half a pixel, and odd sizes need no special case.
 
 // Size of the image of half the resolution. size: of the full image, pixels.
 ivec2 gloam_half_size(ivec2 size) {
@@ -39,11 +40,11 @@ float gloam_fetch_occlusion(ivec2 pixel) {
     return gloam_fetch_prepared(pixel).x;
 }
 
-// Height over the tangent plane, as a share of the radius, at which a small pixel counts a quarter.
+// Height over the tangent plane, as a fraction of the radius, at which a small pixel counts a quarter.
 const float GLOAM_DUAL_HEIGHT = 0.02;
 const float GLOAM_DUAL_HEIGHT_POWER = 2.0;
 const float GLOAM_DUAL_NORMAL_POWER = 8.0;
-// Of 1: below it the small image says too little about the pixel.
+// Sum of weights, of 1, below which the small image says too little about the pixel.
 const float GLOAM_DUAL_LEAST_WEIGHT = 0.25;
 
 // The interpolated small image with one of its pixels added.
@@ -63,8 +64,8 @@ GloamWeightedMean gloam_dual_add(GloamWeightedMean mean, ivec2 small, float shar
     return gloam_weighted_mean_add(mean, texel.x, weight);
 }
 
-// The small image at a pixel: of the four small pixels around it those on its surface. Where the pixel is that of a
-// small one, that alone.
+// The small image at a pixel: the mean of those of the four small pixels around it that lie on its surface. Where the
+// pixel is that of a small one, only that one.
 GloamWeightedMean gloam_dual_interpolated(ivec2 pixel, vec3 position, vec3 normal, GloamCamera camera,
                                           GloamKernel kernel) {
     ivec2 first = pixel / 2;

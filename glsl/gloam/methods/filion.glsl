@@ -11,9 +11,9 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
 
-// StarCraft II's method (Filion and McNaughton 2008): points of the half ball, uniform in direction and radius; what
-// lies further in front of a point than the radius opens again as radius / distance. Uniform directions: a wall reads
-// 1/2, as with cosine weights, a bowl more.
+// StarCraft II's method (Filion and McNaughton 2008): points of the half ball, uniform in direction and radius. A
+// surface further in front of a point than the radius blocks less, by radius / distance. Directions are uniform: a
+// wall gives 1/2, as with cosine weights, and a bowl more.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);

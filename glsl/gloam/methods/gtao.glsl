@@ -12,9 +12,9 @@
 #include "gloam/sampling/whole_samples.glsl"
 
 // Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye and the closed
-// integral between them, weighted by the cosine. A sample loses weight with its distance as the linear falloff has
-// it: its horizon is drawn towards the tangent plane. Divided by what a slice's own half planes hold, a bare plane is
-// open exactly, at any tilt and with any number of slices.
+// integral between them, weighted by the cosine. A sample loses weight with its distance by the linear falloff, which
+// moves its horizon towards the tangent plane. The result is divided by the integral over the slices' own half
+// planes, so a bare plane is exactly open, at any tilt and with any number of slices.
 struct GloamGtao {
     uint steps;  // taps along each half of a slice, at least 1
 };

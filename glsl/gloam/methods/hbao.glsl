@@ -11,9 +11,9 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): horizons above the image plane, every
-// direction of the hemisphere alike, each rise of the horizon weighted by 1 - |v|^2 / R^2. Steps are dense nearby,
-// and what the bias takes off is given back.
+// Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): horizons above the image plane. Every
+// direction of the hemisphere counts the same, and each rise of the horizon is weighted by 1 - |v|^2 / R^2. Steps are
+// dense nearby, and a gain makes up for what the bias takes off.
 struct GloamHbao {
     float angle_bias;  // radians above the tangent plane below which nothing blocks
     float contrast;    // factor of the result

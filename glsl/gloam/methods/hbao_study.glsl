@@ -11,10 +11,10 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Horizon-based ambient occlusion as the comparative study has it (Aalund and Baerentzen 2013, after Bavoil and Sainz
-// 2008; CS-C): each march begins at tan t + tan bias, in even steps up to the radius; what the bias takes off is not
-// given back. A floor seen at a slant keeps what stands on it, where hbao adds angles and sees nothing from 72
-// degrees on.
+// Horizon-based ambient occlusion as in the comparative study (Aalund and Baerentzen 2013, after Bavoil and Sainz
+// 2008; CS-C). Each march begins at tan t + tan bias and has even steps up to the radius. No gain makes up for what
+// the bias takes off. On a floor seen at a slant, objects still occlude. hbao, which adds angles, finds no occlusion
+// there from 72 degrees on.
 struct GloamHbaoStudy {
     float angle_bias;  // radians, added to the tangent plane's elevation by its tangent
     float contrast;    // factor of the result

@@ -12,9 +12,9 @@
 #include "gloam/sampling/tangent_frame.glsl"
 
 // Ambient occlusion by points in the half ball above the surface (TSSAO-2, -3 and -4 with the kernel of TSSAO-14;
-// Ritschel et al. 2009). Cosine-weighted directions of uniform radius need neither cosine nor falloff: the mean of
-// the plain blocked tests estimates the occlusion integral (TSSAO-1) with the linear falloff, for a scene that is
-// solid behind what the eye sees.
+// Ritschel et al. 2009). Directions are cosine-weighted and radii uniform, so samples need neither cosine nor
+// falloff. The mean of the plain blocked tests estimates the occlusion integral (TSSAO-1) with the linear falloff,
+// for a scene that is solid behind every visible surface.
 struct GloamHemisphere {
     float range;  // world units, about the radius, or infinity: blockers further in front than this are other objects
 };

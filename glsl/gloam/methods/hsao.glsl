@@ -10,10 +10,10 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Horizon-split ambient occlusion (Dimitrov, Bavoil and Sainz 2008; CS-C2), the precursor of hbao: the same horizons
-// from rays that are marched in eye space, parallel to the image, in steps of one length; each step is projected. Two
-// rays, opposite, are one slice. With the same taps the result is that of hbao, up to intensities that take a single
-// slice beyond 1.
+// Horizon-split ambient occlusion (Dimitrov, Bavoil and Sainz 2008; CS-C2), the precursor of hbao. The horizons are
+// the same, but they come from rays marched in eye space, parallel to the image, in steps of equal length. Each step
+// is projected. Two opposite rays are one slice. With the same taps the result is that of hbao, up to intensities
+// that bring a single slice above 1.
 struct GloamHsao {
     float angle_bias;  // radians above the tangent plane below which nothing blocks
     float contrast;    // factor of the result

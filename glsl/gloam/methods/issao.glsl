@@ -9,8 +9,8 @@
 #include "gloam/occlusion/layers.glsl"
 
 // ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the
-// image of a disc across the view ray (ISSAO-P), radii uniform (ISSAO-1, polar reading), each counting phi (v . n -
-// psi) / (v . v + sigma) (ISSAO-6). The kernel's bias is psi: a constant, or psi(z) of gloam_depth_bias.
+// image of a disc across the view ray (ISSAO-P). Radii are uniform (ISSAO-1, polar reading). Each point counts phi (v
+// . n - psi) / (v . v + sigma) (ISSAO-6). The kernel's bias is psi: a constant, or psi(z) of gloam_depth_bias.
 struct GloamIssao {
     float epsilon;    // root of sigma, world units
     float intensity;  // lambda phi as a share of the radius

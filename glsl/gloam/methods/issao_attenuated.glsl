@@ -8,9 +8,9 @@
 #include "gloam/occlusion/issao.glsl"
 #include "gloam/occlusion/layers.glsl"
 
-// ISSAO with its attenuation by distance (ISSAO-4 and ISSAO-5, the right half of its figure 4): under the taps of
-// issao every surface within the radius counts Q(|v|) times its cosine. The mean stands for the integral as it
-// does for issao, which is the same where |v| is large against mu and the bias small against v . n.
+// ISSAO with its attenuation by distance (ISSAO-4 and ISSAO-5, the right half of its figure 4). With the taps of
+// issao, every surface within the radius counts Q(|v|) times its cosine. The mean stands for the integral in the same
+// way as in issao. Both methods agree where |v| is large against mu and the bias small against v . n.
 struct GloamIssaoAttenuated {
     float epsilon;    // mu, world units: bounds the distance from below
     float intensity;  // phi as a share of the radius

@@ -8,8 +8,8 @@
 #include "gloam/occlusion/issao.glsl"
 #include "gloam/occlusion/layers.glsl"
 
-// ISSAO before its attenuation (ISSAO-3, the left half of its figure 4): under the taps of issao every surface within
-// the radius counts its cosine, however far it is. The mean stands for the integral as it does for issao.
+// ISSAO before its attenuation (ISSAO-3, the left half of its figure 4). With the taps of issao, every surface within
+// the radius counts its cosine, whatever its distance. The mean stands for the integral in the same way as in issao.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);

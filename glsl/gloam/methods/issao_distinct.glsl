@@ -4,10 +4,10 @@
 
 #include "gloam/methods/issao.glsl"
 
-// ISSAO as its authors save time: several taps of a frame that fall into the same pixel, of 8 x 8 around the shaded
-// one, count once. Radii are uniform, so near that pixel, and where the radius is small in the image, taps meet. What
-// is left is a mean over pixels, less dense near the point. A device that runs both sides of a branch saves nothing by
-// it.
+// ISSAO with the saving that its authors describe: several taps of a frame that fall into the same pixel, of 8 x 8
+// around the shaded one, count once. Radii are uniform, so taps coincide near that pixel and where the radius is
+// small in the image. The result is a mean over pixels, less dense near the point. A device that runs both sides of a
+// branch saves no time.
 
 // All samples of one pixel in one frame. Parameters and result are those of gloam_issao; settings.distinct is to be
 // GLOAM_DISTINCT_TAPS, and the samples are the taps in different pixels.

@@ -16,9 +16,9 @@
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Mixture sampling (Song 2010; CS-H): the balls of sphere_proxy, by their solid angle times the cosine, restricted to
-// the directions that horizon-based occlusion looks at (above the tangent plane by the bias) and weighted by its
-// linear falloff. Stacked balls count again.
+// Mixture sampling (Song 2010; CS-H): the balls of sphere_proxy, weighted by their solid angle times the cosine and
+// by the linear falloff of horizon-based occlusion. Only the directions that horizon-based occlusion uses count
+// (above the tangent plane by the bias). Balls behind one another count again.
 struct GloamMixture {
     float angle_bias;  // radians above the tangent plane below which nothing blocks
     float intensity;   // factor of the sum
@@ -31,16 +31,17 @@ float gloam_fetch_depth(ivec2 pixel);
 // where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
-// Tangent of the elevation over the image plane from which on something blocks, in the direction of an offset.
+// Tangent of the least elevation over the image plane at which something blocks, in the direction of an offset.
 float gloam_mixture_horizon(vec3 offset, vec3 normal, float bias) {
     vec2 direction = gloam_safe_normalize(vec3(offset.xy, 0.0), vec3(0.0)).xy;
     vec2 elevation = gloam_sincos(min(gloam_tangent_elevation(normal, direction) + bias, GLOAM_HALF_PI));
     return elevation.y / max(elevation.x, 1e-6);
 }
 
-// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse
-// square. They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the
-// intensity. Pieces behind one another all count: the sum is clamped, and where much is stacked it says too much.
+// All samples of one pixel in one frame. The density of taps is 1 / distance from the pixel, because a piece counts by
+// the inverse square of its distance. They are weighted so that their mean is the sum over all pixels of the disc but
+// the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where many pieces lie
+// behind one another it is too large.
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.

@@ -16,13 +16,13 @@
 #include "gloam/sampling/rotation.glsl"
 
 // Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): surface points under small discs at several
-// resolutions, each disc twice as wide as the one before. The coarser resolutions are prepared
-// (preparation/mssao_surface.comp, mssao_level.comp); the method itself is the finest.
+// resolutions, each disc twice as wide as the one before. Passes prepare the coarser resolutions
+// (preparation/mssao_surface.comp, mssao_level.comp). The method itself computes the finest.
 struct GloamMssao {
     uint resolutions;  // 1 to 9
 };
 
-// Surfaces at ever smaller resolutions, and what was found there, in one image (gloam/gather/pyramid.glsl): positions,
+// Surfaces at ever smaller resolutions, and their results, in one image (gloam/gather/pyramid.glsl): positions,
 // normals and results.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, in world units.
@@ -35,10 +35,10 @@ const int GLOAM_PYRAMID_POSITIONS = 0;
 const int GLOAM_PYRAMID_NORMALS = 1;
 const int GLOAM_PYRAMID_RESULTS = 2;
 
-// That are worth having in an image: the coarsest one's texels are 256 pixels wide.
+// Most resolutions that an image needs: the texels of the coarsest one are 256 pixels wide.
 const uint GLOAM_MOST_RESOLUTIONS = 9u;
 
-// The last level of so many resolutions, 0 for one.
+// The last level of a number of resolutions, 0 for one.
 int gloam_coarsest_level(uint resolutions) {
     return int(clamp(resolutions, 1u, GLOAM_MOST_RESOLUTIONS)) - 1;
 }
@@ -55,7 +55,8 @@ vec3 gloam_pyramid_position(ivec2 texel, int level, GloamCamera camera) {
 
 // Texels that a kernel reaches at most.
 const float GLOAM_MSSAO_REACH = 6.0;
-// Height over the tangent plane, as a share of the radius, at which a coarser texel counts half to the power below.
+// Height over the tangent plane, as a fraction of the radius, at which a coarser texel counts half to the power
+// below.
 const float GLOAM_MSSAO_HEIGHT = 0.05;
 const float GLOAM_MSSAO_HEIGHT_POWER = 2.0;
 const float GLOAM_MSSAO_NORMAL_POWER = 8.0;
@@ -67,8 +68,8 @@ struct GloamLevels {
     float count;    // levels in the mean; one whose kernel is hardly a texel counts less
 };
 
-// Texels from the point to the edge of its kernel, along both axes, and how much of a level the kernel makes: 1, but
-// less between 2 texels and 1, where on coarser levels it comes to lie within its own texel.
+// Texels from the point to the edge of its kernel, along both axes, and the weight of the level's result. The weight
+// is 1, but less between 2 texels and 1, because on coarser levels the kernel then comes to lie within its own texel.
 vec3 gloam_mssao_reach(vec3 position, int level, GloamCamera camera, float radius) {
     vec2 texels = gloam_camera_radius(radius, -position.z, camera) * vec2(camera.size) / float(1 << level);
     float largest = max(abs(texels.x), abs(texels.y));

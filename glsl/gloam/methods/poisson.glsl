@@ -15,9 +15,9 @@
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Poisson rays (Sourimant et al. 2011; CS-J): points of a Poisson disc lifted to the half ball are cosine-weighted
-// directions, each of which is marched until something blocks it within the radius. No falloff. Once through the
-// disc, the next round is turned by another angle.
+// Poisson rays (Sourimant et al. 2011; CS-J). Points of a Poisson disc, lifted to the half ball, are cosine-weighted
+// directions. Each is marched until something blocks it within the radius. There is no falloff. After all points of
+// the disc, the next round uses them rotated by another angle.
 struct GloamPoisson {
     float range;  // world units: what is further in front of a step is another object
     uint steps;   // of a ray, at least 1

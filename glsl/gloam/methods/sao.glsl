@@ -14,7 +14,8 @@
 #include "gloam/sampling/tap_pixel.glsl"
 
 // Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near
-// the pixel, far ones read from a depth chain (mip_distance 16). Each frame turns the spiral by another angle.
+// the pixel. Far points are read from a depth chain (mip_distance 16). Each frame rotates the spiral by another
+// angle.
 struct GloamSao {
     float epsilon;       // world units: bounds what a near tap counts
     float intensity;     // sigma as a share of the radius, which the paper has at 1 m
@@ -24,7 +25,7 @@ struct GloamSao {
 
 const int GLOAM_SAO_TURNS = 7;  // of the spiral
 
-// (cos, sin) by which the spiral is turned: of the pixel's angle and the frame's.
+// (cos, sin) of the rotation of the spiral: of the pixel's angle and the frame's.
 vec2 gloam_sao_turn(GloamKernel kernel) {
     uint frame = kernel.first / max(kernel.count, 1u);
     return gloam_sincos(kernel.angle + GLOAM_TAU * gloam_radical_inverse_base2(frame));

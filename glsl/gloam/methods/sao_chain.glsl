@@ -4,10 +4,9 @@
 
 #include "gloam/methods/sao.glsl"
 
-// SAO with its depth chain in an image (preparation/depth_chain.comp), as its authors have it: far taps read
-// neighbouring texels of a small image, not pixels that lie far apart. The result is that of sao to the bit; but
-// where objects move, far taps are no probes of what has moved. Of further layers the full image has what is asked
-// for.
+// SAO with its depth chain in an image (preparation/depth_chain.comp), as in the paper. Far taps read neighbouring
+// texels of a small image instead of pixels that are far apart. The result equals that of sao to the bit, with one
+// exception: far taps do not detect moving objects. Further layers are read from the full image.
 
 // Defined by the user: a texel of the image that holds levels 1 to 5 of the chain, in x (gloam_chain_texel).
 vec4 gloam_fetch_prepared(ivec2 texel);

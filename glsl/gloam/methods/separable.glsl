@@ -6,10 +6,10 @@
 #include "gloam/methods/gtao.glsl"
 #include "gloam/occlusion/separable.glsl"
 
-// Separable ambient occlusion (Huang et al. 2011) of horizon slices, cosine-weighted (gtao): one slice along the
-// first of two directions across each other is prepared for every pixel (preparation/first_direction.comp); here is
-// the slice along the second, on whose line the first slices of the neighbours are taken over as well, as far as they
-// lie on the same surface. Each frame turns the pair.
+// Separable ambient occlusion (Huang et al. 2011) of horizon slices, cosine-weighted (gtao), in two perpendicular
+// directions. A pass prepares a slice along the first direction for every pixel (preparation/first_direction.comp).
+// The method computes the slice along the second. It also takes the mean of the first slices of the neighbours on the
+// line of the second, if they lie on the same surface. Each frame rotates both directions.
 struct GloamSeparable {
     float sigma;  // standard deviation of that mean, world units
 };
@@ -17,7 +17,7 @@ struct GloamSeparable {
 // Of one frame, the taps of both slices to both sides.
 const uint GLOAM_SEPARABLE_UNIT = 4u;
 
-// Taps to each side of a slice: each of both slices has half of the samples.
+// Taps to each side of a slice: each of the two slices has half of the samples.
 uint gloam_separable_steps(GloamKernel kernel) {
     return max(kernel.count / GLOAM_SEPARABLE_UNIT, 1u);
 }
@@ -48,7 +48,8 @@ float gloam_separable_slice(vec3 position, vec3 normal, GloamCamera camera, Gloa
 // Defined by the user: what the preparation passes have written; here the occlusion along the first direction in x.
 vec4 gloam_fetch_prepared(ivec2 pixel);
 
-// Of the tangent plane, as a share of the standard deviation, within which a neighbour lies on the same surface.
+// Largest height over the tangent plane, as a fraction of the standard deviation, at which a neighbour lies on the
+// same surface.
 const float GLOAM_SEPARABLE_HEIGHT = 0.1;
 
 // A neighbour's first slice, added to the mean of them.
@@ -61,7 +62,8 @@ GloamWeightedMean gloam_separable_add(GloamWeightedMean mean, ivec2 at, vec3 pos
     return gloam_weighted_mean_add(mean, gloam_fetch_prepared(at).x, weight);
 }
 
-// Occlusion along the first direction, of the pixels on the line of the second, two standard deviations to both sides.
+// Occlusion along the first direction, of the pixels on the line of the second, up to two standard deviations to both
+// sides.
 float gloam_separable_carried(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, float sigma) {
     vec2 center = gloam_camera_uv(position, camera);
     ivec2 pixel = gloam_nearest_pixel(center, camera.size);

@@ -13,10 +13,10 @@
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
-// Balls in the place of pixels (Shanmugam and Arikan 2007; CS-H): each pixel within the radius is a ball as wide as
-// itself, which blocks (r / D)^2 cos, exactly for one ball above the horizon. What lies behind other balls counts
-// again: on a surface seen edge-on the sum grows without bound as pixels shrink, by 1/4 ln 2 on each halving in a
-// groove of 45 degrees.
+// Balls in the place of pixels (Shanmugam and Arikan 2007; CS-H). Each pixel within the radius is a ball as wide as
+// itself, which blocks (r / D)^2 cos. This is exact for one ball above the horizon. Balls behind other balls count
+// again, so on a surface seen edge-on the sum grows without bound as pixels get smaller: by 1/4 ln 2 on each halving
+// in a groove of 45 degrees.
 struct GloamSphereProxy {
     float intensity;  // factor of the sum
 };
@@ -28,9 +28,10 @@ float gloam_fetch_depth(ivec2 pixel);
 // where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
-// All samples of one pixel in one frame. Taps lie as 1 / distance from the pixel, for a piece counts as its inverse
-// square. They are weighted so that their mean is the sum over all pixels of the disc but the shaded one, times the
-// intensity. Pieces behind one another all count: the sum is clamped, and where much is stacked it says too much.
+// All samples of one pixel in one frame. The density of taps is 1 / distance from the pixel, because a piece counts by
+// the inverse square of its distance. They are weighted so that their mean is the sum over all pixels of the disc but
+// the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where many pieces lie
+// behind one another it is too large.
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.

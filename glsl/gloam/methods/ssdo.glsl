@@ -11,11 +11,11 @@
 #include "gloam/sampling/tangent_frame.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// The direct half of directional occlusion (Ritschel, Grosch and Seidel 2009; CS-D) under light of 1 from everywhere:
-// what of it does not arrive. One point of uniform distance along each of the directions, which are uniform and count
-// 2 w . n: the cosine-weighted occlusion with the linear falloff, for a scene that is solid behind what the eye sees.
-// With more steps than 1 the nearest blocker of that many points counts, and the falloff goes towards none. Where
-// everything is blocked the mean of 2 w . n is 1 in the mean only.
+// The direct part of directional occlusion (Ritschel, Grosch and Seidel 2009; CS-D) under light of 1 from everywhere:
+// the light that does not arrive. Each direction has one point at a uniform distance. Directions are uniform and
+// count 2 w . n. The result is the cosine-weighted occlusion with the linear falloff, for a scene that is solid
+// behind every visible surface. With more than 1 step, the nearest blocker of that many points counts, and the
+// falloff becomes weaker with every step. Where everything is blocked, 2 w . n is 1 only in the mean.
 struct GloamSsdo {
     float range;  // world units, about the radius, or infinity: blockers further in front than this are other objects
     uint steps;   // of a ray, at least 1

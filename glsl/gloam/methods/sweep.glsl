@@ -12,8 +12,8 @@
 #include "gloam/sampling/whole_samples.glsl"
 
 // The horizon sweep: slices through the eye in which each direction counts with the falloff at the distance of the
-// first surface along it, weighted by the cosine (gloam/occlusion/sweep.glsl). Divided by what a slice's own half
-// planes hold, a bare plane is open exactly, at any tilt and with any number of slices.
+// first surface along it, weighted by the cosine (gloam/occlusion/sweep.glsl). The result is divided by the integral
+// over the slices' own half planes, so a bare plane is exactly open, at any tilt and with any number of slices.
 struct GloamSweep {
     uint steps;    // taps along each half of a slice, at least 1
     uint falloff;  // GLOAM_FALLOFF_*, of a blocker's distance
@@ -29,7 +29,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, any length.
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). A tap is left out that sees background, the pixel itself, or what is rejected; one that is not
+// (gloam_can_gather). A tap that sees background, the pixel itself, or a rejected surface is skipped. A tap that is not
 // above the tangent plane by the bias adds nothing. Error: 1.6e-5, 3e-4 where a surface is seen nearly edge-on,
 // but for taps within rounding of a pixel's border, of another's horizon or of a falloff's end.
 GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSweep settings) {

@@ -13,8 +13,8 @@
 #include "gloam/sampling/whole_samples.glsl"
 
 // Volumetric obscurance of the ball of half the radius that touches the surface from outside (Szirmay-Kalos et al.
-// 2009): a plane leaves it empty. Chords lie along the view vector: along the axis of a perspective view, a floor
-// that is seen from a camera which looks up would lie before its own ball.
+// 2009). A plane leaves it empty. Chords lie along the view vector. Along the axis of a perspective view, a floor
+// seen from a camera that looks up would lie in front of its own ball.
 
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.

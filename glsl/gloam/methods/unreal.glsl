@@ -9,10 +9,10 @@
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// The later shader of Unreal Engine 4 (CS-P): along both sides of mirrored directions of the image the largest
-// sat(epsilon (v . n) / (v . v)) of the steps; a side leaves (1 - occ)^2 open, of which the mean is taken. What is
-// near counts more than what stands high: along the line of a groove its rising side is blocked but in the line's own
-// direction. The engine's power is the remap's c.
+// The later shader of Unreal Engine 4 (CS-P). Along both sides of mirrored directions of the image it takes the
+// largest sat(epsilon (v . n) / (v . v)) of the steps. A side leaves (1 - occ)^2 open, and the result is the mean
+// over sides. Near surfaces count more than high ones: on the line of a groove, its rising side is blocked except in
+// the line's own direction. The engine's power is c of the remap.
 struct GloamUnreal {
     float epsilon;    // world units: distance up to which a blocker straight above counts fully, 0.8 in the engine
     float intensity;  // of the result, at most 1

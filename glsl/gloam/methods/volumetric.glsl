@@ -9,11 +9,11 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid share of a ball around the
-// point. A plane reads 1/2, which the remap's a = 0.5 undoes. What lies in front of the ball, or so far behind that
-// it leaves less than 0.35 of its chord solid, is another object's and counts by its opposite. So what stands in front
-// has no halo. But a one-sided groove of angle b reads 1/2 + sin(2 b) / (4 pi), 0.580 at 45 degrees, instead of its
-// ball's 1/2 + b / (2 pi).
+// Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid part of a ball around the
+// point. A plane gives 1/2, and a = 0.5 of the remap subtracts it. A surface belongs to another object if it lies in
+// front of the ball, or if it leaves less than 0.35 of its chord solid. Its sample counts as the opposite of its
+// partner, so objects in front have no halo. But a one-sided groove of angle b gives 1/2 + sin(2 b) / (4 pi), 0.580
+// at 45 degrees, instead of the ball's 1/2 + b / (2 pi).
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.
 // position: of the surface, view space, world units. normal: view space, any length.

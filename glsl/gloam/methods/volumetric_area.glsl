@@ -13,12 +13,12 @@
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
-// Volumetric obscurance by area samples (Loos and Sloan 2010, reconstructed): the ball of volumetric, but a sample is a
-// block of pixels, of which the mean and the variance are prepared (preparation/area_moments.comp). The surface of a
-// block is taken to be at all heights of an interval of that mean and variance alike. Blocks are so large that all
-// samples together cover the disc, so that few samples miss nothing; what they cannot tell apart is whether a block's
-// surface is near on one side. Pairs are opposite, so that a tilted plane stays at 1/2, but none is disbelieved: what
-// stands in front has a halo. Further layers do not count.
+// Volumetric obscurance by area samples (Loos and Sloan 2010, reconstructed): the ball of volumetric, but a sample is
+// a block of pixels. A pass prepares the mean and the variance of each block (preparation/area_moments.comp). The
+// surface of a block is taken to be spread evenly over an interval of heights with that mean and variance. Blocks are
+// so large that all samples together cover the disc, so few samples miss nothing. But a block does not say on which
+// side a near surface is. Pairs are opposite, so that a tilted plane stays at 1/2, but no sample of a pair is
+// rejected, so objects in front have a halo. Further layers do not count.
 
 // Defined by the user: a texel of the image of the moments: mean and weight, variance, covariance.
 vec4 gloam_fetch_prepared(ivec2 texel);
@@ -44,14 +44,14 @@ GloamSurfaceMoments gloam_area_moments(ivec2 texel, int level, GloamCamera camer
                                gloam_fetch_prepared(covariance).xyz);
 }
 
-// Level whose blocks are as large as a sample's share of the disc, or up to half as wide.
+// Level whose blocks are as large as a sample's part of the disc, or up to half as wide.
 // axes: half-axes of the disc, pixels. samples: of the disc, at least 1.
 int gloam_area_level(vec2 axes, uint samples) {
     float side = gloam_sqrt(GLOAM_PI * axes.x * axes.y / float(samples));
     return gloam_depth_mip_level(side, 2.0, GLOAM_LAST_AREA_LEVEL);
 }
 
-// Solid share of the chord at a tap, over the block around it: background is empty.
+// Solid part of the chord at a tap, over the block around it: background is empty.
 float gloam_area_solid(GloamLinePoint point, vec2 tap, float radius, int level, GloamCamera camera) {
     ivec2 texel = gloam_footprint_pixel(point.footprint, tap) >> level;
     GloamSurfaceMoments seen = gloam_area_moments(texel, level, camera);

@@ -12,12 +12,13 @@
 #include "gloam/sampling/whole_samples.glsl"
 
 // Paired line samples on a spiral (Toy Story 3: The Video Game; Ownby, Hall and Hall 2010; CS-R): the ball of
-// volumetric, its pairs on a spiral that is turned from pixel to pixel and from frame to frame. Of a pair of which
-// neither tells anything both count 1/2. Radii are uniform, so a pair counts by its radius besides its chord.
+// volumetric, with its pairs on a spiral that is rotated from pixel to pixel and from frame to frame. Where both
+// samples of a pair are invalid, both count 1/2. Radii are uniform, so a pair is weighted by its radius as well as
+// its chord.
 
 const int GLOAM_LINE_SPIRAL_TURNS = 7;
 
-// (cos, sin) by which the spiral is turned: of the pixel's angle and the frame's. Half a turn takes each tap to its
+// (cos, sin) of the rotation of the spiral: of the pixel's angle and the frame's. Half a turn moves each tap to its
 // partner.
 vec2 gloam_line_spiral_turn(GloamKernel kernel) {
     uint frame = kernel.first / max(gloam_paired_samples(kernel.count), 1u);

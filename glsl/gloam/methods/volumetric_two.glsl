@@ -4,11 +4,11 @@
 
 #include "gloam/methods/volumetric.glsl"
 
-// volumetric at two radii (Loos and Sloan 2010): half of the samples in a ball of a quarter of the radius, for fine
-// detail, half in the whole one. What both say beyond a plane's 1/2 is added. (The larger of the two would depend on
-// the noise of a frame's few samples.)
+// volumetric at two radii (Loos and Sloan 2010). Half of the samples are in a ball of a quarter of the radius, for
+// fine detail, and half in the whole ball. The amounts by which both exceed a plane's 1/2 are added. (The larger of
+// the two would depend on the noise of a frame's few samples.)
 
-// The fine radius, as a share of the other.
+// The fine radius, as a fraction of the other.
 const float GLOAM_FINE_BALL = 0.25;
 
 // A pair at both radii.

@@ -24,8 +24,8 @@ float gloam_contribution_alchemy(vec3 offset, vec3 normal, float bias, float eps
     return contribution <= 3.402823466e38 ? contribution : 0.0;
 }
 
-// Visibility from the contributions of all samples: max(0, 1 - (2 sigma / N) sum)^k. CS-3.10 as printed lost the
-// factor 2 sigma.
+// Visibility from the contributions of all samples: max(0, 1 - (2 sigma / N) sum)^k. The printed equation (CS-3.10)
+// lost the factor 2 sigma.
 // accumulated: (sum, count) of gloam_estimator_add, the sum in 1 / world units. sigma: world units, >= 0, the
 // distance of the strongest influence (u of the falloff), which is also the intensity. k: contrast, > 0; 1 leaves the
 // estimate.

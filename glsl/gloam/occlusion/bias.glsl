@@ -4,9 +4,9 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Bias against self-occlusion that grows with the depth as the rounding of positions does: b d / d_ref. The psi(z) of
-// ISSAO-6; with d_ref = 1 the beta z of Alchemy's estimator (CS-3.10 prints + beta; z is negative in view space, so
-// it is subtracted).
+// Bias against self-occlusion that grows with the depth, as the rounding error of positions does: b d / d_ref. It is
+// the psi(z) of the improved method (ISSAO-6), and with d_ref = 1 the beta z of Alchemy's estimator (CS-3.10). That one
+// prints + beta; z is negative in view space, so the bias is subtracted.
 // bias: b, world units at the reference depth, >= 0. depth: d, eye-linear, world units. reference_depth: d_ref, world
 // units, > 0.
 // Returns a length in world units, in [0, FLT_MAX]; 0 for background depth, and for b or d_ref that is not positive

@@ -4,9 +4,9 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Whether the depth buffer blocks a sample point (V of TSSAO-3): the surface at its pixel is nearer to the eye than
-// the sample by more than the bias, and not by more than the range (what is far in front is another object, with open
-// space behind it).
+// Whether the depth buffer blocks a sample point (V of TSSAO-3). It does where the surface at the sample's pixel is
+// nearer to the eye than the sample by more than the bias, but not by more than the range. A surface further in front
+// is taken for another object, with open space behind it.
 // sample_depth: eye-linear depth of the sample, world units. buffer_depth: eye-linear depth at its pixel, world units.
 // bias: world units, no less than the spacing of depths (gather_kernel.glsl): hides the rounding of positions and
 // depths.

@@ -6,19 +6,19 @@
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/square_root.glsl"
 
-// Which taps of a march along a slice can still change what it has seen: the others may be left out, with the same
-// result to the bit.
+// Which taps of a march along a slice can still change its result. The others may be skipped: the result is then the
+// same to the bit.
 
-// How near to the view axis the taps of a slice through the eye may see something within a ball. One that is aimed at
-// the share s of the radius, in the plane parallel to the image, sees no point of the ball, once moved into the slice
-// (gloam_into_slice), that is nearer to the axis than x s - y radii: its ray passes the aim within half a pixel, and
-// the points of the ball lie at least |position| - ball radius before the eye.
+// How near to the view axis the taps of a slice through the eye may see a point of a ball. A tap is aimed at the share
+// s of the radius, in the plane parallel to the image, and its point is moved into the slice (gloam_into_slice). It
+// then sees no point of the ball nearer to the axis than x s - y radii. The reason: its ray passes the aim within half
+// a pixel, and the points of the ball are at least |position| - ball radius from the eye.
 // position: of the shaded point, view space, world units. direction: of the slice in the image, unit, y as in view
 // space. end: of the march to that side, texture coordinates. radius: world units, of the march. ball: radius of the
 // ball around the point, as part of that, [0, 1].
-// Returns (x, y), x in [0, 1], y >= 0, of which 2e-4 for the rounding of positions; (0, 0), nothing known, for an end
-// outside the image (taps there are moved), for a slice that nearly lies in the tangent plane, a point nearer than 2
-// radii or further than 128, a radius of about a pixel, and NaN. Error: 8e-7.
+// Returns (x, y), x in [0, 1], y >= 0, of which 2e-4 for the rounding of positions. Returns (0, 0), nothing known, for
+// an end outside the image (taps there are moved) and for a slice that nearly lies in the tangent plane. The same for a
+// point nearer than 2 radii or further than 128, for a radius of about a pixel, and for NaN. Error: 8e-7.
 vec2 gloam_slice_clearance(GloamSlice slice, vec3 position, vec2 direction, vec2 end, GloamCamera camera, float radius,
                            float ball) {
     if (!(min(end.x, end.y) >= 0.0 && max(end.x, end.y) <= 1.0 && ball >= 0.0 && ball <= 1.0)) return vec2(0.0);

@@ -6,11 +6,11 @@
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Ambient occlusion by the curvature of the surface (after Hattori et al. 2012): the surface around the point is its
-// quadric, cut at a radius, z(t, phi) = k(phi) t^2 / 2 with k(phi) = k_1 cos^2 phi + k_2 sin^2 phi, concave positive.
-// Seen from the point its edge stands at the horizon tan h = q(phi) = max(k(phi), 0) R / 2, and the occlusion is the
-// mean of sin^2 h = q^2 / (1 + q^2) over phi. Both functions below are that mean in closed form, from the integral of
-// 1 / (1 + i q).
+// Ambient occlusion by the curvature of the surface (after Hattori et al. 2012). The surface around the point is
+// replaced by its quadric, cut at a radius: z(t, phi) = k(phi) t^2 / 2, k(phi) = k_1 cos^2 phi + k_2 sin^2 phi.
+// Concave curvature is positive. Seen from the point, the edge of the quadric has the horizon angle h, where
+// tan h = q(phi) = max(k(phi), 0) R / 2. The occlusion is the mean of sin^2 h = q^2 / (1 + q^2) over phi. Both
+// functions below are that mean in closed form, from the integral of 1 / (1 + i q).
 
 // Occlusion in a bowl or a furrow: 1 - Re 1 / sqrt((1 + i a) (1 + i b)).
 // a, b: k_1 R / 2 and k_2 R / 2, both in [0, 4096]. (b down to -1e-4 changes the result by less than 1e-8.)

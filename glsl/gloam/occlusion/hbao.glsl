@@ -8,10 +8,10 @@
 #include "gloam/shading/remap.glsl"
 
 // Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): (1 / 2 pi) times the integral over
-// directions of the image of W (sin h - sin t), h the elevation of the horizon and t that of the tangent above the
-// image plane. The cos of the integral is the Jacobian of solid angle, not n . w: every direction counts the same,
-// which is not the occlusion of TSSAO-1. A pit whose walls rise by 45 degrees all around has 0.707 of it, but 0.5 of
-// the cosine-weighted.
+// directions of the image of W (sin h - sin t). h is the elevation of the horizon and t that of the tangent above the
+// image plane. The cos of the integral is the Jacobian of solid angle, not n . w, so every direction counts the same.
+// The result is therefore not the cosine-weighted occlusion (TSSAO-1): a pit whose walls rise by 45 degrees all around
+// has 0.707 here and 0.5 there.
 
 // Slope of the tangent plane in a direction of the image, from the derivatives of the position: tan t = T.z / |T.xy|,
 // T = x dP/du + y dP/dv.

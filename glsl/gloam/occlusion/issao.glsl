@@ -4,9 +4,10 @@
 
 #include "gloam/occlusion/cosine.glsl"
 
-// ISSAO, the improved screen-space ambient occlusion whose equations 2 to 6 are lost in the copies at hand:
-// reconstructed from its prose, which describes an Alchemy-like estimator with its own attenuation. ISSAO-3 is the
-// integral of TSSAO-1, ISSAO-4 the same with an attenuation by distance, ISSAO-6 what is summed.
+// ISSAO, the improved screen-space ambient occlusion. The available copies of the paper lack equations 2 to 6. They are
+// reconstructed here from its text, which describes an Alchemy-like estimator with its own attenuation. The basic form
+// (ISSAO-3) is the cosine-weighted integral (TSSAO-1). The attenuated form (ISSAO-4) is the same with an attenuation by
+// distance, and the estimator (ISSAO-6) is the sum over samples.
 
 // Contribution of a direction (the integrand of ISSAO-3): max(v . n / |v|, 0), 0 from the radius on.
 // offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units.

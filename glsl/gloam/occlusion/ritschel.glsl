@@ -5,8 +5,8 @@
 #include "gloam/sampling/unit_interval.glsl"
 
 // Contribution of one sample point to the occlusion. Which form to average depends on how the directions are
-// distributed; only the two at the end estimate TSSAO-1. Every argument is read inside [0, 1]: taken to the nearer
-// end, NaN to 0.
+// distributed. Only the two at the end estimate the cosine-weighted occlusion (TSSAO-1). Every argument is clamped to
+// [0, 1], and NaN is read as 0.
 
 // Contribution as printed (TSSAO-3): V D max(cos, 0). Averaged over uniform directions it gives half the occlusion,
 // over cosine-weighted ones two thirds of it where everything is blocked: use the forms below for an estimate.

@@ -33,8 +33,8 @@ float gloam_slice_fraction_angle(vec2 direction, GloamSlice slice) {
     return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) * 0.3183098862 + 0.5);
 }
 
-// The same weighted by the cosine to the normal and by solid angle, as in GTAO: the mean over slices, each weighted
-// by the length of the projected normal times (cos n + n sin n), is the occlusion of TSSAO-1.
+// The same weighted by the cosine to the normal and by solid angle, as in GTAO. The mean over slices, each weighted by
+// the length of the projected normal times (cos n + n sin n), is the cosine-weighted occlusion (TSSAO-1).
 // direction: (cos a, sin a) of gloam_slice_direction.
 // Returns a fraction in [0, 1], of NaN as well. Error: 5e-7.
 float gloam_slice_fraction_cosine(vec2 direction, GloamSlice slice) {

@@ -6,7 +6,8 @@
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Sampling offsets of ISSAO-1 in two readings. Radii are uniform, so taps are denser near the centre.
+// Sampling offsets of the improved method (ISSAO-1) in two readings. Radii are uniform, so taps are denser near the
+// centre.
 
 // The reading that fits the prose: r_max e_1 (sin 2 pi e_2, cos 2 pi e_2), inside the disc, its radius uniform.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.

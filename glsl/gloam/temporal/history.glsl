@@ -23,9 +23,9 @@ GloamHistory gloam_history_empty(float depth) {
     return GloamHistory(0.0, 0.0, 0u, gloam_is_background(depth) ? gloam_background_depth() : depth);
 }
 
-// History made safe to use: one whose occlusion is outside [0, 1] or NaN, whose weight is not positive and finite, or
-// whose pixel is background becomes the empty history of its depth, index 0 included so that a fresh start is always
-// the same. The index is taken modulo 2^24. Subnormal numbers of either sign are read as 0.
+// History made safe to use. It becomes the empty history of its depth where its occlusion is outside [0, 1] or NaN, its
+// weight is not positive and finite, or its pixel is background. The index is then 0 too, so every fresh start is the
+// same. Else the index is taken modulo 2^24. Subnormal numbers of either sign are read as 0.
 // h: any history. Error: none.
 GloamHistory gloam_history_sanitize(GloamHistory h) {
     bool usable = h.occlusion > -1.175494351e-38 && h.occlusion <= 1.0 && h.weight >= 1.175494351e-38 &&
@@ -35,10 +35,10 @@ GloamHistory gloam_history_sanitize(GloamHistory h) {
                         h.depth);
 }
 
-// Texel of the history buffer: (occlusion, weight, index, depth), each as a float, sanitized first. 32 bits a channel
-// hold everything exactly; 16 bits hold integers to 2048 only (index and weight), make the depth too coarse for
-// TSSAO-9, and stop the mean short of where it should be by up to 2.5e-4 (w_max + k) / k: 0.0041 for k = 32 and w_max
-// = 500, 0.046 for 8 and 1500 (docs/stress.md).
+// Texel of the history buffer: (occlusion, weight, index, depth), each as a float, sanitized first. Channels of 32 bits
+// hold everything exactly. Channels of 16 bits hold integers (index and weight) only up to 2048, and make the depth
+// too coarse for the depth test (TSSAO-9). They also stop the mean short of its limit by up to
+// 2.5e-4 (w_max + k) / k: 0.0041 for k = 32 and w_max = 500, 0.046 for k = 8 and w_max = 1500 (docs/stress.md).
 // h: any history. Error: none.
 vec4 gloam_history_pack(GloamHistory h) {
     GloamHistory s = gloam_history_sanitize(h);

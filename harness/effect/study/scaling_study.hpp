@@ -28,13 +28,14 @@ struct ScalingRun {
     std::vector<double> open;  // part of the tiles found open at each point, in [0, 1]; empty: not counted
 };
 
-// The scene `moving` in the smallest of the sizes, with 16 samples for each pixel: while the pixels grow (at
-// the same radius in pixels), the samples, the radius (in pixels at the point the camera looks at), the taps
-// on each side of the filter, the moving objects (a frame with a history). Values are visited in rounds.
+// Times the scene `moving` in the smallest of the sizes, with 16 samples for each pixel, while one number
+// grows: pixels (at the same radius in pixels), samples, the radius (in pixels at the point the camera looks
+// at), the filter's taps on each side, moving objects (a frame with a history). Values are visited in rounds.
 //
-// Pixels grow with every tile sampled ("pixels": the same work for each of them), and, of a method that knows
-// open tiles, once more as users have it ("pixels, open tiles left out"): how many tiles are found open
-// depends on the radius in the world, which shrinks as pixels grow. Of these two `open` is counted.
+// The number of pixels grows twice. In "pixels" every tile is sampled, so each pixel is the same work. In
+// "pixels, open tiles left out" open tiles are skipped, as users have it, where the method knows them. How
+// many tiles are open depends on the radius in the world, which shrinks as the number of pixels grows. Only
+// these two runs count `open`.
 //
 // Throws std::invalid_argument for no size and an unknown method, and like AmbientOcclusion.
 [[nodiscard]] std::vector<ScalingRun> study_scaling(const gpu::Device& device,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Another project takes gloam's tree in with add_subdirectory: it gets the framework alone, without the packages that only the
-# program needs, without its tests, without its warnings; and its test compiles against the headers by their installed names.
+# Another project includes gloam's tree with add_subdirectory. It gets the framework alone: without the packages that
+# only the program needs, without gloam's tests, and without its warnings. The project's test compiles against the
+# headers by their installed names.
 set(work "${WORK}/embedded")
 file(REMOVE_RECURSE "${work}")
 file(MAKE_DIRECTORY "${work}")

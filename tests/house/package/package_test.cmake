@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Installs the build, moves the package elsewhere, builds the consumer against it, and runs the consumer twice: its shader
-# as it is must pass, and broken must fail with a verdict (not with any other error).
+# Installs the build, moves the package elsewhere, builds the consumer against it, and runs the consumer twice. Its
+# shader must pass as it is. Broken, it must fail with a verdict and not with any other error.
 set(prefix "${WORK}/moved here")
 set(consumer "${WORK}/own_function")
 set(shader "${consumer}/shaders/tone.glsl")
@@ -14,7 +14,8 @@ function(run WHAT)
 endfunction()
 
 function(expect_verdict EXPECTED)
-  execute_process(COMMAND "${consumer}/build/own_function_test" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  execute_process(COMMAND "${consumer}/build/own_function_test"
+    RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(text_found NO)
   if(EXPECTED STREQUAL "pass")
     if(status EQUAL 0 AND output MATCHES "\\[  PASSED  \\] 2 tests")
