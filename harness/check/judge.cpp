@@ -62,8 +62,9 @@ class Plan {
   public:
     static constexpr std::size_t first_inputs = 512;
     static constexpr std::size_t other_inputs = 512;
-    // Of the inputs whose bounds are calculated, together: a second or two.
-    static constexpr double most_steps = 1.5e7;
+    // Inputs whose bounds are calculated, and the instructions of all of these: less than a second.
+    static constexpr std::size_t most_bounded = 4096;
+    static constexpr double most_steps = 8e6;
 
     Plan(Verdict verdict, std::size_t count, bool every_bound)
         : bounds_(verdict == Verdict::rules),
@@ -72,8 +73,9 @@ class Plan {
 
     // How many instructions the bounds of one input take.
     void set_cost(double steps, std::size_t count) {
-        if (bounds_every_ == 0)
-            bounds_every_ = 1 + static_cast<std::size_t>(steps * static_cast<double>(count) / most_steps);
+        if (bounds_every_ != 0) return;
+        const auto by_cost = static_cast<std::size_t>(steps * static_cast<double>(count) / most_steps);
+        bounds_every_ = 1 + std::max(by_cost, (count - 1) / most_bounded);
     }
     [[nodiscard]] bool needs_cost() const { return bounds_ && bounds_every_ == 0; }
     [[nodiscard]] bool by_rules(std::size_t i) const { return i < first_inputs || i % every_ == 0; }
