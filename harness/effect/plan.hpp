@@ -61,7 +61,7 @@ struct PlannedPass {
     PassSource source;
     Turn turn = Turn::always;
     std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers
-    // Push constants, and those of every second frame, whose images are exchanged.
+    // Push constants, and those of every second frame, in which the pairs of `exchanged` are swapped.
     std::vector<std::byte> parameters;
     std::vector<std::byte> odd_parameters;
     std::vector<bool> of_view;              // for each of their bytes: it is the view's, not the settings'
