@@ -42,6 +42,7 @@ layout(push_constant) uniform Parameters {
     float remap_c;
 } parameters;
 
+#include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/pixel_center.glsl"
 #include "gloam/occlusion/bias.glsl"
@@ -80,9 +81,10 @@ vec4 gloam_fetch_prepared(ivec2 pixel) {
     gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range))
 #endif
 
-// Whether the other camera sees a point of its view space.
-bool seen_there(vec3 position, GloamCamera camera) {
+// Whether the other camera sees a surface of its view space, from the front.
+bool seen_there(vec3 position, vec3 normal, GloamCamera camera) {
     if (!(-position.z >= 1e-18 && -position.z <= GLOAM_FARTHEST)) return false;
+    if (!(dot(normal, gloam_toward_eye(position, camera.orthographic)) > 0.0)) return false;
     vec2 uv = gloam_camera_uv(position, camera);
     if (!(uv.x >= 0.0 && uv.y >= 0.0 && uv.x <= 1.0 && uv.y <= 1.0)) return false;
     float depth = gloam_fetch_depth(gloam_nearest_pixel(uv, camera.size));
@@ -95,7 +97,7 @@ float occlusion_there(ivec2 pixel, float depth) {
     vec3 position = (parameters.other_from_this * vec4(here, 1.0)).xyz;
     vec3 normal = mat3(parameters.other_from_this) * imageLoad(normal_image, pixel).xyz;
     GloamCamera camera = GloamCamera(parameters.other_p00_p11, parameters.other_size, other_orthographic);
-    if (!seen_there(position, camera)) return 0.0;
+    if (!seen_there(position, normal, camera)) return 0.0;
     float bias = max(parameters.bias, gloam_depth_bias(parameters.bias_depth, -position.z, 1.0));
     float farthest = reject_taps ? method_values.range : uintBitsToFloat(0x7F800000u);
     GloamKernel kernel =

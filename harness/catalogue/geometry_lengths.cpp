@@ -68,15 +68,16 @@ void append_moments(Entries& entries) {
                                            .title = "moments of no surface point",
                                            .formula = "weight 0",
                                            .source = "definition"},
-                                          &reference::gloam_moments_empty, {}));
-    entries.push_back(equation<Moments(glm::vec3)>({.id = "MOMENTS-of",
-                                                    .function = "gloam_moments_of",
-                                                    .file = file,
-                                                    .title = "moments of one surface point",
-                                                    .formula = "weight 1, its mean, no variance",
-                                                    .source = "definition"},
-                                                   &reference::gloam_moments_of,
-                                                   {.domain = {vector(3, uniform(-5, 5)).only_as_drawn()}}));
+                                          &reference::gloam_moments_empty, {.codomain = {0, 0}}));
+    entries.push_back(equation<Moments(glm::vec3)>(
+        {.id = "MOMENTS-of",
+         .function = "gloam_moments_of",
+         .file = file,
+         .title = "moments of one surface point",
+         .formula = "weight 1, its mean, no variance",
+         .source = "definition"},
+        &reference::gloam_moments_of,
+        {.domain = {vector(3, uniform(-5, 5)).only_as_drawn()}, .codomain = {-5, 5}}));
     entries.push_back(equation<Moments(Moments, Moments)>(
         {.id = "MOMENTS-add",
          .function = "gloam_moments_add",
@@ -87,6 +88,7 @@ void append_moments(Entries& entries) {
         &reference::gloam_moments_add,
         {.domain = {moments(), moments()},
          .budget = {.absolute = 2e-5},
+         .codomain = {-128, 128},
          .promised = make_predicate<Moments(Moments, Moments)>(
              [](const Moments& a, const Moments& b) { return usual_moments(a) && usual_moments(b); })}));
     entries.push_back(equation<float(Moments, glm::vec3)>(

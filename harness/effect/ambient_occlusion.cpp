@@ -79,6 +79,7 @@ struct AmbientOcclusion::Impl {
     RemapParameters remap_constants{};
     SelectParameters select_constants{};
     SelectFilteredParameters select_filtered_constants{};
+    PassWatcher watcher;  // empty: nobody watches
 
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
@@ -360,14 +361,19 @@ void AmbientOcclusion::advance(const scene::GBuffer& view) {
     impl.moved = true;
 }
 
+void AmbientOcclusion::watch(PassWatcher watcher) {
+    impl_->watcher = std::move(watcher);
+}
+
 Frame AmbientOcclusion::next(int repeat) {
     Impl& impl = *impl_;
     if (!impl.begun) throw std::logic_error("no view: begin() must come before next()");
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
     // Each run reads the same history and writes the same images, so running again changes nothing.
     const std::vector<Step> steps = impl.steps();
-    std::vector<PassTime> times =
-        run(*impl.device, steps, groups_for(impl.view.extent), repeat, [&] { impl.images->tiles.clear(); });
+    std::vector<PassTime> times = run(
+        *impl.device, steps, groups_for(impl.view.extent), repeat, [&] { impl.images->tiles.clear(); },
+        impl.watcher);
     Frame frame = impl.collect();
     frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,6 +55,8 @@ struct Frame {
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes used
 };
 
+struct Step;
+
 // The ambient-occlusion passes for images of one size, with their history.
 class AmbientOcclusion {
   public:
@@ -81,6 +84,9 @@ class AmbientOcclusion {
     // gpu::Commands::submit(). After a runtime error (a lost device, for example) call begin() again, with
     // a new device where that is needed.
     [[nodiscard]] Frame next(int repeat = 1);
+
+    // From now on each pass runs by itself, with a call before and after it: for tests of the passes alone.
+    void watch(std::function<void(const Step& pass, bool after)> watcher);
 
   private:
     struct Impl;

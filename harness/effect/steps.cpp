@@ -29,14 +29,29 @@ void record(gpu::Commands& commands, const Step& pass, const std::array<std::uin
     }
 }
 
+void run_watched(const gpu::Device& device, const Step& pass, const std::array<std::uint32_t, 3>& groups,
+                 const PassWatcher& watcher) {
+    Step with_groups = pass;
+    if (pass.indirect == nullptr && pass.groups[0] == 0) with_groups.groups = groups;
+    watcher(with_groups, false);
+    gpu::Commands commands(device);
+    record(commands, with_groups, groups);
+    commands.submit();
+    watcher(with_groups, true);
+}
+
 }  // namespace
 
 std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                           const std::array<std::uint32_t, 3>& groups, int repeat,
-                          const std::function<void()>& before_each) {
+                          const std::function<void()>& before_each, const PassWatcher& watcher) {
     std::vector<std::vector<double>> times(passes.size());
     for (int i = 0; i < repeat; ++i) {
         if (before_each) before_each();
+        if (watcher) {
+            for (const Step& pass : passes) run_watched(device, pass, groups, watcher);
+            continue;
+        }
         gpu::Commands commands(device);
         commands.timestamp();
         for (const Step& pass : passes) {

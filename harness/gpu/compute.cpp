@@ -89,11 +89,16 @@ const char* name_of(BindingKind kind) {
     return kind == BindingKind::storage_buffer ? "storage buffer" : "storage image";
 }
 
-ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& program)
+ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)
     : context(owner),
-      bindings(program.bindings),
-      push_constant_bytes(program.push_constant_bytes),
-      handles(owner, create(owner, program)) {}
+      bindings(made_of.bindings),
+      push_constant_bytes(made_of.push_constant_bytes),
+      program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants},
+      handles(owner, create(owner, made_of)) {}
+
+const PipelineProgram& program_of(const ComputePipeline& pipeline) {
+    return pipeline.impl().program;
+}
 
 ComputePipeline::ComputePipeline(const Device& device, const ComputeProgram& program)
     : impl_(std::make_unique<Impl>(device.impl(), program)) {}

@@ -28,6 +28,14 @@ struct ImageView {
     std::span<const Word> texels;
 };
 
+// One invocation of a dispatch: {x, y, z} in work groups of one.
+struct Invocation {
+    std::array<std::uint32_t, 3> group{};
+    std::array<std::uint32_t, 3> local{};
+    std::array<std::uint32_t, 3> group_size{1, 1, 1};
+    std::array<std::uint32_t, 3> groups{1, 1, 1};
+};
+
 [[nodiscard]] std::string name_of_operation(std::uint16_t opcode);
 
 // What a machine did: one instruction, with the value of every scalar that it gave.
@@ -58,8 +66,8 @@ class Machine {
     void bind(std::uint32_t set, std::uint32_t binding, const ImageView& image);
     void bind_push_constants(std::span<const Word> words);
 
-    // gl_GlobalInvocationID, in work groups of one invocation.
-    void set_invocation(const std::array<std::uint32_t, 3>& id);
+    // Which invocation runs. It runs alone: what others of its group write to shared memory it does not see.
+    void set_invocation(const Invocation& invocation);
 
     // Runs the entry point to its end. Throws Error, which names the instruction's place.
     void run();
@@ -70,6 +78,9 @@ class Machine {
 
     // A word of a buffer or image after the run. Throws Error (missing, out_of_bounds).
     [[nodiscard]] Value<Number> read(std::uint32_t set, std::uint32_t binding, std::size_t word) const;
+
+    // Whether the last run wrote to a buffer or image.
+    [[nodiscard]] bool wrote(std::uint32_t set, std::uint32_t binding) const;
 
     // The most instructions that one run takes; more is an Error (too_many_steps).
     void set_limit(std::uint64_t steps) { limit_ = steps; }

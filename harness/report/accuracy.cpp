@@ -141,21 +141,28 @@ std::string nearest_table(std::vector<EquationAccuracy> equations, const std::ve
     return text;
 }
 
+std::string failure_text(const check::Answer& row) {
+    if (!row.ran() || !row.fault.empty()) return fmt::format("{} {}", row.variant, verdict_of(row));
+    return fmt::format("{} {} of {}", row.variant, row.outside(), row.inputs());
+}
+
+// A row for each equation and device.
 std::string failures_table(const std::vector<CheckReport>& reports) {
     std::string text;
     for (const CheckReport& report : reports) {
+        std::vector<std::pair<std::string, std::string>> failures;  // the equation, and its variants
         for (const check::Answer& row : report.rows) {
             if (row.passed()) continue;
-            const std::string verdict = row.ran() && row.fault.empty()
-                                            ? fmt::format("{} of {} outside", row.outside(), row.inputs())
-                                            : verdict_of(row);
-            text += fmt::format("| {} | {} | {} | {} | {} |\n", row.equation, row.variant,
-                                name_of(row.verdict), column_title(report, reports), verdict);
+            if (failures.empty() || failures.back().first != row.equation)
+                failures.emplace_back(row.equation, failure_text(row));
+            else
+                failures.back().second += ", " + failure_text(row);
         }
+        for (const auto& [equation, variants] : failures)
+            text += fmt::format("| {} | {} | {} |\n", equation, column_title(report, reports), variants);
     }
     if (text.empty()) return "\nNo check failed.\n";
-    return "\n| equation | variant | judged by | device | verdict |\n| --- | --- | --- | --- | --- |\n" +
-           text;
+    return "\n| equation | device | inputs outside |\n| --- | --- | --- |\n" + text;
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ const std::map<std::pair<std::string, std::string>, std::string> unreached{
     {{"gloam/methods/sweep.glsl", "vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);"},
      layers},
     {{"gloam/methods/sweep.glsl", "nearest = layer == 0 ? side.before : nearest;"}, layers},
-    {{"gloam/methods/volumetric.glsl",
+    {{"gloam/gather/line_pair.glsl",
       "if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;"},
      layers},
     {{"gloam/occlusion/hbao.glsl", "return visibility > 0.0 ? visibility : (visibility <= 0.0 ? 0.0 : 1.0);"},

@@ -67,7 +67,10 @@ TEST_F(Effect, AnOpenPlaneIsOpen) {
             const Frame frame = run(view, settings, 3);
             EXPECT_THAT(frame.occlusion, testing::Each(0.0F));
             EXPECT_THAT(frame.filtered, testing::Each(0.0F));
-            EXPECT_EQ(frame.work.samples, 63U * 47U * 32U);
+            EXPECT_LE(frame.work.samples, 63U * 47U * 32U);
+            if (!method.takes_fewer) {
+                EXPECT_EQ(frame.work.samples, 63U * 47U * 32U);
+            }
         }
     }
 }
@@ -182,6 +185,7 @@ TEST_F(Effect, WhatCannotBeIsRefused) {
 // Some drivers end long loops early and say nothing.
 TEST_F(Effect, TheMostSamplesAreAllTaken) {
     for (const MethodInfo& method : methods()) {
+        if (method.takes_fewer) continue;
         Settings settings = with_method(settings_for(1.0F), method.name);
         settings.samples = most_samples;
         settings.least_radius = 0.0F;  // in so small an image no radius is a pixel

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -14,11 +15,12 @@
 #include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect {
 namespace further_views_test {
 
-constexpr gpu::Extent extent{96, 64};
+constexpr gpu::Extent extent{95, 63};
 
 // A table with a thin top on a floor, seen from straight above: its underside and what it stands over are
 // hidden.
@@ -84,6 +86,40 @@ TEST_F(Further, AViewThatDoesNotShowThePointChangesNothing) {
     const std::vector<float> once = one_frame(view, settings_for("alchemy"));
     EXPECT_EQ(further_.raised(view, once, others, settings_for("alchemy")), once);
     EXPECT_EQ(further_.raised(view, once, {}, settings_for("alchemy")), once);
+}
+
+// Something stands before all that the other camera would see, near enough to block: it is not asked.
+TEST_F(Further, APointHiddenInTheOtherViewIsNotAskedThere) {
+    const scene::GBuffer view = view_from(0, 60);
+    scene::GBuffer covered = view;
+    for (float& depth : covered.depth) depth -= 0.5F;
+    const scene::GBuffer others[] = {covered};
+    const std::vector<float> once = one_frame(view, settings_for("hemisphere"));
+    EXPECT_EQ(further_.raised(view, once, others, settings_for("hemisphere")), once);
+}
+
+// The other camera looks along the same rays and shows the middle alone, with a ridge near its border: what
+// lies beside its image is not asked, what lies in it is.
+TEST_F(Further, BesideTheOtherImageNothingIsKnown) {
+    const auto floor = [](glm::dvec2) { return 5.0; };
+    scene::GBuffer view = view_of(extent, true, floor);
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+    scene::GBuffer narrow =
+        view_of({33, 63}, true, [](glm::dvec2 at) { return at.x > 0.3 && at.x < 0.4 ? 4.8 : 5.0; });
+    narrow.normal.assign(narrow.depth.size(), glm::vec3(0, 0, 1));
+    const scene::GBuffer others[] = {narrow};
+    const std::vector<float> once(view.depth.size(), 0.0F);
+    const std::vector<float> all = further_.raised(view, once, others, settings_for("alchemy"));
+    float most = 0.0F;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const double x =
+            (static_cast<double>(i % extent.width) + 0.5 - 0.5 * extent.width) * view_height / extent.height;
+        if (std::abs(x) > 0.53) {
+            ASSERT_EQ(all[i], 0.0F) << x;
+        }
+        most = std::max(most, all[i]);
+    }
+    EXPECT_GT(most, 0.05F);
 }
 
 // From above the sides of the box and of the table's edge are seen edge-on, and the floor beside reads as

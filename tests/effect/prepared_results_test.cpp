@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -80,6 +81,16 @@ TEST_F(PreparedResults, OneAreaSeesWhatOneLineMisses) {
         return std::sqrt(std::max(squares / count - std::pow(sum / count, 2.0), 0.0));
     };
     EXPECT_LT(spread("volumetric_area"), 0.3 * spread("volumetric"));
+}
+
+// Where nothing is seen a block is empty: every other column of a floor fills a quarter of a ball, not half.
+TEST_F(PreparedResults, AreasAreEmptyWhereNothingIsSeen) {
+    scene::GBuffer view = view_of({65, 65}, true, [](glm::dvec2) { return 5.0; });
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+    for (std::size_t i = 0; i < view.depth.size(); ++i)
+        if (i % 65 % 2 == 1) view.depth[i] = std::numeric_limits<float>::infinity();
+    const auto found = estimate(view, settings_for("volumetric_area", 0.5F, 2), 16);
+    EXPECT_NEAR(double{found[65 * 32 + 32]}, 0.25, 0.01);
 }
 
 // The sum over all pixels, each as a disc by its own visibility (CS-S). Orthographic, so that all discs are

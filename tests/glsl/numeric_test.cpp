@@ -93,5 +93,33 @@ TEST_F(Numeric, DirectionsOfAxesQuadrantsAndInfinities) {
     EXPECT_EQ(f(nan, 1.0F), 0.0F);
 }
 
+// Vulkan lets a driver reorder what is not `precise`: the reductions of arguments must not be undone by it.
+TEST_F(Numeric, WhateverOrderADriverTakesTheErrorIsBounded) {
+    const check::Lab shipped(
+        {.device = std::string(check::interpreter_name), .include_roots = {GLOAM_GLSL_DIR}});
+    const std::string forward = "gloam/numeric/sincos.glsl";
+    const std::string inverse = "gloam/numeric/inverse_trigonometry.glsl";
+    const check::RunOptions options{.inputs = 1024};
+    const auto error = [&](const check::Answer& answer) {
+        EXPECT_EQ(answer.verdict, check::Verdict::rules);
+        EXPECT_EQ(answer.unbounded, 0U) << answer.function;
+        return answer.guarantee.absolute;
+    };
+    const check::Values cosine = check::uniform(-1, 1);
+    EXPECT_LT(error(check::check_rules<glm::vec2(float)>(shipped, forward, "gloam_sincos_turns",
+                                                         {check::uniform(-4, 4)}, options)),
+              4e-6);
+    EXPECT_LT(error(check::check_rules<glm::vec2(float)>(shipped, forward, "gloam_sincos",
+                                                         {check::uniform(-100, 100)}, options)),
+              4e-6);
+    EXPECT_LT(error(check::check_rules<float(float)>(shipped, inverse, "gloam_acos", {cosine}, options)),
+              2e-4);
+    EXPECT_LT(error(check::check_rules<float(float)>(shipped, inverse, "gloam_asin", {cosine}, options)),
+              2e-4);
+    EXPECT_LT(error(check::check_rules<float(float, float)>(shipped, inverse, "gloam_atan2", {cosine, cosine},
+                                                            options)),
+              2e-4);
+}
+
 }  // namespace numeric_test
 }  // namespace gloam

@@ -72,8 +72,8 @@ class Equations(unittest.TestCase):
         self.assertEqual(page.count(), f"{len(page.shown())} of {len(self.names)} rows")
         chosen = ("const choice = document.querySelector('select'); choice.value = 'gloam/numeric/sincos.glsl';"
                   "choice.dispatchEvent(new Event('input'));")
-        expected = [name for name in self.names if name.startswith(("SINCOS", "QUARTER"))]
-        self.assertEqual(self.after(chosen).shown(), expected)
+        of_the_file = [name for name in self.names if name.startswith(("SINCOS", "QUARTER"))]
+        self.assertEqual(self.after(chosen).shown(), of_the_file)
 
 
 if __name__ == "__main__":

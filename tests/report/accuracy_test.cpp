@@ -83,11 +83,13 @@ TEST(Accuracy, ListsTheTenThatUseMost) {
 TEST(Accuracy, ListsEveryCheckThatFailed) {
     check::Answer outside = row("E", "shipped", 3.0);
     ordinary(outside).outside = 17;
+    check::Answer strictly = outside;
+    strictly.variant = "strict";
     check::Answer crashed{
         .equation = "F", .variant = "shipped", .error = "gone", .reason = check::Reason::crash};
-    const std::string text = to_accuracy_markdown({device("one", {outside, crashed})});
-    EXPECT_THAT(text, AllOf(HasSubstr("| E | shipped | budget | one | 17 of 1000 outside |"),
-                            HasSubstr("| F | shipped | budget | one | crash |")));
+    const std::string text = to_accuracy_markdown({device("one", {outside, strictly, crashed})});
+    EXPECT_THAT(text, AllOf(HasSubstr("| E | one | shipped 17 of 1000, strict 17 of 1000 |"),
+                            HasSubstr("| F | one | shipped crash |")));
     EXPECT_THAT(to_accuracy_markdown({device("one", {row("E", "shipped", 0.1)})}),
                 HasSubstr("No check failed."));
 }

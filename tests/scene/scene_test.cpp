@@ -60,8 +60,8 @@ TEST(Scenes, AreListedAndMade) {
         (void)make_frame(scene.camera, 1.5);
         names.push_back(info.name);
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"columns", "corner", "far", "grass", "knot", "moving", "room",
-                                               "sky"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"columns", "corner", "far", "grass", "knot", "moving",
+                                               "relief", "room", "sky"}));
     expect_error<std::invalid_argument>([] { (void)make_scene("colums"); }, {"colums", "columns", "corner"});
     expect_error<std::invalid_argument>([] { (void)make_scene(""); }, {"columns"});
 }

@@ -58,10 +58,12 @@ std::size_t wrong_pixels(effect::AmbientOcclusion& effect, const scene::GBuffer&
             wrong +=
                 static_cast<std::size_t>(std::ranges::count_if(image, [](float v) { return v != 0.0F; }));
     }
-    // Only a pixel that was written in each frame has this convergence. A sample may be lost at most.
+    // Only a pixel that was written in each frame has this convergence. A sample may be lost at most, but
+    // where taps that share a pixel count once.
     const float expected = static_cast<float>(settings.samples) * frames / settings.weight_max;
-    wrong += static_cast<std::size_t>(std::ranges::count_if(
-        frame.convergence, [&](float v) { return !(v > 0.5F * expected && v <= expected); }));
+    const float least = effect::method_named(settings.method).takes_fewer ? 0.0F : 0.5F * expected;
+    wrong += static_cast<std::size_t>(
+        std::ranges::count_if(frame.convergence, [&](float v) { return !(v > least && v <= expected); }));
     const std::size_t pixels = pixels_of(view.extent);
     return wrong + (frame.work.pixels == pixels ? 0 : 1) + (frame.occlusion.size() == pixels ? 0 : 1);
 }

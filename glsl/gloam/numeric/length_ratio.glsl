@@ -2,6 +2,8 @@
 #ifndef GLOAM_NUMERIC_LENGTH_RATIO_GLSL
 #define GLOAM_NUMERIC_LENGTH_RATIO_GLSL
 
+#include "gloam/numeric/precise.glsl"
+
 // The smaller over the larger of two lengths, at any scale.
 // smaller, larger: 0 <= smaller <= larger; a subnormal larger length is read as the smallest normal number.
 // Returns a ratio in [0, 1]; 0 for a finite over an infinite length, 1 for two infinite ones. Error: 2.5 ulp.
@@ -9,7 +11,8 @@ float gloam_length_ratio(float smaller, float larger) {
     if (larger > 3.402823466e38) return smaller > 3.402823466e38 ? 1.0 : 0.0;
     // Vulkan says nothing of quotients by less than 2^-126 or more than 2^126.
     float scale = larger > 8.507059173e37 ? 0.25 : 1.0;
-    return min(smaller * scale / (max(larger, 1.175494351e-38) * scale), 1.0);
+    GLOAM_PRECISE float ratio = smaller * scale / (max(larger, 1.175494351e-38) * scale);
+    return min(ratio, 1.0);
 }
 
 #endif

@@ -2,17 +2,12 @@
 #ifndef GLOAM_NUMERIC_SINCOS_GLSL
 #define GLOAM_NUMERIC_SINCOS_GLSL
 
-// Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by
-// anything outside; these are the same within 4e-7 on every conforming driver. The coefficients are printed by
-// tools/minimax.py.
+#include "gloam/numeric/precise.glsl"
 
-// Keeps the order of operations where a language has the word: compilers may otherwise add up the parts of pi / 2
-// below before they subtract them, which undoes the reduction.
-#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
-#define GLOAM_PRECISE precise
-#else
-#define GLOAM_PRECISE
-#endif
+// Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by
+// anything outside; these are the same within 5e-7 on every conforming driver that does their operations in order
+// (`precise`, NoContraction). A driver that reorders all that Vulkan lets it may err by 4e-6; none is known to. The
+// coefficients are printed by tools/minimax.py.
 
 // Cosine and sine of at most an eighth of a turn.
 // angle: radians, in [-pi / 4, pi / 4]; beyond, the polynomials part from the functions.
@@ -41,7 +36,7 @@ vec2 gloam_sincos_turns(float turns) {
     // Exact up to the last product: nothing is rounded when whole turns, and then quarters, are taken off.
     float part = magnitude - floor(magnitude);
     int quarters = (int(part * 8.0) + 1) >> 1;
-    float rest = part - 0.25 * float(quarters);
+    GLOAM_PRECISE float rest = part - 0.25 * float(quarters);
     vec2 p = gloam_quarter_turn(gloam_sincos_octant(rest * 6.283185307), quarters);
     return vec2(p.x, turns < 0.0 ? -p.y : p.y);
 }

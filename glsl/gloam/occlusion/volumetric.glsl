@@ -75,7 +75,7 @@ float gloam_area_occlusion(float height, float half_width, float half_height) {
     float far = half_height + height + half_width;
     float near = half_height - height + half_width;
     if (!(near > 0.0)) return near <= 0.0 ? 1.0 : 0.5;
-    if (!(far > 0.0)) return far <= 0.0 ? 0.0 : 0.5;
+    if (!(far > 0.0)) return 0.0;
     if (beyond_far < 0.0 && beyond_near < 0.0) return clamp(0.5 + 0.5 * (height / half_width), 0.0, 1.0);
     bool crosses_near = beyond_near < 0.0;
     float length_inside = crosses_near ? near : far;

@@ -25,16 +25,20 @@ struct Step {
     std::size_t offset = 0;                 // bytes
 };
 
+// Called before a pass runs, by itself, and after.
+using PassWatcher = std::function<void(const Step& pass, bool after)>;
+
 template <class Parameters>
 std::span<const std::byte> bytes_of(const Parameters& parameters) {
     return std::as_bytes(std::span(&parameters, 1));
 }
 
 // Runs the passes in order, `repeat` times, each time after `before_each`, each over its own groups or
-// `groups`; returns the median time of each. Throws like gpu::Commands::submit().
+// `groups`; returns the median time of each, NaN with a watcher. Throws like gpu::Commands::submit().
 [[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                                         const std::array<std::uint32_t, 3>& groups, int repeat,
-                                        const std::function<void()>& before_each = {});
+                                        const std::function<void()>& before_each = {},
+                                        const PassWatcher& watcher = {});
 
 // Bytes of all images and buffers that the passes are given, each counted once.
 [[nodiscard]] std::uint64_t memory_of(std::span<const Step> passes);

@@ -3,6 +3,7 @@
 
 #include "gpu/compute.hpp"
 #include "gpu/internal/guarded.hpp"
+#include "gpu/program_of.hpp"
 
 namespace gloam::gpu {
 
@@ -18,6 +19,7 @@ struct ComputePipeline::Impl {
     Context& context;
     std::vector<BindingKind> bindings;
     std::uint32_t push_constant_bytes;
+    PipelineProgram program;
     Guarded<ComputeHandles> handles;
 };
 

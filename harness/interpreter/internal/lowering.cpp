@@ -164,8 +164,11 @@ void Lowering::place_globals() {
         // [length | OpSpecConstantOp, type, result, opcode, operands...] as an instruction of that opcode.
         computed_.emplace_back(i.words.begin(), i.words.end());
         std::vector<std::uint32_t>& words = computed_.back();
-        const std::uint32_t opcode = words[3];
-        words.erase(words.begin() + 3);
+        std::uint32_t opcode = SpvOpCompositeConstruct;
+        if (i.opcode == SpvOpSpecConstantOp) {
+            opcode = words[3];
+            words.erase(words.begin() + 3);
+        }
         words[0] = static_cast<std::uint32_t>(words.size()) << 16U | opcode;
         global_slots_[i.word(2)] = new_slots(module_.types.slots(i.word(1)));
         global_types_[i.word(2)] = i.word(1);
@@ -205,17 +208,28 @@ void Lowering::allocate_results(const Function& function, Scope& scope) {
 void Lowering::lower_function(const Function& function, Scope& scope) {
     if (std::ranges::find(calls_, function.id) != calls_.end())
         fail(Error::Kind::malformed, module_.name_of(function.id) + " calls itself");
-    if (function.body.empty() || function.body.back().opcode == SpvOpFunctionParameter)
+    const auto has_code = [](const shader::Instruction& i) {
+        return i.opcode != SpvOpFunctionParameter && i.opcode != SpvOpLine;
+    };
+    if (std::ranges::none_of(function.body, has_code))
         fail(Error::Kind::missing, module_.name_of(function.id) + " has no body");
     calls_.push_back(function.id);
     const Place caller = place_;
     scope.function = &function;
     allocate_results(function, scope);
+    const auto enter_line = [this](const shader::Instruction& line) {
+        place_.file = module_.string_of(line.word(1));
+        place_.line = line.word(2);
+    };
+    // What comes before a line of its own belongs to the first statement: a condition is evaluated before the
+    // front end names the line of what it decides.
     for (const shader::Instruction& i : function.body) {
-        if (i.opcode == SpvOpLine) {
-            place_.file = module_.string_of(i.word(1));
-            place_.line = i.word(2);
-        }
+        if (i.opcode != SpvOpLine) continue;
+        enter_line(i);
+        if (&i != &function.body.front()) break;
+    }
+    for (const shader::Instruction& i : function.body) {
+        if (i.opcode == SpvOpLine && &i != &function.body.front()) enter_line(i);
         lower(i, scope);
     }
     close_edges(scope);

@@ -87,18 +87,28 @@ void Machine<N>::bind_push_constants(std::span<const Word> words) {
 }
 
 template <class N>
-void Machine<N>::set_invocation(const std::array<std::uint32_t, 3>& id) {
-    constexpr std::array<Word, 3> one{1, 1, 1};
-    for (const internal::BuiltIn& built_in : state_->code.built_ins) {
-        const bool is_id =
-            built_in.built_in == SpvBuiltInGlobalInvocationId || built_in.built_in == SpvBuiltInWorkgroupId;
-        const bool is_size =
-            built_in.built_in == SpvBuiltInNumWorkgroups || built_in.built_in == SpvBuiltInWorkgroupSize;
-        for (std::uint32_t k = 0; k < built_in.count; ++k) {
-            const Word word = is_id ? id.at(k) : (is_size ? one.at(k) : 0U);
-            state_->slots[built_in.slot + k] = Value<N>::of_bits(word);
+void Machine<N>::set_invocation(const Invocation& at) {
+    const auto value = [&at](std::uint32_t built_in, std::uint32_t k) -> Word {
+        switch (built_in) {
+            case SpvBuiltInGlobalInvocationId:
+                return at.group.at(k) * at.group_size.at(k) + at.local.at(k);
+            case SpvBuiltInWorkgroupId:
+                return at.group.at(k);
+            case SpvBuiltInLocalInvocationId:
+                return at.local.at(k);
+            case SpvBuiltInLocalInvocationIndex:
+                return (at.local[2] * at.group_size[1] + at.local[1]) * at.group_size[0] + at.local[0];
+            case SpvBuiltInNumWorkgroups:
+                return at.groups.at(k);
+            case SpvBuiltInWorkgroupSize:
+                return at.group_size.at(k);
+            default:
+                return 0;
         }
-    }
+    };
+    for (const internal::BuiltIn& built_in : state_->code.built_ins)
+        for (std::uint32_t k = 0; k < built_in.count; ++k)
+            state_->slots[built_in.slot + k] = Value<N>::of_bits(value(built_in.built_in, k));
 }
 
 template <class N>
@@ -167,6 +177,16 @@ void Machine<N>::run(Coverage& coverage) {
         for (std::uint32_t k = 0; k < (i.stride == 0 ? 1 : i.count); ++k)
             coverage.add(at, state_->bits(i.a + k) != 0 ? 1 : 0);
     });
+}
+
+template <class N>
+bool Machine<N>::wrote(std::uint32_t set, std::uint32_t binding) const {
+    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
+        const internal::Resource& resource = state_->code.resources[r];
+        if (!resource.is_push_constant && resource.set == set && resource.binding == binding)
+            return !state_->backings[r].dirty.empty();
+    }
+    return false;
 }
 
 template <class N>

@@ -89,6 +89,9 @@ void Module::read_declaration(const shader::Instruction& i) {
         case SpvOpString:
             strings_[i.word(1)] = shader::literal_string(i, 2);
             break;
+        case SpvOpLine:
+            line_ = i;
+            break;
         case SpvOpExtInstImport:
             if (shader::literal_string(i, 2) == "GLSL.std.450") extended_sets.insert(i.word(1));
             break;
@@ -195,8 +198,7 @@ void Module::read_constant(const shader::Instruction& i) {
         case SpvOpSpecConstantComposite:
             for (const Id part : i.words.subspan(3)) {
                 const auto found = constants.find(part);
-                if (found == constants.end())
-                    throw Error(Error::Kind::unknown_instruction, "a constant made of computed constants");
+                if (found == constants.end()) return computed_constants.push_back(i);
                 value.bits.insert(value.bits.end(), found->second.bits.begin(), found->second.bits.end());
             }
             break;
@@ -217,6 +219,8 @@ void Module::read_function(const shader::Instruction& i) {
         if (open_ != nullptr) malformed("a function inside a function");
         open_ = &functions_[i.word(2)];
         *open_ = {.id = i.word(2), .result_type = i.word(1), .parameters = {}, .body = {}};
+        if (line_) open_->body.push_back(*line_);
+        line_.reset();
     } else if (i.opcode == SpvOpFunctionEnd) {
         open_ = nullptr;
     } else if (i.opcode == SpvOpFunctionParameter) {

@@ -33,7 +33,7 @@ struct Function {
     Id id = 0;
     Id result_type = 0;
     std::vector<Id> parameters;
-    std::vector<shader::Instruction> body;  // labels and line instructions included
+    std::vector<shader::Instruction> body;  // labels and line instructions included, that before it too
 };
 
 // A module in order: what its declarations say, and its functions as they stand. `words` must live longer.
@@ -51,7 +51,7 @@ class Module {
 
     Types types;
     std::map<Id, ConstantValue> constants;
-    std::vector<shader::Instruction> computed_constants;  // OpSpecConstantOp
+    std::vector<shader::Instruction> computed_constants;  // OpSpecConstantOp, and what is composed of those
     std::vector<shader::Instruction> variables;           // outside of functions
     std::map<Id, Id> undefined;                           // OpUndef outside of functions: its type
     std::set<Id> extended_sets;                           // GLSL.std.450
@@ -70,6 +70,7 @@ class Module {
     std::map<std::string, Id> entry_points_;
     std::map<Id, Function> functions_;
     Function* open_ = nullptr;
+    std::optional<shader::Instruction> line_;  // the last outside of functions
 };
 
 }  // namespace gloam::interpreter::internal

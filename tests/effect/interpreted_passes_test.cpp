@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Every pass of the effect on small images: the interpreter, one invocation after the other, against the
+// device.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+#include "effect/internal/steps.hpp"
+#include "effect/methods.hpp"
+#include "effect/presets.hpp"
+#include "gpu/program_of.hpp"
+#include "interpreter/machine.hpp"
+#include "on_device.hpp"
+#include "scene/rasterize.hpp"
+#include "shader/instructions.hpp"
+
+namespace gloam::effect {
+namespace interpreted_passes_test {
+
+using interpreter::Word;
+
+constexpr std::uint32_t op_execution_mode = 16;
+constexpr std::uint32_t op_execution_mode_id = 331;
+constexpr std::uint32_t op_constant = 43;
+constexpr std::uint32_t mode_local_size = 17;
+constexpr std::uint32_t mode_local_size_id = 38;
+
+// What stands behind one binding: the words of a buffer, or four of each texel.
+struct Bound {
+    std::vector<Word> words;
+    gpu::Extent extent{};  // of an image; 0 x 0: a buffer
+    int channels = 0;
+};
+
+const gpu::Image* image_of(const gpu::Resource& resource) {
+    const auto* image = std::get_if<std::reference_wrapper<const gpu::Image>>(&resource);
+    return image == nullptr ? nullptr : &image->get();
+}
+
+Bound read(const gpu::Resource& resource) {
+    const gpu::Image* image = image_of(resource);
+    if (image == nullptr) {
+        const gpu::Buffer& buffer = std::get<std::reference_wrapper<const gpu::Buffer>>(resource);
+        const auto words = buffer.as<Word>();
+        return {.words = {words.begin(), words.end()}};
+    }
+    Bound bound{.words = {}, .extent = image->extent(), .channels = gpu::channels(image->format())};
+    const std::vector<float> texels = image->download();
+    const auto channels = static_cast<std::size_t>(bound.channels);
+    for (std::size_t texel = 0; texel < texels.size() / channels; ++texel) {
+        for (std::size_t c = 0; c < 4; ++c) {
+            const float value = c < channels ? texels[texel * channels + c] : (c == 3 ? 1.0F : 0.0F);
+            bound.words.push_back(std::bit_cast<Word>(value));
+        }
+    }
+    return bound;
+}
+
+// Of the entry point, from its literals or its constants.
+std::array<std::uint32_t, 3> group_size_of(const shader::Spirv& module) {
+    std::map<std::uint32_t, std::uint32_t> constants;
+    std::array<std::uint32_t, 3> literal{1, 1, 1};
+    std::array<std::uint32_t, 3> ids{};
+    for (const shader::Instruction& i : shader::instructions(module)) {
+        if (i.opcode == op_constant && i.words.size() == 4) constants[i.word(2)] = i.word(3);
+        if (i.opcode == op_execution_mode && i.word(2) == mode_local_size)
+            literal = {i.word(3), i.word(4), i.word(5)};
+        if (i.opcode == op_execution_mode_id && i.word(2) == mode_local_size_id)
+            ids = {i.word(3), i.word(4), i.word(5)};
+    }
+    if (ids[0] == 0) return literal;
+    return {constants.at(ids[0]), constants.at(ids[1]), constants.at(ids[2])};
+}
+
+// One pass, run by the interpreter on what its bindings hold.
+class InterpretedPass {
+  public:
+    InterpretedPass(const Step& pass, std::vector<Bound> bound)
+        : bound_(std::move(bound)),
+          module_(gpu::program_of(*pass.pipeline).spirv),
+          program_(module_, constants_of(pass)),
+          machine_(program_),
+          group_size_(group_size_of(module_)) {
+        parameters_.resize(pass.parameters.size() / sizeof(Word));
+        std::ranges::copy(pass.parameters, std::as_writable_bytes(std::span(parameters_)).begin());
+        machine_.bind_push_constants(parameters_);
+        for (std::uint32_t b = 0; b < bound_.size(); ++b) bind(b);
+    }
+
+    const std::vector<Bound>& run(const std::array<std::uint32_t, 3>& groups) {
+        interpreter::Invocation at{.group_size = group_size_, .groups = groups};
+        for (at.group[2] = 0; at.group[2] < groups[2]; ++at.group[2])
+            for (at.group[1] = 0; at.group[1] < groups[1]; ++at.group[1])
+                for (at.group[0] = 0; at.group[0] < groups[0]; ++at.group[0]) run_group(at);
+        return bound_;
+    }
+
+  private:
+    static std::vector<interpreter::Constant> constants_of(const Step& pass) {
+        std::vector<interpreter::Constant> constants;
+        for (const gpu::SpecializationConstant& constant : gpu::program_of(*pass.pipeline).constants)
+            constants.push_back({constant.id, constant.bits});
+        return constants;
+    }
+
+    void bind(std::uint32_t binding) {
+        const Bound& one = bound_[binding];
+        if (one.extent.width == 0) {
+            machine_.bind(0, binding, one.words);
+        } else {
+            machine_.bind(0, binding,
+                          {.size = {one.extent.width, one.extent.height, 1}, .texels = one.words});
+        }
+    }
+
+    void run_group(interpreter::Invocation at) {
+        for (at.local[2] = 0; at.local[2] < group_size_[2]; ++at.local[2])
+            for (at.local[1] = 0; at.local[1] < group_size_[1]; ++at.local[1])
+                for (at.local[0] = 0; at.local[0] < group_size_[0]; ++at.local[0]) {
+                    machine_.set_invocation(at);
+                    machine_.run();
+                    for (std::uint32_t b = 0; b < bound_.size(); ++b) keep_writes(b);
+                }
+    }
+
+    // A run begins with what is bound: what the last wrote is bound anew.
+    void keep_writes(std::uint32_t binding) {
+        if (!machine_.wrote(0, binding)) return;
+        std::vector<Word>& words = bound_[binding].words;
+        std::vector<Word> after(words.size());
+        for (std::size_t w = 0; w < words.size(); ++w) after[w] = machine_.read(0, binding, w).bits();
+        words = std::move(after);
+        bind(binding);
+    }
+
+    std::vector<Bound> bound_;
+    shader::Spirv module_;
+    interpreter::Program program_;
+    interpreter::Machine<float> machine_;
+    std::array<std::uint32_t, 3> group_size_;
+    std::vector<Word> parameters_;
+};
+
+// How the words that a pass wrote compare.
+struct Comparison {
+    std::size_t words = 0;
+    std::size_t equal = 0;  // to the bit
+    std::size_t close = 0;  // equal, or floats that other square roots and quotients may tell apart
+};
+
+bool is_close(Word a, Word b) {
+    constexpr float apart = 1e-4F;
+    const auto x = std::bit_cast<float>(a);
+    const auto y = std::bit_cast<float>(b);
+    const bool are_floats = (std::isnormal(x) || x == 0.0F) && (std::isnormal(y) || y == 0.0F);
+    return a == b || (are_floats && std::abs(x - y) <= apart * std::max(1.0F, std::abs(y)));
+}
+
+Comparison compared(const std::vector<Bound>& before, const std::vector<Bound>& ours,
+                    const std::vector<Bound>& device) {
+    Comparison all;
+    for (std::size_t b = 0; b < ours.size(); ++b) {
+        for (std::size_t w = 0; w < ours[b].words.size(); ++w) {
+            const auto component = static_cast<int>(w % 4);
+            if (ours[b].channels != 0 && component >= ours[b].channels) continue;
+            const Word x = ours[b].words[w];
+            const Word y = device[b].words[w];
+            if (x == before[b].words[w] && y == x) continue;  // not written
+            ++all.words;
+            all.equal += x == y ? 1 : 0;
+            all.close += is_close(x, y) ? 1 : 0;
+        }
+    }
+    return all;
+}
+
+class InterpretedPasses : public OnDevice<testing::Test> {
+  protected:
+    static constexpr std::size_t most_frames = 3;
+
+    // The passes of the frames of one view, or of as many as there are.
+    void expect_the_devices(const std::vector<scene::GBuffer>& views, const Settings& settings,
+                            const std::string& what, std::size_t frames = most_frames) {
+        AmbientOcclusion effect(device_, passes_, views.front().extent);
+        std::vector<Bound> before;
+        effect.watch([&](const Step& pass, bool after) {
+            std::vector<Bound> now;
+            for (const gpu::Resource& resource : pass.resources) now.push_back(read(resource));
+            if (after) {
+                expect_same(pass, before, now, what);
+            } else {
+                before = std::move(now);
+            }
+        });
+        for (std::size_t i = 0; i < frames; ++i) {
+            if (i == 0) effect.begin(views.front(), settings);
+            if (i > 0 && i < views.size()) effect.advance(views[i]);
+            (void)effect.next();
+        }
+    }
+
+    std::map<std::string, Comparison> seen_;  // by the name of the pass
+
+  private:
+    void expect_same(const Step& pass, const std::vector<Bound>& before, const std::vector<Bound>& device,
+                     const std::string& what) {
+        std::array<std::uint32_t, 3> groups = pass.groups;
+        if (pass.indirect != nullptr) {
+            const auto words = pass.indirect->as<Word>().subspan(pass.offset / sizeof(Word), 3);
+            groups = {words[0], words[1], words[2]};
+        }
+        const Comparison one = compared(before, InterpretedPass(pass, before).run(groups), device);
+        EXPECT_EQ(one.close, one.words) << what << ", " << pass.name;
+        Comparison& sum = seen_[pass.name];
+        sum.words += one.words;
+        sum.equal += one.equal;
+    }
+};
+
+TEST_F(InterpretedPasses, OfEveryMethodAreTheDevicesPixelByPixel) {
+    const scene::GBuffer view =
+        scene::rasterize(device_, passes_, scene::make_scene("moving"), {13, 9}, {.layers = 2});
+    for (const MethodInfo& method : methods()) {
+        Settings settings = with_radius(with_method({}, method.name), 0.5F);
+        settings.layers = 2;
+        expect_the_devices({view}, settings, method.name, 2);
+    }
+    EXPECT_GT(seen_["ambient_occlusion"].equal * 10, seen_["ambient_occlusion"].words * 8)
+        << "most results have the same bits";
+}
+
+TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
+    const scene::Scene scene = scene::make_scene("moving");
+    std::vector<scene::GBuffer> views;
+    for (int frame = 0; frame < static_cast<int>(most_frames); ++frame) {
+        views.push_back(
+            scene::rasterize(device_, passes_, scene, {37, 21}, {.frame = frame, .motion = true}));
+        views.back().normal.clear();
+    }
+    for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao}) {
+        Settings settings;
+        settings.filter = filter;
+        settings.remap_c = 1.5F;
+        expect_the_devices(views, settings, "moving");
+    }
+    for (const char* name :
+         {"ambient_occlusion", "bound_tiles", "filter_x", "filter_y", "merge_bounds_1", "normals_from_depth",
+          "remap", "remap_filtered", "reproject", "sample_table", "select_filtered_tiles", "select_tiles"})
+        EXPECT_GT(seen_[name].words, 0U) << name;
+    EXPECT_EQ(seen_["select_tiles"].equal, seen_["select_tiles"].words) << "integers";
+}
+
+// A bare plane: nothing can block a tile of it.
+TEST_F(InterpretedPasses, OfOpenTilesAreTheDevicesPixelByPixel) {
+    scene::GBuffer view =
+        scene::rasterize(device_, passes_, scene::make_scene("corner"), {40, 24}, {.layers = 1});
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+    view.depth.assign(view.depth.size(), 2.0F);
+    view.layers.clear();
+    expect_the_devices({view}, with_radius({}, 0.25F), "plane");
+    EXPECT_GT(seen_["open_tiles"].words, 0U);
+    EXPECT_GT(seen_["ambient_occlusion_open"].words, 0U);
+}
+
+}  // namespace interpreted_passes_test
+}  // namespace gloam::effect
