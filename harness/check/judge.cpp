@@ -63,7 +63,7 @@ class Plan {
     static constexpr std::size_t first_inputs = 512;
     static constexpr std::size_t other_inputs = 512;
     // Of the inputs whose bounds are calculated, together: a second or two.
-    static constexpr double most_steps = 5e7;
+    static constexpr double most_steps = 1.5e7;
 
     Plan(Verdict verdict, std::size_t count, bool every_bound)
         : bounds_(verdict == Verdict::rules),
