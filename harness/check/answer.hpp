@@ -64,7 +64,7 @@ struct Guarantee {
     double fraction = 0.0;  // of the budget: each output by its ULP or its absolute error, whichever is less
 };
 
-// Why a check has no result, or a result that cannot be believed.
+// Why a check has no result, or an unreliable one.
 enum class Reason {
     none,           // it ran to its end
     crash,          // the process that ran it ended by itself or by a signal

@@ -35,8 +35,8 @@ class ConstantKernel {
                                          const ImageSet& images = {}) const;
 
     // Whether the shader declares SignedZeroInfNanPreserve, as far as the device has it. With literals it
-    // does not: SPIRV-Tools folds nothing under it. What comes of NaN, infinity and -0 is nobody's promise
-    // then.
+    // does not: SPIRV-Tools folds nothing under it. The results for NaN, infinity and -0 are then not
+    // defined.
     [[nodiscard]] bool preserves_nan() const { return source_.preserve_nan; }
 
     [[nodiscard]] std::size_t input_words() const { return input_words_; }

@@ -12,7 +12,7 @@
 
 namespace gloam::check {
 
-// Inputs that parameters drawn independently hardly ever are: vectors that are equal, opposite or parallel to
+// Inputs that independent draws hardly ever give: vectors that are equal, opposite or parallel to
 // each other or lie along an axis, numbers of a struct that are zero, negative, infinite or NaN, images whose
 // sides are 0 or 1. Parameters with Values::only_as_drawn stay as they are.
 class Degenerate {

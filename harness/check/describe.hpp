@@ -19,7 +19,7 @@ namespace gloam::check {
 // Gives every sample of an answer its values in words.
 void describe_samples(const Signature& signature, Answer& answer);
 
-// So that EXPECT_TRUE(answer.passed()) << answer tells the whole story.
+// So that EXPECT_TRUE(answer.passed()) << answer describes the failure.
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 
 }  // namespace gloam::check

@@ -56,7 +56,7 @@ class InterpretedKernel {
         machine_.set_invocation({0, 0, 0});
         machine_.run(coverage);
     }
-    // The same for input 0, and tells of every instruction that gives a value.
+    // The same for input 0, and reports every instruction that gives a value.
     void run(std::span<const Word> inputs,
              const std::function<void(const interpreter::Step<Number>&)>& tell) {
         first_ = 0;

@@ -27,7 +27,7 @@ struct ImageFault {
 // "gloam_fetch_depth: pixel (-1, 0) is outside the 3 x 3 image (5 times, at input 12)".
 [[nodiscard]] std::string to_text(const ImageFault& fault);
 
-// A dispatch whose outputs cannot be believed: the kernel did not run to its end for every input, or memory
+// A dispatch whose outputs are unreliable: the kernel did not run to its end for every input, or memory
 // behind its outputs changed.
 class KernelError : public std::runtime_error {
     using std::runtime_error::runtime_error;

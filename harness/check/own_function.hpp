@@ -21,7 +21,7 @@ using Ranges = std::map<std::string, Range>;
 // "x=0:1" as a name and a range. Throws std::invalid_argument for anything else, or low > high.
 [[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
 
-// The functions that a file itself defines whose types a kernel can have, those of its includes left out.
+// The functions that a file itself defines whose types a kernel can have, without those of its includes.
 [[nodiscard]] std::vector<shader::Function> own_functions(const shader::CompileOptions& options,
                                                           const std::string& file);
 

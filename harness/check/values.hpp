@@ -28,7 +28,7 @@ struct Values {
 
     std::function<void(DrawContext&, std::vector<Word>&)> draw;  // appends one value
     std::vector<Fixed> fixed;
-    // Whether a value is one that may be drawn; empty: nobody can tell. A search for worse inputs moves
+    // Whether a value is one that may be drawn; empty: not known. A search for worse inputs moves
     // inside.
     std::function<bool(std::span<const Word>)> contains;
     // The words at which sizes of the run's images stand, two each.

@@ -22,24 +22,24 @@ struct PassTime {
     double ms = 0.0;
 };
 
-// What a frame took and what it left out, counted on the device: a guard band counts where it is sampled.
-// Tiles are the passes' groups, 8 x 8 pixels.
+// What a frame computed and what it skipped, counted on the device. A guard band counts where it is
+// sampled. Tiles are the passes' groups, 8 x 8 pixels.
 struct Work {
     std::uint64_t pixels = 0;
     std::uint64_t background = 0;    // pixels skipped: no geometry
     std::uint64_t below_radius = 0;  // pixels skipped: projected radius below Settings::least_radius
-    std::uint64_t converged = 0;     // pixels that the filter left as they were, background not included
+    std::uint64_t converged = 0;     // pixels that the filter did not change, without background
     std::uint64_t samples = 0;       // that entered a mean
-    std::uint64_t ended_early = 0;   // pixels of which a march ended where no tap to come could change it
+    std::uint64_t ended_early = 0;   // pixels with a march that ended because no further tap could change it
     std::uint64_t tiles = 0;
     std::uint64_t tiles_background = 0;  // without any geometry
     std::uint64_t tiles_skipped = 0;     // without any pixel to sample, those without geometry included
     std::uint64_t tiles_shaded = 0;      // that the pass ran on at all
     std::uint64_t tiles_filtered = 0;    // likewise, of the filter; 0 without one
-    std::uint64_t tiles_blank = 0;       // left out: background, as all images show already
+    std::uint64_t tiles_blank = 0;       // skipped: background, as all images show already
     std::uint64_t tiles_open = 0;        // shaded without a tap: nothing can block any
-    std::uint64_t tiles_settled = 0;     // left out: nothing moves, and no pixel asks for a sample
-    std::uint64_t tiles_unfiltered = 0;  // left out by the filter: it leaves every pixel as it is
+    std::uint64_t tiles_settled = 0;     // skipped: nothing moves, and no pixel asks for a sample
+    std::uint64_t tiles_unfiltered = 0;  // skipped by the filter: it would not change a pixel
 };
 
 // One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the
@@ -49,7 +49,7 @@ struct Frame {
     std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so
     std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
     std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background
-    std::vector<float> kept;         // samples that the history brought to the pixel; 0: it had none
+    std::vector<float> kept;         // samples that the pixel's history holds; 0: it has none
     std::vector<PassTime> times;     // in the order they ran
     Work work;
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes used
@@ -74,15 +74,15 @@ class AmbientOcclusion {
     void begin(const scene::GBuffer& view, const Settings& settings);
 
     // The next view of a moving camera or scene. The history follows the surfaces: by the view's
-    // previous_position where objects move, else by its camera. A view whose camera does not know the one
-    // before (a cut), or of another size, starts afresh. Call next() once for each view. Throws like begin();
-    // std::logic_error before begin().
+    // previous_position where objects move, else by its camera. The history starts afresh with a view whose
+    // camera does not know the previous one (a cut), and with a view of another size. Call next() once for
+    // each view. Throws like begin(); std::logic_error before begin().
     void advance(const scene::GBuffer& view);
 
-    // The next frame of the last view: `repeat` (>= 1) identical runs, of which the times are the median; the
-    // history advances once. Throws std::logic_error before begin(), std::runtime_error like
-    // gpu::Commands::submit(); after that (a lost device, say) begin again, with a new device where that is
-    // needed.
+    // The next frame of the last view. It is run `repeat` (>= 1) times, the times are medians, and the
+    // history advances once. Throws std::logic_error before begin(), and std::runtime_error like
+    // gpu::Commands::submit(). After a runtime error (a lost device, for example) call begin() again, with
+    // a new device where that is needed.
     [[nodiscard]] Frame next(int repeat = 1);
 
     // From now on each pass runs by itself, with a call before and after it: for tests of the passes alone.

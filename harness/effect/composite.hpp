@@ -13,7 +13,7 @@
 
 namespace gloam::effect {
 
-// What the eye sees, put together on the device by composite.comp: ambient * (1 - occlusion) + direct.
+// The lit image, computed on the device by composite.comp: ambient * (1 - occlusion) + direct.
 class Composite {
   public:
     // The device must outlive this. Throws std::runtime_error when the shader does not compile.

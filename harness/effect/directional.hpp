@@ -21,23 +21,25 @@ struct BentNormals {
     std::vector<float> half_angle;  // of the cone that stands for them, radians in [0, pi / 2]
 };
 
-// Interleaved sampling (Klehm et al. 2011): the pixels of blocks of so many on a side share a pattern of that
-// many times as many samples, and each takes its part; then each has those of a block's worth around it that
-// lie on its surface. 1: each pixel by itself. 1 to 8.
+// Interleaved sampling (Klehm et al. 2011). The pixels of a block, `interleave` on a side, share a pattern
+// of interleave^2 times as many samples, and each pixel takes its part. Then each pixel gathers the parts
+// of a block around it, from the pixels that lie on its surface. 1: each pixel by itself. 1 to 8.
 struct BentOptions {
     int interleave = 1;
 };
 
-// Radiance that leaves the surfaces (CS-D), linear, in the environment's unit, likewise; 0 at the background.
+// Radiance that leaves the surfaces (CS-D), linear, in the environment's unit, rows and band as above; 0 at
+// the background.
 struct DirectionalLight {
     gpu::Extent extent;
     std::vector<glm::vec3> direct;   // of the environment's light, from where the point is open
-    std::vector<glm::vec3> bounced;  // of that, once off what blocks
+    std::vector<glm::vec3> bounced;  // of that light, bounced once off the blockers
 };
 
-// What the depth buffer tells of directions: points of the half ball around each pixel, uniform in direction
-// and radius, blocked or not as for the method hemisphere. One frame each, of Settings::samples samples, with
-// its radius, bias, range, layers, and epsilon as the least distance of what sends light; no history.
+// Results by direction from the depth buffer. Points of the half ball around each pixel, uniform in
+// direction and radius, are blocked or not as for the method hemisphere. Each result is of one frame of
+// Settings::samples samples, with its radius, bias, range and layers, and without history. Its epsilon is
+// the least distance of a surface that sends light.
 class Directional {
   public:
     // The device must outlive this. Throws std::runtime_error when a shader does not compile.

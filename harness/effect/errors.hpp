@@ -29,8 +29,8 @@ struct Errors {
 // True occlusion at a world-space point, for a radius in world units.
 using TrueOcclusion = std::function<double(const glm::dvec3& world, double radius)>;
 
-// The truth of each pixel of a view. NaN at the background, and where the ball of the radius around the point
-// comes within a pixel of the image's border: nothing in the image can tell what is out there.
+// The truth of each pixel of a view. NaN at the background, and where the ball of the radius around the
+// point comes within a pixel of the image's border, because the image does not show what is outside.
 [[nodiscard]] Truth truth_of(const scene::GBuffer& view, double radius, const TrueOcclusion& true_occlusion);
 
 // A reference image as truth: NaN at the background. Throws std::invalid_argument when the sizes disagree.

@@ -12,8 +12,8 @@
 
 namespace gloam::effect {
 
-// Depth buffers of further cameras (CS-LAYERS, multiple views): of all views that see a surface point, the
-// one in which it is blocked most decides.
+// Depth buffers of further cameras (CS-LAYERS, multiple views). Of all views that see a surface point, the
+// one with the largest occlusion counts.
 class FurtherViews {
   public:
     // The device must outlive this.
@@ -22,11 +22,11 @@ class FurtherViews {
     FurtherViews(FurtherViews&&) noexcept;
     FurtherViews& operator=(FurtherViews&&) noexcept;
 
-    // The occlusion of a view, as AmbientOcclusion gives it, raised by one frame of the same settings in each
-    // of the others, which may be of any size and projection: of their first layers, without history or
-    // filter. Views are without guard bands; normals that are missing come from the depth. Throws
-    // std::invalid_argument for sizes that disagree, for settings out of range, for a method with preparation
-    // passes and for a guard band.
+    // The occlusion of a view, as AmbientOcclusion gives it, raised to that of one frame of the same
+    // settings in each of the other views. These may have any size and projection; only their first layers
+    // count, without history or filter. Views have no guard bands. Missing normals are reconstructed from
+    // depth. Throws std::invalid_argument for sizes that disagree, for settings out of range, for a method
+    // with preparation passes and for a guard band.
     [[nodiscard]] std::vector<float> raised(const scene::GBuffer& view, const std::vector<float>& occlusion,
                                             std::span<const scene::GBuffer> others, const Settings& settings);
 

@@ -11,12 +11,13 @@
 
 namespace gloam::effect {
 
-// Where the surface point of each pixel was seen in the frame before, calculated in double on the host: what
-// a temporal method is judged by, independent of its own reprojection. A point was seen by those of the four
-// pixels around its earlier place whose surface lies within two pixels' width of its tangent plane.
+// Where the surface point of each pixel was seen in the previous frame, calculated in double on the host.
+// Temporal methods are judged by it, so it is independent of their own reprojection. Of the four pixels
+// around the point's earlier place, those saw it whose surface lies within two pixels' width of its tangent
+// plane.
 class HistoryMap {
   public:
-    // view: its earlier positions come from previous_position; without those from its motion, and the depth
+    // view: its earlier positions come from previous_position; without that from its motion, with the depth
     // from the cameras; without that from the cameras alone, previous_from_current before previous_view. A
     // view without any of them stands still. Both views need normals. Throws std::invalid_argument when the
     // sizes disagree.
@@ -28,8 +29,8 @@ class HistoryMap {
     // The pixel that saw it best. Only where seen() holds.
     [[nodiscard]] std::size_t nearest(std::size_t pixel) const { return taps_[pixel][0].pixel; }
 
-    // The value of an image of the frame before at the point's earlier place, bilinear over the pixels that
-    // saw it. Only where seen() holds.
+    // The value of an image of the previous frame at the point's earlier place, bilinear over the pixels
+    // that saw it. Only where seen() holds.
     [[nodiscard]] double sample(std::size_t pixel, std::span<const float> previous) const;
 
     // Whether the surface point moved in the world: by more than a fiftieth of a pixel's width.
@@ -44,9 +45,9 @@ class HistoryMap {
     std::vector<std::uint8_t> moved_;
 };
 
-// Mean magnitude of the change of an image from frame to frame at the same surface points: flicker. Over the
-// points that were seen before and, when `mask` is not empty, are set in it; 0 when there are none. Throws
-// std::invalid_argument when the sizes disagree.
+// Flicker: the mean magnitude of the change of an image from frame to frame at the same surface points. It
+// is taken over the points that were seen before and, when `mask` is not empty, are set in it; 0 when there
+// are none. Throws std::invalid_argument when the sizes disagree.
 [[nodiscard]] double mean_change(const HistoryMap& history, std::span<const float> image,
                                  std::span<const float> previous, std::span<const std::uint8_t> mask = {});
 

@@ -8,12 +8,12 @@
 
 namespace gloam::effect {
 
-// The methods as functions of one signature, for tests: a folder, gone afterwards, whose files NAME.glsl have
+// The methods as functions of one signature, for tests: a temporary folder. Its files NAME.glsl have
 //   vec2 method_gather(vec3 position, vec3 normal, GloamCamera camera, GatherKernel kernel, MethodValues
 //   values)
 // with GatherKernel the first five members of GloamKernel and MethodValues of passes/method_values.glsl.
-// Returns (samples times occlusion, samples). With more `layers` than one those behind the first are asked
-// for by vec3 gloam_fetch_layers(ivec2). Throws std::runtime_error for a file that cannot be written.
+// Returns (samples times occlusion, samples). With more than one of `layers`, the function reads those behind
+// the first by vec3 gloam_fetch_layers(ivec2). Throws std::runtime_error for a file that cannot be written.
 class MethodFunctions {
   public:
     explicit MethodFunctions(int layers = 1);

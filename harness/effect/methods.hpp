@@ -17,18 +17,19 @@ namespace gloam::effect {
 enum class Measure {
     cosine,   // cosine-weighted occlusion (TSSAO-1, CS-2.5)
     uniform,  // the same with every direction of the hemisphere alike
-    volume,   // share of a volume around the point that is solid
+    volume,   // solid part of a volume around the point
     shape     // how concave the surface is
 };
 
-// Where a sample that meets nothing higher than the bias above the tangent plane counts and adds exactly 0.
+// For which methods an open tile can be proven: a sample that meets nothing higher than the bias above the
+// tangent plane counts and adds exactly 0.
 enum class OpenProof {
     none,   // not so, or not known
     taps,   // surfaces under the disc of the radius
     points  // points of the half ball of the radius, each compared with the surface at its pixel
 };
 
-// What a method takes its samples in.
+// The unit in which a method takes its samples.
 enum class SampleUnit {
     one,
     pair,   // an odd number is taken as the even one above it
@@ -37,7 +38,7 @@ enum class SampleUnit {
     slice   // of Settings::steps taps to both sides
 };
 
-// A method: all that the effect, the command line, the tests and the benchmark know of it.
+// A method: everything about it that the effect, the command line, the tests and the benchmark use.
 struct MethodInfo {
     std::string name;  // glsl/gloam/methods/NAME.glsl, whose function is gloam_NAME
     std::string description;
@@ -48,9 +49,9 @@ struct MethodInfo {
     std::vector<std::string> fixed;  // GLSL constants: its members after those
     std::string points;  // what its samples share: glsl/gloam/sampling/NAME_point.glsl; none: nothing
     SampleUnit unit = SampleUnit::one;
-    double on_a_plane = 0.0;  // what it says of a bare plane
+    double on_a_plane = 0.0;  // its result on a bare plane
     OpenProof open_proof = OpenProof::none;
-    bool ends_marches = false;   // leaves out taps that cannot change its march (skip_closed)
+    bool ends_marches = false;   // skips taps that cannot change its march (skip_closed)
     bool takes_fewer = false;    // samples than asked for, where several fall into one pixel
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
     void (*adapt)(Settings&) =
@@ -71,7 +72,7 @@ struct MethodInfo {
 // Samples of one unit.
 [[nodiscard]] std::uint32_t unit_of(const MethodInfo& method, std::uint32_t steps);
 
-// Samples that it takes where so many are asked for: whole units, at least one; none of none.
+// Samples that it takes for a number asked for: whole units, at least one unit; 0 for 0.
 [[nodiscard]] std::uint32_t samples_taken(const MethodInfo& method, std::uint32_t count, std::uint32_t steps);
 
 // The call of its function in GLSL, for variables `position`, `normal`, `camera`, `kernel`, and `values` of

@@ -13,8 +13,8 @@ namespace gloam::effect {
 // A mask: one byte for each pixel, not 0 where it is set.
 using Mask = std::vector<std::uint8_t>;
 
-// The kinds of pixels of a moving view that a temporal method treats differently, frame by frame. They do not
-// overlap; what is in none of them has a history that is still short.
+// The classes of pixels of a moving view that a temporal method treats differently, frame by frame. They do
+// not overlap. A pixel in none of them has a history that is still short.
 class PixelClasses {
   public:
     struct Settings {
@@ -30,7 +30,7 @@ class PixelClasses {
     void advance(const scene::GBuffer& view, const std::optional<HistoryMap>& history);
 
     [[nodiscard]] const Mask& disoccluded() const { return disoccluded_; }  // not seen in the frame before
-    // Not disoccluded, and within the radius's picture of a moving surface, in this frame, the one before,
+    // Not disoccluded, and within the projected radius of a moving surface, in this frame, the previous one,
     // or, followed along the surface, the frames of `memory`.
     [[nodiscard]] const Mask& near_moving() const { return near_moving_; }
     [[nodiscard]] const Mask& settled() const { return settled_; }

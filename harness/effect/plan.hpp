@@ -61,7 +61,7 @@ struct PlannedPass {
     PassSource source;
     Turn turn = Turn::always;
     std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers
-    // Push constants, and those of every second frame, which tell what is exchanged.
+    // Push constants, and those of every second frame, in which the pairs of `exchanged` are swapped.
     std::vector<std::byte> parameters;
     std::vector<std::byte> odd_parameters;
     std::vector<bool> of_view;              // for each of their bytes: it is the view's, not the settings'
@@ -70,7 +70,7 @@ struct PlannedPass {
     std::optional<std::size_t> list;        // instead: an indirect dispatch in the buffer tile_lists, bytes
 };
 
-// At bindings that the settings do not read.
+// Bound where the settings need no image or buffer.
 inline constexpr const char* nothing_image = "nothing";
 inline constexpr const char* nothing_buffer = "no_buffer";
 
@@ -87,7 +87,7 @@ struct Plan {
 
 struct PlanOptions {
     gpu::Extent view{1920, 1080};
-    bool moving_objects = false;  // the engine says where the surface points were
+    bool moving_objects = false;  // the engine gives the previous positions of surface points
     bool orthographic = false;
     bool tiles = false;   // passes run over lists of tiles (docs/skips.md); else over the whole image
     bool normals = true;  // the engine has them; else they are made from depth

@@ -9,7 +9,7 @@
 
 namespace gloam::effect {
 
-// A set of settings that goes together; its lengths are for a radius of 1.
+// Settings that belong together; lengths are for a radius of 1.
 struct Preset {
     std::string name;
     std::string description;

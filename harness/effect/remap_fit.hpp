@@ -18,9 +18,10 @@ struct Remap {
     [[nodiscard]] double operator()(double visibility) const;
 };
 
-// The remap that brings an occlusion image nearest to the truth, by root mean square: how good a method is
-// when its constant factors do not count. Always the same for the same images, never worse than none. Where
-// no truth is known: none. Throws std::invalid_argument when the sizes disagree.
+// The remap that brings an occlusion image nearest to the truth, by root mean square. It shows how accurate
+// a method is apart from constant factors. The same images always give the same remap, and its error is
+// never larger than without one. No remap where no truth is known. Throws std::invalid_argument when the
+// sizes disagree.
 [[nodiscard]] Remap best_remap(std::span<const float> occlusion, std::span<const float> truth);
 
 // The occlusion image after a remap.

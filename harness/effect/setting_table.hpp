@@ -24,8 +24,8 @@ struct SettingRange {
     bool whole = false;
 };
 
-// One parameter of the effect. What reads, writes, checks, lists or prints settings goes through the table of
-// them: a member of Settings needs one line there.
+// One parameter of the effect. All code that reads, writes, checks, lists or prints settings uses the table
+// of them, so a member of Settings needs one line there.
 struct Setting {
     std::string name;     // of the member
     std::string unit;     // "world units", "pixels", ...; empty: none. World units scale with the radius

@@ -6,7 +6,7 @@
 
 namespace gloam::effect {
 
-// What the history of a pixel is worth when its neighbourhood has changed but it has not been disoccluded
+// How much the history of a pixel counts when its neighbourhood has changed but it has not been disoccluded
 // (TSSAO-9, -SI).
 enum class Invalidation {
     none,       // as before
@@ -30,7 +30,7 @@ enum class HistoryPrecision {
 // What smooths the estimate for display.
 enum class Filter {
     none,
-    convergence,  // what has converged stands for what has not (TSSAO-10)
+    convergence,  // neighbours by how far they have converged (TSSAO-10)
     geometry,     // by normal and depth, the comparative study's (CS-BLUR)
     bilateral,    // by distance in the image and depth (ISSAO-7)
     sao           // every other pixel, by depth (McGuire et al. 2012)
@@ -39,16 +39,16 @@ enum class Filter {
 // The smallest projected radius worth sampling: below it all samples fall on the pixel itself.
 constexpr float one_pixel = 1.0F;
 
-// The most samples of a frame. llvmpipe ends a shader's loops after 65,535 rounds in all, without a word, and
-// a sample of a high index takes up to 26 (the digits of its Halton point): more than these could be lost.
-// More samples are a matter of more frames.
+// The most samples of a frame. llvmpipe ends a shader's loops after 65,535 rounds in all, without a
+// message, and a sample of a high index takes up to 26 rounds (the digits of its Halton point). With more
+// samples than this, some could be lost. Take more frames instead.
 constexpr std::uint32_t most_samples = 2'048;
 
-// No projected radius is as large, in pixels.
+// A cap above every projected radius, in pixels: no cap.
 constexpr float no_radius_cap = 1e18F;
 
-// Everything that decides what a frame looks like. Unless something else is said, a setting is that of the
-// preset `paper`, for a radius of 1. Each has a line in setting_table(), with its range.
+// Everything that decides what a frame looks like. Unless its comment says otherwise, a setting has the
+// value of the preset `paper`, for a radius of 1. Each has a line in setting_table(), with its range.
 struct Settings {
     std::string method = "hemisphere";  // how the occlusion of a pixel is estimated: a name of methods()
     float radius = 1.0F;                // of influence, world units, > 0
@@ -84,9 +84,9 @@ struct Settings {
     std::uint32_t table_size = 65'536;  // samples after which the sequence starts over, 1 to 2^24
     float weight_max = 500.0F;          // samples in the mean at most, 1 to 2^23
     float c_rot = 0.5F;  // kernels are rotated by pixel below this convergence; 0: never, above 1: always
-    float c_adaptive = 0.2F;        // the filter leaves pixels of this convergence as they are
+    float c_adaptive = 0.2F;        // the filter does not change pixels of this convergence
     float depth_tolerance = 0.02F;  // relative: another surface beyond it (TSSAO-8), > 0; infinity: no test
-    bool history = true;  // off: each frame stands by itself, with the first samples of the sequence
+    bool history = true;            // off: each frame is independent, with the first samples of the sequence
     HistoryTaps taps = HistoryTaps::validated;
     bool nearest_index = true;  // off, for comparison: the start of the sequence is interpolated
     Invalidation invalidation = Invalidation::confidence;
@@ -107,14 +107,14 @@ struct Settings {
     float least_radius =
         one_pixel;       // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
-    bool guard_history = true;    // the band is sampled as well: what moves in from it has a history
-    bool freeze = false;          // what has converged takes no more samples while nothing moves
-    bool sample_table = true;     // off: what samples share is computed for each anew, to the same result
-    bool skip_background = true;  // off: background goes the long way, to the same result
+    bool guard_history = true;    // the band is sampled too: surfaces that enter from it have a history
+    bool freeze = false;          // converged pixels take no more samples while nothing moves
+    bool sample_table = true;     // off: each pixel computes what samples share, to the same result
+    bool skip_background = true;  // off: background is processed like geometry, to the same result
     bool skip_open = true;        // off: tiles that nothing can block are sampled, to the same result
     bool skip_closed = true;      // off: marches go on where no tap can change them, to the same result
     bool skip_settled = true;     // off: tiles that would not change are shaded, to the same result
-    bool skip_filtered = true;    // off: tiles that the filter leaves as they are pass it, to the same result
+    bool skip_filtered = true;    // off: tiles that it would not change are filtered, to the same result
 };
 
 // Whether a filter follows the estimate.

@@ -71,7 +71,7 @@ class Machine {
 
     // Runs the entry point to its end. Throws Error, which names the instruction's place.
     void run();
-    // The same, and tells of every instruction that gives a value.
+    // The same, and reports every instruction that gives a value.
     void run(const std::function<void(const Step<Number>&)>& tell);
     // The same, and counts what ran. `coverage` is of this program.
     void run(Coverage& coverage);

@@ -35,7 +35,7 @@ class Program {
     // NoContraction.
     [[nodiscard]] bool may_be_rearranged() const;
 
-    // Instructions after decoding, every call a copy of what it calls.
+    // Instructions after decoding. Every call is replaced by a copy of the function called.
     [[nodiscard]] std::size_t size() const;
 
     [[nodiscard]] const internal::Code& code() const { return *code_; }

@@ -10,7 +10,7 @@
 
 namespace gloam::effect {
 
-// A temporal run, and the single frames that it is held against; settings as for the scene's radius.
+// A temporal run, and the single frames that it is compared with; settings as for the scene's radius.
 struct BarSettings {
     Settings temporal;
     Settings exact;  // a single frame, whose error the run is not to exceed
@@ -40,10 +40,10 @@ struct Bar {
     std::vector<double> exact_ms;      // of the scored frames, once
 };
 
-// Runs through the frames `rounds` times (>= 1); in every scored frame the run is advanced by one and the
-// fast single frame is taken, in turn first and last, so that what happens to the machine happens to both.
-// The exact one is taken in the first round alone. A few frames go before: drivers compile at the first
-// dispatch. Throws std::invalid_argument for no round, and like AmbientOcclusion.
+// Runs through the frames `rounds` times (>= 1). In every scored frame, the run is advanced by one and the
+// fast single frame is taken, in turn first and last, so that the machine's load affects both alike. The
+// exact one is taken only in the first round. A few frames run before the first one timed, because drivers
+// compile at the first dispatch. Throws std::invalid_argument for no round, and like AmbientOcclusion.
 [[nodiscard]] Bar study_bar(const gpu::Device& device, const scene::PassLibrary& passes,
                             BenchmarkViews& views, const BarSettings& settings, int rounds,
                             const std::function<void(double)>& progress = {});

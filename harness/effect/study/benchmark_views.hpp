@@ -30,8 +30,8 @@ struct ScoredFrame {
     std::optional<HistoryMap> history;
 };
 
-// The first frames of a scene with the truth of the scored ones, drawn and traced once for all who are
-// compared on them.
+// The first frames of a scene with the truth of the scored ones. They are drawn and traced once, for all
+// configurations that are compared on them.
 class BenchmarkViews {
   public:
     // The device must outlive this. Throws std::invalid_argument for frames out of range, and like

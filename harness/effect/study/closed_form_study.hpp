@@ -16,18 +16,18 @@ struct ClosedFormOptions {
     bool reconstruct_normals = false;  // from the depth, instead of the view's own
 };
 
-// Measures what methods make of closed-form views, by the passes themselves: history, no filter, no remap, no
-// rotation.
+// Measures methods on closed-form views, with the passes themselves: with history, without filter, remap
+// and rotation.
 class ClosedFormStudy {
   public:
     // The device must outlive this. Throws like AmbientOcclusion.
     ClosedFormStudy(const gpu::Device& device, const scene::PassLibrary& passes, std::uint32_t pixels);
 
-    // The occlusion of the view's point: the mean over all frames, and the standard error of that mean from
-    // how the frames' own means spread. Frames that go on with one low-discrepancy sequence err against each
-    // other, so that this is more than the mean is off. Settings are for a radius of 1. Throws like
-    // AmbientOcclusion, and std::invalid_argument for fewer than two frames and for another size than that of
-    // the study.
+    // The occlusion of the view's point: the mean over all frames. Its standard error comes from the spread
+    // of the frames' own means. Frames that continue one low-discrepancy sequence have opposite errors, so
+    // this is larger than the actual error of the mean. Settings are for a radius of 1. Throws like
+    // AmbientOcclusion, and std::invalid_argument for fewer than two frames and for another size than that
+    // of the study.
     [[nodiscard]] Estimate measure(const scene::ClosedFormView& view, const Settings& settings,
                                    const ClosedFormOptions& options);
 

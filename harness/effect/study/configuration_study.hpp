@@ -41,8 +41,8 @@ struct ConfigurationVisit {
     std::vector<FrameReading> readings;
 };
 
-// Measures configurations of the effect, whichever comes, in rounds: in each round every configuration is to
-// be visited once, so that what happens to the machine happens to all.
+// Measures configurations of the effect in rounds. In each round every configuration is visited once, so
+// that the machine's load affects all of them alike.
 class ConfigurationStudy {
   public:
     // The device must outlive this. Throws like CopyClock.

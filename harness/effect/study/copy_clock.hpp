@@ -13,7 +13,7 @@ namespace gloam::effect {
 void require_timestamps(const gpu::DeviceInfo& device);
 
 // How long a copy takes: a pass that reads one texel and writes one, for each pixel of images of one size.
-// Times told in copies of r32f compare across machines, and cancel a machine's drift.
+// Times stated in copies of r32f can be compared across machines, and cancel a machine's drift.
 class CopyClock {
   public:
     // The device must outlive this. Throws std::invalid_argument for depth32f, std::runtime_error without

@@ -12,7 +12,7 @@
 
 namespace gloam::effect {
 
-// What an image is compared with: what its own estimator converges to, the truth of the depth buffer (D), the
+// What an image is compared with: the limit of its own estimator, the truth of the depth buffer (D), the
 // truth of the geometry (G). An image without a pixel is not known.
 enum class Against { limit, depth, geometry };
 constexpr std::size_t references = 3;

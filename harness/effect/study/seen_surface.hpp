@@ -17,8 +17,9 @@ struct Seen {
     bool own_pixel = false;  // that of the shaded point
 };
 
-// A closed-form view as the samples of its middle point see it, in double and by none of the shaders' code:
-// with or without pixels. Without, a sample sees the surface at its very place: the limit of a fine image.
+// A closed-form view as the samples of its middle point see it, calculated in double and without the
+// shaders' code. The view has pixels or none. Without pixels, a sample sees the surface at its exact place:
+// the limit of a fine image.
 class SeenSurface {
   public:
     // pixels: of a side of the image, odd; 0 for the limit. The view must outlive this.

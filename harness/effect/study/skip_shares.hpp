@@ -8,8 +8,8 @@
 
 namespace gloam::effect {
 
-// Views of which a part can be left out for one reason: of a rough floor, where nothing else can, that part
-// of the image is background, smooth, or has settled.
+// Views of which a part can be skipped for one reason. They show a rough floor, on which nothing else can
+// be skipped; that part of the image is background, smooth, or has settled.
 struct SkipShare {
     double share = 0.0;  // of the image, 0 to 1
     SkipCase skip_case;
