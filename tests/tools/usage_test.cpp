@@ -14,12 +14,13 @@ using testing::HasSubstr;
 TEST(Usage, HelpNamesEveryCommand) {
     const CommandResult result = run_command({"--help"});
     expect_success(result);
-    for (const char* command :
-         {"demo", "devices", "list", "check", "report", "render", "bench", "stress", "pack", "completion"}) {
+    for (const char* command : {"demo", "devices", "list", "check", "report", "render", "bench", "stress",
+                                "pack", "explain", "completion"}) {
         EXPECT_THAT(result.out, HasSubstr(command));
         const CommandResult help = run_command({command, "--help"});
         expect_success(help);
         EXPECT_THAT(help.out, HasSubstr(command));
+        EXPECT_THAT(help.out, HasSubstr("Examples:\n  "));
     }
 }
 

@@ -217,7 +217,7 @@ std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& opti
     for (const DriverTrouble& driver : left_out.drivers) {
         const std::string name = "driver " + driver.manifest.string();
         if (options.device != "all" && !driver.asked_for) {
-            fmt::print(stderr, "gloam: Vulkan {}: {}; it is left out\n", name, driver.error);
+            fmt::print(stderr, "gloam: Vulkan {}: {}; it is skipped\n", name, driver.error);
             continue;
         }
         reports.push_back(
@@ -285,14 +285,14 @@ namespace {
 void add_file_options(CLI::App& command, CheckOptions& options) {
     CLI::Option* json = command.add_option(
         "--json", options.json,
-        "write the results to this file; until the run has ended, FILE.journal keeps those there are");
-    command.add_flag("--resume", options.resume, "run only what FILE.journal does not have")->needs(json);
+        "write the results to this file; until the run has ended, FILE.journal holds the results so far");
+    command.add_flag("--resume", options.resume, "run only the checks that FILE.journal lacks")->needs(json);
     command.add_option("--junit", options.junit, "write the results as JUnit XML");
     command.add_option("--html", options.html,
                        "write the results as a page: sortable, filterable, in one file");
     command.add_flag_callback(
         "--quiet", [&options] { options.rows = options.progress = false; },
-        "print the failures and the count alone");
+        "print only the failures and the count");
     command.add_option("--failures", options.failures,
                        "folder that receives each failure ready to report: the smallest input found, the "
                        "shader, an AmberScript");
@@ -309,8 +309,9 @@ void add_check(CLI::App& app, int& status) {
         "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions");
     command->add_option("--range", options->ranges,
                         "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
-    command->add_option("--device", options->device,
-                        "name or index of the device, or all; interpreter: none, rounded correctly");
+    command->add_option(
+        "--device", options->device,
+        "name or index of the device, or all; interpreter: no driver, every operation correctly rounded");
     command
         ->add_option("--variant", options->variant,
                      "how the shaders are compiled (gloam list variants), or all")
@@ -320,15 +321,16 @@ void add_check(CLI::App& app, int& status) {
         ->capture_default_str();
     command->add_option("--seed", options->seed, "seed of the inputs")->capture_default_str();
     command->add_option("--shard", options->shard,
-                        "INDEX/COUNT: run only this share of the checks, counted from 0 "
+                        "INDEX/COUNT: run only this part of the checks, counted from 0 "
                         "(default: GTEST_SHARD_INDEX of GTEST_TOTAL_SHARDS)");
     command->add_flag("--coverage", options->coverage,
-                      "tell which lines and branches of the GLSL the inputs reach");
+                      "report which lines and branches of the GLSL the inputs reach");
     command->add_flag("--validation", options->validation,
                       "Vulkan validation layers on; any message fails the check");
     command
-        ->add_option("--timeout", options->timeout,
-                     "seconds that one check may take; more is a hang, and costs that check")
+        ->add_option(
+            "--timeout", options->timeout,
+            "seconds that one check may take; one that takes longer is stopped and reported as a hang")
         ->check(CLI::Range(0.001, 1e6))
         ->capture_default_str();
     CLI::Option* jobs = command->add_option("--jobs", options->jobs, "worker processes for each device")

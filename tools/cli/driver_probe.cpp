@@ -181,7 +181,7 @@ void require_good_drivers() {
     for (const DriverTrouble& driver : left_out.drivers) {
         const std::string what = fmt::format("Vulkan driver {}: {}", driver.manifest.string(), driver.error);
         if (!left_out.others) throw std::runtime_error(what);
-        fmt::print(stderr, "gloam: {}; it is left out\n", what);
+        fmt::print(stderr, "gloam: {}; it is skipped\n", what);
     }
 }
 

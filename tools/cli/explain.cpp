@@ -86,7 +86,7 @@ void run_explain(const ExplainOptions& options) {
 void add_explain(CLI::App& app) {
     auto options = std::make_shared<ExplainOptions>();
     CLI::App* command = app.add_subcommand(
-        "explain", "what a shader function does with one input, line by line, and where the error enters");
+        "explain", "run a shader function on one input and show the error of each operation, line by line");
     command->add_option("file", options->file, "a GLSL file")->required();
     command->add_option("function", options->function, "a function that it defines")->required();
     command->add_option(

@@ -38,6 +38,10 @@ const std::map<std::string, std::string>& examples() {
         {"bench",
          "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"
          "  gloam bench --from results.json --error 0.05\n"},
+        {"explain", "  gloam explain tone.glsl my_curve 0.5 2         one value for each scalar parameter\n"},
+        {"stress",
+         "  gloam stress --brief                           seconds instead of minutes\n"
+         "  gloam stress --only worst-inputs --equation 'TSSAO-*'\n"},
         {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"},
         {"completion", "  source <(gloam completion bash)\n"}};
     return table;

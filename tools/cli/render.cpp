@@ -76,12 +76,13 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
         ->capture_default_str();
     command
         .add_option("--frames", options.frames,
-                    "frames: of a scene that moves, followed from --frame on; of a G-buffer sequence, the "
-                    "first N (default all); else accumulated on the one view (default 1)")
+                    "number of frames. A scene that moves: from --frame on. A G-buffer sequence: the first N "
+                    "(default: all). Else: accumulated on one view (default: 1)")
         ->check(CLI::Range(1, 9999));
     command.add_option("--frame", options.frame, "of a scene that moves: the first frame shown, 0 and up")
         ->check(CLI::Range(0, 1'000'000));
-    command.add_flag("--still", options.still, "hold the scene at --frame and accumulate frames there");
+    command.add_flag("--still", options.still,
+                     "stop the scene at --frame and accumulate frames of that view");
     command.add_option("--write-gbuffer", options.write_gbuffer, "folder for the G-buffers that were shaded");
     command.add_option("--out", options.out, "folder for pictures and render.json")->capture_default_str();
     command.add_option("--gallery", options.gallery,
@@ -93,15 +94,16 @@ void add_mesh_options(CLI::App& command, MeshOptions& mesh) {
     command.add_option("--up", mesh.up, "the file's axis that points up: x, y, z, -x, -y or -z")
         ->capture_default_str();
     command.add_flag("--no-ground", mesh.no_ground, "no plane under the mesh");
-    CLI::Option* orbit = command.add_option(
-        "--orbit", mesh.orbit,
-        "AZIMUTH,ELEVATION: where the eye is around the mesh, degrees; as near as all of it is seen");
+    CLI::Option* orbit = command.add_option("--orbit", mesh.orbit,
+                                            "AZIMUTH,ELEVATION: direction from the mesh to the eye, degrees; "
+                                            "as near as the whole mesh fits into the image");
     command
         .add_option("--eye", mesh.eye,
-                    "X,Y,Z: where the eye is, in mesh heights from the middle of the mesh's foot; y is up")
+                    "X,Y,Z: position of the eye, in mesh heights from the centre of the mesh's base; y is up")
         ->excludes(orbit);
-    command.add_option("--look-at", mesh.look_at,
-                       "X,Y,Z: where the eye looks, likewise (default: the middle of the mesh)");
+    command.add_option(
+        "--look-at", mesh.look_at,
+        "X,Y,Z: the point that the eye looks at, in the same unit (default: the centre of the mesh)");
     command.add_option("--turntable", mesh.turntable, "frames of one full turn around the mesh")
         ->check(CLI::Range(1, 9999));
 }
@@ -122,28 +124,28 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
     command.add_option("--bias", options.bias, "world units (default: the preset's part of the radius)");
     command.add_option(
         "--guard", options.guard,
-        "guard band: part of the image rendered around it on each side, so that what lies near "
-        "its edge has its neighbourhood; 0 to 0.5, usually 0.05 to 0.1 (default: none)");
+        "guard band: part of the image that is rendered outside each of its sides, so that pixels at the "
+        "edge have neighbours; 0 to 0.5, usually 0.05 to 0.1 (default: none)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
     CLI::Option* bent =
         command.add_flag("--bent-normals", options.bent_normals,
                          "write the directions in which points are open, and the cones around them, too");
     command
-        .add_option(
-            "--bent-interleave", options.bent_interleave,
-            "pixels of blocks of that many on a side share a pattern of samples (1: each has its own)")
+        .add_option("--bent-interleave", options.bent_interleave,
+                    "interleave samples: the N x N pixels of a block take different samples of one pattern "
+                    "(1: no interleaving)")
         ->needs(bent)
         ->check(CLI::Range(1, 8))
         ->capture_default_str();
     command
         .add_option("--further-views", options.further_views,
-                    "so many other cameras around what is looked at see it too, and the largest occlusion "
-                    "counts: written beside the frame's own, of a scene or mesh")
+                    "number of additional cameras around the point that the camera looks at; the largest "
+                    "occlusion of all views is written beside the frame's own (scenes and meshes only)")
         ->check(CLI::Range(0, most_further_views));
     command.add_option(
         "--light", options.light,
-        "white, sky, or an environment as .exr or .pfm: write the scene in its light, with what "
-        "blocks it and what bounces once, too");
+        "white, sky, or an environment as .exr or .pfm: also write the scene in its light, with "
+        "directional occlusion and one bounce");
     command
         .add_option("--set", options.set, "NAME=VALUE: any setting (gloam list settings); may be repeated")
         ->allow_extra_args(false);
@@ -172,8 +174,9 @@ void add_truth_options(CLI::App& command, RenderOptions& options) {
         ->needs(truth)
         ->capture_default_str();
     command
-        .add_option("--truth-thickness", options.truth_thickness,
-                    "of what the depth buffer shows, world units (default: solid behind its surface)")
+        .add_option(
+            "--truth-thickness", options.truth_thickness,
+            "thickness of the surfaces that the depth buffer shows, world units (default: solid behind them)")
         ->needs(truth);
 }
 

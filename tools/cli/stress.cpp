@@ -71,7 +71,8 @@ int run_stress(const StressOptions& options) {
 void add_stress(CLI::App& app, int& status) {
     auto options = std::make_shared<StressOptions>();
     CLI::App* command = app.add_subcommand(
-        "stress", "long runs, far places, poisoned buffers and odd shapes, each against what is promised");
+        "stress",
+        "test long runs, large coordinates, invalid buffers and unusual sizes against the documentation");
     std::string runs;
     for (const stress::Run& run : stress::all_runs()) runs += (runs.empty() ? "" : ", ") + run.name;
     command->add_option("--only", options->only, "one run: " + runs);

@@ -128,7 +128,8 @@ int run_bench_bar(const BenchBarOptions& options) {
 void add_bench_bar(CLI::App& bench, int& status) {
     auto options = std::make_shared<BenchBarOptions>();
     CLI::App* command = bench.add_subcommand(
-        "bar", "a temporal run against single frames: at most one's error, at no more than another's time");
+        "bar",
+        "error of a temporal run against that of one single frame, and its time against that of another");
     add_run_options(*command, *options);
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
     command->add_option("--frames", options->frames, "of the run; half of them, at most 8, are scored")

@@ -77,7 +77,7 @@ void add_outputs(CLI::App& bench, BenchmarkOptions& options) {
     bench.add_option("--json", options.json, "write every number to this file");
     bench.add_option("--csv", options.csv, "a line for each configuration");
     bench.add_option("--out", options.out, "folder for results, plots and the journal");
-    bench.add_flag("--resume", options.resume, "measure only what the journal in --out does not have")
+    bench.add_flag("--resume", options.resume, "measure only what the journal in --out lacks")
         ->excludes(bench.get_option("--from"))
         ->excludes(bench.get_option("--compare"));
     add_driver_option(bench);

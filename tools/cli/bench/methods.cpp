@@ -134,8 +134,8 @@ int run_bench_methods(const BenchMethodsOptions& options) {
 
 void add_bench_methods(CLI::App& bench, int& status) {
     auto options = std::make_shared<BenchMethodsOptions>();
-    CLI::App* command = bench.add_subcommand(
-        "methods", "what every method makes of views in closed form and of scenes, against the truth");
+    CLI::App* command =
+        bench.add_subcommand("methods", "errors of every method on views in closed form and on scenes");
     command->add_option("--scene", options->scenes, "built-in scenes")->capture_default_str();
     command->add_option("--method", options->methods, "methods; all when not given");
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the scenes' images")->capture_default_str();

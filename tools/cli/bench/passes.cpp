@@ -73,7 +73,7 @@ int run_bench_passes(const BenchPassesOptions& options) {
 
 void add_bench_passes(CLI::App& bench, int& status) {
     auto options = std::make_shared<BenchPassesOptions>();
-    CLI::App* command = bench.add_subcommand("passes", "what each pass of a frame costs, in copies");
+    CLI::App* command = bench.add_subcommand("passes", "cost of each pass of a frame, in copies");
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
     command->add_option("--rounds", options->rounds, "over all states of the history")
         ->check(CLI::Range(1, 1000))

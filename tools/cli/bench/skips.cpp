@@ -175,8 +175,7 @@ int run_bench_skips(const BenchSkipsOptions& options) {
 
 void add_bench_skips(CLI::App& bench, int& status) {
     auto options = std::make_shared<BenchSkipsOptions>();
-    CLI::App* command =
-        bench.add_subcommand("skips", "what is saved by leaving out what the scene does not need");
+    CLI::App* command = bench.add_subcommand("skips", "time saved by skipping what the scene does not need");
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
     command->add_option("--rounds", options->rounds, "over all ways to run a scene")
         ->check(CLI::Range(1, 1000))

@@ -118,12 +118,12 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
              ->capture_default_str());
     only(command.add_flag("--moving-objects", of_effect.moving_objects,
                           "objects move: an image says where their points were; else only the camera moves"));
-    only(command.add_flag("--orthographic", of_effect.orthographic, "the camera is; else perspective"));
+    only(command.add_flag("--orthographic", of_effect.orthographic,
+                          "the camera is orthographic; else perspective"));
     only(command.add_flag("--reconstruct-normals", of_effect.reconstruct_normals,
                           "from depth; else the engine has normals"));
-    only(command.add_flag(
-        "--tiles", of_effect.tiles,
-        "run over lists of tiles that leave out what does not change; else over the whole image"));
+    only(command.add_flag("--tiles", of_effect.tiles,
+                          "run over lists of tiles and skip unchanged tiles; else run over the whole image"));
 }
 
 }  // namespace
@@ -134,9 +134,9 @@ void add_pack(CLI::App& app) {
         app.add_subcommand("pack", "one self-contained GLSL file of what is used, or the whole effect");
     command->add_option("file", options->files, "includes or whole shaders, as paths or as gloam/...");
     command
-        ->add_option(
-            "--function", options->functions,
-            "only that, with what it uses (default: main, else every function of the files); may be repeated")
+        ->add_option("--function", options->functions,
+                     "only this function and what it uses (default: main, else every function of the files); "
+                     "may be repeated")
         ->allow_extra_args(false);
     command->add_option("--version", options->version, "450, 330, 300es or 310es")->capture_default_str();
     command->add_option("--out", options->out,
