@@ -106,6 +106,7 @@ function(gloam_test NAME)
     "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
   string(REGEX REPLACE "_tests$" "" prefix ${NAME})
   set(listing "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_suites.cmake")
+  set_property(TARGET ${NAME} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)
   add_custom_command(TARGET ${NAME} POST_BUILD BYPRODUCTS ${listing} VERBATIM
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${NAME}> -D PREFIX=${prefix} -D OUTPUT=${listing}
       -D "ENVIRONMENT=${environment}" -D SEEN=${CMAKE_BINARY_DIR}/seen -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)

@@ -62,9 +62,9 @@ class Plan {
   public:
     static constexpr std::size_t first_inputs = 512;
     static constexpr std::size_t other_inputs = 512;
-    // Inputs whose bounds are calculated, and the instructions of all of these: less than a second.
-    static constexpr std::size_t most_bounded = 4096;
-    static constexpr double most_steps = 8e6;
+    // Inputs whose bounds are calculated, and the instructions of all of these: less than half a second.
+    static constexpr std::size_t most_bounded = 2048;
+    static constexpr double most_steps = 4e6;
 
     Plan(Verdict verdict, std::size_t count, bool every_bound)
         : bounds_(verdict == Verdict::rules),

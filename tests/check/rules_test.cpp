@@ -36,7 +36,7 @@ TEST_F(RulesTest, ARightFunctionPassesAndIsBounded) {
     EXPECT_TRUE(result.passed()) << result;
     EXPECT_LE(result.fraction, 1.0);
     EXPECT_EQ(result.by_rules, 8192U);
-    EXPECT_EQ(result.bounded, 4096U);  // every second one
+    EXPECT_EQ(result.bounded, 2048U);  // every fourth one
     EXPECT_EQ(result.unbounded, 0U);
     EXPECT_GT(result.guarantee.ulp, 2.4);
     EXPECT_LE(result.guarantee.ulp, 5.0);
