@@ -71,14 +71,13 @@ std::string column_title(const CheckReport& report, const std::vector<CheckRepor
     return std::ranges::count_if(reports, same) == 1 ? report.device.name : name_of(report.device);
 }
 
-std::string markdown_header(std::vector<std::string> titles, const std::vector<CheckReport>& reports,
-                            std::string_view rule) {
+std::string markdown_header(std::vector<std::string> titles, const std::vector<CheckReport>& reports) {
     for (const CheckReport& report : reports) titles.push_back(column_title(report, reports));
     std::string line = "\n|";
     std::string rules = "|";
     for (const std::string& title : titles) {
         line += " " + title + " |";
-        rules += rule;
+        rules += " --- |";
     }
     return line + "\n" + rules + "\n";
 }
@@ -93,7 +92,7 @@ constexpr Part parts[] = {
 
 std::string parts_table(const std::vector<EquationAccuracy>& equations,
                         const std::vector<CheckReport>& reports) {
-    std::string text = markdown_header({"part of the documented error"}, reports, " --- |");
+    std::string text = markdown_header({"part of the documented error"}, reports);
     const auto line = [&](std::string_view name, const auto& counts) {
         text += fmt::format("| {} |", name);
         for (std::size_t i = 0; i < reports.size(); ++i) {
@@ -131,7 +130,7 @@ std::string nearest_table(std::vector<EquationAccuracy> equations, const std::ve
     equations.resize(std::min(equations.size(), most_listed));
     std::erase_if(equations, [](const EquationAccuracy& e) { return most_used(e) == 0.0; });
     if (equations.empty()) return {};
-    std::string text = markdown_header({"equation", "documented", "any driver"}, reports, " --- |");
+    std::string text = markdown_header({"equation", "documented", "any driver"}, reports);
     for (const EquationAccuracy& equation : equations) {
         text += fmt::format("| {} | {} | {} |", equation.equation, equation.documented,
                             any_driver_text(equation));
@@ -214,18 +213,19 @@ PageTable accuracy_table(const std::vector<CheckReport>& reports) {
                                             "the variant that had it",
                                  .numeric = true});
     }
-    const auto number = [](double value, std::string text) { return PageCell{std::move(text), value}; };
     for (const EquationAccuracy& e : accuracies(reports)) {
         std::vector<PageCell> cells{{e.equation}, {e.documented.empty() ? "Vulkan's rules" : e.documented}};
         if (e.any_driver) {
-            cells.push_back(number(e.any_driver->absolute, fmt::format("{:.1e}", e.any_driver->absolute)));
-            cells.push_back(number(e.any_driver->ulp, fmt::format("{:.3g}", e.any_driver->ulp)));
-            cells.push_back(number(e.open, fmt::format("{:.3g}", 100.0 * e.open)));
+            cells.push_back(
+                number_cell(e.any_driver->absolute, fmt::format("{:.1e}", e.any_driver->absolute)));
+            cells.push_back(number_cell(e.any_driver->ulp, fmt::format("{:.3g}", e.any_driver->ulp)));
+            cells.push_back(number_cell(e.open, fmt::format("{:.3g}", 100.0 * e.open)));
         } else {
             cells.insert(cells.end(), 3, {"-"});
         }
         for (const auto& measured : e.measured)
-            cells.push_back(measured ? number(measured->fraction, measured_text(measured)) : PageCell{"-"});
+            cells.push_back(measured ? number_cell(measured->fraction, measured_text(measured))
+                                     : PageCell{"-"});
         table.rows.push_back(std::move(cells));
     }
     return table;

@@ -41,10 +41,6 @@ std::vector<PageColumn> columns(bool several_devices) {
     return all;
 }
 
-PageCell number(double value, std::string text) {
-    return {.text = std::move(text), .value = value};
-}
-
 PageCell verdict_cell(const check::Answer& row) {
     return {.text = verdict_of(row), .tone = row.passed() ? Tone::good : Tone::bad};
 }
@@ -62,10 +58,10 @@ std::vector<PageCell> cells_of(const check::Answer& row) {
         return cells;
     }
     const double used = row.fraction_of_allowed();
-    cells.push_back(number(static_cast<double>(row.inputs()), fmt::format("{}", row.inputs())));
-    cells.push_back(number(row.max_ulp, fmt::format("{:.3g}", row.max_ulp)));
-    cells.push_back(number(row.max_absolute, fmt::format("{:.2e}", row.max_absolute)));
-    cells.push_back(number(used, numeric::to_short_text(used)));
+    cells.push_back(number_cell(static_cast<double>(row.inputs()), fmt::format("{}", row.inputs())));
+    cells.push_back(number_cell(row.max_ulp, fmt::format("{:.3g}", row.max_ulp)));
+    cells.push_back(number_cell(row.max_absolute, fmt::format("{:.2e}", row.max_absolute)));
+    cells.push_back(number_cell(used, numeric::to_short_text(used)));
     cells.push_back({row.worst ? base::shortened(row.worst->values, longest_value) : "-"});
     return cells;
 }
@@ -79,12 +75,12 @@ PageTable device_table(const std::vector<CheckReport>& reports) {
                     .rows = {}};
     for (const CheckReport& report : reports) {
         const std::size_t failures = report.failures();
-        PageCell failed = number(static_cast<double>(failures), fmt::format("{}", failures));
+        PageCell failed = number_cell(static_cast<double>(failures), fmt::format("{}", failures));
         failed.tone = failures == 0 ? Tone::good : Tone::bad;
         table.rows.push_back(
             {{name_of(report.device)},
              {report.device.api_version},
-             number(static_cast<double>(report.rows.size()), fmt::format("{}", report.rows.size())),
+             number_cell(static_cast<double>(report.rows.size()), fmt::format("{}", report.rows.size())),
              failed,
              {report.versions}});
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gloam::report {
@@ -18,6 +19,11 @@ struct PageCell {
     std::optional<double> value{};
     Tone tone = Tone::plain;
 };
+
+// A cell that is sorted by `value` and shows `text`.
+[[nodiscard]] inline PageCell number_cell(double value, std::string text) {
+    return {.text = std::move(text), .value = value};
+}
 
 struct PageColumn {
     std::string title;

@@ -58,4 +58,10 @@ void add_driver_option(CLI::App& command) {
     command.parse_complete_callback([manifests] { tell_the_loader(*manifests); });
 }
 
+void add_device_options(CLI::App& command, std::string& device, bool& validation) {
+    command.add_option("--device", device, "name or index of the device (gloam devices)");
+    command.add_flag("--validation", validation, "Vulkan validation layers on; any message is an error");
+    add_driver_option(command);
+}
+
 }  // namespace gloam::cli

@@ -48,6 +48,11 @@ fs::path cache_directory() {
     return {};
 }
 
+fs::path truth_cache_directory() {
+    const fs::path folder = cache_directory();
+    return folder.empty() ? folder : folder / "truth";
+}
+
 bool on_terminal() {
     return isatty(STDERR_FILENO) != 0;
 }

@@ -16,6 +16,9 @@ namespace gloam::cli {
 // a home.
 [[nodiscard]] std::filesystem::path cache_directory();
 
+// Where ray-traced truth is kept: in cache_directory(); empty without one.
+[[nodiscard]] std::filesystem::path truth_cache_directory();
+
 // Whether people are watching: standard error is a terminal.
 [[nodiscard]] bool on_terminal();
 

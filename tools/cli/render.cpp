@@ -223,9 +223,7 @@ void add_render(CLI::App& app, int& status) {
     command->add_option("--repeat", options->repeat, "runs of each frame, of which times are the median")
         ->check(CLI::Range(1, 10'000))
         ->capture_default_str();
-    command->add_option("--device", options->device, "name or index of the device (gloam devices)");
-    command->add_flag("--validation", options->validation, "Vulkan validation layers on; any message fails");
-    add_driver_option(*command);
+    add_device_options(*command, options->device, options->validation);
     command->callback([options, &status] {
         take_scene_from_truth(*options);
         status = run_render(*options);

@@ -42,8 +42,7 @@ bool TruthSource::every_view() const {
 }
 
 TracedView TruthSource::traced(const scene::GBuffer& view, int frame, double radius) const {
-    const std::filesystem::path cache = cache_directory();
-    const scene::TruthCache kept(cache.empty() ? cache : cache / "truth");
+    const scene::TruthCache kept(truth_cache_directory());
     const auto settings = [&](const char* what) {
         return scene::TruthSettings{
             .rays = {.radius = radius, .falloff = falloff_, .rays = options_.truth_rays},

@@ -78,16 +78,13 @@ void add_stress(CLI::App& app, int& status) {
     command->add_option("--only", options->only, "one run: " + runs);
     command->add_option("--equation", options->equations,
                         "search the worst inputs of these only: IDs or functions, shell globs");
-    command->add_option("--device", options->device, "name or index of the device");
     command->add_option("--seed", options->seed, "seed of noise and points")->capture_default_str();
     command->add_option("--frames", options->frames, "frames of the long runs")
         ->check(CLI::Range(std::uint64_t{4}, std::uint64_t{1'000'000'000}))
         ->capture_default_str();
     command->add_flag("--brief", options->brief, "fewer sizes and distances: seconds instead of minutes");
-    command->add_flag("--validation", options->validation,
-                      "Vulkan validation layers on; any message is an error");
     command->add_option("--json", options->json, "write the numbers to this file");
-    add_driver_option(*command);
+    add_device_options(*command, options->device, options->validation);
     command->callback([options, &status] { status = run_stress(*options); });
 }
 

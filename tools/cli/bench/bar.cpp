@@ -88,8 +88,7 @@ class BarBench {
   private:
     [[nodiscard]] effect::Bar measured(const gpu::Device& device, const scene::PassLibrary& passes,
                                        const scene::Scene& scene) const {
-        const auto folder = cache_directory();
-        const scene::TruthCache cache(folder.empty() ? folder : folder / "truth");
+        const scene::TruthCache cache(truth_cache_directory());
         effect::BenchmarkViews views(device, passes, scene, frames_, cache,
                                      progress_bar(scene.name + ", truth"));
         return effect::study_bar(device, passes, views, settings_of(options_, scene.ao_radius),
@@ -142,12 +141,9 @@ void add_bench_bar(CLI::App& bench, int& status) {
         ->check(CLI::Range(32, 65'536))
         ->capture_default_str();
     command->add_flag("--fail-if-missed", options->fail_if_missed, "status 1 where a scene misses the bar");
-    command->add_option("--device", options->device, "name or index of the device");
-    command->add_flag("--validation", options->validation,
-                      "Vulkan validation layers on; any message is an error");
+    add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
     command->add_option("--page", options->page, "page whose table is written anew (docs/temporal.md)");
-    add_driver_option(*command);
     command->callback([options, &status] { status = run_bench_bar(*options); });
 }
 

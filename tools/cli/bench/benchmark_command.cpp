@@ -68,9 +68,7 @@ void add_answers(CLI::App& bench, BenchmarkOptions& options) {
 }
 
 void add_outputs(CLI::App& bench, BenchmarkOptions& options) {
-    bench.add_option("--device", options.device, "name or index of the device");
-    bench.add_flag("--validation", options.validation,
-                   "Vulkan validation layers on; any message is an error");
+    add_device_options(bench, options.device, options.validation);
     bench.add_option(
         "--report", options.report,
         "write the benchmark as a Markdown page; its plots lie in --out, or images/benchmark beside it");
@@ -80,7 +78,6 @@ void add_outputs(CLI::App& bench, BenchmarkOptions& options) {
     bench.add_flag("--resume", options.resume, "measure only what the journal in --out lacks")
         ->excludes(bench.get_option("--from"))
         ->excludes(bench.get_option("--compare"));
-    add_driver_option(bench);
 }
 
 }  // namespace

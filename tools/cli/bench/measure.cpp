@@ -61,8 +61,7 @@ std::map<std::string, effect::BenchmarkViews> views_of(const BenchmarkOptions& o
                                                        const effect::BenchmarkFrames& frames,
                                                        const gpu::Device& device,
                                                        const scene::PassLibrary& passes) {
-    const auto folder = cache_directory();
-    const scene::TruthCache cache(folder.empty() ? folder : folder / "truth");
+    const scene::TruthCache cache(truth_cache_directory());
     std::map<std::string, effect::BenchmarkViews> views;
     for (const std::string& name : options.scenes) {
         views.try_emplace(name, device, passes, scene::make_scene(name), frames, cache,

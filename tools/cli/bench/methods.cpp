@@ -52,7 +52,7 @@ class MethodsBench {
           json_(options.json),
           device_(open_device(options.device, options.validation)),
           passes_(glsl_directory(), cache_directory()),
-          cache_(cache_directory().empty() ? cache_directory() : cache_directory() / "truth") {
+          cache_(truth_cache_directory()) {
         if (!options.page.empty()) (void)with_blocks(old_page_, to_blocks(empty_report()));
         if (!options.out.empty()) out_.emplace(options.out);
     }
@@ -153,13 +153,10 @@ void add_bench_methods(CLI::App& bench, int& status) {
     command->add_option("--rays", options->rays, "rays of the truth for each pixel")
         ->check(CLI::Range(32, 65'536))
         ->capture_default_str();
-    command->add_option("--device", options->device, "name or index of the device");
-    command->add_flag("--validation", options->validation,
-                      "Vulkan validation layers on; any message is an error");
+    add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
     command->add_option("--out", options->out, "folder for pictures");
     command->add_option("--page", options->page, "page whose tables are written anew (docs/data/methods.md)");
-    add_driver_option(*command);
     command->callback([options, &status] { status = run_bench_methods(*options); });
 }
 

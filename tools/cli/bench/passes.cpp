@@ -78,11 +78,8 @@ void add_bench_passes(CLI::App& bench, int& status) {
     command->add_option("--rounds", options->rounds, "over all states of the history")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    command->add_option("--device", options->device, "name or index of the device");
-    command->add_flag("--validation", options->validation,
-                      "Vulkan validation layers on; any message is an error");
+    add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
-    add_driver_option(*command);
     command->callback([options, &status] { status = run_bench_passes(*options); });
 }
 

@@ -80,8 +80,7 @@ int run_bench_sources(const BenchSourcesOptions& options) {
     const report::OutputFile json(options.json);
     gpu::Device device = open_device(options.device, options.validation);
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
-    const scene::TruthCache cache(cache_directory().empty() ? cache_directory()
-                                                            : cache_directory() / "truth");
+    const scene::TruthCache cache(truth_cache_directory());
     study.progress = progress_bar("ISSAO's table 1");
     const auto table = effect::study_issao_table(device, passes, cache, options.table_scene, study);
     std::vector<SourceRow> radius;
@@ -118,12 +117,9 @@ void add_bench_sources(CLI::App& bench, int& status) {
     command->add_option("--rays", options->rays, "rays of the truth for each pixel")
         ->check(CLI::Range(32, 65'536))
         ->capture_default_str();
-    command->add_option("--device", options->device, "name or index of the device");
-    command->add_flag("--validation", options->validation,
-                      "Vulkan validation layers on; any message is an error");
+    add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
     command->add_option("--page", options->page, "page whose tables are written anew (docs/sources.md)");
-    add_driver_option(*command);
     command->callback([options, &status] { status = run_bench_sources(*options); });
 }
 

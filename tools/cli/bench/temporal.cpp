@@ -46,7 +46,7 @@ class TemporalBench {
           json_(options.json),
           device_(open_device(options.device, options.validation)),
           passes_(glsl_directory(), cache_directory()),
-          cache_(cache_directory().empty() ? cache_directory() : cache_directory() / "truth"),
+          cache_(truth_cache_directory()),
           limit_(device_, passes_, extent_) {
         if (!options.out.empty()) out_.emplace(options.out);
     }
@@ -147,12 +147,9 @@ void add_bench_temporal(CLI::App& bench, int& status) {
         ->check(CLI::Range(32, 65'536))
         ->capture_default_str();
     command->add_flag("--quick", options->quick, "one scene, 96x54 pixels, coarse truth: half a minute");
-    command->add_option("--device", options->device, "name or index of the device");
-    command->add_flag("--validation", options->validation,
-                      "Vulkan validation layers on; any message is an error");
+    add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
     command->add_option("--out", options->out, "folder for tables, curves and pictures");
-    add_driver_option(*command);
     command->callback([options, &status] { status = run_bench_temporal(*options); });
 }
 
