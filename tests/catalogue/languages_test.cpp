@@ -2,11 +2,11 @@
 // Every include compiles alone, as it stands and packed, in every GLSL version that the library promises.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "shader/language.hpp"
 #include "shader/pack.hpp"
+#include "support/library_files.hpp"
 
 namespace gloam {
 namespace languages_test {
@@ -15,37 +15,33 @@ namespace fs = std::filesystem;
 
 const std::vector<fs::path> roots{GLOAM_GLSL_DIR};
 
-std::vector<std::string> library_includes() {
-    std::vector<std::string> names;
-    for (const auto& file : fs::recursive_directory_iterator(roots.front() / "gloam")) {
-        if (file.path().extension() == ".glsl")
-            names.push_back(fs::relative(file.path(), roots.front()).string());
-    }
-    std::ranges::sort(names);
-    return names;
+constexpr shader::Language languages[] = {shader::Language::vulkan450, shader::Language::gl330,
+                                          shader::Language::es300, shader::Language::es310};
+
+class EveryInclude : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryInclude, CompilesAlone) {
+    const shader::Source source{.name = GetParam(), .text = "#include \"" + GetParam() + "\"\n"};
+    for (const shader::Language language : languages)
+        EXPECT_NO_THROW(shader::check_compiles(source, language, roots)) << shader::to_string(language);
 }
+
+TEST_P(EveryInclude, CompilesPacked) {
+    for (const shader::Language language : languages) {
+        const std::string packed =
+            shader::pack(std::vector{roots.front() / GetParam()}, {.language = language}, roots);
+        EXPECT_EQ(packed.find("#include"), std::string::npos) << shader::to_string(language);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, EveryInclude, testing::ValuesIn(test::library_files()),
+                         test::library_file_name);
 
 class Languages : public testing::TestWithParam<shader::Language> {};
 
-TEST_P(Languages, EveryIncludeCompilesAlone) {
-    for (const std::string& name : library_includes()) {
-        EXPECT_NO_THROW(
-            shader::check_compiles({.name = name, .text = "#include \"" + name + "\"\n"}, GetParam(), roots))
-            << name;
-    }
-}
-
-TEST_P(Languages, EveryIncludeCompilesPacked) {
-    for (const std::string& name : library_includes()) {
-        const std::string packed =
-            shader::pack(std::vector{roots.front() / name}, {.language = GetParam()}, roots);
-        EXPECT_EQ(packed.find("#include"), std::string::npos) << name;
-    }
-}
-
 TEST_P(Languages, TheWholeLibraryCompilesPackedIntoOne) {
     std::vector<fs::path> files;
-    for (const std::string& name : library_includes()) files.push_back(roots.front() / name);
+    for (const std::string& name : test::library_files()) files.push_back(roots.front() / name);
     EXPECT_NO_THROW((void)shader::pack(files, {.language = GetParam()}, roots));
 }
 
@@ -55,9 +51,7 @@ TEST_P(Languages, ABrokenIncludeDoesNot) {
                  shader::CompileError);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Languages,
-                         testing::Values(shader::Language::vulkan450, shader::Language::gl330,
-                                         shader::Language::es300, shader::Language::es310),
+INSTANTIATE_TEST_SUITE_P(All, Languages, testing::ValuesIn(languages),
                          [](const auto& info) { return "glsl_" + shader::to_string(info.param); });
 
 }  // namespace languages_test

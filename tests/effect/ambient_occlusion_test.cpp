@@ -18,6 +18,7 @@
 #include "on_device.hpp"
 #include "scene/corner.hpp"
 #include "scene/rasterize.hpp"
+#include "support/method_names.hpp"
 
 namespace gloam::effect {
 namespace ambient_occlusion_test {
@@ -56,21 +57,20 @@ scene::GBuffer wall(gpu::Extent extent, float depth) {
     return view;
 }
 
-TEST_F(Effect, AnOpenPlaneIsOpen) {
-    for (const MethodInfo& method : methods()) {
-        SCOPED_TRACE(method.name);
-        Settings settings = with_method(settings_for(1.0F), method.name);
-        settings.steps = 2;  // whole slices and rays of it make up the 32 samples
-        for (const bool normals : {true, false}) {
-            scene::GBuffer view = wall({63, 47}, 3.0F);
-            if (!normals) view.normal.clear();
-            const Frame frame = run(view, settings, 3);
-            EXPECT_THAT(frame.occlusion, testing::Each(0.0F));
-            EXPECT_THAT(frame.filtered, testing::Each(0.0F));
-            EXPECT_LE(frame.work.samples, 63U * 47U * 32U);
-            if (!method.takes_fewer) {
-                EXPECT_EQ(frame.work.samples, 63U * 47U * 32U);
-            }
+class EffectOf : public Effect, public testing::WithParamInterface<std::string> {};
+
+TEST_P(EffectOf, LeavesAnOpenPlaneOpen) {
+    Settings settings = with_method(settings_for(1.0F), GetParam());
+    settings.steps = 2;  // whole slices and rays of it make up the 32 samples
+    for (const bool normals : {true, false}) {
+        scene::GBuffer view = wall({63, 47}, 3.0F);
+        if (!normals) view.normal.clear();
+        const Frame frame = run(view, settings, 3);
+        EXPECT_THAT(frame.occlusion, testing::Each(0.0F));
+        EXPECT_THAT(frame.filtered, testing::Each(0.0F));
+        EXPECT_LE(frame.work.samples, 63U * 47U * 32U);
+        if (!method_named(GetParam()).takes_fewer) {
+            EXPECT_EQ(frame.work.samples, 63U * 47U * 32U);
         }
     }
 }
@@ -183,18 +183,18 @@ TEST_F(Effect, WhatCannotBeIsRefused) {
 }
 
 // Some drivers end long loops early and say nothing.
-TEST_F(Effect, TheMostSamplesAreAllTaken) {
-    for (const MethodInfo& method : methods()) {
-        if (method.takes_fewer) continue;
-        Settings settings = with_method(settings_for(1.0F), method.name);
-        settings.samples = most_samples;
-        settings.least_radius = 0.0F;  // in so small an image no radius is a pixel
-        // Of whole slices or rays there may be fewer, by less than one.
-        const std::uint64_t samples = run(wall({9, 3}, 3.0F), settings).work.samples;
-        EXPECT_LE(samples, 9U * 3U * most_samples) << method.name;
-        EXPECT_GT(samples, 9U * 3U * (most_samples - 2U * settings.steps)) << method.name;
-    }
+TEST_P(EffectOf, TakesTheMostSamples) {
+    if (method_named(GetParam()).takes_fewer) return;
+    Settings settings = with_method(settings_for(1.0F), GetParam());
+    settings.samples = most_samples;
+    settings.least_radius = 0.0F;  // in so small an image no radius is a pixel
+    // Of whole slices or rays there may be fewer, by less than one.
+    const std::uint64_t samples = run(wall({9, 3}, 3.0F), settings).work.samples;
+    EXPECT_LE(samples, 9U * 3U * most_samples);
+    EXPECT_GT(samples, 9U * 3U * (most_samples - 2U * settings.steps));
 }
+
+INSTANTIATE_TEST_SUITE_P(All, EffectOf, testing::ValuesIn(test::method_names()), test::parameter_name);
 
 }  // namespace ambient_occlusion_test
 }  // namespace gloam::effect

@@ -12,6 +12,7 @@
 
 #include "effect/methods.hpp"
 #include "effect/study/own_value.hpp"
+#include "support/method_names.hpp"
 
 namespace gloam::effect {
 namespace closed_form_test {
@@ -59,14 +60,7 @@ TEST_P(ClosedForm, NormalsFromTheDepthMakeNoDifference) {
     }
 }
 
-std::vector<std::string> method_names() {
-    std::vector<std::string> names;
-    for (const MethodInfo& method : methods()) names.push_back(method.name);
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ClosedForm, testing::ValuesIn(method_names()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, ClosedForm, testing::ValuesIn(test::method_names()), test::parameter_name);
 
 }  // namespace closed_form_test
 }  // namespace gloam::effect

@@ -12,6 +12,7 @@
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
+#include "support/method_names.hpp"
 
 namespace gloam::effect {
 namespace layers_test {
@@ -32,39 +33,36 @@ class Layers : public OnDevice<testing::Test> {
     }
 };
 
-Settings settings_for(const char* method, std::uint32_t layers, double radius) {
+Settings settings_for(const std::string& method, std::uint32_t layers, double radius) {
     Settings settings = with_radius(with_method({}, method), static_cast<float>(radius));
     settings.layers = layers;
     return settings;
 }
 
+class LayersOf : public Layers, public testing::WithParamInterface<std::string> {};
+
 // Each can only miss what the others show: the same surface again shows nothing.
-TEST_F(Layers, TheSameAgainChangesNothing) {
+TEST_P(LayersOf, TheSameAgainChangesNothing) {
     scene::GBuffer view = view_of("moving", {63, 41}, 1);
     const double radius = scene::make_scene("moving").ao_radius;
-    for (const MethodInfo& method : methods()) {
-        view.layers.clear();
-        const auto once = occlusion(view, settings_for(method.name.c_str(), 1, radius));
-        view.layers = {view.depth, view.depth, view.depth};
-        for (const std::uint32_t layers : {1U, 2U, 4U}) {
-            EXPECT_EQ(occlusion(view, settings_for(method.name.c_str(), layers, radius)), once)
-                << method.name << ", " << layers << " layers";
-        }
-    }
+    view.layers.clear();
+    const auto once = occlusion(view, settings_for(GetParam(), 1, radius));
+    view.layers = {view.depth, view.depth, view.depth};
+    for (const std::uint32_t layers : {1U, 2U, 4U})
+        EXPECT_EQ(occlusion(view, settings_for(GetParam(), layers, radius)), once) << layers << " layers";
 }
 
 // Behind a bare plane seen at a tilt other planes: nothing of them rises above the first.
-TEST_F(Layers, WhatLiesBehindAPlaneLeavesItOpen) {
+TEST_P(LayersOf, WhatLiesBehindAPlaneLeavesItOpen) {
     scene::GBuffer view = view_of("corner", {63, 41}, 1);
     view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     view.depth.assign(view.depth.size(), 2.0F);
     view.layers.clear();
     for (const float depth : {2.4F, 2.8F, 3.2F}) view.layers.emplace_back(view.depth.size(), depth);
-    for (const MethodInfo& method : methods()) {
-        EXPECT_THAT(occlusion(view, settings_for(method.name.c_str(), 4, 1.0)), testing::Each(0.0F))
-            << method.name;
-    }
+    EXPECT_THAT(occlusion(view, settings_for(GetParam(), 4, 1.0)), testing::Each(0.0F));
 }
+
+INSTANTIATE_TEST_SUITE_P(All, LayersOf, testing::ValuesIn(test::method_names()), test::parameter_name);
 
 // A tube before a wall: one layer takes it for as thick as the range, and does not see what it hides.
 TEST_F(Layers, WhatATubeHidesIsFoundAgain) {

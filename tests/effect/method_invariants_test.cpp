@@ -15,6 +15,7 @@
 #include "on_device.hpp"
 #include "scene/analytic_scene.hpp"
 #include "scene/rasterize.hpp"
+#include "support/method_names.hpp"
 
 namespace gloam::effect {
 namespace method_invariants_test {
@@ -135,14 +136,7 @@ TEST(Shaders, NothingDependsOnSubgroups) {
     EXPECT_GT(files, 50U);
 }
 
-std::vector<std::string> method_names() {
-    std::vector<std::string> names;
-    for (const MethodInfo& method : methods()) names.push_back(method.name);
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Invariants, testing::ValuesIn(method_names()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, Invariants, testing::ValuesIn(test::method_names()), test::parameter_name);
 
 }  // namespace method_invariants_test
 }  // namespace gloam::effect

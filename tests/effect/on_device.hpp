@@ -24,21 +24,26 @@ using test::variable;
 template <class Base>
 class OnDevice : public Base {
   protected:
+    static void SetUpTestSuite() { shared_.emplace(); }
+    static void TearDownTestSuite() { shared_.reset(); }
+
     void TearDown() override { EXPECT_THAT(device_.take_validation_messages(), testing::IsEmpty()); }
 
     gpu::Device& device_ = *test::SharedDevice::get();
-    scene::PassLibrary passes_{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};
+    const scene::PassLibrary& passes_ = shared_->passes;
 
-    // Always the same, so that pipelines are compiled once, for images of that size until the next call with
-    // another; begin() leaves no trace of what it held before (configuration_study_test.cpp).
+    // The same for all tests of a suite, so that pipelines are compiled once; for images of that size until
+    // the next call with another. begin() leaves no trace of what it held before
+    // (configuration_study_test.cpp).
     [[nodiscard]] AmbientOcclusion& effect_for(gpu::Extent extent) const {
-        if (!effect_) effect_.emplace(device_, passes_, extent);
-        if (extent_ && *extent_ != extent) {
-            effect_->begin(blank(*extent_), {});
-            effect_->advance(blank(extent));
+        if (!shared_->effect) shared_->effect.emplace(device_, passes_, extent);
+        AmbientOcclusion& effect = *shared_->effect;
+        if (shared_->extent && *shared_->extent != extent) {
+            effect.begin(blank(*shared_->extent), {});
+            effect.advance(blank(extent));
         }
-        extent_ = extent;
-        return *effect_;
+        shared_->extent = extent;
+        return effect;
     }
 
   private:
@@ -50,8 +55,13 @@ class OnDevice : public Base {
         return view;
     }
 
-    mutable std::optional<AmbientOcclusion> effect_;
-    mutable std::optional<gpu::Extent> extent_;
+    struct Shared {
+        scene::PassLibrary passes{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};
+        std::optional<AmbientOcclusion> effect;
+        std::optional<gpu::Extent> extent;
+    };
+
+    inline static std::optional<Shared> shared_;
 };
 
 }  // namespace gloam::effect

@@ -17,6 +17,7 @@
 #include "on_device.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/rasterize.hpp"
+#include "support/method_names.hpp"
 
 namespace gloam::effect {
 namespace skips_test {
@@ -229,25 +230,28 @@ scene::GBuffer floor_view(gpu::Extent extent, float bump) {
     return view;
 }
 
-TEST_F(Skips, AnOpenFloorTakesNoTaps) {
-    for (const MethodInfo& method : methods()) {
-        if (method.open_proof == OpenProof::none) continue;
-        SCOPED_TRACE(method.name);
-        const Settings settings = with_method(quick(Settings{}), method.name);
-        for (const float bump : {0.0F, 0.02F, 0.3F}) {
-            const std::vector<Frame> frames = expect_same({{floor_view({160, 90}, bump), 5}}, settings);
-            const Work& work = frames.front().work;
-            const std::uint64_t with_geometry = work.tiles - work.tiles_background;
-            EXPECT_GT(work.tiles_open, 0U);
-            // Far away the rounding of positions exceeds the bias.
-            if (bump == 0.0F) {
-                EXPECT_GT(work.tiles_open, with_geometry / 4);
-            } else {
-                EXPECT_LT(work.tiles_open, with_geometry);
-            }
+class OpenFloor : public Skips, public testing::WithParamInterface<std::string> {};
+
+TEST_P(OpenFloor, TakesNoTaps) {
+    const Settings settings = with_method(quick(Settings{}), GetParam());
+    for (const float bump : {0.0F, 0.02F, 0.3F}) {
+        const std::vector<Frame> frames = expect_same({{floor_view({160, 90}, bump), 5}}, settings);
+        const Work& work = frames.front().work;
+        const std::uint64_t with_geometry = work.tiles - work.tiles_background;
+        EXPECT_GT(work.tiles_open, 0U);
+        // Far away the rounding of positions exceeds the bias.
+        if (bump == 0.0F) {
+            EXPECT_GT(work.tiles_open, with_geometry / 4);
+        } else {
+            EXPECT_LT(work.tiles_open, with_geometry);
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(All, OpenFloor, testing::ValuesIn(test::method_names([](const MethodInfo& method) {
+                             return method.open_proof != OpenProof::none;
+                         })),
+                         test::parameter_name);
 
 TEST_F(Skips, OfAFloorFewTilesCannotBeProvenOpen) {
     const Work work = run({{floor_view({160, 90}, 0.0F), 1}}, quick(Settings{})).front().work;
@@ -350,16 +354,17 @@ TEST_F(Skips, OpenTilesOfScenes) {
     EXPECT_GT(open, 30U);
 }
 
-TEST_F(Skips, EveryMethod) {
+class SkipsOf : public Skips, public testing::WithParamInterface<std::string> {};
+
+TEST_P(SkipsOf, ChangeNothing) {
     const gpu::Extent small{29, 19};
     // Methods of whole slices take fewer samples than asked for, and so more frames to fill the mean.
     const std::vector<Stay> stays{{view("corner", 0, small), 8}};
-    for (const MethodInfo& method : methods()) {
-        SCOPED_TRACE(method.name);
-        Settings settings = with_method(quick(Settings{}), method.name);
-        EXPECT_EQ(expect_same(stays, settings)[7].work.tiles_shaded, 0U);
-    }
+    const Settings settings = with_method(quick(Settings{}), GetParam());
+    EXPECT_EQ(expect_same(stays, settings)[7].work.tiles_shaded, 0U);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, SkipsOf, testing::ValuesIn(test::method_names()), test::parameter_name);
 
 TEST_F(Skips, GeometryAppearsWhereAllWasBackground) {
     const scene::GBuffer full = view("corner", 0);

@@ -7,9 +7,8 @@ namespace gloam::stress {
 
 Rows poison(const Context& context) {
     Rows rows = poisoned_passes(context);
-    for (const auto& part : {poisoned_fetches, poisoned_history}) {
-        const Rows more = part(context);
-        rows.insert(rows.end(), more.begin(), more.end());
+    for (const auto& part : {poisoned_gathers, poisoned_filters, poisoned_history}) {
+        append(rows, part(context));
     }
     return rows;
 }

@@ -182,12 +182,19 @@ void append_rows(const std::string& function, const Count& count, Rows& rows) {
 
 }  // namespace
 
-Rows poisoned_fetches(const Context& context) {
-    const check::Lab& lab = context.lab;
-    context.progress(fmt::format("{}: fetches", poison_name));
+Rows poisoned_gathers(const Context& context) {
+    context.progress(fmt::format("{}: fetches of methods", poison_name));
     Rows rows;
     for (const effect::MethodInfo& method : methods_of(context))
-        append_rows("method " + method.name, gathers(lab, method), rows);
+        append_rows("method " + method.name, gathers(context.lab, method), rows);
+    context.lab.require_silent_validation();
+    return rows;
+}
+
+Rows poisoned_filters(const Context& context) {
+    const check::Lab& lab = context.lab;
+    context.progress(fmt::format("{}: fetches of filters", poison_name));
+    Rows rows;
     append_rows("gloam_normal_from_depth", normals(lab), rows);
     append_rows("gloam_convergence_filter", filters(lab), rows);
     lab.require_silent_validation();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "stress/run.hpp"
 
 // The parts of poison().
@@ -8,11 +10,18 @@ namespace gloam::stress {
 
 constexpr const char* poison_name = "poison";
 
-// Depth and normals that go into the passes.
+// Depth and normals that go into the passes of a method. What it returns keeps the passes that methods share,
+// so that they are compiled once.
+[[nodiscard]] std::function<Rows(const effect::MethodInfo&)> poisoned_passes_of(const Context& context);
+
+// The same of all methods of the context.
 [[nodiscard]] Rows poisoned_passes(const Context& context);
 
-// Fetches of functions that read images: none may be outside, whatever the images hold.
-[[nodiscard]] Rows poisoned_fetches(const Context& context);
+// Fetches of methods: none may be outside, whatever the images hold.
+[[nodiscard]] Rows poisoned_gathers(const Context& context);
+
+// The same of the filter and of normals from depth.
+[[nodiscard]] Rows poisoned_filters(const Context& context);
 
 // History texels and contributions.
 [[nodiscard]] Rows poisoned_history(const Context& context);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 
 #include "effect/ambient_occlusion.hpp"
@@ -182,6 +183,13 @@ void append_rows(const std::string& varied, const Damage& damage, Rows& rows) {
                     count(damage.differs_without_robustness), 0.0});
 }
 
+gpu::DeviceOptions without_robustness(const check::LabOptions& options) {
+    return {.device = options.device,
+            .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+            .cache_directory = options.cache_directory,
+            .robust_buffer_access = false};
+}
+
 void require_silent(gpu::Device& device) {
     const std::vector<std::string> messages = device.take_validation_messages();
     if (!messages.empty()) throw std::runtime_error("Vulkan validation: " + messages.front());
@@ -189,23 +197,26 @@ void require_silent(gpu::Device& device) {
 
 }  // namespace
 
-Rows poisoned_passes(const Context& context) {
-    const check::LabOptions& options = context.lab.options();
-    gpu::Device fragile({.device = options.device,
-                         .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                         .cache_directory = options.cache_directory,
-                         .robust_buffer_access = false});
-    Rows rows;
-    Experiment experiment(context, fragile);
-    for (const effect::MethodInfo& method : methods_of(context)) {
+std::function<Rows(const effect::MethodInfo&)> poisoned_passes_of(const Context& context) {
+    const auto fragile = std::make_shared<gpu::Device>(without_robustness(context.lab.options()));
+    const auto experiment = std::make_shared<Experiment>(context, *fragile);
+    return [context, fragile, experiment](const effect::MethodInfo& method) {
+        Rows rows;
         for (const Place& place : places(context.extent)) {
             const std::string varied = fmt::format("{}: {}", method.name, place.text);
             context.progress(fmt::format("{}: {}", poison_name, varied));
-            append_rows(varied, experiment.run(method, place), rows);
+            append_rows(varied, experiment->run(method, place), rows);
         }
-    }
-    require_silent(fragile);
-    context.lab.require_silent_validation();
+        require_silent(*fragile);
+        context.lab.require_silent_validation();
+        return rows;
+    };
+}
+
+Rows poisoned_passes(const Context& context) {
+    const auto rows_of = poisoned_passes_of(context);
+    Rows rows;
+    for (const effect::MethodInfo& method : methods_of(context)) append(rows, rows_of(method));
     return rows;
 }
 

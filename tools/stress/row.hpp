@@ -21,4 +21,8 @@ struct Row {
 
 using Rows = std::vector<Row>;
 
+inline void append(Rows& rows, const Rows& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+}
+
 }  // namespace gloam::stress

@@ -180,14 +180,6 @@ void append_highest_points(const Context& context, Rows& rows) {
     }
 }
 
-// Its pipelines are compiled once for all sizes: advance() takes views of another size.
-effect::AmbientOcclusion begun(const Context& context) {
-    constexpr Size size{1, 1};
-    effect::AmbientOcclusion effect(context.lab.device(), context.passes, size);
-    effect.begin(plane(size), settings_for(methods_of(context).front()));
-    return effect;
-}
-
 Row row_of(const Context& context, effect::AmbientOcclusion& effect, Size size) {
     context.progress(fmt::format("{}: {} x {}", shapes_name, size.width, size.height));
     const bool once = context.extent == Extent::brief && pixels_of(size) > 1000;
@@ -210,14 +202,25 @@ Row row_of(const Context& context, effect::AmbientOcclusion& effect, Size size) 
 
 }  // namespace
 
+effect::AmbientOcclusion shapes_effect(const Context& context) {
+    constexpr Size size{1, 1};
+    effect::AmbientOcclusion effect(context.lab.device(), context.passes, size);
+    effect.begin(plane(size), settings_for(methods_of(context).front()));
+    return effect;
+}
+
 Row one_size(const Context& context, Size size) {
-    effect::AmbientOcclusion effect = begun(context);
+    effect::AmbientOcclusion effect = shapes_effect(context);
     return row_of(context, effect, size);
 }
 
 Rows shapes(const Context& context) {
+    effect::AmbientOcclusion effect = shapes_effect(context);
+    return shapes(context, effect);
+}
+
+Rows shapes(const Context& context, effect::AmbientOcclusion& effect) {
     Rows rows;
-    effect::AmbientOcclusion effect = begun(context);
     for (const Size size : sizes(context)) rows.push_back(row_of(context, effect, size));
     append_refusals(context, rows);
     append_radii(context, effect, rows);

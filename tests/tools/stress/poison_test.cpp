@@ -4,6 +4,7 @@
 #include "stress/footprint.hpp"
 #include "stress/poison_parts.hpp"
 #include "stress/views.hpp"
+#include "support/method_names.hpp"
 #include "tools/installation.hpp"
 #include "tools/stress/support.hpp"
 
@@ -12,22 +13,40 @@ namespace poison_test {
 
 using gloam::test::Installation;
 
-TEST(Poison, PassesStayWithinTheFootprint) {
-    const Bench bench;
-    const Rows rows = poisoned_passes(bench.context());
+class PoisonOf : public EachMethod {
+  protected:
+    static void SetUpTestSuite() {
+        EachMethod::SetUpTestSuite();
+        rows_of_passes_ = poisoned_passes_of(bench().context());
+    }
+    static void TearDownTestSuite() {
+        rows_of_passes_ = nullptr;
+        EachMethod::TearDownTestSuite();
+    }
+    inline static std::function<Rows(const effect::MethodInfo&)> rows_of_passes_;
+};
+
+TEST_P(PoisonOf, StaysWithinTheFootprint) {
+    const Rows rows = rows_of_passes_(effect::method_named(GetParam()));
     expect_all_passed(rows);
+    if (GetParam() != "hemisphere" && GetParam() != "disc") return;
     // Something did change, as far away as the kernel reaches: the footprint is not empty by mistake.
-    for (const char* method : {"hemisphere: depth", "disc: depth"}) {
-        for (const Row& row : rows_of(rows, "farthest pixel changed, pixels", method)) {
-            EXPECT_GE(row.measured, 3.0) << row.varied;
-            EXPECT_LE(row.bound.value(), 9.0) << row.varied;
-        }
+    for (const Row& row : rows_of(rows, "farthest pixel changed, pixels", GetParam() + ": depth")) {
+        EXPECT_GE(row.measured, 3.0) << row.varied;
+        EXPECT_LE(row.bound.value(), 9.0) << row.varied;
     }
 }
 
-TEST(Poison, NothingIsFetchedOutside) {
+TEST_P(PoisonOf, FetchesNothingOutside) {
+    expect_all_passed(poisoned_gathers(context()));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PoisonOf, testing::ValuesIn(gloam::test::method_names()),
+                         gloam::test::parameter_name);
+
+TEST(Poison, FiltersFetchNothingOutside) {
     const Bench bench;
-    expect_all_passed(poisoned_fetches(bench.context()));
+    expect_all_passed(poisoned_filters(bench.context()));
 }
 
 TEST(Poison, HistoriesHealAsStated) {
@@ -46,9 +65,9 @@ struct Fault {
 TEST(Poison, NoticesWhatIsBroken) {
     for (const Fault& fault :
          {Fault{"gloam/filter/weighted_mean.glsl", "if (!(value >= 0.0 && value <= 1.0 &&", "if (!(",
-                "results outside their range", poisoned_fetches},
+                "results outside their range", poisoned_filters},
           Fault{"gloam/gather/footprint.glsl", "vec2(0.0), footprint.size - 1.0",
-                "vec2(-9.0), footprint.size + 9.0", "fetches outside the image", poisoned_fetches},
+                "vec2(-9.0), footprint.size + 9.0", "fetches outside the image", poisoned_gathers},
           Fault{"gloam/temporal/blend.glsl", "return vec2(old, w);", "return vec2(contribution, w);",
                 "damage other than stated", poisoned_history},
           Fault{"gloam/temporal/history.glsl", "return gloam_history_empty(h.depth);\n    return",

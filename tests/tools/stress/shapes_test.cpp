@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "stress/shapes.hpp"
 
+#include "support/method_names.hpp"
 #include "tools/installation.hpp"
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test {
 namespace shapes_test {
 
-TEST(Shapes, AllAreAsTheyMustBe) {
-    const Bench bench;
-    expect_all_passed(shapes(bench.context()));
+class ShapesOf : public EachMethod {
+  protected:
+    static void SetUpTestSuite() {
+        EachMethod::SetUpTestSuite();
+        effect_.emplace(shapes_effect(bench().context()));
+    }
+    static void TearDownTestSuite() {
+        effect_.reset();
+        EachMethod::TearDownTestSuite();
+    }
+    inline static std::optional<effect::AmbientOcclusion> effect_;
+};
+
+TEST_P(ShapesOf, AllAreAsTheyMustBe) {
+    expect_all_passed(shapes(context(), *effect_));
 }
+
+INSTANTIATE_TEST_SUITE_P(All, ShapesOf, testing::ValuesIn(gloam::test::method_names()),
+                         gloam::test::parameter_name);
 
 // A sample that is always blocked, of a method whose tiles are never taken for open, and a pass that leaves
 // out the last pixel of each row.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <string>
 
 #include "effect/method_functions.hpp"
@@ -47,6 +48,20 @@ class Bench {
     effect::MethodFunctions methods_;
     check::Lab lab_;
     scene::PassLibrary passes_;
+};
+
+// Tests of one method, by its name: a suite shares a run. They are instantiated for all methods, so that
+// after a change of one method `tools/test --seeing` runs its own.
+class EachMethod : public testing::TestWithParam<std::string> {
+  protected:
+    static void SetUpTestSuite() { bench_.emplace(); }
+    static void TearDownTestSuite() { bench_.reset(); }
+
+    [[nodiscard]] static const Bench& bench() { return *bench_; }
+    [[nodiscard]] static Context context() { return bench_->context_of(GetParam()); }
+
+  private:
+    inline static std::optional<Bench> bench_;
 };
 
 inline void expect_all_passed(const Rows& rows) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gloam::test {
+
+// Every file of glsl/gloam as an #include names it, sorted: "gloam/gather/radius.glsl".
+inline std::vector<std::string> library_files() {
+    const std::filesystem::path root(GLOAM_GLSL_DIR);
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(root / "gloam")) {
+        if (file.path().extension() == ".glsl")
+            names.push_back(file.path().lexically_relative(root).generic_string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+// The file's name as the name of a test's parameter: "gather_radius".
+inline std::string library_file_name(const testing::TestParamInfo<std::string>& info) {
+    std::filesystem::path path(info.param);
+    std::string name = path.replace_extension().lexically_relative("gloam").generic_string();
+    std::ranges::replace(name, '/', '_');
+    return name;
+}
+
+}  // namespace gloam::test
