@@ -62,11 +62,12 @@ void expect_same(const std::vector<Frame>& left, const std::vector<Frame>& right
 class SampleTableOf : public WithView<testing::TestWithParam<std::string>> {};
 
 TEST_P(SampleTableOf, ChangesNothing) {
+    AmbientOcclusion effect(device_, passes_, odd);  // it has no table of another test
     Settings settings = settings_for(GetParam());
-    const std::vector<Frame> with = run(settings);
+    const std::vector<Frame> with = run(effect, settings);
     EXPECT_TRUE(fills_table(with.front()));
     settings.sample_table = false;
-    const std::vector<Frame> without = run(settings);
+    const std::vector<Frame> without = run(effect, settings);
     EXPECT_TRUE(std::ranges::none_of(without, fills_table));
     expect_same(with, without);
 }
@@ -87,7 +88,8 @@ class SampleTable : public WithView<testing::Test> {};
 TEST_F(SampleTable, SequenceStartsOver) {
     Settings settings = settings_for("hemisphere");
     settings.table_size = 40;
-    const std::vector<Frame> with = run(settings);
+    AmbientOcclusion effect(device_, passes_, odd);
+    const std::vector<Frame> with = run(effect, settings);
     // 71 samples are all there are: 32 at first, and the rest in the frame after.
     EXPECT_TRUE(fills_table(with[1]));
     EXPECT_TRUE(fills_table(with[2]));
