@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "effect/pass_watcher.hpp"
 #include "effect/settings.hpp"
 #include "gpu/device.hpp"
 #include "gpu/image.hpp"
@@ -55,8 +56,6 @@ struct Frame {
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes used
 };
 
-struct Step;
-
 // The ambient-occlusion passes for images of one size, with their history.
 class AmbientOcclusion {
   public:
@@ -86,7 +85,7 @@ class AmbientOcclusion {
     [[nodiscard]] Frame next(int repeat = 1);
 
     // From now on each pass runs by itself, with a call before and after it: for tests of the passes alone.
-    void watch(std::function<void(const Step& pass, bool after)> watcher);
+    void watch(PassWatcher watcher);
 
   private:
     struct Impl;

@@ -28,6 +28,10 @@ Composite::Composite(const gpu::Device& device, const scene::PassLibrary& passes
                          .bindings = {storage_image, storage_image, storage_image, storage_image},
                          .push_constant_bytes = sizeof(glm::ivec2)}) {}
 
+void Composite::watch(PassWatcher watcher) {
+    watcher_ = std::move(watcher);
+}
+
 std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLight& light,
                                       std::span<const float> occlusion) const {
     const std::size_t pixels = std::size_t{extent.width} * extent.height;
@@ -45,7 +49,7 @@ std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLigh
     shown.upload(values);
     const glm::ivec2 size(extent.width, extent.height);
     const Step step{"composite", &pipeline_, {ambient, direct, shown, image}, bytes_of(size)};
-    (void)run(*device_, std::span(&step, 1), groups_for(extent), 1);
+    (void)run(*device_, std::span(&step, 1), groups_for(extent), 1, {}, watcher_);
     return vectors_of(image.download());
 }
 

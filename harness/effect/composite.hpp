@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "effect/pass_watcher.hpp"
 #include "gpu/compute.hpp"
 #include "gpu/device.hpp"
 #include "gpu/image.hpp"
@@ -24,9 +25,13 @@ class Composite {
     [[nodiscard]] std::vector<glm::vec3> lit(gpu::Extent extent, const scene::SplitLight& light,
                                              std::span<const float> occlusion) const;
 
+    // From now on each pass is watched: for tests of the passes alone.
+    void watch(PassWatcher watcher);
+
   private:
     const gpu::Device* device_;
     gpu::ComputePipeline pipeline_;
+    PassWatcher watcher_;  // empty: none
 };
 
 }  // namespace gloam::effect

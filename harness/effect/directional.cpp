@@ -99,6 +99,7 @@ struct Directional::Impl {
     std::map<DirectionalProgram, gpu::ComputePipeline> pipelines;
     gpu::Image nothing;
     gpu::Buffer method;
+    PassWatcher watcher;  // empty: none
 
     [[nodiscard]] const gpu::ComputePipeline& pipeline(const DirectionalProgram& program) {
         const auto found = pipelines.find(program);
@@ -116,7 +117,7 @@ struct Directional::Impl {
             const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
             const Step step{
                 "normals_from_depth", &normals, {images.depth, images.normal}, bytes_of(parameters)};
-            (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1);
+            (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1, {}, watcher);
         }
         return images;
     }
@@ -131,7 +132,7 @@ struct Directional::Impl {
         resources.insert(resources.end(), read.begin(), read.end());
         const DirectionalProgram program{pass, settings.layers, interleave, read.size()};
         const Step step{pass, &pipeline(program), std::move(resources), bytes_of(parameters)};
-        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1);
+        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1, {}, watcher);
     }
 };
 
@@ -140,6 +141,10 @@ Directional::Directional(const gpu::Device& device, const scene::PassLibrary& pa
 Directional::~Directional() = default;
 Directional::Directional(Directional&&) noexcept = default;
 Directional& Directional::operator=(Directional&&) noexcept = default;
+
+void Directional::watch(PassWatcher watcher) {
+    impl_->watcher = std::move(watcher);
+}
 
 BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings& settings,
                                       const BentOptions& options) {

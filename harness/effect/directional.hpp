@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "effect/pass_watcher.hpp"
 #include "effect/settings.hpp"
 #include "gpu/device.hpp"
 #include "scene/environment.hpp"
@@ -55,6 +56,9 @@ class Directional {
                                            const BentOptions& options = {});
     [[nodiscard]] DirectionalLight light(const scene::GBuffer& view, const Settings& settings,
                                          const scene::Environment& environment);
+
+    // From now on each pass is watched: for tests of the passes alone.
+    void watch(PassWatcher watcher);
 
   private:
     struct Impl;

@@ -83,6 +83,7 @@ struct FurtherViews::Impl {
     scene::PassLibrary library;
     gpu::ComputePipeline normals;
     gpu::Buffer method;
+    PassWatcher watcher;                                                 // empty: none
     std::map<std::pair<Program, bool>, gpu::ComputePipeline> pipelines;  // by what the cameras are
 
     [[nodiscard]] const gpu::ComputePipeline& pipeline(const Program& program, bool other_orthographic) {
@@ -104,7 +105,7 @@ struct FurtherViews::Impl {
         if (!view.normal.empty()) return images;
         const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
         const Step step{"normals_from_depth", &normals, {images.depth, images.normal}, bytes_of(parameters)};
-        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1);
+        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1, {}, watcher);
         return images;
     }
 };
@@ -114,6 +115,10 @@ FurtherViews::FurtherViews(const gpu::Device& device, const scene::PassLibrary& 
 FurtherViews::~FurtherViews() = default;
 FurtherViews::FurtherViews(FurtherViews&&) noexcept = default;
 FurtherViews& FurtherViews::operator=(FurtherViews&&) noexcept = default;
+
+void FurtherViews::watch(PassWatcher watcher) {
+    impl_->watcher = std::move(watcher);
+}
 
 std::vector<float> FurtherViews::raised(const scene::GBuffer& view, const std::vector<float>& occlusion,
                                         std::span<const scene::GBuffer> others, const Settings& settings) {
@@ -132,7 +137,7 @@ std::vector<float> FurtherViews::raised(const scene::GBuffer& view, const std::v
                         &impl_->pipeline(program, other.camera.orthographic()),
                         {images.depth, images.normal, there.depth, there.normal, result, impl_->method},
                         bytes_of(parameters)};
-        (void)run(*impl_->device, std::span(&step, 1), groups_for(view.extent), 1);
+        (void)run(*impl_->device, std::span(&step, 1), groups_for(view.extent), 1, {}, impl_->watcher);
     }
     return result.download();
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "effect/pass_watcher.hpp"
 #include "effect/settings.hpp"
 #include "gpu/device.hpp"
 #include "scene/gbuffer.hpp"
@@ -29,6 +30,9 @@ class FurtherViews {
     // with preparation passes and for a guard band.
     [[nodiscard]] std::vector<float> raised(const scene::GBuffer& view, const std::vector<float>& occlusion,
                                             std::span<const scene::GBuffer> others, const Settings& settings);
+
+    // From now on each pass is watched: for tests of the passes alone.
+    void watch(PassWatcher watcher);
 
   private:
     struct Impl;

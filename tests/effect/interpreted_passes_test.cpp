@@ -7,8 +7,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 #include <map>
 
+#include "effect/composite.hpp"
+#include "effect/directional.hpp"
+#include "effect/further_views.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
@@ -35,6 +39,7 @@ struct Bound {
     std::vector<Word> words;
     gpu::Extent extent{};  // of an image; 0 x 0: a buffer
     int channels = 0;
+    gpu::Format format = gpu::Format::r32f;
 };
 
 const gpu::Image* image_of(const gpu::Resource& resource) {
@@ -49,13 +54,17 @@ Bound read(const gpu::Resource& resource) {
         const auto words = buffer.as<Word>();
         return {.words = {words.begin(), words.end()}};
     }
-    Bound bound{.words = {}, .extent = image->extent(), .channels = gpu::channels(image->format())};
+    Bound bound{.words = {},
+                .extent = image->extent(),
+                .channels = gpu::channels(image->format()),
+                .format = image->format()};
+    const bool integers = image->format() == gpu::Format::rgba16ui;
     const std::vector<float> texels = image->download();
     const auto channels = static_cast<std::size_t>(bound.channels);
     for (std::size_t texel = 0; texel < texels.size() / channels; ++texel) {
         for (std::size_t c = 0; c < 4; ++c) {
             const float value = c < channels ? texels[texel * channels + c] : (c == 3 ? 1.0F : 0.0F);
-            bound.words.push_back(std::bit_cast<Word>(value));
+            bound.words.push_back(integers ? static_cast<Word>(value) : std::bit_cast<Word>(value));
         }
     }
     return bound;
@@ -153,12 +162,22 @@ struct Comparison {
     std::size_t close = 0;  // equal, or floats that other square roots and quotients may tell apart
 };
 
-bool is_close(Word a, Word b) {
+// What an image of that format keeps of a word that a shader writes.
+Word stored(gpu::Format format, Word word) {
+    if (format != gpu::Format::rgba16f) return word;
+    const glm::uint16 half = glm::packHalf1x16(std::bit_cast<float>(word));
+    return std::bit_cast<Word>(glm::unpackHalf1x16(half));
+}
+
+// Two results that differ by at most this much may differ by a unit of their format.
+bool is_close(gpu::Format format, Word a, Word b) {
     constexpr float apart = 1e-4F;
+    if (format == gpu::Format::rgba16ui) return std::max(a, b) - std::min(a, b) <= 1;
     const auto x = std::bit_cast<float>(a);
     const auto y = std::bit_cast<float>(b);
     const bool are_floats = (std::isnormal(x) || x == 0.0F) && (std::isnormal(y) || y == 0.0F);
-    return a == b || (are_floats && std::abs(x - y) <= apart * std::max(1.0F, std::abs(y)));
+    const float unit = format == gpu::Format::rgba16f ? 0x1p-10F : 0.0F;
+    return a == b || (are_floats && std::abs(x - y) <= (apart + unit) * std::max(1.0F, std::abs(y)));
 }
 
 Comparison compared(const std::vector<Bound>& before, const std::vector<Bound>& ours,
@@ -168,12 +187,12 @@ Comparison compared(const std::vector<Bound>& before, const std::vector<Bound>& 
         for (std::size_t w = 0; w < ours[b].words.size(); ++w) {
             const auto component = static_cast<int>(w % 4);
             if (ours[b].channels != 0 && component >= ours[b].channels) continue;
-            const Word x = ours[b].words[w];
+            const Word x = stored(ours[b].format, ours[b].words[w]);
             const Word y = device[b].words[w];
             if (x == before[b].words[w] && y == x) continue;  // not written
             ++all.words;
             all.equal += x == y ? 1 : 0;
-            all.close += is_close(x, y) ? 1 : 0;
+            all.close += is_close(ours[b].format, x, y) ? 1 : 0;
         }
     }
     return all;
@@ -187,8 +206,17 @@ class InterpretedPasses : public OnDevice<testing::Test> {
     void expect_the_devices(const std::vector<scene::GBuffer>& views, const Settings& settings,
                             const std::string& what, std::size_t frames = most_frames) {
         AmbientOcclusion effect(device_, passes_, views.front().extent);
-        std::vector<Bound> before;
-        effect.watch([&](const Step& pass, bool after) {
+        effect.watch(watcher(what));
+        for (std::size_t i = 0; i < frames; ++i) {
+            if (i == 0) effect.begin(views.front(), settings);
+            if (i > 0 && i < views.size()) effect.advance(views[i]);
+            (void)effect.next();
+        }
+    }
+
+    // Compares each pass with the interpreter.
+    PassWatcher watcher(const std::string& what) {
+        return [this, what, before = std::vector<Bound>()](const Step& pass, bool after) mutable {
             std::vector<Bound> now;
             for (const gpu::Resource& resource : pass.resources) now.push_back(read(resource));
             if (after) {
@@ -196,12 +224,7 @@ class InterpretedPasses : public OnDevice<testing::Test> {
             } else {
                 before = std::move(now);
             }
-        });
-        for (std::size_t i = 0; i < frames; ++i) {
-            if (i == 0) effect.begin(views.front(), settings);
-            if (i > 0 && i < views.size()) effect.advance(views[i]);
-            (void)effect.next();
-        }
+        };
     }
 
     std::map<std::string, Comparison> seen_;  // by the name of the pass
@@ -256,6 +279,52 @@ TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
           "remap", "remap_filtered", "reproject", "sample_table", "select_filtered_tiles", "select_tiles"})
         EXPECT_GT(seen_[name].words, 0U) << name;
     EXPECT_EQ(seen_["select_tiles"].equal, seen_["select_tiles"].words) << "integers";
+}
+
+// Histories of 16 bits: halves, and fixed point in integers.
+TEST_F(InterpretedPasses, WithSmallHistoriesAreTheDevicesPixelByPixel) {
+    const scene::Scene scene = scene::make_scene("moving");
+    std::vector<scene::GBuffer> views;
+    for (int frame = 0; frame < static_cast<int>(most_frames); ++frame)
+        views.push_back(
+            scene::rasterize(device_, passes_, scene, {21, 13}, {.frame = frame, .motion = true}));
+    for (const auto& [name, precision] :
+         {std::pair{"float16", HistoryPrecision::float16}, std::pair{"packed", HistoryPrecision::packed}}) {
+        Settings settings;
+        settings.precision = precision;
+        settings.weight_max = 500.0F;
+        settings.table_size = 1024;
+        expect_the_devices(views, settings, name);
+    }
+    EXPECT_GT(seen_["reproject"].words, 0U);
+}
+
+// Those of bent normals and of light, of further views and of the lit image.
+TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
+    const scene::GBuffer view =
+        scene::rasterize(device_, passes_, scene::make_scene("moving"), {13, 9}, {.layers = 2});
+    Settings settings = with_radius({}, 0.5F);
+    settings.layers = 2;
+    Directional directional(device_, passes_);
+    directional.watch(watcher("directional"));
+    for (const int interleave : {1, 3}) (void)directional.bent_normals(view, settings, {interleave});
+    const scene::Environment sky{.extent = {4, 2}, .radiance = std::vector<glm::vec3>(8, glm::vec3(1, 2, 3))};
+    (void)directional.light(view, settings, sky);
+
+    FurtherViews further(device_, passes_);
+    further.watch(watcher("further views"));
+    settings.layers = 1;
+    const std::vector<float> occlusion(view.depth.size(), 0.25F);
+    const scene::GBuffer others[] = {view};
+    (void)further.raised(view, occlusion, others, settings);
+
+    Composite composite(device_, passes_);
+    composite.watch(watcher("composite"));
+    const std::vector<glm::vec3> light(view.depth.size(), glm::vec3(0.5F, 0.25F, 2.0F));
+    (void)composite.lit(view.extent, {.ambient = light, .direct = light}, occlusion);
+    for (const char* name :
+         {"bent_normals", "bent_gather", "direct_light", "bounced_light", "further_view", "composite"})
+        EXPECT_GT(seen_[name].words, 0U) << name;
 }
 
 // A bare plane: nothing can block a tile of it.

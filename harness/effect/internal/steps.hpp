@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/pass_watcher.hpp"
 #include "gpu/compute.hpp"
 
 namespace gloam::effect {
@@ -24,9 +25,6 @@ struct Step {
     const gpu::Buffer* indirect = nullptr;  // where the device finds the groups instead, if anywhere
     std::size_t offset = 0;                 // bytes
 };
-
-// Called before a pass runs, by itself, and after.
-using PassWatcher = std::function<void(const Step& pass, bool after)>;
 
 template <class Parameters>
 std::span<const std::byte> bytes_of(const Parameters& parameters) {

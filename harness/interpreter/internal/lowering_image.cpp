@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Images: fetches, loads, stores and sizes. Nothing is filtered.
-#include <fmt/format.h>
-#include "interpreter/internal/opcodes.hpp"
-
 #include "interpreter/internal/lowering.hpp"
+#include "interpreter/internal/opcodes.hpp"
 
 namespace gloam::interpreter::internal {
 
@@ -19,15 +17,18 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
             return true;
         case SpvOpImageFetch:
         case SpvOpImageRead: {
-            constexpr std::uint32_t only_level = SpvImageOperandsLodMask;
-            if (i.words.size() > 5 && i.word(5) != only_level && i.word(5) != SpvImageOperandsMaskNone)
+            // How integers of fewer bits become 32: texels are given with 32.
+            constexpr std::uint32_t extensions =
+                SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask;
+            const std::uint32_t operands = i.words.size() > 5 ? i.word(5) & ~extensions : 0;
+            if (operands != SpvImageOperandsLodMask && operands != SpvImageOperandsMaskNone)
                 fail(Error::Kind::unknown_instruction, "a fetch with an offset, a sample or a gradient");
             Instruction& instruction =
                 emit(image_load, module_.types.slots(i.word(1)), operand(2), operand(3), operand(4));
             instruction.c = components(4);
             instruction.flags = flags_of(i.word(2), i.word(1));
             // Without a level of its own it reads level 0.
-            instruction.extra = i.words.size() > 6 ? operand(6) + 1 : 0;
+            instruction.extra = operands == SpvImageOperandsLodMask ? operand(6) + 1 : 0;
             return true;
         }
         case SpvOpImageWrite: {
