@@ -20,6 +20,7 @@ TEST(BenchSources, RepeatsTheExperiments) {
     const auto file = folder.path() / "sources.json";
     const auto page = folder.path() / "page.md";
     std::ofstream(page) << "before\n<!-- begin issao_table -->\n<!-- end issao_table -->\n"
+                        << "<!-- begin quality -->\nold\n<!-- end quality -->\n"
                         << "<!-- begin radius -->\nold\n<!-- end radius -->\n";
     expect_success(run_command({"bench", "sources", "--table-scene", "corner", "--scene", "relief", "--size",
                                 "64x36", "--rounds", "1", "--rays", "32", "--validation", "--json",
@@ -36,6 +37,13 @@ TEST(BenchSources, RepeatsTheExperiments) {
         EXPECT_EQ(table[i].at("error"), table[i].at("error_smaller_radius"));
     }
     EXPECT_LT(table[6].at("samples_taken"), 12.0);  // ISSAO's: fewer where the radius is small
+    const json& quality = document.at("quality");
+    ASSERT_EQ(quality.size(), 7U);
+    for (const json& row : quality) {
+        EXPECT_EQ(row.at("filter_ms"), 0.0);
+        EXPECT_LE(row.at("error_remapped"), row.at("error"));
+        EXPECT_GE(row.at("samples"), 2);  // one sample is too few for any of them
+    }
     const json& radius = document.at("radius");
     ASSERT_EQ(radius.size(), 18U);  // six configurations, each in three ways
     for (std::size_t i = 0; i < 18; i += 3) {

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <ranges>
 #include <utility>
 
+#include "effect/errors.hpp"
+#include "effect/methods.hpp"
 #include "effect/presets.hpp"
+#include "effect/remap_fit.hpp"
 #include "effect/study/benchmark_views.hpp"
 #include "effect/study/configuration_study.hpp"
 
@@ -17,6 +21,10 @@ constexpr std::array table_methods{"hbao_study", "crytek", "alchemy", "issao_dis
 constexpr std::uint32_t table_taps = 12;
 constexpr std::array study_presets{"crytek-performance", "filion-performance",     "hbao-performance",
                                    "angle-performance",  "volumetric-performance", "alchemy-performance"};
+
+constexpr std::array quality_presets{"crytek-quality", "filion-quality",     "hbao-quality",
+                                     "angle-quality",  "volumetric-quality", "alchemy-quality",
+                                     "unreal-quality"};
 
 // What an experiment runs on: a scene and the truth for one radius.
 BenchmarkViews views_of(const gpu::Device& device, const scene::PassLibrary& passes,
@@ -104,6 +112,57 @@ Settings of_table(const std::string& method, Filter filter) {
     return settings;
 }
 
+// Errors of single frames of one view, without a filter.
+class SampleSearch {
+  public:
+    SampleSearch(const gpu::Device& device, const scene::PassLibrary& passes, BenchmarkViews& views)
+        : views_(&views), effect_(device, passes, views.frames().extent) {}
+
+    // The settings with the fewest samples whose error more samples do not lower by a hundredth.
+    [[nodiscard]] Settings found(Settings settings) {
+        settings.filter = Filter::none;
+        settings.history = false;
+        std::vector<std::pair<std::uint32_t, double>> errors;
+        for (std::uint32_t samples = unit_of(method_named(settings.method), settings.steps);
+             samples <= most_samples; samples *= 2) {
+            set_samples(settings, samples);
+            errors.emplace_back(samples, error_of(occlusion(settings)));
+        }
+        double best = errors.back().second;
+        for (const auto& [samples, error] : errors | std::views::reverse) {
+            best = std::min(best, error);
+            if (error > best / (1.0 - least_gain)) break;
+            set_samples(settings, samples);
+        }
+        return settings;
+    }
+
+    [[nodiscard]] double remapped_error(const Settings& settings) {
+        const std::vector<float> image = occlusion(settings);
+        return error_of(remapped(image, best_remap(image, views_->scored(0).geometry)));
+    }
+
+  private:
+    static constexpr double least_gain = 0.01;
+
+    static void set_samples(Settings& settings, std::uint32_t samples) {
+        settings.samples = settings.samples_converged = samples;
+    }
+
+    [[nodiscard]] std::vector<float> occlusion(const Settings& settings) {
+        const Settings scaled = with_radius(settings, static_cast<float>(views_->scene().ao_radius));
+        effect_.begin(views_->view(0, scaled), scaled);
+        return effect_.next().occlusion;
+    }
+
+    [[nodiscard]] double error_of(const std::vector<float>& image) const {
+        return errors_of(image, views_->scored(0).geometry).rmse;
+    }
+
+    BenchmarkViews* views_;
+    AmbientOcclusion effect_;
+};
+
 Settings of_twice_the_samples(Settings settings) {
     settings.samples *= 2;
     settings.samples_converged = settings.samples;
@@ -124,6 +183,21 @@ std::vector<SourceRow> study_issao_table(const gpu::Device& device, const scene:
                            views);
     }
     return experiment.run();
+}
+
+std::vector<SourceRow> study_quality(const gpu::Device& device, const scene::PassLibrary& passes,
+                                     const scene::TruthCache& cache, const std::string& scene,
+                                     const SourceOptions& options) {
+    BenchmarkViews views = views_of(device, passes, cache, scene, 1.0, options);
+    SampleSearch search(device, passes, views);
+    Experiment experiment(device, passes, options);
+    for (const char* name : quality_presets) {
+        const Settings settings = search.found(preset_named(name).settings);
+        experiment.add({.name = name, .what = "error no longer falls", .settings = settings}, views, views);
+    }
+    std::vector<SourceRow> rows = experiment.run();
+    for (SourceRow& row : rows) row.error_remapped = search.remapped_error(row.settings);
+    return rows;
 }
 
 std::vector<SourceRow> study_radius(const gpu::Device& device, const scene::PassLibrary& passes,

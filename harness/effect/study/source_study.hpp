@@ -24,15 +24,16 @@ struct SourceOptions {
 // One configuration in an experiment, on the first frame of a scene.
 struct SourceRow {
     std::string scene;
-    std::string name;           // of the configuration
-    std::string what;           // was changed
-    Settings settings;          // for a radius of 1
-    double radius = 1.0;        // in radii of the scene
-    double taken = 0.0;         // samples, for each pixel with geometry
-    double occlusion_ms = 0.0;  // least times: what estimates the occlusion, preparation included
-    double filter_ms = 0.0;     // both passes of the filter
-    double error = 0.0;         // RMSE of what is shown, against the geometry's truth for that radius
-    double error_before = 0.0;  // against the truth for the scene's own radius
+    std::string name;             // of the configuration
+    std::string what;             // was changed
+    Settings settings;            // for a radius of 1
+    double radius = 1.0;          // in radii of the scene
+    double taken = 0.0;           // samples, for each pixel with geometry
+    double occlusion_ms = 0.0;    // least times: what estimates the occlusion, preparation included
+    double filter_ms = 0.0;       // both passes of the filter
+    double error = 0.0;           // RMSE of what is shown, against the geometry's truth for that radius
+    double error_before = 0.0;    // against the truth for the scene's own radius
+    double error_remapped = 0.0;  // after the best remap (remap_fit.hpp); of study_quality() alone
 };
 
 // ISSAO's table 1: four methods of 12 taps, each without a filter and with the bilateral one, on `scene`.
@@ -42,9 +43,16 @@ struct SourceRow {
                                                        const std::string& scene,
                                                        const SourceOptions& options);
 
+// The comparative study's quality configurations: samples doubled, from one unit on, until more of them lower
+// the error by less than a hundredth. Without a filter and without history.
+[[nodiscard]] std::vector<SourceRow> study_quality(const gpu::Device& device,
+                                                   const scene::PassLibrary& passes,
+                                                   const scene::TruthCache& cache, const std::string& scene,
+                                                   const SourceOptions& options);
+
 // The comparative study's scalability (Aalund and Baerentzen 2013): its performance configurations at the
 // scene's radius, at twice the radius, and at twice the radius with twice the samples. Throws, like the
-// other, std::runtime_error for a device that has no clock, and like AmbientOcclusion.
+// others, std::runtime_error for a device that has no clock, and like AmbientOcclusion.
 [[nodiscard]] std::vector<SourceRow> study_radius(const gpu::Device& device, const scene::PassLibrary& passes,
                                                   const scene::TruthCache& cache, const std::string& scene,
                                                   const SourceOptions& options);

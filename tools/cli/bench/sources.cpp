@@ -51,6 +51,15 @@ std::string radius_table(const std::vector<SourceRow>& rows) {
     return text;
 }
 
+std::string quality_table(const std::vector<SourceRow>& rows) {
+    std::string text =
+        "| scene | configuration | samples | ms | error | error, best remap |\n|---|---|--:|--:|--:|--:|\n";
+    for (const SourceRow& row : rows)
+        text += fmt::format("| {} | {} | {} | {:.2f} | {:.3f} | {:.3f} |\n", row.scene, row.name,
+                            row.settings.samples, row.occlusion_ms, row.error, row.error_remapped);
+    return text;
+}
+
 ordered_json rows_json(const std::vector<SourceRow>& rows) {
     ordered_json all = ordered_json::array();
     for (const SourceRow& row : rows)
@@ -63,8 +72,13 @@ ordered_json rows_json(const std::vector<SourceRow>& rows) {
                        {"occlusion_ms", row.occlusion_ms},
                        {"filter_ms", row.filter_ms},
                        {"error", row.error},
-                       {"error_smaller_radius", row.error_before}});
+                       {"error_smaller_radius", row.error_before},
+                       {"error_remapped", row.error_remapped}});
     return all;
+}
+
+void append(std::vector<SourceRow>& rows, const std::vector<SourceRow>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -75,7 +89,8 @@ int run_bench_sources(const BenchSourcesOptions& options) {
     (void)scene::make_scene(options.table_scene);
     for (const std::string& name : options.scenes) (void)scene::make_scene(name);
     std::string page = options.page.empty() ? "" : read_page(options.page);
-    if (!options.page.empty()) (void)with_blocks(page, {{"issao_table", ""}, {"radius", ""}});
+    if (!options.page.empty())
+        (void)with_blocks(page, {{"issao_table", ""}, {"quality", ""}, {"radius", ""}});
     const report::OutputFile page_file(options.page);
     const report::OutputFile json(options.json);
     gpu::Device device = open_device(options.device, options.validation);
@@ -83,20 +98,24 @@ int run_bench_sources(const BenchSourcesOptions& options) {
     const scene::TruthCache cache(truth_cache_directory());
     study.progress = progress_bar("ISSAO's table 1");
     const auto table = effect::study_issao_table(device, passes, cache, options.table_scene, study);
+    std::vector<SourceRow> quality;
     std::vector<SourceRow> radius;
     for (const std::string& name : options.scenes) {
+        study.progress = progress_bar(name + ": quality");
+        append(quality, effect::study_quality(device, passes, cache, name, study));
         study.progress = progress_bar(name + ": radius");
-        const auto rows = effect::study_radius(device, passes, cache, name, study);
-        radius.insert(radius.end(), rows.begin(), rows.end());
+        append(radius, effect::study_radius(device, passes, cache, name, study));
     }
     const std::vector<PageBlock> blocks{{"issao_table", issao_table(table)},
+                                        {"quality", quality_table(quality)},
                                         {"radius", radius_table(radius)}};
     fmt::print("{}, {} x {} pixels, least of {} runs\n\n", device.info().name, study.extent.width,
                study.extent.height, study.rounds);
     for (const PageBlock& block : blocks) fmt::print("{}\n", block.text);
     const ordered_json document{{"versions", versions()},          {"device", device.info().name},
                                 {"width", study.extent.width},     {"height", study.extent.height},
-                                {"issao_table", rows_json(table)}, {"radius", rows_json(radius)}};
+                                {"issao_table", rows_json(table)}, {"quality", rows_json(quality)},
+                                {"radius", rows_json(radius)}};
     json.write(document.dump(2) + "\n");
     if (!options.page.empty()) page_file.write(with_blocks(page, blocks));
     return validation_status(device);
@@ -104,11 +123,12 @@ int run_bench_sources(const BenchSourcesOptions& options) {
 
 void add_bench_sources(CLI::App& bench, int& status) {
     auto options = std::make_shared<BenchSourcesOptions>();
-    CLI::App* command = bench.add_subcommand(
-        "sources", "experiments that the sources print: ISSAO's table 1, the study's doubled radius");
+    CLI::App* command = bench.add_subcommand("sources",
+                                             "experiments that the sources print: ISSAO's table 1, the "
+                                             "study's quality configurations and doubled radius");
     command->add_option("--table-scene", options->table_scene, "built-in scene of ISSAO's table 1")
         ->capture_default_str();
-    command->add_option("--scene", options->scenes, "built-in scenes of the study's experiment")
+    command->add_option("--scene", options->scenes, "built-in scenes of the study's experiments")
         ->capture_default_str();
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
     command->add_option("--rounds", options->rounds, "in which everything is timed once")
