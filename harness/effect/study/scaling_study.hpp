@@ -29,9 +29,9 @@ struct ScalingRun {
 };
 
 // Times the scene `moving` at the smallest of the sizes, with 16 samples for each pixel, while one quantity
-// grows. The quantities are the pixels (with the same radius in pixels), the samples, the radius (in pixels
-// at the point that the camera looks at), the filter's taps on each side, and the moving objects (a frame
-// with a history). Values are visited in rounds.
+// grows: pixels, samples, the radius, the filter's taps on each side, moving objects. The pixels grow with
+// the same radius in pixels. The radius is in pixels at the point that the camera looks at. The frames of
+// moving objects have a history. Values are visited in rounds.
 //
 // The number of pixels grows twice. In "pixels" every tile is sampled, so each pixel is the same work. In
 // "pixels, open tiles left out" open tiles are skipped, as users have it, where the method knows them. How
