@@ -39,9 +39,9 @@ float gloam_layer_depth(float first, vec3 further, int layer) {
     return abs(layer == 1 ? further.x : (layer == 2 ? further.y : further.z));
 }
 
-// What the layers at a sample point, the first of them first, say of it together. With further layers a point behind
-// the back of what is in front of it is open: no guess of a thickness is needed. What is behind the last layer nobody
-// knows: of three or more, a back that is the last closes nothing.
+// The combined result of the layers at a sample point, added in order. With further layers a point behind a back face,
+// which ends the solid in front of it, is open: no thickness has to be assumed. What is behind the last layer is
+// unknown. So of three or more layers the last one ends nothing, even if it is a back face.
 struct GloamLayersSeen {
     float occlusion;  // so far, [0, 1]; 0 to begin with
     float before;     // as it was before the last layer; 0 to begin with
