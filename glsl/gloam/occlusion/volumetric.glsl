@@ -46,12 +46,11 @@ float gloam_line_ratio(float height, float half_height) {
     return abs(ratio) >= 0.0 ? ratio : 0.5;
 }
 
-// Pair of opposite taps: what lies in front of the sphere, or far behind the point, is another object, and the
-// partner's complement stands for it.
-// ratios: (q*_1, q*_2) of gloam_line_ratio, not clamped. lowest, highest: what is believed, 0.35 and 1 in the
+// Pair of opposite taps. A surface in front of the sphere, or far behind the point, belongs to another object; then 1 -
+// the partner's fraction replaces its own.
+// ratios: (q*_1, q*_2) of gloam_line_ratio, not clamped. lowest, highest: range of valid fractions, 0.35 and 1 in the
 // published shader.
-// Returns the two fractions, a disbelieved one replaced by 1 - the other; (0.5, 0.5) if neither is believed. NaN is
-// not believed.
+// Returns the two fractions, an invalid one replaced by 1 - the other; (0.5, 0.5) if both are invalid. NaN is invalid.
 // Error: 0.5 ULP.
 vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
     bool first = ratios.x >= lowest && ratios.x <= highest;
