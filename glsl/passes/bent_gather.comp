@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// What interleaved sampling has taken in parts, put together (Klehm et al. 2011; CS-L): each pixel has the open
-// directions of as many pixels around it as share a pattern, of which every part is then there once, as far as they lie
-// on the same surface. After bent_normals.comp with the same interleave; one invocation a pixel.
+// Gathers the directions of interleaved sampling (Klehm et al. 2011; CS-L). Each of the pixels that share a pattern
+// took a part of the samples (bent_normals.comp). This pass adds up a block of that size around each pixel, which holds
+// every part once. A neighbour counts as far as it lies on the same surface.
+// Run it after bent_normals.comp with the same interleave. One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
 //   4  rgba32f  written: as bent_normals.comp without interleave
@@ -17,12 +18,12 @@ layout(constant_id = 1) const int interleave = 4;  // side of the blocks whose p
 layout(binding = 4, rgba32f) uniform writeonly image2D bent_image;
 layout(binding = 5, rgba32f) uniform readonly image2D sums_image;
 
-// A neighbour on the same surface is no further from the tangent plane than a small part of this share of the radius.
+// A neighbour's height above the tangent plane is divided by this share of the radius before it is weighted.
 const float PLANE_SHARE = 0.1;
 const float NORMAL_POWER = 10.0;
 const float PLANE_POWER = 8.0;
 
-// How much a neighbour counts: 1 on the tangent plane with the same normal.
+// Weight of a neighbour, [0, 1]: 1 on the tangent plane with the same normal, 0 for background.
 float weight_of(Shaded shaded, ivec2 at) {
     float depth = gloam_fetch_depth(at);
     if (gloam_is_background(depth)) return 0.0;

@@ -5,19 +5,19 @@
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
 //   4  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is
-//               open the normal and 0; zeros at the background. With interleave above 1 (sum of open directions,
+//               open: the normal and 0. Zeros at the background. With interleave above 1: (sum of open directions,
 //               number of them) for bent_gather.comp
 #include "directional/points.glsl"
 #include "gloam/shading/bent_cone.glsl"
 #include "gloam/shading/bent_normal.glsl"
 
-// Side of the blocks whose pixels share a pattern, each taking a part of it (interleaved sampling); 1: each has its own
+// Side of the blocks whose pixels share a pattern (interleaved sampling): each pixel takes a part of it. 1: no sharing
 layout(constant_id = 1) const int interleave = 1;
 
 layout(binding = 4, rgba32f) uniform writeonly image2D bent_image;
 
-// i: number of the sample, from 0. A block's pixels take the points of one sequence, none of them turned, each pixel
-// those that follow one another: they alone cover the half ball too, where the other pixels lie on another surface.
+// i: number of the sample, from 0. The pixels of a block share one sequence without rotation. Each pixel takes
+// consecutive points of it: these cover the half ball also where the other pixels lie on another surface.
 Sample shared_sample(Shaded shaded, ivec2 pixel, uint i) {
     if (interleave == 1) return sample_of(shaded, i);
     uint part = uint(pixel.y % interleave * interleave + pixel.x % interleave);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// One bounce of light off what blocks (Ritschel, Grosch and Seidel 2009; CS-D), after direct_light.comp. One
-// invocation a pixel. Reads epsilon of the method: the least distance of a sender, d_min.
+// One bounce of light, from the surfaces that block to the point (Ritschel, Grosch and Seidel 2009; CS-D). Run it after
+// direct_light.comp. One invocation a pixel. Reads the method's setting epsilon: the least distance of a sender, d_min.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
 //   4  rgba32f  written: radiance that leaves the surface by the bounce in xyz, 0 at the background. w is 0
@@ -14,7 +14,7 @@ layout(binding = 4, rgba32f) uniform writeonly image2D light_image;
 layout(binding = 5, rgba32f) uniform readonly image2D albedo_image;
 layout(binding = 6, rgba32f) uniform readonly image2D direct_image;
 
-// What the surface seen at a blocked sample sends to the point.
+// Radiance that the surface at a blocked sample sends to the point.
 vec3 bounced(Shaded shaded, Sample s) {
     float depth = gloam_fetch_depth(s.pixel);
     if (gloam_is_background(depth)) return vec3(0.0);

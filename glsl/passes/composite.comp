@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The lit image: ambient light as far as it arrives, and direct light, which occlusion does not darken (McGuire, Mara
+// The lit image: ambient light, darkened by occlusion, and direct light, which occlusion does not darken (McGuire, Mara
 // and Luebke 2012; ISSAO-2): ambient * (1 - occlusion) + direct. One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Copies an image: one texel read and one written by each invocation. The least that a pass over all pixels
-// can cost, and so the unit in which the time of others is told ("copies").
+// Copies an image: each invocation reads one texel and writes one. This is the least that a pass over all pixels can
+// cost. Its time is therefore the unit for the times of other passes ("copies").
 //
-// Define GLOAM_FORMAT as the format of both images, else it is r32f, and GLOAM_INTEGERS where it holds unsigned
+// Define GLOAM_FORMAT as the format of both images (default: r32f), and GLOAM_INTEGERS where it holds unsigned
 // integers. Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  read
 //   1  written, of the same size

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Ambient occlusion from one view more (CS-LAYERS, multiple views): what hides behind something from this eye may be
-// seen from another. Each surface point is sampled once more in the depth buffer of another camera that sees it, and
-// the larger occlusion stays. Run once for each further view. One invocation a pixel of this view.
+// Ambient occlusion from a further view (CS-LAYERS, multiple views). Another camera may see surfaces that are hidden in
+// this view. The pass estimates the occlusion of each surface point a second time, in the depth buffer of another
+// camera that sees the point, and keeps the larger result.
+// Run the pass once for each further view. One invocation a pixel of this view.
 //
-// A point that the other camera does not see stays as it is: what hides it there may be of any thickness.
-// Define METHOD, and change the include, for another method than the one below; methods with preparation passes cannot
+// A point that the other camera does not see keeps its occlusion, because the thickness of what hides it there is
+// unknown.
+// Define METHOD and change the include to use another method than the one below; methods with preparation passes cannot
 // be used. Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth of this view, world units; background 0 or not finite
 //   1  rgba32f  view-space normal of this view facing its eye in xyz
@@ -18,8 +20,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool orthographic = false;        // this camera; else perspective
 layout(constant_id = 1) const bool other_orthographic = false;  // the other one
 layout(constant_id = 2) const uint samples = 32u;               // for each pixel, whole units of the method
-layout(constant_id = 3) const uint method_steps = 4u;           // in the place of MethodValues::steps
-// leave out taps further in front than MethodValues::range (CS-REJ)
+layout(constant_id = 3) const uint method_steps = 4u;           // replaces MethodValues::steps
+// skip taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 4) const bool reject_taps = false;
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
@@ -37,7 +39,7 @@ layout(push_constant) uniform Parameters {
     float radius;           // of influence, world units
     float bias;             // world units
     float bias_depth;       // the bias is at least this share of the depth
-    float remap_a;          // what is shown of an estimate (CS-REMAP)
+    float remap_a;          // maps an estimate to the displayed value (CS-REMAP)
     float remap_b;
     float remap_c;
 } parameters;
@@ -54,10 +56,11 @@ layout(push_constant) uniform Parameters {
 
 layout(binding = 5, std430) readonly buffer MethodSettings { MethodValues method_values; };
 
-// How much nearer or further than the point the other view's surface may be, as a share of its depth.
+// Largest difference between the point's depth and the other view's surface at which both are one surface, as a share
+// of the depth.
 const float SEEN_TOLERANCE = 0.02;
 
-// What the method reads: of the other view.
+// The images that the method reads: those of the other view.
 float gloam_fetch_depth(ivec2 pixel) {
     return imageLoad(other_depth_image, pixel).x;
 }
@@ -74,14 +77,14 @@ vec4 gloam_fetch_prepared(ivec2 pixel) {
     return vec4(0.0);
 }
 
-// The method, any file of that folder, and its call; values: a MethodValues.
+// The method: any file of that folder, and a call of it. values: a MethodValues.
 #include "gloam/methods/hemisphere.glsl"
 #ifndef METHOD
 #define METHOD(position, normal, camera, kernel, values) \
     gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range))
 #endif
 
-// Whether the other camera sees a surface of its view space, from the front.
+// Whether the other camera sees this point, from the front. position, normal: in that camera's view space.
 bool seen_there(vec3 position, vec3 normal, GloamCamera camera) {
     if (!(-position.z >= 1e-18 && -position.z <= GLOAM_FARTHEST)) return false;
     if (!(dot(normal, gloam_toward_eye(position, camera.orthographic)) > 0.0)) return false;
@@ -91,7 +94,7 @@ bool seen_there(vec3 position, vec3 normal, GloamCamera camera) {
     return gloam_depth_consistent(depth, -position.z, SEEN_TOLERANCE);
 }
 
-// Occlusion of a pixel's point as the other view tells it, as it is shown; 0 where that tells nothing.
+// Occlusion of a pixel's point in the other view, remapped for display; 0 where the other view cannot estimate it.
 float occlusion_there(ivec2 pixel, float depth) {
     vec3 here = gloam_camera_position(pixel, depth, GloamCamera(parameters.p00_p11, parameters.size, orthographic));
     vec3 position = (parameters.other_from_this * vec4(here, 1.0)).xyz;

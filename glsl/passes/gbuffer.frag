@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// G-buffer, fragments: eye-linear depth from the value that goes into the depth buffer, and the view-space normal.
-// With GLOAM_MOTION also the view-space position in the frame before, and the object and the triangle.
-// All images are cleared to 0: no geometry.
+// G-buffer, fragments: eye-linear depth, computed from the value that goes into the depth buffer, and the view-space
+// normal. With GLOAM_MOTION also the view-space position in the previous frame, the object and the triangle. All images
+// are cleared to 0: no geometry.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "gloam/geometry/linear_depth.glsl"
@@ -15,7 +15,7 @@ layout(location = 1) out vec4 normal;
 #ifdef GLOAM_MOTION
 layout(location = 2) in vec3 previous_view_position;
 layout(location = 3) flat in vec2 object_and_triangle;
-layout(location = 2) out vec4 previous_and_object;  // whole numbers up to 2^24 are exact
+layout(location = 2) out vec4 previous_and_object;  // integers up to 2^24 are exact
 layout(location = 3) out float triangle_and_one;
 #endif
 
@@ -23,10 +23,10 @@ layout(push_constant) uniform Parameters {
     mat4 projection;
 };
 
-// The interpolated normal, on the viewer's side of the surface.
+// The interpolated normal, turned to the viewer's side of the surface.
 // interpolated: of any length. flat_normal: of the triangle, unit, facing the viewer. away: unit, from the viewer.
-// Returns a unit vector n with dot(n, away) < 0; flat_normal where the interpolated one has no direction. Where
-// interpolation tips the normal over the rim of a smooth shape, n is what of it is perpendicular to the view.
+// Returns a unit vector n with dot(n, away) < 0; flat_normal where the interpolated one has no direction. On smooth
+// silhouettes interpolation can turn the normal away from the viewer. Then n is its part perpendicular to the view.
 vec3 shading_normal(vec3 interpolated, vec3 flat_normal, vec3 away) {
     vec3 n = gloam_safe_normalize(interpolated, flat_normal);
     if (dot(n, flat_normal) < 0.0) n = -n;
@@ -40,10 +40,10 @@ void main() {
     linear_depth = orthographic ? gloam_linear_depth_orthographic_vk(b, projection[2][2], projection[3][2])
                                 : gloam_linear_depth_perspective_vk(b, projection[2][2], projection[3][2]);
     vec3 away = orthographic ? vec3(0.0, 0.0, -1.0) : gloam_safe_normalize(view_position, vec3(0.0, 0.0, -1.0));
-    // Edge-on, the derivatives may have no direction: then straight at the viewer.
+    // Seen edge-on, the derivatives may have no direction; then the normal points straight at the viewer.
     vec3 flat_normal = gloam_safe_normalize(cross(dFdx(view_position), dFdy(view_position)), -away);
     if (dot(flat_normal, away) > 0.0) flat_normal = -flat_normal;
-    // Geometry too far for the depth buffer to tell from infinity is background.
+    // Geometry is background where the depth buffer cannot distinguish its depth from infinity.
     bool background = gloam_is_background(linear_depth);
     normal = vec4(background ? vec3(0.0) : shading_normal(view_normal, flat_normal, away), 0.0);
 #ifdef GLOAM_MOTION

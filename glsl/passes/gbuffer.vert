@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// G-buffer, vertices: view space in, clip and view space out. With GLOAM_MOTION each vertex also says where it was in
-// the view space of the frame before, and what it belongs to.
+// G-buffer, vertices: from view space to clip and view space. With GLOAM_MOTION each vertex also has its view-space
+// position of the previous frame and its object.
 #version 450
 
 layout(location = 0) in vec3 position;

@@ -2,13 +2,13 @@
 #ifndef GLOAM_PASSES_HISTORY_IMAGE_GLSL
 #define GLOAM_PASSES_HISTORY_IMAGE_GLSL
 
-// How passes hold a history. Define GLOAM_HISTORY as rgba16f for four half floats, or GLOAM_PACKED_HISTORY for 16
-// bits of fixed point each (gloam/temporal/packed_history.glsl); else it is four floats.
+// The image format of a history. Define GLOAM_HISTORY as rgba16f for four half floats, or GLOAM_PACKED_HISTORY for four
+// fixed-point numbers of 16 bits (gloam/temporal/packed_history.glsl). The default is four floats.
 //   layout(binding = B, GLOAM_HISTORY) uniform GLOAM_HISTORY_IMAGE image;
 //   GLOAM_LOAD_HISTORY(image, pixel)          a GloamHistory
 //   GLOAM_LOAD_HISTORY_TEXEL(image, pixel)    the same as a vec4, as gloam_history_pack gives it, but not sanitized
 //   GLOAM_STORE_HISTORY(image, pixel, history)
-// GLOAM_HISTORY_ROUNDS: what is loaded may differ from what was stored.
+// GLOAM_HISTORY_ROUNDS: true where a loaded value may differ from the stored one.
 
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/packed_history.glsl"

@@ -2,8 +2,7 @@
 #ifndef GLOAM_PASSES_METHOD_VALUES_GLSL
 #define GLOAM_PASSES_METHOD_VALUES_GLSL
 
-// Values of the settings that methods have, as a buffer holds them: a method's own struct is made of some of them
-// (METHOD).
+// The settings of all methods in one buffer layout. METHOD builds a method's own struct from some of them.
 struct MethodValues {
     float range;         // world units
     float epsilon;       // world units

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Normals from depth, for engines that keep none: one invocation a pixel, from the four neighbours.
+// Normals from depth, for engines that do not store them, from the four neighbours. One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// One more depth layer, fragments: the nearest surface behind the layer before (depth peeling; Bavoil and Sainz 2009).
-// Run it once for each layer with gbuffer.vert, always the same pipeline, on what the run before has written: one
-// surface then has the same depth in every run to the bit, and no surface is found twice.
+// One more depth layer, fragments: the nearest surface behind the previous layer (depth peeling; Bavoil and Sainz
+// 2009).
+// Run the pass once for each layer, with gbuffer.vert and always the same pipeline, on the output of the run before. A
+// surface then has a bit-identical depth in every run, and no surface is found twice.
 //
-// The comparison is exact. Surfaces at one depth are one layer; of two that nearly coincide, each is one.
+// The comparison is exact: surfaces of equal depth form one layer, nearly coincident surfaces form two.
 //   0  rgba32f  of the run before: (depth, value of the depth buffer, 0, 1 where there is a surface); for the first run
-//               (0, 2, 0, 1) with reversed depth, else (0, -1, 0, 1) output      likewise, cleared to 0. The depth is
-//               eye-linear, negative where the surface is seen from behind, 0 where there is none
+//               (0, 2, 0, 1) with reversed depth, else (0, -1, 0, 1)
+// The output has the same four values and is cleared to 0. Its depth is eye-linear, negative where the surface is seen
+// from behind, 0 where there is none.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "gloam/geometry/background.glsl"
@@ -24,7 +26,7 @@ layout(push_constant) uniform Parameters {
     uint reversed_z;  // 1, or 0 where the depth buffer grows with the distance
 };
 
-// By the mesh's normal, whose side is the outer one.
+// Whether the viewer sees the back: the mesh's normal points to the outer side. away: unit, from the viewer.
 bool seen_from_behind(vec3 away) {
     vec3 flat_normal = gloam_safe_normalize(cross(dFdx(view_position), dFdy(view_position)), -away);
     if (dot(flat_normal, away) > 0.0) flat_normal = -flat_normal;

@@ -14,18 +14,18 @@
 #include "gloam/temporal/rotation_switch.glsl"
 #include "gloam/temporal/sample_budget.glsl"
 
-// What a pixel is sampled with in one frame, the same for ambient_occlusion.comp and for the passes that prepare for
-// it: how many samples, from how far, turned by which angle. The user has a block `parameters` with the members that
-// are read here, this_camera(), method_values, and the constants samples_asked, samples_converged, fewer_samples
-// (read samples_distance, samples_radius and samples_least), caps_radius (read radius_cap), reject_taps, layers and
-// ends_marches.
+// The samples of a pixel in one frame: their number, their radius and their rotation. ambient_occlusion.comp and the
+// preparation passes include this file, so that they agree.
+// The user defines a block `parameters` with the members that this file reads, this_camera(), method_values, and the
+// constants samples_asked, samples_converged, fewer_samples (which makes it read samples_distance, samples_radius and
+// samples_least), caps_radius (radius_cap), reject_taps, layers and ends_marches.
 
 // Half-axes of the projected radius, pixels. depth: eye-linear, world units.
 vec2 reach_at(float depth) {
     return gloam_camera_radius(parameters.radius, depth, this_camera()) * vec2(parameters.size);
 }
 
-// Radius of influence, world units: smaller where its projection would exceed the cap.
+// Radius of influence at a depth, world units: smaller where its projection would exceed the cap.
 float radius_at(float depth) {
     if (!caps_radius) return parameters.radius;
     vec2 reach = reach_at(depth);
@@ -35,11 +35,11 @@ float radius_at(float depth) {
     return parameters.radius * (max(capped.x, capped.y) / larger);
 }
 
-// Samples that a pixel of that history is to take: k_1 or k_2 (TSSAO-AS), fewer far away (CS-N) and where the radius
-// is small (ISSAO-LOD).
+// Samples that a pixel with this history takes: k_1 or k_2 (TSSAO-AS), fewer far away (CS-N) and where the radius is
+// small (ISSAO-LOD).
 uint samples_at(GloamHistory before, float depth) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
-    // Where both are the same, a constant: loops that end by it are unrolled.
+    // If k_1 equals k_2, the number is a constant, so that the compiler can unroll the loops over samples.
     int samples = int(samples_asked);
     if (samples_converged != samples_asked) {
         samples = gloam_sample_count(convergence, parameters.c_spatial, int(samples_asked), int(samples_converged));
@@ -55,7 +55,7 @@ uint samples_at(GloamHistory before, float depth) {
     return uint(samples);
 }
 
-// Those of a pixel. samples: of samples_at.
+// The kernel of a pixel. samples: as samples_at returns it.
 GloamKernel kernel_of(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     float angle =

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Maps the occlusion to what is shown (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel. Only
-// for display: the history must not see the result.
+// Maps the occlusion to the displayed value (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel.
+// Only for display: the history must not contain the result.
 //
-// Define GLOAM_SOURCE as r32f where binding 1 is not a history, which is held as history_image.glsl says.
+// Define GLOAM_SOURCE as r32f if binding 1 is not a history; a history has the format of history_image.glsl.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  source   occlusion in x: the history, or the filter's result

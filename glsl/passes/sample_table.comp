@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Computes once for each sample what all pixels share of it: its point of the Halton sequence and where that is
-// mapped to. One invocation a sample.
+// Computes for each sample what all pixels share: its point of the Halton sequence and the mapped position of this
+// point. One invocation a sample.
 //
 // Dispatch ceil((last - first + 1) / 64) groups. Descriptor set 0:
 //   0  rgba32f  written: the samples first to last (samples/table.glsl), 0 in w
@@ -16,7 +16,7 @@ layout(push_constant) uniform Parameters {
 
 #include "samples/table.glsl"
 
-// What the samples of a method share: any file of the folder, and its function.
+// The shared part of a method's samples: any file of the folder, and its function.
 #include "gloam/sampling/hemisphere_cosine_point.glsl"
 #ifndef SAMPLE_POINT
 #define SAMPLE_POINT gloam_hemisphere_cosine_point

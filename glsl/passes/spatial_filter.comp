@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #version 450
 #extension GL_EXT_control_flow_attributes : require
-// Smooths the occlusion in the image along one axis: run it along x, then along y on the result. Only for display:
-// the history must not see the result. How neighbours count is said by a file of the folder filters: by convergence
-// (TSSAO-10), by normal and depth (CS-BLUR), by distance and depth (ISSAO-7), or as SAO has it.
+// Smooths the occlusion in the image along one axis: run it along x, then along y on the result. Only for display: the
+// history must not contain the result. A file of the folder filters defines the weights: by convergence (TSSAO-10), by
+// normal and depth (CS-BLUR), by distance and depth (ISSAO-7), or those of SAO.
 //
-// An invocation filters PIXELS pixels of a tile, in a row along the axis. Their windows overlap: it reads the row
-// once, with what the outermost windows reach beyond it, and everything that a tap needs is computed once and not
-// once for each pixel that has it in its window.
+// An invocation filters PIXELS pixels of a tile, in a row along the axis. Their windows overlap. The invocation
+// therefore reads the row and the neighbours of its ends once, and computes what a tap needs once for all windows that
+// contain it.
 //
-// The history is held as history_image.glsl says. Define GLOAM_HALF_WIDTH as the taps on each side, else 2 (5 x 5).
-// Dispatch ceil(width / (8 FILTER_TILES)) x ceil(height / 8) groups, or a list of tiles (tiles/select_filtered.comp).
+// The history has the format of history_image.glsl. Define GLOAM_HALF_WIDTH as the number of taps on each side; the
+// default is 2 (5 x 5). Dispatch ceil(width / (8 FILTER_TILES)) x ceil(height / 8) groups, or a list of tiles
+// (tiles/select_filtered.comp).
 // Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite; read where the history rounds
 //   1  history  occlusion in x, accumulated samples in y, depth in w as binding 0 has it unless it is rounded
@@ -22,8 +23,8 @@
 #ifndef GLOAM_HALF_WIDTH
 #define GLOAM_HALF_WIDTH 2
 #endif
-// A row is held in registers: the loops over it have to be unrolled. One of a wide window would not fit, and is read
-// again for each pixel.
+// A row is held in registers, so the loops over it have to be unrolled. The row of a wide window would not fit: it is
+// read again for each pixel.
 #if GLOAM_HALF_WIDTH <= 8
 #define HOLDS_ROW true
 #define UNROLL [[unroll]]
@@ -46,7 +47,7 @@ layout(binding = 5, r32f) uniform readonly image2D along_x_image;
 #define GLOAM_LIST_BINDING 4
 #include "tiles/listed.glsl"
 
-const int TILE_ROWS = int(TILE_SIDE * TILE_SIDE) / PIXELS;  // a tile's, each of an invocation
+const int TILE_ROWS = int(TILE_SIDE * TILE_SIDE) / PIXELS;  // rows of a tile, one for each invocation
 layout(local_size_x = int(FILTER_TILES) * TILE_ROWS) in;
 
 layout(push_constant) uniform Parameters {
@@ -61,7 +62,7 @@ layout(push_constant) uniform Parameters {
                 // pixel that has just appeared is not overruled by the old ones that happen to be on one side of it
 } parameters;
 
-// What the images hold of a pixel.
+// What the images hold for a pixel.
 struct Source {
     float occlusion;  // what is filtered, in [0, 1]
     float samples;    // accumulated
@@ -75,25 +76,25 @@ Source source_at(ivec2 pixel) {
     return Source(texel.x, texel.y, texel.w);
 }
 
-// Of the image, (1, 0) or (0, 1).
+// The axis in the image, (1, 0) or (0, 1).
 ivec2 filter_axis() {
-    // By components: of whole vectors (OpSpecConstantOp Select with one condition) the choice came out wrong on
-    // lavapipe, Mesa 22.3.
+    // By components: with whole vectors (OpSpecConstantOp Select with one condition) lavapipe of Mesa 22.3 selects
+    // wrongly.
     return ivec2(along_y ? 0 : 1, along_y ? 1 : 0);
 }
 
-// The filter: any file of this folder. It defines REACH, the pixels that a window reaches to each side; what is kept
-// of a pixel for the windows that it lies in (tiles/row.glsl); and filtered_occlusion(position), in [0, 1], of the
+// The filter: any file of this folder. It defines REACH, the pixels that a window reaches to each side; Tap, the data
+// of a pixel for all windows that contain it (tiles/row.glsl); and filtered_occlusion(position), in [0, 1], of the
 // pixel at a position of the row.
 #include "filters/convergence.glsl"
 
-// Of the invocation's pixels; outside the image for one beyond its edge, and beyond the end of the list.
+// The first pixel of the invocation; outside the image beyond its edge and beyond the end of the list.
 ivec2 first_pixel() {
     int invocation = int(gl_LocalInvocationID.x);
     int row = invocation % TILE_ROWS;
     int side = int(TILE_SIDE);
-    // Invocations next to each other lie across the axis where that is along the rows of the image, and so of what is
-    // read together.
+    // Neighbouring invocations lie across the axis. For the filter along y that is along the rows of the image, whose
+    // pixels are read together.
     ivec2 within =
         along_y ? ivec2(row % side, row / side * PIXELS) : ivec2(row % (side / PIXELS) * PIXELS, row / (side / PIXELS));
     return ivec2(tile_of(group_entry_at(parameters.size, uint(invocation / TILE_ROWS), FILTER_TILES))) * side + within;

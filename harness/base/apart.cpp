@@ -25,12 +25,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The first byte of what the copy says.
+// The first byte of the copy's answer.
 constexpr char returned = 'r';
 constexpr char thrown = 't';
 constexpr char out_of_memory = 'm';
 
-// Pages of address space that this process has.
+// Bytes of address space of this process.
 std::uint64_t own_memory() {
     unsigned long pages = 0;
     std::FILE* file = std::fopen("/proc/self/statm", "re");
@@ -40,7 +40,7 @@ std::uint64_t own_memory() {
     return read == 1 ? std::uint64_t{pages} * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-// What the work gives or how it failed, in one text.
+// The result or the failure of the work, in one text.
 std::string answer_of(const std::function<std::string()>& work) {
     try {
         return returned + work();
@@ -51,7 +51,7 @@ std::string answer_of(const std::function<std::string()>& work) {
     }
 }
 
-// The end of the limit on processor time, from now on; it can be moved again.
+// Sets the limit on processor time to this much from now; it can be set again.
 void limit_time(std::chrono::seconds more) {
     rusage used{};
     rlimit limit{};
@@ -61,7 +61,7 @@ void limit_time(std::chrono::seconds more) {
     setrlimit(RLIMIT_CPU, &limit);
 }
 
-// Exactly that many bytes; false when the connection ends or the deadline comes first.
+// Receives exactly this many bytes; false if the connection ends or the deadline passes first.
 bool receive(int connection, Clock::time_point deadline, std::size_t bytes, std::string& text) {
     text.clear();
     while (text.size() < bytes) {
@@ -131,7 +131,7 @@ Apart::Apart(Work work, const ProcessLimits& limits) : work_(std::move(work)), l
 Apart::~Apart() = default;
 
 std::string Apart::ask(std::string_view question) {
-    // Two processes would mix their questions on one connection.
+    // After a fork, two processes would mix their questions on one connection.
     if (copy_ && !copy_->child.is_ours()) copy_.reset();
     if (!copy_) copy_ = std::make_unique<Copy>(*this);
     std::string answer;

@@ -16,7 +16,7 @@
 namespace gloam::base::internal {
 namespace {
 
-// A sanitizer's shadow takes all of the address space that there is.
+// A sanitizer's shadow memory takes the whole address space.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool address_space_is_ours = false;
 #elif defined(__has_feature)
@@ -25,7 +25,7 @@ constexpr bool address_space_is_ours = !__has_feature(address_sanitizer);
 constexpr bool address_space_is_ours = true;
 #endif
 
-// `more`: from the limit, which may be handled, to the end.
+// `more`: from the soft limit, which can be handled, to the hard limit.
 void limit(__rlimit_resource resource, rlim_t value, rlim_t more = 0) {
     rlimit now{};
     if (getrlimit(resource, &now) != 0) return;
@@ -42,7 +42,7 @@ ChildProcess::ChildProcess(const std::string& what, const std::function<void()>&
     if (id_ < 0) throw std::system_error(errno, std::generic_category(), "cannot " + what);
     if (id_ != 0) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent_) _exit(1);  // it was over before that took effect
+    if (getppid() != parent_) _exit(1);  // the parent ended before this took effect
     work();
     _exit(1);
 }

@@ -42,7 +42,8 @@ std::pair<FileDescriptor, FileDescriptor> connected_pair() {
 void reserve_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-        // The lowest free number, which is this one's. For the other direction: reading, or writing, fails.
+        // Gets the lowest free number, which is this stream's. It is opened for the other direction, so
+        // reading or writing fails.
         (void)!open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
 }

@@ -5,7 +5,7 @@
 
 namespace gloam::base {
 
-// An open file, closed at the end.
+// An open file; the destructor closes it.
 class FileDescriptor {
   public:
     explicit FileDescriptor(int number = -1) : number_(number) {}
@@ -24,16 +24,16 @@ class FileDescriptor {
     int number_;
 };
 
-// The same open file under a number above those of the standard streams, which a child's dup2() would
+// The same open file with a number above those of the standard streams, which a child's dup2() would
 // overwrite; closed by exec.
 [[nodiscard]] FileDescriptor beyond_standard(FileDescriptor file);
 
-// Two ends of a connection, each beyond_standard(): a socket and not a pipe, so that writing to a program
-// that has ended is an error and not a signal. Throws std::system_error.
+// Two ends of a connection, each beyond_standard(). They are sockets and not a pipe, so that writing to a
+// program that has ended is an error and not a signal. Throws std::system_error.
 [[nodiscard]] std::pair<FileDescriptor, FileDescriptor> connected_pair();
 
-// A standard stream that is closed is opened in a way that every use of it fails, so that no other file gets
-// its number. To be called before anything else is opened.
+// Opens each closed standard stream so that every use of it fails, and no other file gets its number. Call it
+// before anything else is opened.
 void reserve_standard_streams();
 
 }  // namespace gloam::base

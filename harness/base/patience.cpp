@@ -8,7 +8,7 @@
 namespace gloam::base {
 namespace {
 
-// A process that computes gets at least this share of a core, even on a machine where many do.
+// A computing process gets at least this share of a core, even on a machine with many of them.
 constexpr double least_share = 0.05;
 constexpr std::chrono::milliseconds shortest_wait{10};
 

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t last_bytes = 1000;  // of standard error
 
-// What the child does between fork and exec: nothing that allocates or locks. Returns only when exec failed.
+// The child's work between fork and exec, which neither allocates nor locks. Returns only if exec failed.
 struct Program {
     char* const* arguments;
     int input;
@@ -42,14 +42,15 @@ struct Program {
     }
 };
 
-// A program that runs as a child. Throws std::system_error when it cannot be started.
+// Starts a program as a child. Throws std::system_error if that fails.
 internal::ChildProcess started(const std::vector<std::string>& command, int input, int output, int errors,
                                const ProcessLimits& limits) {
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    auto [failure, failure_end] = connected_pair();  // closed by a successful exec; else carries its error
+    auto [failure, failure_end] =
+        connected_pair();  // closed by a successful exec; otherwise carries its error
     const Program program{arguments.data(), input, output, errors, limits};
     internal::ChildProcess child("start " + words.at(0), [&, end = failure_end.get()] {
         program.become();
@@ -66,13 +67,13 @@ internal::ChildProcess started(const std::vector<std::string>& command, int inpu
     throw std::system_error(error, std::generic_category(), "cannot start " + words[0]);
 }
 
-// The three streams of a running program, from this side; each is closed when it has ended.
+// The parent's ends of a running program's three streams; each is closed when it has ended.
 class Streams {
   public:
     Streams(FileDescriptor input, FileDescriptor output, FileDescriptor errors, std::string_view text)
         : files_{std::move(input), std::move(output), std::move(errors)}, text_(text) {}
 
-    // Until both outputs have ended: nothing; else what they exceeded.
+    // Runs until both outputs have ended. Returns the limit that was exceeded, if any.
     ProcessResult::End exchange(const ProcessLimits& limits, Clock::time_point deadline,
                                 ProcessResult& result) {
         while (files_[1].is_open() || files_[2].is_open()) {

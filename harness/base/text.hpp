@@ -7,18 +7,19 @@
 
 namespace gloam::base {
 
-// The text, or as much of its beginning as fits into `most` bytes with "..." behind it; no character of UTF-8
-// is cut in two. For what a message quotes.
+// The text, or its beginning followed by "...", in at most `most` bytes. No UTF-8 character is cut. For
+// quotes in messages.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
 
-// The text in one line that a terminal shows as it is: what is no character, a line break say, is a space.
+// The text in one line for a terminal: every character that is not printable, for example a line break,
+// becomes a space.
 [[nodiscard]] std::string one_line(std::string_view text);
 
 // Whether a text is a name of at most 1000 bytes in one line, without control characters, and not empty.
 [[nodiscard]] bool is_name(std::string_view text);
 
-// A name for a file from any text: letters, digits, '-', '_' and '.' stay (a dot not in front), other bytes
-// become %XX. Two texts have two names, up to 100 bytes; what is longer ends in a hash.
+// A file name from any text: letters, digits, '-', '_' and '.' are kept (except a leading dot), other bytes
+// become %XX. Different texts have different names, up to 100 bytes; a longer name ends in a hash.
 [[nodiscard]] std::string file_name_of(std::string_view text);
 
 }  // namespace gloam::base

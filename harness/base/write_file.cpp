@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Not derived from `path`, whose name may already be as long as names can be.
+// Not derived from `path`, because its name may already have the maximal length.
 fs::path neighbour_of(const fs::path& path) {
     std::random_device entropy;
     return path.parent_path() / fmt::format(".gloam-{:08x}{:08x}.part", entropy(), entropy());
 }
 
-// A file that was not there, under a name that nobody could foresee.
+// Creates a file with an unpredictable name.
 std::pair<fs::path, FileDescriptor> new_neighbour_of(const fs::path& path) {
     constexpr int attempts = 8;
     for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -58,7 +58,7 @@ int write_all(int file, std::string_view bytes) {
 WrittenAside::WrittenAside(fs::path path, std::string_view bytes) : path_(std::move(path)) {
     auto [name, file] = new_neighbour_of(path_);
     int error = write_all(file.get(), bytes);
-    // A full disk may show as late as here.
+    // A full disk may be reported as late as here.
     const int number = dup(file.get());
     if (number < 0 || close(number) != 0) error = error == 0 ? errno : error;
     if (error != 0) {

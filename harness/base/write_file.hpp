@@ -6,18 +6,18 @@
 
 namespace gloam::base {
 
-// Throws std::runtime_error: "cannot write PATH: REASON", the reason of that error number.
+// Throws std::runtime_error: "cannot write PATH: REASON", with the reason of this error number.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
 
-// Writes all bytes to an open file. Returns 0, or the error number of what went wrong.
+// Writes all bytes to an open file. Returns 0, or the error number.
 [[nodiscard]] int write_all(int file, std::string_view bytes);
 
-// Bytes that are to become a file. They lie beside it, whole, in a file of a name that nobody else uses,
-// until put() gives them the file's name; without it they go with the object.
+// The future content of a file, written completely to a file of a unique name beside it. put() renames it;
+// otherwise it is removed with the object.
 class WrittenAside {
   public:
-    // Throws std::runtime_error that names `path` and why it cannot be written (a full disk, say); nothing is
-    // left behind then.
+    // Throws std::runtime_error with `path` and the reason why it cannot be written, for example a full disk;
+    // then nothing is left behind.
     WrittenAside(std::filesystem::path path, std::string_view bytes);
     ~WrittenAside();
     WrittenAside(WrittenAside&& other) noexcept;
@@ -25,8 +25,7 @@ class WrittenAside {
     WrittenAside(const WrittenAside&) = delete;
     WrittenAside& operator=(const WrittenAside&) = delete;
 
-    // Replaces the file of that name, which may be a link: the link is replaced, not followed. Throws
-    // std::runtime_error.
+    // Replaces the file of that name. A link is replaced, not followed. Throws std::runtime_error.
     void put();
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -36,8 +35,8 @@ class WrittenAside {
     std::filesystem::path aside_;  // empty: put, or moved from
 };
 
-// Makes or replaces a file as a whole: nobody sees half of it, not even when two write it at once. Throws
-// std::runtime_error.
+// Creates or replaces a file atomically: no reader sees a part of it, not even when two processes write it at
+// once. Throws std::runtime_error.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace gloam::base

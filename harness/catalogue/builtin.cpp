@@ -56,7 +56,7 @@ void append_operators(Entries& entries) {
     add("mod", "mod(x, y)", "inherited from x - y floor(x / y)", &reference::builtin_mod);
 }
 
-// Without NaN, which the functions of GLSL.std.450 may assume away.
+// Without NaN, because the functions of GLSL.std.450 may assume that there is none.
 void append_step(Entries& entries) {
     const Values number =
         either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_near({1.0, -1.0, 0x1p-126});

@@ -15,11 +15,10 @@ void append_builtin_elementary(Entries& entries);
 void append_builtin_vectors(Entries& entries);
 void append_probes(Entries& entries);
 
-// Every kind of float: ordinary ones, any bit pattern, special values, and where functions turn.
+// Floats of every kind: ordinary ones, any bit pattern, special values, and turning points of functions.
 [[nodiscard]] check::Values wide_floats();
 
-// One expression of GLSL and the rule that it is judged by; `name` is that of the function without its
-// prefix.
+// One GLSL expression and the rule by which it is judged. `name`: of the function without its prefix.
 template <class Signature, class Reference>
 void append_builtin(Entries& entries, const std::string& file, const std::string& name,
                     std::string expression, std::string rule, Reference reference, check::Domain domain) {

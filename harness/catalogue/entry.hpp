@@ -8,8 +8,8 @@
 #include "check/image_ends.hpp"
 #include "check/question.hpp"
 
-// How an equation enters the catalogue. One call of equation<Signature>() holds all that the tests, the
-// command line, the tables and the documentation know of it:
+// The description of an equation in the catalogue. One call of equation<Signature>() holds all that the
+// tests, the command line, the tables and the documentation need:
 //
 //     entries.push_back(equation<glm::vec2(float, float, float, float, float)>(
 //         {.id = "TSSAO-5",
@@ -23,16 +23,17 @@
 //          .budget = {.ulp = 3},                             // measured; see check::Budget
 //          .codomain = {0, 1e9}}));                          // holds for every input whatever, NaN included
 //
-// `.promised = make_predicate<Signature>([](float x, ...) { return ...; })` limits where the budget is
-// promised; the codomain holds everywhere. Degenerate inputs and images of exact 0 and 1 are added to every
-// entry's own (check/degenerate.hpp, check/image_ends.hpp). `.scenarios` gives images to a function that
-// reads some (catalogue/scenarios.hpp); its reference then takes (const check::ImageSet&, arguments...).
+// `.promised = make_predicate<Signature>([](float x, ...) { return ...; })` limits the inputs for which the
+// budget is promised; the codomain holds for all. Degenerate inputs, and images of exact 0 and 1, are added
+// to those of every entry (check/degenerate.hpp, check/image_ends.hpp). `.scenarios` provides images for a
+// function that reads images (catalogue/scenarios.hpp); its reference then takes (const check::ImageSet&,
+// arguments...).
 namespace gloam::catalogue {
 
-// What people read about an equation.
+// The description of an equation for people.
 struct Description {
     std::string id;        // as in the paper or sheet, unique: "TSSAO-5", "TSSAO-14-uniform"
-    std::string function;  // GLSL, and C++ in gloam::reference
+    std::string function;  // in GLSL, and in C++ in gloam::reference
     std::string file;      // as in #include "gloam/..."
     std::string title;     // a few words
     std::string formula;   // plain text mathematics
@@ -46,7 +47,7 @@ struct Entry {
 
 using Entries = std::vector<Entry>;
 
-// `question`: what is not said by the other two.
+// `question`: members that follow neither from the description nor from the reference.
 template <class Signature, class Reference>
 [[nodiscard]] Entry equation(Description description, Reference reference, check::Question question) {
     question.name = description.id;

@@ -155,8 +155,8 @@ float occlusion_or_worse(numeric::Random& random) {
     return random.below(32) == 0 ? bad[random.below(4)] : static_cast<float>(random.unit());
 }
 
-// Noise of occlusion, mostly unconverged, on a slanted surface with a step and background; some texels hold
-// what they should not.
+// Noisy occlusion, mostly unconverged, on a slanted surface with a step and background; some texels hold
+// invalid values.
 ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
     const auto value = [&](glm::ivec2) {
         const float convergence = random.below(3) == 0 ? 0.0F : occlusion_or_worse(random);

@@ -26,7 +26,7 @@ float occlusion_or_worse(numeric::Random& random) {
     return random.below(32) == 0 ? bad[random.below(4)] : static_cast<float>(random.unit());
 }
 
-// Noise of occlusion on a slanted surface with a step and holes of background.
+// Noisy occlusion on a slanted surface with a step and holes of background.
 ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
     const auto depth = [&](glm::ivec2 pixel) {
         if (random.below(16) == 0)
@@ -97,7 +97,7 @@ void append_bilateral_mean(Entries& entries) {
          .budget = {.absolute = 6e-7},
          .codomain = {0, 3},
          .scenarios = surfaces()}));
-    // Few taps: an interval has more ways through each of them than can be followed for long.
+    // Few taps, because the number of paths of an interval grows with every tap.
     const Values half_width = either(vector(2, integers(0, 1)), vector({integers(0, 3), integers(0, 0)}))
                                   .and_value(glm::ivec2(0, -5));
     entries.push_back(equation<float(glm::ivec2, glm::ivec2, glm::ivec2, float, float)>(

@@ -161,7 +161,7 @@ void append_upsample(Entries& entries) {
 
 constexpr const char* occlusion_name = "gloam_fetch_occlusion";
 
-// Noise of little range, with a few values that are none.
+// Noise of a small range, with a few invalid values.
 ImageSet occlusion_image(glm::ivec2 size, numeric::Random& random) {
     const auto value = [&](glm::ivec2) {
         if (random.below(64) == 0) return random.below(2) == 0 ? NAN : 1.5F;

@@ -25,11 +25,11 @@ inline constexpr const char* depth_prototype = "gloam_fetch_depth";
 // A length of the scene's size.
 [[nodiscard]] check::Values gather_length();
 
-// Where coordinates and lengths are such that no product overflows.
+// Whether coordinates and lengths are so small that no product overflows.
 [[nodiscard]] bool usual_gather(const glm::vec3& position, const glm::vec3& normal,
                                 const reference::GloamCamera& camera, const reference::GloamKernel& kernel);
 
-// Depths, and layers behind them that nothing is in.
+// Depth images, and empty layers behind them.
 [[nodiscard]] std::vector<check::ImageScenario> gather_scenarios();
 
 }  // namespace gloam::catalogue

@@ -23,9 +23,9 @@ Values buffer_depths() {
         .and_special();
 }
 
-// Puts the elements (p22, p32) of a projection in place of (near, far / near), of one kind in four: standard
-// and reversed, finite and infinite far plane. `elements` gives them for (near, far). Special values stay as
-// drawn.
+// Replaces (near, far / near) by the elements (p22, p32) of a projection, one of four kinds with equal
+// probability: standard or reversed, finite or infinite far plane. `elements`: returns them for (near, far).
+// Special values are kept as drawn.
 template <class Elements>
 auto projection_elements(Elements elements) {
     return [elements](std::span<Word> words) {
@@ -73,12 +73,13 @@ void append_depth(Entries& entries, Description description, Reference reference
     entries.push_back(equation<DepthSignature>(std::move(description), reference, std::move(check)));
 }
 
-// Elements and depths between which nothing under- or overflows.
+// Elements and depths with which no result overflows or underflows.
 bool ordinary_projection(double b, double p22, double p32) {
     return moderate(1e-30, 1e30, b, p22, p32);
 }
 
-// The 1 of OpenGL's range cancels against an element of a true projection, of magnitude 1 or more.
+// True projections have an element of magnitude 1 or more. Smaller elements would cancel against the 1 of
+// OpenGL's range.
 bool true_perspective_gl(double b, double p22, double p32) {
     return ordinary_projection(b, p22, p32) && !(std::abs(p22) < 1.0);
 }

@@ -22,7 +22,7 @@ constexpr double largest = 1e12;
 
 using PlaneDepth = float(glm::ivec2, glm::vec3, glm::vec3, Camera);
 
-// Neither product that decides the depth cancels by more than a factor of 4.
+// Neither of the products that determine the depth cancels by more than a factor of 4.
 bool well_conditioned(glm::ivec2 pixel, glm::dvec3 point, glm::dvec3 normal, const Camera& c) {
     if (!moderate(smallest, largest, point, normal, c.p00_p11)) return false;
     const reference::GloamCamera camera{glm::dvec2(c.p00_p11), c.size, c.orthographic};

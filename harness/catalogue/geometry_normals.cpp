@@ -17,7 +17,7 @@ using NeighborSignature = glm::vec3(glm::vec3, glm::vec3, glm::vec3, glm::vec3, 
 Values centers() {
     return vector({uniform(-5, 5), uniform(-5, 5), either(uniform(-20, -1), uniform(-2, -1))}).and_special();
 }
-// What a neighbour adds to the centre: a step along the image and a change of depth, some of them beyond a
+// Offsets of neighbours from the centre: a step along the image and a change of depth, some beyond a
 // silhouette.
 Values steps(bool along_x) {
     const Values step = uniform(0.02, 0.2);
@@ -38,7 +38,7 @@ void place_neighbors(std::span<Word> words) {
     }
 }
 
-// The cross product is worth its digits where the directions are not nearly parallel; its sign, where it is
+// The cross product is accurate if the directions are not nearly parallel, and its sign is if the surface is
 // not seen edge-on.
 template <class Viewer>
 bool well_conditioned(glm::dvec3 x, glm::dvec3 y, Viewer viewer) {
@@ -50,7 +50,7 @@ bool well_conditioned(glm::dvec3 x, glm::dvec3 y, Viewer viewer) {
 
 template <bool orthographic>
 bool promised_normal(glm::dvec3 center, glm::dvec3 left, glm::dvec3 right, glm::dvec3 up, glm::dvec3 down) {
-    // Beyond, the sign of n . center hangs on numbers that are flushed to 0.
+    // Beyond these the sign of n . center depends on numbers that may be flushed to 0.
     if (!moderate(1e-30, 1e6, center) || !moderate(0, 1e6, left, right, up, down)) return false;
     const glm::dvec3 x = reference::gloam_neighbor_direction(center, left, right);
     const glm::dvec3 y = reference::gloam_neighbor_direction(center, down, up);

@@ -24,7 +24,7 @@ Values scales() {
     return projection_scales().and_special();
 }
 
-// Between these no product or quotient of the formulas under- or overflows.
+// Between these no product or quotient of the formulas overflows or underflows.
 constexpr double smallest = 1e-12;
 constexpr double largest = 1e12;
 

@@ -27,9 +27,9 @@ using MovingSignature = glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, gl
 constexpr double smallest = 1e-30;
 constexpr double largest = 1e2;
 
-// Errors through a chain of matrices are promised for those that move without scaling between a projection's
-// two ends, and for points on whose way through them no sum has terms that add up to more than `farthest` in
-// magnitude: what cancels beyond that is lost.
+// Errors through a chain of matrices are promised for chains without scaling between the two projections, and
+// for points for which no sum on the way has terms with a total magnitude above `farthest`. Larger terms
+// cancel and lose digits.
 constexpr double projection_scale = 2.0;
 constexpr double rigid_tolerance = 1e-3;
 constexpr double farthest = 200.0;
@@ -40,7 +40,7 @@ bool finite(const glm::dmat4& matrix) {
     return all;
 }
 
-// Whether the matrix turns and shifts, and does nothing else.
+// Whether the matrix is a rotation and a translation.
 bool rigid(const glm::dmat4& matrix) {
     const glm::dmat3 turn(matrix);
     const glm::dmat3 identity = glm::transpose(turn) * turn - glm::dmat3(1.0);
@@ -57,7 +57,7 @@ bool scales_little(const glm::dmat4& projection) {
     return all;
 }
 
-// The point behind the matrix; whether it got there without large sums.
+// Multiplies the point by the matrix. Returns whether it did so without large sums.
 bool carry(glm::dvec4& point, const glm::dmat4& matrix) {
     glm::dvec4 sums(0.0);
     for (int column = 0; column < 4; ++column) sums += glm::abs(matrix[column] * point[column]);
@@ -65,7 +65,7 @@ bool carry(glm::dvec4& point, const glm::dmat4& matrix) {
     return std::max({sums.x, sums.y, sums.z, sums.w}) <= farthest;
 }
 
-// What is not finite is judged whatever it is.
+// Inputs that are not finite are always judged.
 bool carried_near(glm::dvec4 point, std::initializer_list<glm::dmat4> chain, bool projections) {
     if (!(std::ranges::all_of(chain, finite) && std::isfinite(glm::dot(point, point)))) return true;
     for (const glm::dmat4& matrix : chain) {
@@ -143,7 +143,7 @@ void append_clip(Entries& entries) {
          })}));
 }
 
-// World positions in a scene of ordinary size.
+// World positions in a scene of usual size.
 Values positions() {
     return vector(3, uniform(-100, 100)).and_special();
 }

@@ -32,7 +32,7 @@ glm::dmat4 rigid(Random& random, double largest_angle, double extent) {
     return matrix;
 }
 
-// Depth d maps to (p22 z + p32) / -z: the four kinds differ in these two elements.
+// Depth d is mapped to (p22 z + p32) / -z; the four kinds of projection differ in these two elements.
 glm::dmat4 projection(Random& random) {
     const double near = random.uniform(0.1, 1.0);
     const double far = random.uniform(20.0, 200.0);

@@ -5,11 +5,11 @@
 
 #include "check/values.hpp"
 
-// Values that several entries draw from.
+// Values that several entries use.
 namespace gloam::catalogue {
 
 // Whether every scalar of the values has a magnitude in [low, high], so that products and quotients of a few
-// of them neither under- nor overflow. Zero, infinity and NaN count as moderate: what comes of them is
+// of them neither overflow nor underflow. Zero, infinity and NaN count as moderate, because their results are
 // judged.
 template <class... V>
 [[nodiscard]] bool moderate(double low, double high, const V&... values) {
@@ -22,12 +22,12 @@ template <class... V>
     return all;
 }
 
-// mat4: turns and shifts, world units up to `extent` from the origin (a view or model matrix, or its
+// mat4: rotation and translation, up to `extent` world units from the origin (a view or model matrix, or its
 // inverse).
 [[nodiscard]] check::Values rigid_matrices(double extent);
 
-// mat4: perspective projections with clip y down and depth in [0, 1], near plane 0.1 to 1, half of them with
-// the far plane at infinity, half reversed.
+// mat4: perspective projections with clip y down and depth in [0, 1], near plane 0.1 to 1. Half of them have
+// an infinite far plane, and half are reversed.
 [[nodiscard]] check::Values projection_matrices();
 // Their inverses.
 [[nodiscard]] check::Values inverse_projection_matrices();

@@ -14,8 +14,8 @@ constexpr const char* file = "gloam/occlusion/falloff.glsl";
 constexpr double subnormal_end = 0x1p-126;
 constexpr double float_max = 0x1.fffffep127;
 
-// Distances and radii of any size, half of them within a factor of two of each other: most of a falloff
-// happens there.
+// Distances and radii of any size. Half of them are within a factor of two of each other, where a falloff
+// changes most.
 Domain distances() {
     const Values length = either(log_uniform(0.5, 2), signed_log_uniform(1e-37, 1e38))
                               .and_near({subnormal_end, float_max, 0x1p-64, 0x1p64})

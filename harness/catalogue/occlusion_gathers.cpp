@@ -26,8 +26,8 @@ using reference::GloamKernel;
 
 constexpr double most_samples = 64;
 
-// A sample near the border of two pixels, or near the depth at which it is blocked, may fall to either side:
-// its whole contribution then differs. Moving the inputs by a few ULP must account for it.
+// A sample near the border of two pixels, or near the depth at which it is blocked, may fall to either side.
+// Then its whole contribution differs, so the budget must include inputs that are moved by a few ULP.
 void append_can_gather(Entries& entries) {
     const Values vectors = vector(3, uniform(-4, 4)).and_special();
     entries.push_back(equation<bool(glm::vec3, glm::vec3, float, Camera)>(
@@ -181,7 +181,7 @@ void append_estimates(Entries& entries) {
                                                    {.domain = {log_integers(100'000)}}));
 }
 
-// What the samples of all pixels share.
+// The parts of the samples that all pixels share.
 void append_shared_points(Entries& entries) {
     const auto add = [&](const char* id, const char* name, const char* formula, auto reference,
                          double absolute, double most_third = 1.0) {

@@ -6,9 +6,9 @@
 // The parts of append_occlusion, one file each.
 namespace gloam::catalogue {
 
-void append_falloffs(Entries& entries);       // what a hit counts by its distance
-void append_contributions(Entries& entries);  // what a sample counts, and the mean over samples
-void append_points(Entries& entries);         // methods that count single points, and what they need
+void append_falloffs(Entries& entries);       // weight of a hit by its distance
+void append_contributions(Entries& entries);  // weight of a sample, and the mean over samples
+void append_points(Entries& entries);         // methods of single points, and their parts
 void append_horizons(Entries& entries);       // horizon-based AO
 void append_volumes(Entries& entries);        // methods that pair opposite samples
 void append_slice_methods(Entries& entries);  // methods that work in slices through the eye

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Methods that count single points: Alchemy, ISSAO, Crytek, Filion and McNaughton.
+// Methods of single points: Alchemy, ISSAO, Crytek, Filion and McNaughton.
 #include <cmath>
 
 #include "catalogue/inputs.hpp"
@@ -42,7 +42,7 @@ Values epsilons() {
 Values depths() {
     return either(uniform(0.5, 8), log_uniform(1e-3, 1e6)).and_near({0x1p-126, float_max}).and_special();
 }
-// Sums of contributions of a few samples, and how many.
+// Sums of the contributions of a few samples, and their number.
 Values sums(double mean) {
     return made_by<glm::vec2>([mean](numeric::Random& random) {
                const auto n = static_cast<float>(1 + random.below(64));
@@ -52,7 +52,7 @@ Values sums(double mean) {
         .and_special();
 }
 
-// Offsets from a tenth of a unit on, in front of which the sum and difference of products lose little.
+// Offsets of at least a tenth of a unit. With them the sum and difference of products lose few digits.
 bool ordinary(glm::dvec3 v) {
     const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
     return length == 0.0 || (length >= 0.1 && length <= 3.001);
@@ -251,7 +251,7 @@ void append_covering_radii(Entries& entries) {
     const Values position = vector({uniform(-4, 4), uniform(-4, 4), uniform(-8, -0.5)}).and_special();
     const Values radius = either(uniform(0, 2), log_uniform(1e-30, 1e30)).and_special();
     const Values largest = either(uniform(0.5, 4), log_uniform(1e-30, 1e30)).and_special();
-    // Where the disc stays clear of the eye's plane: the subtraction d - R sin t loses little.
+    // The disc is clear of the eye's plane, so the subtraction d - R sin t loses few digits.
     const auto usual = make_predicate<Covering>([](glm::dvec3 p, double radius, double) {
         const double along = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
         const bool clear = !(radius * std::hypot(p.x, p.y) > 0.5 * -p.z * along);

@@ -31,7 +31,7 @@ Values normals() {
 Values lengths() {
     return either(log_uniform(0.02, 2), log_uniform(1e-37, 1e38)).and_special();
 }
-// Neither overflow in a dot product nor a length that loses digits.
+// Neither a dot product overflows nor a length loses digits.
 bool sized(glm::dvec3 v) {
     return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e18) &&
            !(glm::length(v) < 1e-18 && v != glm::dvec3(0));

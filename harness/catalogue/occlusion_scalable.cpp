@@ -36,13 +36,13 @@ Values epsilons() {
     return either(either(constant(0.01F), log_uniform(0.01, 0.1)), log_uniform(1e-37, 1e37)).and_special();
 }
 
-// Scenes of ordinary size: where the errors are stated.
+// Scenes of usual size, for which the errors are stated.
 template <class... V>
 bool ordinary(double radius, const V&... values) {
     return radius >= 0.5 && radius <= 2 && moderate(1e-6, 4, values...);
 }
 
-// No overflow in a dot product with it.
+// A dot product with it does not overflow.
 bool small(glm::dvec3 v) {
     return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e18);
 }

@@ -138,7 +138,7 @@ void append_sweep(Entries& entries) {
          .promised = make_predicate<Signature>(
              [](const glm::vec3& p, const glm::vec3& n, const Camera& c, const Kernel& k, const auto&) {
                  const glm::vec3 view = c.orthographic ? glm::vec3(0, 0, 1) : -glm::normalize(p);
-                 // Slices of a surface seen edge-on lie nearly in its tangent plane.
+                 // Slices of a surface seen edge-on are nearly parallel to its tangent plane.
                  return usual_gather(p, n, c, k) && std::abs(glm::dot(glm::normalize(n), view)) > 0.2F;
              }),
          .scenarios = gather_scenarios()}));

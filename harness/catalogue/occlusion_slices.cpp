@@ -29,7 +29,7 @@ Values offsets() {
 Values projected_angles() {
     return uniform(-1.5707963, 1.5707963).and_near({0.0}).and_special();
 }
-// Unit vectors of the plane: an angle as (cosine, sine).
+// Unit vectors in the plane: (cosine, sine) of an angle.
 Values directions() {
     return unit_vector(2)
         .and_value(glm::vec2(1, 0))
@@ -44,7 +44,7 @@ Values elevations() {
     return uniform(0, 3.1415927).and_near({0.0}).and_special();
 }
 
-// Slices of view vectors and normals that face the eye, somewhat.
+// Slices of view vectors and normals that face the eye at a moderate angle.
 Values slices() {
     return made_by<Slice>([](numeric::Random& random) {
         const double azimuth = random.uniform(0, 3.14159265);
@@ -71,7 +71,7 @@ Values slices_of_bad_weight() {
     return values;
 }
 
-// Whether an offset lies mostly in a slice, neither longer nor shorter than floats can tell.
+// Whether an offset is nearly in a slice, and its length is within the range of floats.
 bool lies_in_slice(glm::dvec3 offset, const Slice& slice) {
     const double length = glm::length(offset);
     const double x = glm::dot(offset, glm::dvec3(slice.tangent)) / length;
@@ -281,7 +281,7 @@ void append_fractions(Entries& entries) {
                                {.domain = {directions(), slices().only_as_drawn()},
                                 .budget = {.absolute = error},
                                 .codomain = {0, 1},
-                                // Away from the cut at pi.
+                                // Not at the cut at pi.
                                 .promised = make_predicate<Fraction>([](const glm::dvec2& d, const Slice&) {
                                     return glm::dot(d, d) < 1.001 && !(d.x < 0 && std::abs(d.y) < 1e-5);
                                 })}));

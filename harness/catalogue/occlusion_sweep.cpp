@@ -17,7 +17,7 @@ constexpr const char* sweep_file = "gloam/occlusion/sweep.glsl";
 constexpr const char* sweep_source = "gloam; the inner integral of Jimenez et al. 2016";
 constexpr double half_pi = 1.5707964;
 
-// Slices of view vectors and normals that face the eye, somewhat. The method keeps others out.
+// Slices of view vectors and normals that face the eye at a moderate angle. The method rejects others.
 Values slices() {
     return made_by<Slice>([](numeric::Random& random) {
                const glm::vec3 view =

@@ -154,7 +154,7 @@ void append_areas_and_balls(Entries& entries) {
 
 void append_tangent_sphere(Entries& entries) {
     using Line = float(glm::vec3, glm::vec3, float);
-    // Away from the outline of the sphere.
+    // Not near the outline of the sphere.
     const auto inside = make_predicate<Line>([](glm::dvec3 v, glm::dvec3 n, double radius) {
         const glm::dvec2 xi(v.x / (0.5 * radius) - n.x, v.y / (0.5 * radius) - n.y);
         const double squared = xi.x * xi.x + xi.y * xi.y;
@@ -182,8 +182,7 @@ void append_tangent_sphere(Entries& entries) {
            {.absolute = 5e-7}, {0, 1});
 }
 
-// Whether an offset's direction keeps clear of -n, where what is lifted to the tangent plane has no
-// direction.
+// Whether an offset's direction is not close to -n, where its part in the tangent plane has no direction.
 bool clear_of_nadir(glm::dvec3 v, glm::dvec3 n) {
     const double length = length_of(v);
     if (length == 0.0) return true;

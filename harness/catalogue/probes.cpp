@@ -20,7 +20,7 @@ void append_probe(Entries& entries, const std::string& name, const std::string& 
                                           reference, {.domain = std::move(domain), .only_rules = true}));
 }
 
-// (a, b, c): c is set to the product of the others, rounded.
+// (a, b, c): c is set to the rounded product of a and b.
 Domain products() {
     const Values factor = uniform(1, 2);
     return Domain{factor, factor, constant(0.0F)}.adjusted([](std::span<Word> words) {

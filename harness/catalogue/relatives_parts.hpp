@@ -6,10 +6,11 @@
 
 #include "catalogue/entry.hpp"
 
-// The equations of the relatives of the study's methods; each belongs to the room that its name begins with.
+// The equations of methods related to those of the study. The function's name begins with the equation's
+// room.
 namespace gloam::catalogue {
 
-// Whether a vector has length 1, as normals have of which an accuracy is promised.
+// Whether a vector has length 1; accuracy is promised for such normals.
 [[nodiscard]] inline bool is_unit(const glm::dvec3& n) {
     return std::abs(glm::length(n) - 1.0) <= 1e-6;
 }
@@ -24,7 +25,7 @@ void append_shading_bent(Entries& entries);        // bent normals and cones
 void append_temporal_smoothing(Entries& entries);  // Gears of War 2
 
 void append_sampling_marches(Entries& entries);     // rays marched in eye space
-void append_occlusion_proxies(Entries& entries);    // balls and discs that stand for the scene, Poisson discs
+void append_occlusion_proxies(Entries& entries);    // balls and discs that represent the scene, Poisson discs
 void append_shading_directional(Entries& entries);  // directional occlusion, depth darkening
 
 }  // namespace gloam::catalogue

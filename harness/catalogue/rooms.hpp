@@ -3,7 +3,7 @@
 
 #include "catalogue/entry.hpp"
 
-// One function for each room of the shader library; each appends its equations.
+// One function for each folder of the shader library; each appends the folder's equations.
 namespace gloam::catalogue {
 
 void append_numeric(Entries& entries);

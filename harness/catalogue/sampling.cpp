@@ -14,7 +14,7 @@ namespace {
 
 using namespace check;
 
-// Random numbers of a map: [0, 1] and everything else a float can be.
+// Random numbers for a map: [0, 1], and all special floats.
 Values zeta(int components) {
     return vector(components, uniform(0, 1).and_near({0.5, 1.0}).and_value(1e-30F)).and_special();
 }

@@ -25,7 +25,7 @@ Values pixels() {
     return either(vector(2, integers(0, 40)), vector(2, integers(-16, 16384)));
 }
 
-// Rounding decides on which side of a whole number the quotient falls.
+// Near an integer, rounding decides on which side of it the quotient falls.
 bool off_a_whole_number(double depth, double z_far, int base, int) {
     const double start = std::clamp(base, 0, 4096);
     const double quotient = start / (1 + start * std::min(depth / z_far, 1.0));

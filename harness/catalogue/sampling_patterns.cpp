@@ -10,7 +10,7 @@ namespace {
 
 using namespace check;
 
-// One input in eight is set to the distance itself, where the verdict turns.
+// Sets one input in eight to the distance itself, where the result changes.
 void place_at_distance(std::span<Word> words) {
     if (words[0] % 8U != 2U) return;  // no special float ends in these bits
     const glm::dvec2 a(from_word<double>(words[0]), from_word<double>(words[1]));
@@ -22,7 +22,7 @@ void append_poisson(Entries& entries) {
     const Values point = vector_of_length(2, uniform(0, 1)).and_special();
     const auto representable = [](glm::dvec2 a, glm::dvec2 b, double distance) {
         const double apart = glm::distance(a, b);
-        // Squares of what lies outside would under- or overflow.
+        // Squares of values outside this range overflow or underflow.
         return !(distance > 0 && distance < 1e-18) && !(apart > 0 && apart < 1e-18) && !(apart > 1e18) &&
                !(distance > 1e18);
     };

@@ -25,7 +25,8 @@ Values angles() {
         .and_special();
 }
 
-// Whether the largest component is above 1e-30, or the vector zero: products of shorter ones may be flushed.
+// Whether the largest component is above 1e-30, or the vector is zero: products of shorter vectors may be
+// flushed.
 template <class V>
 bool not_tiny(const V& v) {
     float largest = 0.0F;
@@ -33,7 +34,7 @@ bool not_tiny(const V& v) {
     return !(largest > 0.0F && largest < 1e-30F);
 }
 
-// The unit vectors about an axis, shifted by little: where a normal or its square cancels.
+// Unit vectors near an axis, where a component or its square cancels.
 Values normals() {
     return either(unit_vector(3), vector_of_length(3, log_uniform(1e-37, 1e38)))
         .and_value(glm::vec3(1.0F, 0.0F, -1e-30F), true)

@@ -30,13 +30,13 @@ Values offsets() {
 bool small(glm::dvec3 v) {
     return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e18);
 }
-// Radiance of which the errors are stated.
+// Radiance for which the errors are stated.
 bool dim(glm::dvec3 radiance) {
     return !(radiance.x > 1 || radiance.y > 1 || radiance.z > 1);
 }
 
-// Half of the inputs: two surfaces that more or less face each other, some at the kernel's radius; at random
-// hardly any light would pass between them.
+// In half of the inputs two surfaces approximately face each other, some of them at the kernel's radius. At
+// random hardly any light would pass between them.
 void face_each_other(std::span<Word> words) {
     const auto at = [&](std::size_t i) {
         return glm::dvec3(from_word<double>(words[i]), from_word<double>(words[i + 1]),

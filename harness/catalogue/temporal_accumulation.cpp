@@ -13,7 +13,7 @@ using namespace check;
 
 constexpr double float_max = 0x1.fffffep127;
 
-// Numbers of samples: whole ones, as they mostly are, and any.
+// Numbers of samples: integers, which are usual, and any others.
 Values weights() {
     const Values whole =
         made_by<float>([](numeric::Random& random) { return static_cast<float>(random.below(1600)); });

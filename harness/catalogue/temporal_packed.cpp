@@ -19,7 +19,7 @@ Values depths() {
         .and_special();
 }
 
-// Members of 16 bits, and some that do not fit.
+// Members of 16 bits, and some larger ones.
 Values members() {
     return either(log_integers(65535), log_integers(4294967295)).and_near_integers({32768, 65535});
 }

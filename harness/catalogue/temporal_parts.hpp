@@ -4,17 +4,17 @@
 #include "catalogue/entry.hpp"
 #include "numeric/constants.hpp"
 
-// The parts of append_temporal, one file each, and what they share.
+// The parts of append_temporal, one file each, and their common functions.
 namespace gloam::catalogue {
 
-// Where an equation stands and where it comes from.
+// The file and the source of an equation.
 struct Origin {
-    const char* file;    // as Description has it
-    const char* source;  // likewise
+    const char* file;    // as in Description
+    const char* source;  // as in Description
 };
 
-// An equation of a history of which nothing is to be told but its domain: no error is allowed to it, and no
-// result is below 0.
+// An equation on a history that has nothing special except its domain: no error is allowed, and no result is
+// below 0.
 template <class Signature, class Reference>
 void append_exact(Entries& entries, const Origin& origin, Description description, Reference reference,
                   check::Domain domain) {
@@ -24,7 +24,7 @@ void append_exact(Entries& entries, const Origin& origin, Description descriptio
                                           {.domain = std::move(domain), .codomain = {0, numeric::infinity}}));
 }
 
-void append_accumulation(Entries& entries);  // blending, convergence, what depends on it
+void append_accumulation(Entries& entries);  // blending, convergence, and equations that depend on it
 void append_history(Entries& entries);       // the history buffer, its interpolation, the start index
 void append_packed_history(Entries& entries);
 void append_validity(Entries& entries);

@@ -19,8 +19,8 @@ constexpr const char* history_name = "gloam_fetch_history";
 constexpr double near_depth = 2.0;
 constexpr double far_depth = 3.0;
 
-// Two surfaces in stripes, each texel with a history of its own; here and there none. Weights of the size of
-// occlusions, so that one budget measures both.
+// Two surfaces in stripes; each texel has a history of its own, a few have none. Weights have the magnitude
+// of occlusions, so that one budget fits both.
 ImageSet striped_history(glm::ivec2 size, numeric::Random& random) {
     const auto texel = [&](glm::ivec2 pixel) {
         const double depth = (pixel.x + 2 * pixel.y) % 5 < 3 ? near_depth : far_depth;
@@ -31,7 +31,7 @@ ImageSet striped_history(glm::ivec2 size, numeric::Random& random) {
     return {{history_name, make_image<glm::vec4>(size, texel)}};
 }
 
-// Histories that cannot be used: NaN, infinity, negative numbers in every channel.
+// Invalid histories: NaN, infinity and negative numbers in every channel.
 ImageSet poisoned_history(glm::ivec2 size, numeric::Random& random) {
     ImageSet images = striped_history(size, random);
     constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -55,7 +55,7 @@ Values expected_depths() {
     return either(near_surface, far_surface).and_special();
 }
 
-// A fraction within the documented error of 1/256 or 255/256 may be taken to the centre or not.
+// A fraction within 1/256, the documented error, of 0 or 1 may or may not be moved to the centre.
 bool off_a_step(double u, int extent) {
     const double position = u * extent - 0.5;
     const double fraction = position - std::floor(position);

@@ -14,8 +14,8 @@ struct WorstInput {
     std::vector<check::Word> words;
 };
 
-// As `gloam stress --only worst-inputs` found them on llvmpipe (LLVM 15): the climb went beyond what as many
-// random inputs show.
+// Found by `gloam stress --only worst-inputs` on llvmpipe (LLVM 15): the climb found larger errors than the
+// same number of random inputs.
 std::vector<WorstInput> found() {
     return {
         {"SMALL-ARC", {0x3f029205U}},

@@ -5,8 +5,8 @@
 
 namespace gloam::catalogue {
 
-// Makes the inputs with the largest errors that a search has found part of every check of their equations.
-// Throws std::logic_error for an input whose equation is not among the entries.
+// Adds the inputs with the largest errors that a search has found to the domains of their equations. Throws
+// std::logic_error for an input whose equation is not among the entries.
 void add_worst_inputs(Entries& entries);
 
 }  // namespace gloam::catalogue

@@ -41,7 +41,7 @@ std::vector<Bounds> around(const Question& question, const std::vector<double>& 
     return bounds;
 }
 
-// The inputs that the budget also speaks of: subnormals flushed, and each float moved alone.
+// The inputs that the budget also covers: the input with subnormals flushed, and with each float moved alone.
 std::vector<std::vector<Word>> neighbours(const Question& question, const std::vector<Word>& inputs) {
     const std::vector<Scalar> scalars = question.signature.input_scalars();
     std::vector<std::vector<Word>> all{inputs};
@@ -66,7 +66,8 @@ std::vector<Bounds> allowed_outputs(const Question& question, const ImageSet& im
     const std::vector<Scalar> scalars = question.signature.output_scalars();
     const Bounds codomain{question.codomain.low, question.codomain.high, false};
     std::vector<Bounds> bounds(scalars.size(), codomain);
-    if (question.promised && !question.promised(sample.inputs)) return bounds;  // then only the codomain is
+    // Elsewhere only the codomain is promised.
+    if (question.promised && !question.promised(sample.inputs)) return bounds;
     bounds = around(question, sample.want);
     std::vector<double> want;
     for (const std::vector<Word>& inputs : neighbours(question, sample.inputs)) {

@@ -15,8 +15,7 @@
 
 namespace gloam::check {
 
-// What is asked of an output: that the function's documented budget holds, or that Vulkan's precision rules
-// permit it.
+// What an output is judged by: the function's documented budget, or Vulkan's precision rules.
 enum class Verdict { budget, rules };
 [[nodiscard]] constexpr std::string_view name_of(Verdict verdict) {
     return verdict == Verdict::budget ? "budget" : "rules";
@@ -32,21 +31,21 @@ inline constexpr std::size_t input_class_count = 7;
     return names.at(static_cast<std::size_t>(input_class));
 }
 
-// One evaluated input and how far it was off.
+// One evaluated input, with its errors.
 struct Sample {
     std::size_t index = 0;  // position in its run
     InputClass input_class = InputClass::ordinary;
-    std::string scenario;  // images it ran with; empty without images
-    std::string values;    // of the inputs, in decimal and hexadecimal, once it is part of an answer
+    std::string scenario;  // the images that it ran with; empty without images
+    std::string values;    // of the inputs, in decimal and hexadecimal; set when it becomes part of an answer
     std::vector<Word> inputs;
     std::vector<Word> got;
     std::vector<double> want;
-    double ulp = 0.0;  // worst of its outputs
+    double ulp = 0.0;  // largest of its outputs
     double absolute = 0.0;
     double budget_fraction = 0.0;  // of the budget
     double fraction =
         0.0;  // of what the verdict allows: the budget, or the permitted width; above 1 is outside
-    std::vector<numeric::Bounds> permitted;  // for each output word, where that was asked of the rules
+    std::vector<numeric::Bounds> permitted;  // for each output word, if the rules were asked
     bool forbidden = false;                  // the rules do not permit the outputs
 };
 
@@ -57,22 +56,22 @@ struct ClassCount {
 };
 
 // The largest errors that Vulkan's rules permit, over the inputs for which the budget is promised and the
-// rules bound the result at all.
+// rules bound the result.
 struct Guarantee {
     double ulp = 0.0;
     double absolute = 0.0;
-    double fraction = 0.0;  // of the budget: each output by its ULP or its absolute error, whichever is less
+    double fraction = 0.0;  // of the budget: ULP or absolute error, whichever is less
 };
 
-// Why a check has no result, or an unreliable one.
+// The reason why a check has no result, or an unreliable one.
 enum class Reason {
     none,           // it ran to its end
-    crash,          // the process that ran it ended by itself or by a signal
+    crash,          // the process that ran it exited or was ended by a signal
     hang,           // the time limit passed
     device_lost,    // the device was lost
     out_of_memory,  // of the host or of the device
-    error,          // any other error: a shader that does not compile, say
-    fault           // the shader reached outside an image
+    error,          // any other error, for example a shader that does not compile
+    fault           // the shader accessed a pixel outside an image
 };
 inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,         Reason::hang,
                                          Reason::device_lost, Reason::out_of_memory, Reason::error,
@@ -81,8 +80,8 @@ inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,    
 // "", "crash", "hang", "device lost", "out of memory", "error", "fault".
 [[nodiscard]] std::string_view name_of(Reason reason);
 
-// What came out of one question in one variant on one device, or why nothing did: what tables, pages and JSON
-// read, and what travels between processes.
+// The result of one question in one variant on one device, or the reason why there is none. Tables, pages and
+// JSON are made from it, and processes exchange it.
 struct Answer {
     std::string equation;  // the question's name: an ID of the catalogue, else that of the function
     std::string function;
@@ -95,18 +94,18 @@ struct Answer {
     double max_absolute = 0.0;     // over judged outputs
     double fraction = 0.0;         // worst error as a fraction of what the verdict allows
     double budget_fraction = 0.0;  // the same of the budget
-    std::size_t by_rules = 0;      // inputs that were held against the rules
-    std::size_t forbidden = 0;     // of these, whose outputs the rules do not permit
-    std::size_t bounded = 0;       // inputs whose bounds were calculated: the next two are of these
+    std::size_t by_rules = 0;      // inputs that were judged by the rules
+    std::size_t forbidden = 0;     // of these, inputs whose outputs the rules do not permit
+    std::size_t bounded = 0;       // inputs whose bounds were calculated; the next two count among these
     Guarantee guarantee;
     std::size_t unbounded = 0;  // inputs for which the rules permit anything for some output
     std::optional<Sample> first_unbounded;
     std::optional<Sample> worst;                                         // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
-    // Of inputs given as constants of the shader: those whose results have other bits than the same shader
-    // gives for the same inputs read from memory (one NaN is as good as another).
+    // For inputs as constants of the shader: the number whose results differ in any bit from those of the
+    // same shader with the inputs in memory. All NaNs count as equal.
     std::size_t differs = 0;
-    std::optional<Coverage> coverage;  // what the inputs reached, where that was asked
+    std::optional<Coverage> coverage;  // what the inputs reached, if measured
     std::string fault;                 // an access outside an image; empty: none
     std::string error;                 // why it could not run; empty: it ran
     Reason reason = Reason::none;
@@ -128,7 +127,7 @@ struct Answer {
     void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
     void add_unbounded(const Sample& sample);
     void add_guarantee(const Guarantee& guarantee);
-    // Adds what another part of the same run found; parts are merged in the order of their inputs.
+    // Adds the answer of another part of the same run. Parts are merged in the order of their inputs.
     void merge(const Answer& later);
 
   private:

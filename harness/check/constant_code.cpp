@@ -14,15 +14,14 @@ namespace {
 
 using shader::Scalar;
 
-// A decimal that denotes the float: as double it has 17 digits, which are enough to find that double again,
-// and it is exact.
+// A decimal that denotes exactly this float. Its 17 digits identify the float's value as a double.
 std::string float_literal(float value) {
     std::string text = fmt::format("{:.17g}", static_cast<double>(value));
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text;
 }
 
-// What evaluates input `index`, given the expression of each of its scalars.
+// The expressions of the scalars of input `index`.
 using InputOf = std::function<internal::InputText(std::size_t index)>;
 
 std::string main_function(const shader::Function& function, std::size_t count, const InputOf& input_of) {
@@ -37,7 +36,7 @@ std::string main_function(const shader::Function& function, std::size_t count, c
            internal::main_end(output_words);
 }
 
-// Words of one input of the function.
+// Number of words in one input of the function.
 std::size_t input_words(const shader::Function& function) {
     return internal::evaluation(function, [](Scalar, std::size_t) { return std::string(); }).input_words;
 }

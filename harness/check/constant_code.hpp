@@ -13,8 +13,8 @@ namespace gloam::check {
 // uintBitsToFloat().
 [[nodiscard]] std::string literal(shader::Scalar scalar, Word word);
 
-// The text of a compute shader as kernel_code() makes it, but with the inputs (each of the same number of
-// words) in it, as literals: invocation i evaluates input i.
+// The text of a compute shader like that of kernel_code(), but with the inputs as literals in the text:
+// invocation i evaluates input i. inputs: each of the same number of words, one after another.
 [[nodiscard]] std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs,
                                               std::size_t count);
 

@@ -19,10 +19,10 @@ namespace {
 
 constexpr const char* generated = "kernel";
 constexpr std::uint64_t most_steps = 100'000'000;  // about a second
-constexpr std::size_t first_inputs = 1024;         // of each scenario, among which all kinds are
-constexpr std::size_t first_look = 64;             // after so many inputs, then after twice as many
+constexpr std::size_t first_inputs = 1024;         // of each scenario; they contain inputs of all kinds
+constexpr std::size_t first_look = 64;             // first test after this many inputs
 
-// The lines of a source file; none where it cannot be read.
+// The lines of a source file; empty if it cannot be read.
 std::vector<std::string> lines_of(const std::string& file) {
     std::vector<std::string> lines;
     try {
@@ -54,7 +54,7 @@ bool is_of_source(const interpreter::Place& place) {
     return !place.file.empty() && place.file != generated;
 }
 
-// The same program over the images of each scenario.
+// The same program with the images of each scenario.
 class Measurement {
   public:
     Measurement(const Lab& lab, const Question& question, const RunOptions& options)
@@ -80,7 +80,7 @@ class Measurement {
     static KernelModule module_of(const Lab& lab, const Question& question) {
         KernelSource source = lab.source(question.file, question.function, question.signature);
         shader::CompileOptions options = lab.compile_options();
-        options.variant = {};  // an optimiser removes branches and copies others
+        options.variant = {};  // an optimizer removes some branches and copies others
         options.lines = true;
         return {.spirv = lab.compile({.name = generated, .text = kernel_code(source)}, options),
                 .input_words = question.signature.input_words(),
@@ -146,7 +146,7 @@ std::string to_text(const Coverage& coverage) {
         const std::size_t kind = point.way.empty() ? 0 : 1;
         ++all.at(kind);
         reached.at(kind) += point.reached ? 1 : 0;
-        // Of a branch that was not reached the line alone tells.
+        // If a branch was not reached, its missed line is reported and not its ways.
         if (point.reached || (kind == 1 && missed_lines.contains({point.file, point.line}))) continue;
         if (kind == 0) missed_lines.insert({point.file, point.line});
         missed += fmt::format("\n    {}:{} {}: {}", point.file, point.line,

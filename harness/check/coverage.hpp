@@ -7,11 +7,11 @@
 
 namespace gloam::check {
 
-// How much of a function the inputs of a check reach, of it and all that it calls.
+// The part of a function, and of all that it calls, that the inputs of a check reach.
 struct Coverage {
-    std::size_t inputs = 0;  // that were run: until all was reached, and not much longer than a second
+    std::size_t inputs = 0;  // inputs that were run: until everything was reached, for about a second at most
 
-    // A line, or a way that a branch of it may go: both of a condition, each case of a switch.
+    // A line, or one way of a branch in it: each side of a condition, each case of a switch.
     struct Point {
         std::string file;
         unsigned line = 0;
@@ -24,7 +24,7 @@ struct Coverage {
     [[nodiscard]] bool is_complete() const;
 };
 
-// "lines 12 of 12, branches 7 of 8", and a line for each that was missed.
+// "lines 12 of 12, branches 7 of 8", and a line of text for each missed point.
 [[nodiscard]] std::string to_text(const Coverage& coverage);
 
 }  // namespace gloam::check

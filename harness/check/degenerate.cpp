@@ -65,7 +65,7 @@ void Degenerate::add_struct(const shader::Type& type, std::size_t first) {
     }
 }
 
-// Members of a struct are compared with, but not changed: nobody can tell what they may be.
+// Vectors in a struct are only copied from. They are not changed, because their valid values are unknown.
 void Degenerate::add_vectors(const shader::Type& type, std::size_t first, const Values* values) {
     if (type.scalar == Scalar::structure) {
         for (const shader::Member& member : type.members) {

@@ -12,21 +12,22 @@
 
 namespace gloam::check {
 
-// Inputs that independent draws hardly ever give: vectors that are equal, opposite or parallel to
-// each other or lie along an axis, numbers of a struct that are zero, negative, infinite or NaN, images whose
-// sides are 0 or 1. Parameters with Values::only_as_drawn stay as they are.
+// Inputs that independent draws hardly ever produce: vectors that are equal, opposite or parallel to each
+// other or lie along an axis; numbers of a struct that are zero, negative, infinite or NaN; images whose
+// sides are 0 or 1. Parameters with Values::only_as_drawn are not changed.
 class Degenerate {
   public:
     Degenerate() = default;
     // One Values for each in and inout parameter of the signature.
     Degenerate(const Signature& signature, const std::vector<Values>& parameters);
 
-    // The changes of one number: how many there are, and one of them made to an input.
+    // Changes of one number: how many there are, and applying one of them to an input.
     [[nodiscard]] std::size_t count() const { return changes_.size(); }
     void change(std::size_t i, std::span<Word> row) const;
 
-    // Takes one vector, chosen at random, to an axis or to another vector of the input, as far as its Values
-    // admit that; those that cannot tell admit every vector of the same length. Whether one was changed.
+    // Replaces one vector, chosen at random, by an axis or by another vector of the input, if its Values
+    // admit the result. Values without a test admit every vector of the same length. Returns whether a vector
+    // was changed.
     bool relate(numeric::Random& random, std::span<Word> row) const;
 
   private:

@@ -33,7 +33,7 @@ std::string words_text(const std::vector<Scalar>& scalars, const std::vector<Wor
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// An integer as one writes it; the bits of a double of that value tell nobody more.
+// An integer in decimal; the bits of its value as a double would carry no information.
 std::string number_text(Scalar scalar, double number) {
     constexpr double exact = 9'007'199'254'740'992.0;
     const bool whole = std::abs(number) <= exact && number == std::floor(number);
@@ -47,7 +47,7 @@ std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<d
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// The bounds of each output; nothing where there are none.
+// The bounds of each output; empty if there are none.
 std::string permitted_text(const std::vector<Scalar>& scalars,
                            const std::vector<numeric::Bounds>& permitted) {
     if (permitted.empty()) return {};

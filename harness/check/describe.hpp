@@ -9,17 +9,17 @@
 
 namespace gloam::check {
 
-// The values of a signature's inputs, each in decimal and hexadecimal: "vec2 (0.5 (0x3f000000), 1
+// The values of a signature's inputs as text, each in decimal and hexadecimal: "vec2 (0.5 (0x3f000000), 1
 // (0x3f800000)), int 3".
 [[nodiscard]] std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs);
 
-// Verdict, counts by class of input, and the worst input with what came out and what should have.
+// Verdict, counts by class of input, and the worst input with its outputs and the expected ones.
 [[nodiscard]] std::string describe(const Signature& signature, const Answer& answer);
 
-// Gives every sample of an answer its values in words.
+// Sets Sample::values of every sample of an answer.
 void describe_samples(const Signature& signature, Answer& answer);
 
-// So that EXPECT_TRUE(answer.passed()) << answer describes the failure.
+// Prints describe()'s text, so that EXPECT_TRUE(answer.passed()) << answer describes the failure.
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 
 }  // namespace gloam::check

@@ -9,7 +9,8 @@
 namespace gloam::check {
 namespace {
 
-// Chances, in sixteenths, of an input of fixed values only and of one with a single fixed value.
+// Probabilities, in sixteenths: of an input with fixed values only, and of an input with a single fixed
+// value.
 constexpr std::uint64_t all_fixed_chance = 2;
 constexpr std::uint64_t one_fixed_chance = 4;
 constexpr std::uint64_t tie_chance = 1;
@@ -19,7 +20,7 @@ constexpr std::uint64_t chances = 16;
 
 }  // namespace
 
-// What an input has to hold: a fixed value of a parameter, or a degenerate change.
+// A fixed value of a parameter, or a degenerate change, that an input must have.
 struct Domain::Forced {
     std::size_t parameter = nothing;
     std::size_t value = 0;
@@ -144,7 +145,7 @@ bool Domain::holds(std::span<const Word> input, std::span<const Word> known) con
     std::vector<Word> drawn;
     for (const Values& values : parameters_) {
         const std::size_t first = drawn.size();
-        values.draw(context, drawn);  // tells how many words it has
+        values.draw(context, drawn);  // to find its number of words
         const std::size_t words = drawn.size() - first;
         const std::span<const Word> value = input.subspan(first, words);
         if (!std::ranges::equal(value, known.subspan(first, words)) && !values.admits(value)) return false;

@@ -13,23 +13,26 @@
 
 namespace gloam::check {
 
-// The inputs of a check: one Values for each in and inout parameter, in order, and what ties them together.
+// The inputs of a check: one Values for each in and inout parameter, in order, and the relations between
+// them.
 class Domain {
   public:
     Domain() = default;
     Domain(std::initializer_list<Values> parameters) : parameters_(parameters) {}
     explicit Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {}
 
-    // In one input of sixteen, float parameter `target` is set to float parameter `source` times `factor`, or
-    // to one of the floats one ULP beside it: branch points that depend on another parameter. Positions count
-    // parameters.
+    // Adds a relation for branch points that depend on another parameter. In one of sixteen inputs, float
+    // parameter `target` becomes float parameter `source` times `factor`, or one of the floats one ULP beside
+    // it. Positions count in and inout parameters from 0. Throws std::invalid_argument for a position out of
+    // range.
     [[nodiscard]] Domain tied(std::size_t target, std::size_t source, double factor = 1.0) const;
 
-    // `adjust` may change the words of every input after it was drawn (to keep min <= max, for example).
+    // Adds a function that may change the words of every input after it was drawn, for example to keep min <=
+    // max.
     [[nodiscard]] Domain adjusted(std::function<void(std::span<Word>)> adjust) const;
 
-    // The same with an input that every run includes, whatever else it draws: the worst that a search found,
-    // say. As the function gets it: nothing is adjusted.
+    // Adds an input that every run includes, for example the worst one that a search found. It is passed to
+    // the function without adjustment.
     template <class... T>
     [[nodiscard]] Domain and_input(const T&... values) const {
         std::vector<Word> words;
@@ -38,11 +41,11 @@ class Domain {
     }
     [[nodiscard]] Domain and_words(const std::vector<Word>& words) const;
 
-    // The same with degenerate inputs (check/degenerate.hpp) of a function with that signature.
+    // Adds degenerate inputs (check/degenerate.hpp) of a function with this signature.
     [[nodiscard]] Domain and_degenerate(const Signature& signature) const;
 
     struct Inputs {
-        std::vector<Word> words;   // one input after the other
+        std::vector<Word> words;   // one input after another
         std::vector<bool> branch;  // input was placed at a branch point
         std::size_t width = 0;     // words of one input
 
@@ -52,19 +55,20 @@ class Domain {
         }
     };
 
-    // `count` inputs from the seed, the same on every machine: the given inputs; every fixed value and every
-    // degenerate change at least once, or some of them in half of the inputs; then a mixture of all-random
-    // inputs, inputs with one fixed value, inputs of fixed values only, and degenerate ones.
+    // Draws `count` inputs; the same seed gives the same inputs on every machine. They begin with the given
+    // inputs. Then every fixed value and every degenerate change occurs at least once; if there are too many,
+    // a part of them takes half of the inputs. The rest is a mixture of random inputs, inputs with one fixed
+    // value, inputs with fixed values only, and degenerate inputs.
     [[nodiscard]] Inputs draw(std::size_t count, std::uint64_t seed,
                               glm::ivec2 image_size = glm::ivec2(1)) const;
 
-    // What a search works on: inputs as drawn, before anything is adjusted; and what is done to them then.
+    // For a search: inputs as drawn, before adjustment; and the adjustment of such an input.
     [[nodiscard]] Inputs draw_unadjusted(std::size_t count, std::uint64_t seed,
                                          glm::ivec2 image_size = glm::ivec2(1)) const;
     void adjust(std::span<Word> row) const;
 
-    // Whether an input is known to be one of this domain: each parameter has a value that it admits, or the
-    // one that it has in `known`, an input that was drawn; and no adjustment would change it.
+    // Whether an input certainly belongs to this domain: each parameter has a value that its Values admit, or
+    // its value in `known`, an input that was drawn; and no adjustment would change it.
     [[nodiscard]] bool holds(std::span<const Word> input, std::span<const Word> known) const;
 
     [[nodiscard]] const std::vector<Values>& parameters() const { return parameters_; }

@@ -21,7 +21,7 @@ namespace {
 using interpreter::Explained;
 
 constexpr const char* kernel_name = "kernel";
-constexpr std::uint64_t most_instructions = 500'000;  // of one explanation: each is kept
+constexpr std::uint64_t most_instructions = 500'000;  // of one explanation, which stores all of them
 
 shader::Function function_of(const shader::CompileOptions& options, const std::string& file,
                              const std::string& name) {
@@ -59,12 +59,13 @@ void append(const interpreter::Step<Explained>& step, std::vector<ExplainedStep>
                           .error = static_cast<double>(x.value) - x.exact,
                           .local = x.local,
                           .ulps = numeric::ulp_error(x.value, x.exact)};
-        if (std::isnan(one.error)) one.error = 0.0;  // one infinity is the other
+        if (std::isnan(one.error)) one.error = 0.0;  // one infinity equals the other
         steps.push_back(std::move(one));
     }
 }
 
-// By how much the error of each step, in ULP, rises above all before it. It may come down again in between.
+// By how much the error of each step, in ULP, rises above the errors of all steps before it. It can decrease
+// in between.
 std::vector<double> rises_of(const std::vector<ExplainedStep>& steps) {
     std::vector<double> rises;
     double highest = 0.0;
@@ -82,7 +83,7 @@ std::size_t worst_of(const std::vector<ExplainedStep>& steps) {
                                                : static_cast<std::size_t>(most - rises.begin());
 }
 
-// The steps that tell most, in their order.
+// The `most` steps at which the error rises most, in their order.
 std::vector<std::size_t> telling_steps(const std::vector<ExplainedStep>& steps, std::size_t most) {
     std::vector<std::size_t> order(steps.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -136,7 +137,7 @@ Explanation explain(const shader::CompileOptions& options, const KernelSource& s
     InterpretedKernel<Explained> kernel(program, module, words);
     kernel.machine().set_limit(most_instructions);
     Explanation all;
-    // The path is that of float32; what intervals alone leave open is taken as it comes first.
+    // The path is that of float32. Where only intervals leave a branch undecided, the first way is taken.
     (void)numeric::Paths::explore(numeric::float32, 1, [&] {
         kernel.run(input, [&](const interpreter::Step<Explained>& step) { append(step, all.steps); });
         throw numeric::Paths::Enough{};

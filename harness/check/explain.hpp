@@ -12,29 +12,29 @@
 
 namespace gloam::check {
 
-// One operation of a shader on one input, as the interpreter did it on every number type at once.
+// One operation of a shader on one input, as the interpreter executed it on every number type at once.
 struct ExplainedStep {
     std::string file;
-    unsigned line = 0;  // of the source
+    unsigned line = 0;  // in the source file
     std::string function;
     std::string operation;      // "OpFAdd"
-    std::size_t component = 0;  // of a vector
-    float value = 0.0F;         // rounded correctly at every operation
+    std::size_t component = 0;  // of a vector, from 0
+    float value = 0.0F;         // correctly rounded at every operation
     double exact = 0.0;         // in double
     numeric::Bounds permitted;  // by Vulkan's rules, on this path
     double error = 0.0;         // value - exact
-    double local = 0.0;         // the part of it that this operation adds by rounding
+    double local = 0.0;         // the part of the error that this operation adds by rounding
     double ulps = 0.0;          // error in units in the last place of the exact result
 
-    // The part that came in with the operands.
+    // The part of the error that came with the operands.
     [[nodiscard]] double inherited() const { return error - local; }
 };
 
-// What a shader function does with one input, operation by operation.
+// The operations of a shader function on one input.
 struct Explanation {
-    std::vector<ExplainedStep> steps;  // those that give floats, in the order of the run
-    // The step after which the error, in ULP, has grown most against all before it; steps.size() where there
-    // is none.
+    std::vector<ExplainedStep> steps;  // the operations with float results, in the order of execution
+    // The step at which the error, in ULP, rises most above those of all steps before it; steps.size() if
+    // none does.
     std::size_t worst = 0;
 };
 
@@ -44,15 +44,17 @@ struct Explanation {
 [[nodiscard]] Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
                                   std::span<const Word> input, const ImageSet& images = {});
 
-// The same of a function of a file. Throws std::invalid_argument for one that is not there or reads images.
+// The same for a function of a file. Throws std::invalid_argument if the file has no such function, or if the
+// function reads images.
 [[nodiscard]] Explanation explain(const shader::CompileOptions& options, const std::string& file,
                                   const std::string& function, std::span<const Word> input);
 
-// A line for each step, titles above, and where the error grows most below. Of more than `most` steps those
-// are shown at which the error rises most above all before, then the last.
+// A table: titles, then a line for each step; the line with the largest rise of the error is marked. If there
+// are more than `most` steps, the table has those at which the error rises most; among equal rises the later
+// steps.
 [[nodiscard]] std::string to_text(const Explanation& explanation, std::size_t most);
 
-// The scalars that such a function takes, in order. Throws as explain().
+// The input scalars of a function of a file, in order. Throws like explain().
 [[nodiscard]] std::vector<shader::Scalar> inputs_of(const shader::CompileOptions& options,
                                                     const std::string& file, const std::string& function);
 

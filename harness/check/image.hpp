@@ -14,19 +14,19 @@
 
 namespace gloam::check {
 
-// What a fetch or store outside the image does: it is a fault of the shader (reported with its pixel), or it
-// reads the nearest pixel inside and drops the store.
+// The effect of an access outside the image: a fault of the shader, reported with its pixel; or a fetch reads
+// the nearest pixel inside and a store is dropped.
 enum class Border { fault, clamp };
 
-// A small image that serves a prototype such as `float gloam_fetch_depth(ivec2 pixel);` (or takes the stores
-// of `void gloam_store_depth(ivec2 pixel, float depth);`). Row 0 is the top row. At least 1 x 1.
+// A small image behind a prototype such as `float gloam_fetch_depth(ivec2 pixel);`, or, for stores, `void
+// gloam_store_depth(ivec2 pixel, float depth);`. Row 0 is the top row. At least 1 x 1.
 struct Image {
     shader::Type element;
     glm::ivec2 size{0};
     Border border = Border::fault;
     std::vector<Word> words;  // row by row, each pixel's scalars in order
 
-    // The pixel at (x, y), clamped to the image; T must have the element's type.
+    // The pixel at (x, y), clamped to the image. T must be the element's type.
     template <class T>
     [[nodiscard]] T at(glm::ivec2 pixel) const {
         if (!(type_of<T>() == element)) {
@@ -42,11 +42,11 @@ struct Image {
     }
 };
 
-// Images by the name of the prototype that they serve.
+// Images by the name of their prototype.
 using ImageSet = std::map<std::string, Image>;
 
-// An image whose pixel (x, y) is pixel(glm::ivec2(x, y)), of type T. Throws std::invalid_argument below 1
-// x 1.
+// An image whose pixel (x, y) is pixel(glm::ivec2(x, y)), of type T. Throws std::invalid_argument if a side
+// is below 1.
 template <class T, std::invocable<glm::ivec2> Pixel>
 [[nodiscard]] Image make_image(glm::ivec2 size, Pixel&& pixel, Border border = Border::fault) {
     if (size.x < 1 || size.y < 1) throw std::invalid_argument("an image has at least 1 x 1 pixels");

@@ -42,7 +42,7 @@ void set_mixed(std::span<Word> pixel, Random& random, bool infinite) {
     }
 }
 
-// The scenario with every pixel of its float images changed.
+// A copy of the scenario, with every pixel of its float images changed.
 template <class Change>
 ImageScenario changed(const ImageScenario& scenario, const std::string& name, Change change) {
     const auto make = [made = scenario.make, change](glm::ivec2 size, Random& random) {

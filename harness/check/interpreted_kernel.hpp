@@ -13,17 +13,17 @@
 
 namespace gloam::check {
 
-// The words of each of the kernel's images, as its buffers hold them. Throws std::invalid_argument when a
+// The words of each of the kernel's images, in the format of its buffers. Throws std::invalid_argument if a
 // prototype has no image or one of another type.
 [[nodiscard]] std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& prototypes,
                                                          const ImageSet& images, const std::string& kernel);
 
 // A kernel that the interpreter runs, one input at a time, on one number type (interpreter/number.hpp). Not
-// to be shared by threads.
+// thread-safe.
 template <class Number>
 class InterpretedKernel {
   public:
-    // `module` and `images` (image_words()) must live longer.
+    // `module` and `images` (image_words()) must outlive this object.
     InterpretedKernel(const interpreter::Program& program, const KernelModule& module,
                       const std::vector<std::vector<Word>>& images)
         : machine_(program),
@@ -42,21 +42,21 @@ class InterpretedKernel {
     InterpretedKernel(const InterpretedKernel&) = delete;  // the machine is bound to its buffers
     InterpretedKernel& operator=(const InterpretedKernel&) = delete;
 
-    // `index`: of an input that is in the module as a constant. Throws interpreter::Error.
+    // `index`: of the input, if the module has its inputs as constants. Throws interpreter::Error.
     void run(std::span<const Word> inputs, std::size_t index = 0) {
         first_ = index * row_;
         machine_.bind(0, KernelBinding::inputs, inputs);
         machine_.set_invocation({static_cast<std::uint32_t>(index), 0, 0});
         machine_.run();
     }
-    // The same, and counts what ran.
+    // The same, and adds to the coverage.
     void run(std::span<const Word> inputs, interpreter::Coverage& coverage) {
         first_ = 0;
         machine_.bind(0, KernelBinding::inputs, inputs);
         machine_.set_invocation({0, 0, 0});
         machine_.run(coverage);
     }
-    // The same for input 0, and reports every instruction that gives a value.
+    // The same for input 0, and reports every instruction with a result.
     void run(std::span<const Word> inputs,
              const std::function<void(const interpreter::Step<Number>&)>& tell) {
         first_ = 0;
@@ -75,8 +75,8 @@ class InterpretedKernel {
         return {.count = word(0), .image = word(1), .x = word(2), .y = word(3), .input = word(4)};
     }
 
-    // The words of an image after the last run; the next begins with them, too. `words` are those that it was
-    // made with.
+    // Reads the words of an image after the last run; the next run starts with them. `words`: those that this
+    // object was made with.
     void read_image(std::size_t image, std::vector<Word>& words) {
         const auto binding = KernelBinding::first_image + static_cast<unsigned>(image);
         std::vector<Word> after;

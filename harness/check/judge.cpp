@@ -25,7 +25,7 @@ using internal::InputRow;
 using numeric::infinity;
 using shader::Scalar;
 
-// The class of one input, and the float words it was read from.
+// The class of one input.
 InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& scalars, bool branch) {
     auto worst = branch ? InputClass::branch : InputClass::ordinary;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -55,14 +55,15 @@ InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& sca
     return worst;
 }
 
-// Which inputs of a run are held against the rules, and for which of these all that is permitted is
-// calculated. With the budget as the verdict the rules are a second question: it is asked of the first
-// inputs, among which all kinds are, and of a share of the others.
+// Decides which inputs of a run are judged by the rules, and for which of these all permitted results are
+// calculated. If the verdict is the budget, the rules are a second criterion for the first inputs, which
+// contain all kinds, and for a share of the others.
 class Plan {
   public:
     static constexpr std::size_t first_inputs = 512;
     static constexpr std::size_t other_inputs = 512;
-    // Inputs whose bounds are calculated, and the instructions of all of these: less than half a second.
+    // Limits for the inputs whose bounds are calculated, and for the instructions of all these bounds: less
+    // than half a second.
     static constexpr std::size_t most_bounded = 2048;
     static constexpr double most_steps = 4e6;
 
@@ -71,7 +72,7 @@ class Plan {
           every_(bounds_ ? 1 : std::max<std::size_t>(count / other_inputs, 1)),
           bounds_every_(every_bound ? 1 : 0) {}
 
-    // How many instructions the bounds of one input take.
+    // Sets the number of instructions for the bounds of one input.
     void set_cost(double steps, std::size_t count) {
         if (bounds_every_ != 0) return;
         const auto by_cost = static_cast<std::size_t>(steps * static_cast<double>(count) / most_steps);
@@ -121,7 +122,7 @@ class Judge {
         answer.add(sample, sample.fraction > 1.0);
     }
 
-    // Instructions that the bounds of an input take.
+    // Number of instructions for the bounds of an input.
     [[nodiscard]] double cost_of(const InputRow& input) {
         Permitted permitted;
         internal::Interpretation& interpretation = permitted_->interpretation();
@@ -185,8 +186,8 @@ class Judge {
     std::optional<internal::RulesJudge> permitted_;
 };
 
-// What the modules mean; nothing where there are none, or where nobody needs them and the interpreter does
-// not know an instruction (then the rules are asked of no input).
+// The decoded modules. Empty if there are none. Also empty if they are not needed and the interpreter does
+// not know an instruction of them; then no input is judged by the rules.
 std::optional<internal::Decoded> decoded_modules(const KernelModules& modules, const ImageSet& images,
                                                  bool needed) {
     if (modules.empty()) return std::nullopt;
@@ -198,7 +199,7 @@ std::optional<internal::Decoded> decoded_modules(const KernelModules& modules, c
     }
 }
 
-// The mean of some inputs, evenly spread.
+// The mean cost of evenly distributed inputs of the run, in instructions.
 double mean_cost(Judge& judge, const Domain::Inputs& inputs) {
     constexpr std::size_t probes = 32;
     const std::size_t step = std::max<std::size_t>(inputs.count() / probes, 1);

@@ -10,30 +10,30 @@
 
 namespace gloam::check {
 
-// How the outputs of a run are judged, beside what was asked.
+// How the outputs of a run are judged, besides the question.
 struct JudgeOptions {
-    // Whether the results for zero, infinity and NaN beside values of usual size are those of the reference,
-    // in every verdict: off for a reference that documents none (a function of GLSL itself), and for other
-    // arithmetic than float32. Without a reference nothing is.
+    // Judge the results for zero, infinity and NaN beside values of usual size against the reference, in
+    // every verdict. Set it to false if the reference documents none (a built-in function of GLSL), and for
+    // other arithmetic than float32. Without a reference they are not judged.
     bool edges = true;
-    // Whether the device keeps NaN, infinity and signed zero. If not, inputs and references that hold one are
-    // only recorded.
+    // Whether the device preserves NaN, infinity and signed zero. If not, inputs and references that contain
+    // one are only recorded.
     bool nan = true;
-    // With Verdict::rules the budget and the codomain are only measured.
+    // With Verdict::rules the budget and the codomain are measured, but do not fail.
     Verdict verdict = Verdict::budget;
-    // What gave the outputs. Whatever the verdict, an output that the rules do not permit these modules
-    // fails; without modules nothing is asked of the rules.
+    // The modules that produced the outputs. Whatever the verdict, an output that the rules do not permit for
+    // these modules fails. Without modules the rules are not asked.
     KernelModules modules;
 };
 
-// An answer without inputs yet.
+// An answer to a question, without any inputs.
 [[nodiscard]] Answer empty_answer(const Question& question, Verdict verdict);
 
 // Judges every output of a run. Throws std::invalid_argument for Verdict::rules without modules;
 // interpreter::Error for a module that the interpreter cannot run.
 // `outputs`: count x output words, in the order of the inputs.
-// `fractions`, when not empty, takes each input's fraction of what the verdict allows (0 where only
-// recorded).
+// `fractions`: if not empty, it receives each input's fraction of what the verdict allows, 0 if the input is
+// only recorded.
 [[nodiscard]] Answer judge(const Question& question, const JudgeOptions& options,
                            const Domain::Inputs& inputs, std::span<const Word> outputs,
                            const ImageSet& images = {}, const std::string& scenario = {},

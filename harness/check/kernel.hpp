@@ -14,8 +14,8 @@ namespace gloam::check {
 // A GLSL function that C++ can call: `Kernel<float(glm::vec2, Out<float>)>`.
 //   by value: GLSL `in`; Out<T>: `out`; T&: `inout`. Types: float, int, unsigned, bool, GLM vectors and
 //   matrices of float, vectors of the others, plain structs of up to 8 of these.
-// Calls take one value for each in and inout parameter; they return the result followed by every out and
-// inout value: nothing else makes it the value itself, more than one a std::tuple.
+// Calls take one value for each in and inout parameter. They return the result, followed by every out and
+// inout value: a plain value if there is one, a std::tuple if there are several.
 template <class Function>
 class Kernel {
   public:
@@ -25,24 +25,24 @@ class Kernel {
         typename std::conditional_t<std::tuple_size_v<Outputs> == 1, std::tuple_element<0, Outputs>,
                                     std::type_identity<Outputs>>::type;
 
-    // Throws as Lab::kernel does.
+    // Throws like Lab::kernel.
     Kernel(const Lab& lab, const std::string& file, const std::string& function)
         : lab_(&lab), core_(lab.kernel(file, function, SignatureOf<Function>::describe())) {}
 
-    // All inputs in one dispatch. Throws KernelError; std::runtime_error for an access outside an image
-    // (names the image and the pixel) and for validation messages.
+    // Evaluates all inputs in one dispatch. Throws KernelError; std::runtime_error for an access outside an
+    // image, with the image and the pixel, and for validation messages.
     [[nodiscard]] std::vector<Output> operator()(std::span<const Inputs> inputs,
                                                  const ImageSet& images = {}) const {
         return run(inputs, images, nullptr);
     }
 
-    // The same; images that the function stored to are returned through `stored`.
+    // The same; `stored` receives the images that the function stored to.
     [[nodiscard]] std::vector<Output> operator()(std::span<const Inputs> inputs, const ImageSet& images,
                                                  ImageSet& stored) const {
         return run(inputs, images, &stored);
     }
 
-    // One input.
+    // Evaluates one input.
     template <class... Arguments>
     requires std::is_constructible_v<Inputs, Arguments...> &&
         (!std::is_convertible_v<Arguments, std::span<const Inputs>> && ...) [[nodiscard]] Output
@@ -51,7 +51,7 @@ class Kernel {
         return run(std::span(&input, 1), {}, nullptr).front();
     }
 
-    // One input of a function that reads images.
+    // Evaluates one input of a function that reads images.
     [[nodiscard]] Output with_images(const ImageSet& images, const Inputs& input) const {
         return run(std::span(&input, 1), images, nullptr).front();
     }

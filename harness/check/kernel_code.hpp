@@ -10,17 +10,17 @@
 
 namespace gloam::check {
 
-// A prototype that a synthetic image serves.
+// A prototype with a synthetic image behind it.
 struct ImagePrototype {
     std::string name;
     shader::Type element;
     bool stores = false;  // void name(ivec2 pixel, T value), else T name(ivec2 pixel)
 };
 
-// What the generated compute shader is about.
+// What a compute shader is generated from.
 struct KernelSource {
     std::string file;           // as in #include "file"
-    shader::Function function;  // as the compiler saw it
+    shader::Function function;  // as the compiler reports it
     std::vector<ImagePrototype> images;
     bool preserve_nan =
         false;  // declare SignedZeroInfNanPreserve: NaN, infinity and -0 then mean what they say
@@ -40,10 +40,10 @@ inline constexpr unsigned kernel_group_size = 64;
 struct KernelRun {
     Word count = 0;       // inputs
     Word row_length = 0;  // invocations in one row of work groups
-    Word canary = 0;      // written, xor the position of the input, behind every output
+    Word canary = 0;      // xor the position of the input: written behind every output
 };
 
-// Words of the fault buffer: how many accesses fell outside their image, and the first that was recorded.
+// Words of the fault buffer: the number of accesses outside their image, and the first recorded one.
 struct KernelFaults {
     Word count = 0;
     Word image = 0;
@@ -52,7 +52,7 @@ struct KernelFaults {
     Word input = 0;
 };
 
-// Words in front of an image's pixels: width, height, border.
+// Words before an image's pixels: width, height, border.
 inline constexpr std::size_t image_header_words = 3;
 
 // The text of a compute shader that calls the function once for each input.

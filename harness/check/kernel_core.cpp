@@ -15,7 +15,7 @@
 namespace gloam::check {
 namespace {
 
-// What the memory behind the outputs holds before the dispatch and must hold after it.
+// The value of the memory behind the outputs before and after the dispatch.
 constexpr Word guard_pattern = 0xdeadbeefU;
 constexpr std::size_t guard_words = 64;
 constexpr std::size_t fault_words = sizeof(KernelFaults) / sizeof(Word);
@@ -132,7 +132,7 @@ void KernelCore::run_batch(Batch& batch) const {
     collect_fault(batch, fault_buffer.as<Word>());
 }
 
-// Takes the outputs of every input, once its canary and the guard behind them are found in order.
+// Copies the outputs of every input, after checking its canary and the guard words behind the outputs.
 void KernelCore::collect_outputs(Batch& batch, const KernelRun& run, std::span<const Word> words) const {
     const std::size_t row = module_->output_words + 1;
     std::vector<Word>& outputs = batch.result.outputs;

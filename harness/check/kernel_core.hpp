@@ -15,20 +15,20 @@
 
 namespace gloam::check {
 
-// A shader reached outside an image that serves one of its prototypes.
+// An access outside an image behind one of the shader's prototypes.
 struct ImageFault {
     std::string image;  // the prototype's name
     glm::ivec2 pixel{0};
     glm::ivec2 size{0};
-    std::size_t count = 0;  // accesses outside, in all
-    std::size_t input = 0;  // one input that did it
+    std::size_t count = 0;  // all accesses outside
+    std::size_t input = 0;  // one input with such an access
 };
 
 // "gloam_fetch_depth: pixel (-1, 0) is outside the 3 x 3 image (5 times, at input 12)".
 [[nodiscard]] std::string to_text(const ImageFault& fault);
 
-// A dispatch whose outputs are unreliable: the kernel did not run to its end for every input, or memory
-// behind its outputs changed.
+// A dispatch whose outputs are unreliable: the kernel did not complete for every input, or memory behind its
+// outputs changed.
 class KernelError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -36,21 +36,21 @@ class KernelError : public std::runtime_error {
 // A compiled kernel without its C++ types: words in, words out.
 class KernelCore {
   public:
-    // The name is used in messages only.
+    // `name`: for messages only.
     KernelCore(const gpu::Device& device, KernelModule module, std::string name);
-    // Run by the interpreter: correctly rounded, with no device at all.
+    // For the interpreter: correctly rounded, without a device.
     KernelCore(KernelModule module, std::string name);
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words
         ImageSet stored;            // images that the shader may have stored to
         std::optional<ImageFault> fault;
-        KernelModules modules;  // that gave the outputs
+        KernelModules modules;  // the modules that produced the outputs
     };
 
-    // Evaluates `count` inputs (count x input_words words) in one dispatch, or as few as the device's limits
-    // allow. Throws std::invalid_argument when a prototype has no image or one of another type; KernelError,
-    // also for what the interpreter cannot run; gpu errors.
+    // Evaluates `count` inputs (count x input_words words) in one dispatch, or in as few as the device's
+    // limits allow. Throws std::invalid_argument if a prototype has no image or one of another type;
+    // KernelError, also for a module that the interpreter cannot run; gpu errors.
     [[nodiscard]] Result run(std::span<const Word> inputs, std::size_t count,
                              const ImageSet& images = {}) const;
 

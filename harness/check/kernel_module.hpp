@@ -11,18 +11,18 @@
 
 namespace gloam::check {
 
-// A compiled kernel, as a driver or the interpreter is given it.
+// A compiled kernel, as it is passed to a driver or the interpreter.
 struct KernelModule {
     shader::Spirv spirv;  // follows the interface of kernel_code()
     std::vector<interpreter::Constant> constants;
     std::size_t input_words = 0;
     std::size_t output_words = 0;
     std::vector<ImagePrototype> images;
-    std::size_t fixed_inputs = 0;  // that are in it as constants; 0: they come from memory
+    std::size_t fixed_inputs = 0;  // inputs that are constants in it; 0: they come from memory
 };
 
-// The modules that evaluated a run's inputs, one after the other: all inputs where there is one, else each
-// its fixed_inputs.
+// The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;
+// otherwise each evaluated its fixed_inputs.
 using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
 
 }  // namespace gloam::check

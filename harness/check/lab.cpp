@@ -12,7 +12,7 @@
 namespace gloam::check {
 namespace {
 
-// The prototype as an image access: T f(ivec2), or void f(ivec2, T). Nothing for any other shape.
+// The prototype as an image access: T f(ivec2), or void f(ivec2, T). Empty for any other signature.
 std::optional<ImagePrototype> image_prototype(const shader::Function& function) {
     const auto& p = function.parameters;
     const bool by_pixel =

@@ -8,8 +8,8 @@
 
 namespace gloam::check {
 
-// What the inputs of such a run reach, by the interpreter in float32, of the function and all that it calls.
-// Throws as run() does, and interpreter::Error.
+// Measures what the inputs of a run reach, in the function and in all that it calls, with the interpreter in
+// float32. Throws like run(), and interpreter::Error.
 [[nodiscard]] Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options);
 
 }  // namespace gloam::check

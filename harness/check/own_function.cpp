@@ -60,7 +60,8 @@ bool is_usable(const shader::Function& function) {
                                [](const shader::Parameter& p) { return shader::is_supported(p.type); });
 }
 
-// Whether a text has "TYPE NAME (" with the function's type and name, as its definition does and no call.
+// Whether a text contains "TYPE NAME (" with the function's type and name; a definition does, a call does
+// not.
 bool declares(std::string_view text, const shader::Function& function) {
     const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     const auto is_blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
@@ -81,7 +82,7 @@ bool declares(std::string_view text, const shader::Function& function) {
     return false;
 }
 
-// Images for prototypes: positive numbers of usual size, and what is outside reads the border.
+// Images for prototypes: positive numbers of usual size. Accesses outside read the border.
 ImageScenario random_images(const std::vector<ImagePrototype>& prototypes) {
     const auto make = [prototypes](glm::ivec2 size, numeric::Random& random) {
         ImageSet images;

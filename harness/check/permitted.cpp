@@ -21,7 +21,7 @@ double fraction_of_width(double got, double want, const numeric::Bounds& bounds)
     if (std::isnan(got)) return bounds.nan ? 0.0 : infinity;
     if (bounds.empty()) return infinity;
     const bool inside = bounds.contains(got);
-    // Without a number in the middle of the bounds to measure from, inside is all that can be said.
+    // If `want` or `got` is not finite, there is no distance to measure; only inside or outside is known.
     if (!std::isfinite(want) || !std::isfinite(got)) return inside ? 0.0 : infinity;
     const double center = std::clamp(want, bounds.low, bounds.high);
     const double distance = std::abs(got - center);

@@ -19,39 +19,41 @@
 
 namespace gloam::check {
 
-// Images for one run of a function that reads some; a check runs every scenario with its share of the inputs.
+// Images for one run of a function that reads images; a check runs every scenario with its share of the
+// inputs.
 struct ImageScenario {
     std::string name;  // "3 x 3", "all background"
     glm::ivec2 size{1};
     std::function<ImageSet(glm::ivec2 size, numeric::Random& random)> make;
 };
 
-// A reference without its C++ types: input words in, one double for each output word. Where a question has
-// none, the module in double takes its place.
+// A reference without its C++ types: input words in, one double for each output word out. If a question has
+// none, the module interpreted in double replaces it.
 using Reference =
     std::function<void(const ImageSet& images, std::span<const Word> inputs, std::vector<double>& outputs)>;
 
-// The values that every output but a truth value must lie in, for every input whatever. NaN is never inside.
+// The range in which every output except a bool must be, for every input. NaN is never inside.
 struct Codomain {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
 };
 
-// What is asked of a function: where its inputs come from, what it should return and how closely.
+// The check of a function: the source of its inputs, its expected results and their accuracy.
 struct Question {
-    std::string name;  // in reports: an ID of the catalogue; empty: that of the function
+    std::string name;  // for reports: an ID of the catalogue; empty: the function's name
     std::string file;
     std::string function;
     Signature signature;
     Domain domain;
-    Reference reference;  // empty: the function is judged by the rules, and measured against itself in double
+    Reference reference;  // empty: the rules judge, and the module in double is the reference
+                          // in double
     Budget budget;
     Codomain codomain;
-    // Inputs for which the budget is promised; empty: all. Elsewhere (overflow in between, say) only the
-    // codomain is, and what is documented for zero, infinity and NaN.
+    // Inputs for which the budget is promised; empty: all. For other inputs, for example after overflow, only
+    // the codomain and the documented results for zero, infinity and NaN are judged.
     std::function<bool(std::span<const Word>)> promised;
     std::vector<ImageScenario> scenarios;  // empty: the function reads no image
-    bool only_rules = false;  // documents no accuracy of its own: judged by the rules however it is compiled
+    bool only_rules = false;               // it documents no accuracy: judged by the rules in every variant
 };
 
 namespace detail {
@@ -61,7 +63,7 @@ void append(const T& value, std::vector<double>& outputs) {
     visit_scalars(value, [&outputs](const auto& scalar) { outputs.push_back(static_cast<double>(scalar)); });
 }
 
-// Calls a reference: with the images first, or with the arguments alone.
+// Calls a reference, with the images as first argument if it takes them.
 template <class Callable, class... Values>
 decltype(auto) call(const Callable& callable, const ImageSet& images, Values&... values) {
     if constexpr (std::is_invocable_v<const Callable&, const ImageSet&, Values&...>) {
@@ -113,9 +115,9 @@ struct ReferenceOf<R(P...)> {
 
 }  // namespace detail
 
-// A reference from anything callable with the types of the signature, with double in the place of float:
-// (double, glm::dvec3) for float(float, glm::vec3); out and inout parameters as references; optionally the
-// images first (const ImageSet&).
+// Makes a reference from a callable with the types of the signature, with double in place of float: (double,
+// glm::dvec3) for float(float, glm::vec3). Out and inout parameters are references. The images (const
+// ImageSet&) can be the first argument.
 template <class Function, class Callable>
 [[nodiscard]] Reference make_reference(Callable callable) {
     return [callable](const ImageSet& images, std::span<const Word> words, std::vector<double>& outputs) {
@@ -124,7 +126,8 @@ template <class Function, class Callable>
     };
 }
 
-// A test of typed inputs as what is `promised`: called with the exact values of in and inout parameters.
+// Makes a `promised` test from a predicate on typed inputs. It is called with the exact values of in and
+// inout parameters.
 template <class Function, class Predicate>
 [[nodiscard]] std::function<bool(std::span<const Word>)> make_predicate(Predicate predicate) {
     return [predicate](std::span<const Word> words) {

@@ -28,7 +28,7 @@ ImageScenario scenario_of(const Question& question, const std::string& name) {
     return *found;
 }
 
-// A question ready to run over the images of one scenario, as run() has it.
+// A question that is ready to run with the images of one scenario, as run() does it.
 class Stage {
   public:
     Stage(const Lab& lab, const Question& question, ImageScenario scenario, const RunOptions& options)
@@ -49,7 +49,7 @@ class Stage {
     [[nodiscard]] KernelCore::Result run(std::span<const Word> inputs, std::size_t count) const {
         return constants_ ? constants_->run(inputs, count, images()) : kernel_.run(inputs, count, images());
     }
-    // From memory, whatever the variant.
+    // Runs with the inputs in memory, in every variant.
     [[nodiscard]] KernelCore::Result run_kernel(const Domain::Inputs& inputs) const {
         return kernel_.run(inputs.words, inputs.count(), images());
     }
@@ -66,11 +66,11 @@ class Stage {
     std::optional<ConstantKernel> constants_;
 };
 
-// The generated shader of one input: it is a part of the text where the variant makes it a literal.
+// The generated shader for one input. If the variant makes inputs literals, the input is in the text.
 std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
     if (constants == Constants::specialization) return specialized_kernel_code(source, 1);
     if (constants == Constants::none) return kernel_code(source);
-    source.preserve_nan = false;  // as ConstantKernel has it
+    source.preserve_nan = false;  // as in ConstantKernel
     return literal_kernel_code(source, inputs, 1);
 }
 

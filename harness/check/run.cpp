@@ -9,7 +9,7 @@
 namespace gloam::check {
 namespace {
 
-// A few inputs, from all kinds that a larger draw begins with.
+// A few inputs of all kinds: the beginning of a larger draw.
 Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t seed,
                           glm::ivec2 image_size) {
     constexpr std::size_t spread = 16;
@@ -23,7 +23,7 @@ Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t
     return few;
 }
 
-// Each input is code that is compiled: the scenarios of a question share them.
+// Each input is compiled code, so the scenarios of a question share the number of inputs.
 std::size_t constants_of_each(std::size_t scenarios) {
     constexpr std::size_t least = 8;
     return std::max(least, ConstantKernel::most_inputs / std::max<std::size_t>(scenarios, 1));

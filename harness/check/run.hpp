@@ -15,19 +15,19 @@ namespace gloam::check {
 struct RunOptions {
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
-    bool coverage = false;  // measure what the inputs reach, too
+    bool coverage = false;  // also measure what the inputs reach
 };
 
-// What results of shaders compiled in a variant are held against: those of strict and relaxed ones the rules
-// alone, all others the documented budget and the rules. A question with only_rules or without a reference is
-// never held against a budget.
+// The criterion for results in a variant: in strict and relaxed variants the rules alone, in all others the
+// documented budget and the rules. A question with only_rules or without a reference is never judged by a
+// budget.
 [[nodiscard]] Verdict verdict_of(const shader::Variant& variant, const Question& question);
 
-// Compiles the function, evaluates the inputs and judges every output. Throws as Lab::kernel and
-// KernelCore::run do.
+// Compiles the function, evaluates the inputs and judges every output. Throws like Lab::kernel and
+// KernelCore::run.
 [[nodiscard]] Answer run(const Lab& lab, const Question& question, const RunOptions& options = {});
 
-// The whole check of a function against a reference in one call.
+// Checks a function against a reference in one call.
 template <class Function, class Callable>
 [[nodiscard]] Answer compare(const Lab& lab, const std::string& file, const std::string& function,
                              Callable reference, const Domain& domain, const Budget& budget = {},
@@ -42,8 +42,8 @@ template <class Function, class Callable>
                options);
 }
 
-// Whether the results of a function are ones that Vulkan's precision rules permit the module that the driver
-// was given, with no reference and no tolerance of anybody's choice.
+// Checks whether Vulkan's precision rules permit the results of a function for the module that the driver was
+// given. It needs neither a reference nor a tolerance.
 template <class Function>
 [[nodiscard]] Answer check_rules(const Lab& lab, const std::string& file, const std::string& function,
                                  const Domain& domain, const RunOptions& options = {}) {

@@ -14,13 +14,13 @@
 #include "check/fields.hpp"
 #include "shader/type.hpp"
 
-// How C++ values become 32-bit words for a kernel and back: a value is its scalars in order (vectors by
-// component, matrices by column, structures by member).
+// Conversion of C++ values to the 32-bit words of a kernel and back. A value is the sequence of its scalars:
+// vectors by component, matrices by column, structures by member.
 namespace gloam::check {
 
 using Word = std::uint32_t;
 
-// A number a float of the shader is calculated with in C++.
+// A C++ type for a number that is a float in the shader.
 template <class T>
 concept FloatValue = std::same_as<T, float> || std::same_as<T, double>;
 
@@ -58,7 +58,8 @@ template <class T>
     return count;
 }
 
-// The GLSL type of a C++ type; double stands for float, since references calculate wider than the shader.
+// The GLSL type of a C++ type. double means float, since references calculate with more precision than the
+// shader.
 template <class T>
 [[nodiscard]] shader::Type type_of() {
     using shader::Scalar;
@@ -86,7 +87,7 @@ template <class T>
         Type type{.scalar = Scalar::structure, .name = "struct"};
         T value{};
         for_each_field(value, [&type](auto& field) {
-            // C++ does not tell the members' names; GLSL's are used where they matter.
+            // C++ does not expose the names of members; where names matter, those of GLSL are used.
             type.members.push_back({.name = "member" + std::to_string(type.members.size()),
                                     .type = type_of<std::remove_cvref_t<decltype(field)>>()});
         });
@@ -94,7 +95,7 @@ template <class T>
     }
 }
 
-// One scalar to and from its word. bool is 0 or 1; double goes through float.
+// Conversion of one scalar to and from its word. bool is 0 or 1; double is rounded to float.
 template <ScalarValue T>
 [[nodiscard]] Word to_word(T scalar) {
     if constexpr (std::same_as<T, bool>) {

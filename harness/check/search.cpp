@@ -13,13 +13,13 @@ namespace {
 
 using shader::Scalar;
 
-constexpr std::size_t drawn_part = 4;     // one input in this many is drawn at random
-constexpr std::size_t pool_size = 48;     // the inputs that the climb starts from
+constexpr std::size_t drawn_part = 4;     // one of this many inputs is drawn at random
+constexpr std::size_t pool_size = 48;     // the inputs from which the climb starts
 constexpr std::size_t generation = 1024;  // inputs of one dispatch
 constexpr int most_moves = 3;             // of one input at once
-constexpr int tries = 4;                  // to find a move that stays inside the domain
+constexpr int tries = 4;                  // attempts to find a move that stays inside the domain
 
-// One parameter among the words of an input.
+// The words of one parameter in an input.
 struct Slot {
     const Values* values;
     std::size_t first;
@@ -27,7 +27,7 @@ struct Slot {
 };
 
 struct Candidate {
-    std::vector<Word> words;  // as drawn, not adjusted
+    std::vector<Word> words;  // as drawn, before adjustment
     double score = 0.0;
 };
 
@@ -68,7 +68,7 @@ class Climb {
     }
 
   private:
-    // The worse ones come first in the pool and are started from more often.
+    // The worst candidates come first in the pool and are chosen more often.
     std::vector<Word> moved() {
         if (pool_.empty()) return pick_drawn();
         const double rank = random_.unit() * random_.unit();
@@ -103,7 +103,8 @@ class Climb {
         }
     }
 
-    // Floats by a power of two of steps, from a neighbour to several binades away, or to the other sign.
+    // Moves a float by a power of two of steps, from a neighbour to several binades away, or changes its
+    // sign.
     Word moved_word(Word word, Scalar scalar) {
         const bool down = random_.below(2) == 0;
         const int distance = 1 << random_.below(26);

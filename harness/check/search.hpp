@@ -11,21 +11,22 @@
 namespace gloam::check {
 
 struct SearchOptions {
-    std::size_t inputs = 65'536;  // evaluated in all
+    std::size_t inputs = 65'536;  // evaluated in total
     std::uint64_t seed = 1;
-    // The error is searched as a fraction of what this allows. Empty: what the lab's variant stands for.
+    // The search maximises the error as a fraction of what this verdict allows. Empty: the verdict of the
+    // lab's variant.
     std::optional<Verdict> verdict{};
 };
 
-// What a search found of one function.
+// The result of a search for one function.
 struct SearchResult {
-    Answer answer;                // over every input that was evaluated
-    double drawn_fraction = 0.0;  // the worst among those that were drawn at random, before the climb
+    Answer answer;                // over all evaluated inputs
+    double drawn_fraction = 0.0;  // the largest of the inputs drawn at random, before the climb
 };
 
-// Looks for the inputs with the largest error: a quarter of the inputs is drawn at random, the others climb
-// from the worst so far, by neighbouring floats, by powers of two up to whole exponents, by exchanging
-// parameters. It stays inside the domain. Throws as run() does.
+// Searches for the inputs with the largest error. A quarter of the inputs is drawn at random. The others
+// start from the worst inputs so far and move to neighbouring floats, by powers of two up to whole exponents,
+// or exchange parameters. All stay inside the domain. Throws like run().
 [[nodiscard]] SearchResult search(const Lab& lab, const Question& question,
                                   const SearchOptions& options = {});
 

@@ -27,7 +27,7 @@ std::size_t float_complexity(Word word) {
     const std::size_t sign = word == magnitude ? 0 : 1;
     if (magnitude == 0) return sign;
     const auto value = std::bit_cast<float>(magnitude);
-    if (!std::isfinite(value)) return 200 + sign;  // stranger than any number
+    if (!std::isfinite(value)) return 200 + sign;  // more complex than any number
     const Word significand = magnitude & ((1U << significand_bits) - 1U);
     const int bits = significand == 0 ? 0 : significand_bits - std::countr_zero(significand);
     const int exponent = std::abs(static_cast<int>(magnitude >> significand_bits) - 127);
@@ -38,7 +38,7 @@ std::size_t word_complexity(Word word, Scalar scalar) {
     if (scalar == Scalar::float_) return float_complexity(word);
     const bool negative = scalar == Scalar::int_ && (word & sign_bit) != 0;
     const Word magnitude = negative ? ~word + 1U : word;
-    // By its length, then by its set bits: 4 is simpler than 5, but 3 than either.
+    // By bit width, then by the number of set bits: 4 is simpler than 5, and 3 is simpler than both.
     return (negative ? 1U : 0U) + static_cast<std::size_t>(4 * std::bit_width(magnitude)) +
            static_cast<std::size_t>(std::popcount(magnitude));
 }
@@ -54,7 +54,7 @@ void add_float_candidates(Word word, std::set<Word>& candidates) {
     for (int kept = 0; kept < significand_bits; ++kept) {
         const Word step = 1U << (significand_bits - kept);
         candidates.insert(word & ~(step - 1U));                // towards zero
-        candidates.insert((word + step - 1U) & ~(step - 1U));  // away from it
+        candidates.insert((word + step - 1U) & ~(step - 1U));  // away from zero
     }
     candidates.insert(to_word(std::trunc(value)));
     const int exponent = value == 0.0F ? 0 : std::ilogb(value);
@@ -130,7 +130,7 @@ class Shrinker {
         return simpler;
     }
 
-    // The first input that fails, if one does.
+    // The first input that fails, if any.
     [[nodiscard]] std::optional<Sample> first_failing(const std::vector<Words>& inputs) const {
         for (std::size_t first = 0; first < inputs.size(); first += scope_.at_once) {
             const std::size_t count = std::min(scope_.at_once, inputs.size() - first);

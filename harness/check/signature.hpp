@@ -19,7 +19,7 @@ struct Out {
     using type = T;
 };
 
-// A type of the signature with double in the place of float, which references calculate in.
+// A type of the signature with double in place of float, for references.
 template <class T>
 struct InDoubleOf {
     using type = T;
@@ -60,27 +60,27 @@ inline constexpr bool is_input = ParameterOf<P>::direction != shader::Direction:
 template <class P>
 inline constexpr bool is_output = ParameterOf<P>::direction != shader::Direction::in;
 
-// A signature without its C++ types: what the wrapper, the domain and the judge work from.
+// A signature without its C++ types, for the wrapper, the domain and the judge.
 struct Signature {
     shader::Type result;
     std::vector<shader::Parameter> parameters;
 
     [[nodiscard]] std::size_t input_words() const;
-    // The result (unless void), then every out and inout parameter in order.
+    // Number of words of the result (unless void) and of every out and inout parameter, in order.
     [[nodiscard]] std::size_t output_words() const;
     [[nodiscard]] std::vector<shader::Scalar> input_scalars() const;
     [[nodiscard]] std::vector<shader::Scalar> output_scalars() const;
-    // Output words that belong together: one entry for each value (vector, matrix, scalar), its word count.
+    // Word counts of the output values (scalar, vector, matrix), one entry for each value.
     [[nodiscard]] std::vector<std::size_t> output_values() const;
 };
 
-// "float f(vec2, out float)", structures spelled out.
+// "float f(vec2, out float)"; structures are written in full.
 [[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);
 
-// The same of a compiled function, its structures spelled out member by member.
+// The same for a compiled function; its structures are written in full, member by member.
 [[nodiscard]] std::string to_glsl_with_layouts(shader::Function function);
 
-// Whether a compiled function has this signature: same types (structures by layout) and directions.
+// Whether a compiled function has this signature: the same types (structures by layout) and directions.
 [[nodiscard]] bool matches(const Signature& signature, const shader::Function& function);
 
 namespace detail {
@@ -104,7 +104,7 @@ struct SignatureOf;
 template <class R, class... P>
 struct SignatureOf<R(P...)> {
     using Result = R;
-    // Values a call takes and gives: tuples of plain types.
+    // Values that a call takes and returns: tuples of plain types.
     using Inputs = decltype(std::tuple_cat(detail::KeepIf<is_input<P>, typename ParameterOf<P>::value>{}...));
     using Outputs = decltype(std::tuple_cat(
         typename detail::Wrap<R>::type{}, detail::KeepIf<is_output<P>, typename ParameterOf<P>::value>{}...));

@@ -152,7 +152,7 @@ Values integers(long low, long high) {
         words.push_back(static_cast<Word>(low + static_cast<long>(context.random.below(count))));
     };
     values.fixed = {{.words = {static_cast<Word>(low)}}, {.words = {static_cast<Word>(high)}}};
-    // As far from `low`, around the whole circle of 32 bits, as a value of the range may be.
+    // The distance from `low`, modulo 2^32, must not exceed that of `high`.
     values.contains = [low, high](std::span<const Word> words) {
         return words[0] - static_cast<Word>(low) <= static_cast<Word>(high) - static_cast<Word>(low);
     };
@@ -228,7 +228,7 @@ Values unit_vector(int components) {
     values.contains = [](std::span<const Word> words) {
         double squared = 0.0;
         for (const Word word : words) squared += from_word<double>(word) * from_word<double>(word);
-        return std::abs(squared - 1.0) <= 0x1p-22;  // as the rounding of drawn ones leaves it
+        return std::abs(squared - 1.0) <= 0x1p-22;  // within the rounding error of drawn values
     };
     for (int axis = 0; axis < components; ++axis) {
         for (const float sign : {1.0F, -1.0F}) {

@@ -12,14 +12,13 @@
 
 namespace gloam::check {
 
-// What a draw may depend on.
+// The state on which a draw may depend.
 struct DrawContext {
     numeric::Random& random;
-    glm::ivec2 image_size{1};  // of the images of the run, for pixel coordinates
+    glm::ivec2 image_size{1};  // of the run's images, for pixel coordinates
 };
 
-// How the values of one parameter are chosen: drawn at random, or one of a few fixed ones that every run
-// includes.
+// How the values of one parameter are chosen: at random, or from a few fixed values that every run includes.
 struct Values {
     struct Fixed {
         std::vector<Word> words;
@@ -28,27 +27,27 @@ struct Values {
 
     std::function<void(DrawContext&, std::vector<Word>&)> draw;  // appends one value
     std::vector<Fixed> fixed;
-    // Whether a value is one that may be drawn; empty: not known. A search for worse inputs moves
-    // inside.
+    // Whether a value may be drawn; empty: unknown. A search for worse inputs stays inside.
     std::function<bool(std::span<const Word>)> contains;
-    // The words at which sizes of the run's images stand, two each.
+    // Positions of the words that hold sizes of the run's images, two words each.
     std::vector<std::size_t> image_sizes;
     bool only_drawn = false;  // see only_as_drawn
 
-    // Whether a value may be an input: it is fixed, or it may be drawn.
+    // Whether a value may be an input: it is a fixed value, or it may be drawn.
     [[nodiscard]] bool admits(std::span<const Word> words) const;
 
     // Each returns the same values with more fixed ones.
-    // Every special float (numeric::special_floats) as a scalar, in each component of a vector, and in all at
-    // once.
+    // Adds every special float (numeric::special_floats): as a scalar, in each component of a vector, and in
+    // all components.
     [[nodiscard]] Values and_special() const;
-    // Branch points of a float parameter: each point and the floats one ULP either side of it.
+    // Adds branch points of a float parameter: each point and the floats one ULP on either side.
     [[nodiscard]] Values and_near(std::initializer_list<double> points) const;
-    // Branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
+    // Adds branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
     [[nodiscard]] Values and_near_integers(std::initializer_list<long> points) const;
 
-    // The same values and nothing degenerate (check/degenerate.hpp): for a parameter of which nothing else is
-    // documented, such as what another function gave, or the size of the image that a pixel is inside.
+    // The same values without degenerate inputs (check/degenerate.hpp). For a parameter whose documented
+    // values are only the drawn ones, for example the result of another function, or the size of the image
+    // that contains a pixel.
     [[nodiscard]] Values only_as_drawn() const;
 
     template <class T>
@@ -61,33 +60,33 @@ struct Values {
     }
 };
 
-// float, uniform in [low, high]. Fixed values: the ends, and where 0 lies between them both zeros, the
-// smallest normal and subnormal numbers of each side.
+// float, uniform in [low, high]. Fixed values: the ends; if 0 is between them, also both zeros and the
+// smallest normal and subnormal numbers of each sign.
 [[nodiscard]] Values uniform(double low, double high);
-// float, its logarithm uniform between those of 0 < low < high.
+// float whose logarithm is uniform in [log low, log high], 0 < low < high.
 [[nodiscard]] Values log_uniform(double low, double high);
 // The same with either sign.
 [[nodiscard]] Values signed_log_uniform(double low, double high);
-// Any float32 bit pattern at all.
+// float with any bit pattern.
 [[nodiscard]] Values any_float();
-// int or uint in [low, high] (ends included as fixed values).
+// int or uint in [low, high]; the ends are fixed values.
 [[nodiscard]] Values integers(long low, long high);
-// int or uint whose logarithm is uniform in [1, high], and 0.
+// int or uint: 0, or a value in [1, high] whose logarithm is uniform.
 [[nodiscard]] Values log_integers(long high);
 [[nodiscard]] Values booleans();
-// vecN or ivecN whose components are drawn independently; fixed values of the component go into each
-// component alone and into all together.
+// vecN or ivecN with independent components. A fixed value of the component is set in each component alone
+// and in all.
 [[nodiscard]] Values vector(int components, const Values& component);
-// Different values for each component.
+// vecN or ivecN with separate values for each component.
 [[nodiscard]] Values vector(const std::vector<Values>& components);
 // Directions, uniform on the unit circle (2) or sphere (3); the axes as fixed values.
 [[nodiscard]] Values unit_vector(int components);
 // A unit vector times a length.
 [[nodiscard]] Values vector_of_length(int components, const Values& length);
-// ivec2 pixel of the run's image, corners included; and ivec2 size of the image.
+// ivec2: a pixel of the run's image, corners included; and the size of the image.
 [[nodiscard]] Values image_pixel();
 [[nodiscard]] Values image_size();
-// One of two kinds of values, each as often as the other; the fixed values of both.
+// One of two kinds of values with equal probability; the fixed values of both.
 [[nodiscard]] Values either(const Values& a, const Values& b);
 // Values of T made by any function.
 template <class T, class Make>

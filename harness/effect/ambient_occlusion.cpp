@@ -26,7 +26,7 @@ std::array<std::int32_t, 2> words_of_size(gpu::Extent extent) {
     return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height)};
 }
 
-// A view without the band that the settings ask for.
+// Throws for a view without the guard band that the settings ask for.
 void require_guard(const scene::GBuffer& view, const Settings& settings) {
     const gpu::Extent none;
     const double guard = double{settings.guard};
@@ -34,7 +34,7 @@ void require_guard(const scene::GBuffer& view, const Settings& settings) {
     throw std::invalid_argument(fmt::format("guard {:g}: the view has no guard band", guard));
 }
 
-// A view with fewer layers than the settings ask for.
+// Throws for a view with fewer layers than the settings ask for.
 void require_layers(const scene::GBuffer& view, const Settings& settings) {
     if (view.layers.size() + 1 >= settings.layers) return;
     throw std::invalid_argument(fmt::format("layers {}: the view has {}, the first among them",
@@ -61,12 +61,12 @@ struct AmbientOcclusion::Impl {
     Settings settings;
     bool begun = false;
     bool reconstruct_normals = false;
-    bool moved = false;  // the history has not followed the last view yet
-    bool shown = false;  // the last view has had a frame
-    bool still = false;  // and more than one
+    bool moved = false;  // the history has not been reprojected to the last view yet
+    bool shown = false;  // at least one frame of the last view has run
+    bool still = false;  // at least two frames of the last view have run
     Listing listing;
     OpenSearch open_search;
-    bool second_is_after = false;  // of the two images of the history, which are swapped
+    bool second_is_after = false;  // which of the two images of the history, which are swapped
     gpu::Image nothing;            // for bindings that are not read
     gpu::Buffer method;            // MethodParameters
     PreparedImage prepared;
@@ -79,7 +79,7 @@ struct AmbientOcclusion::Impl {
     RemapParameters remap_constants{};
     SelectParameters select_constants{};
     SelectFilteredParameters select_filtered_constants{};
-    PassWatcher watcher;  // empty: nobody watches
+    PassWatcher watcher;  // empty: no watcher
 
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
@@ -107,8 +107,8 @@ void AmbientOcclusion::Impl::allocate(gpu::Extent size) {
     images.emplace(*device, size, settings.precision);
 }
 
-// The images and constants of a view. Positions of the frame before matter only when the history follows
-// them.
+// Uploads the images of a view and sets its constants. Positions in the previous frame matter only if the
+// history follows them.
 void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     require_guard(new_view, settings);
     require_layers(new_view, settings);
@@ -131,7 +131,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     shown = still = false;
 }
 
-// Whether the view says where its points were in the one before.
+// Whether the view holds the positions of its points in the previous view.
 bool AmbientOcclusion::Impl::watches_objects() const {
     return moved && images->previous_position.has_value();
 }
@@ -155,12 +155,12 @@ ReprojectionProgram AmbientOcclusion::Impl::reprojection_program() const {
             .previous_orthographic = previous_view.camera.orthographic()};
 }
 
-// The list of tiles that a pass runs on; none: all of them.
+// The list of tiles on which a pass runs; none: all tiles.
 std::optional<TileLists> AmbientOcclusion::Impl::listed(TileLists list) const {
     return lists_tiles() ? std::optional(list) : std::nullopt;
 }
 
-// A pass over the list, or over the whole image.
+// The pass, changed to run over the list if the frame uses lists.
 Step AmbientOcclusion::Impl::over(TileLists list, Step pass) const {
     if (!listed(list)) return pass;
     pass.indirect = &images->tiles.lists();
@@ -180,13 +180,13 @@ void AmbientOcclusion::Impl::append_selection(std::vector<Step>& passes) {
                       tile_groups()});
 }
 
-// Of passes of one invocation a tile.
+// Groups of a pass with one invocation a tile.
 std::array<std::uint32_t, 3> AmbientOcclusion::Impl::tile_groups() const {
     const auto tiles = groups_for(view.extent);
     return groups_for({tiles[0], tiles[1]});
 }
 
-// On each side of the view.
+// Guard band on each side of the view that is not shaded.
 gpu::Extent AmbientOcclusion::Impl::unshaded_band() const {
     return settings.guard_history ? gpu::Extent{} : view.border;
 }
@@ -272,7 +272,7 @@ void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
     along("filter_y", TileLists::filtered_y, images->half_filtered, images->filtered);
 }
 
-// What is shown, of the history and of the filter's result.
+// Remaps the history and the filter's result for display.
 void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     if (!remaps(settings)) return;
     const gpu::Buffer& lists = images->tiles.lists();
@@ -288,7 +288,7 @@ void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     if (!filters(settings)) return;
     const gpu::Image& to = *images->filtered_mapped;
     map("remap_filtered", TileLists::shaded, {}, images->filtered, to);
-    // What the filter changes besides.
+    // The tiles that only the filter changes.
     if (lists_tiles()) map("remap_filtered_tiles", TileLists::filtered_y, {}, images->filtered, to);
 }
 
@@ -369,7 +369,7 @@ Frame AmbientOcclusion::next(int repeat) {
     Impl& impl = *impl_;
     if (!impl.begun) throw std::logic_error("no view: begin() must come before next()");
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
-    // Each run reads the same history and writes the same images, so running again changes nothing.
+    // Each run reads the same history and writes the same images, so a repeated run changes nothing.
     const std::vector<Step> steps = impl.steps();
     std::vector<PassTime> times = run(
         *impl.device, steps, groups_for(impl.view.extent), repeat, [&] { impl.images->tiles.clear(); },

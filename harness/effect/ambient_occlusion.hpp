@@ -16,8 +16,8 @@
 
 namespace gloam::effect {
 
-// How long a pass took on the device, in milliseconds: the median over the runs of a frame. NaN where the
-// device has no clock.
+// Time of a pass on the device, in milliseconds: the median over the runs of a frame. NaN where the device
+// has no clock.
 struct PassTime {
     std::string pass;
     double ms = 0.0;
@@ -30,17 +30,17 @@ struct Work {
     std::uint64_t background = 0;    // pixels skipped: no geometry
     std::uint64_t below_radius = 0;  // pixels skipped: projected radius below Settings::least_radius
     std::uint64_t converged = 0;     // pixels that the filter did not change, without background
-    std::uint64_t samples = 0;       // that entered a mean
+    std::uint64_t samples = 0;       // samples that entered a mean
     std::uint64_t ended_early = 0;   // pixels with a march that ended because no further tap could change it
     std::uint64_t tiles = 0;
-    std::uint64_t tiles_background = 0;  // without any geometry
-    std::uint64_t tiles_skipped = 0;     // without any pixel to sample, those without geometry included
-    std::uint64_t tiles_shaded = 0;      // that the pass ran on at all
-    std::uint64_t tiles_filtered = 0;    // likewise, of the filter; 0 without one
-    std::uint64_t tiles_blank = 0;       // skipped: background, as all images show already
-    std::uint64_t tiles_open = 0;        // shaded without a tap: nothing can block any
-    std::uint64_t tiles_settled = 0;     // skipped: nothing moves, and no pixel asks for a sample
-    std::uint64_t tiles_unfiltered = 0;  // skipped by the filter: it would not change a pixel
+    std::uint64_t tiles_background = 0;  // tiles without any geometry
+    std::uint64_t tiles_skipped = 0;     // tiles without a pixel to sample, those without geometry included
+    std::uint64_t tiles_shaded = 0;      // tiles on which the occlusion pass ran
+    std::uint64_t tiles_filtered = 0;    // tiles on which the filter ran; 0 without a filter
+    std::uint64_t tiles_blank = 0;       // tiles skipped: all images already show background
+    std::uint64_t tiles_open = 0;        // tiles shaded without a tap: nothing can block any
+    std::uint64_t tiles_settled = 0;     // tiles skipped: nothing moves, and no pixel asks for a sample
+    std::uint64_t tiles_unfiltered = 0;  // tiles skipped by the filter: it would change no pixel
 };
 
 // One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the
@@ -50,8 +50,8 @@ struct Frame {
     std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so
     std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
     std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background
-    std::vector<float> kept;         // samples that the pixel's history holds; 0: it has none
-    std::vector<PassTime> times;     // in the order they ran
+    std::vector<float> kept;         // samples that the pixel's history holds; 0: it has no history
+    std::vector<PassTime> times;     // in the order in which the passes ran
     Work work;
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes used
 };
@@ -59,32 +59,33 @@ struct Frame {
 // The ambient-occlusion passes for images of one size, with their history.
 class AmbientOcclusion {
   public:
-    // `extent`: of the views, guard band included. The device must outlive this. Throws std::runtime_error
-    // for a size of 0 or beyond the device's limit, and when a shader does not compile.
+    // `extent`: of the views, guard band included. The device must outlive this object. Throws
+    // std::runtime_error for a size of 0 or beyond the device's limit, and when a shader does not compile.
     AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
     ~AmbientOcclusion();
     AmbientOcclusion(AmbientOcclusion&&) noexcept;
     AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
 
-    // Takes a view and forgets the history. Normals that are missing are reconstructed from depth; the next
-    // frame's times include that pass. A view with a guard band (scene/guard_band.hpp) is shaded with it, and
-    // frames are cropped. Throws std::invalid_argument for a size that disagrees, for settings out of range,
-    // and where the settings ask for a guard band that the view does not have.
+    // Takes a view and forgets the history. Missing normals are reconstructed from depth; the next frame's
+    // times include that pass. If the view has a guard band (scene/guard_band.hpp), the band is shaded as
+    // well, and frames are cropped. Throws std::invalid_argument for another size, for settings out of range,
+    // and if the view lacks the guard band or the layers that the settings ask for.
     void begin(const scene::GBuffer& view, const Settings& settings);
 
-    // The next view of a moving camera or scene. The history follows the surfaces: by the view's
-    // previous_position where objects move, else by its camera. The history starts afresh with a view whose
-    // camera does not know the previous one (a cut), and with a view of another size. Call next() once for
-    // each view. Throws like begin(); std::logic_error before begin().
+    // Takes the next view of a moving camera or scene. The history follows the surfaces: by the view's
+    // previous_position where objects move, otherwise by its camera. The history restarts if the view's
+    // camera does not know the previous one (a cut), or if the size changes. Call next() once for each view.
+    // Throws like begin(); std::logic_error before begin().
     void advance(const scene::GBuffer& view);
 
-    // The next frame of the last view. It is run `repeat` (>= 1) times, the times are medians, and the
-    // history advances once. Throws std::logic_error before begin(), and std::runtime_error like
-    // gpu::Commands::submit(). After a runtime error (a lost device, for example) call begin() again, with
-    // a new device where that is needed.
+    // Computes the next frame of the last view. It runs `repeat` (>= 1) times and reports median times, but
+    // the history advances only once. Throws std::logic_error before begin(), and std::runtime_error like
+    // gpu::Commands::submit(). After a runtime error, for example a lost device, call begin() again, on a new
+    // object if the device is lost.
     [[nodiscard]] Frame next(int repeat = 1);
 
-    // From now on each pass runs by itself, with a call before and after it: for tests of the passes alone.
+    // From now on each pass is submitted alone, with a call of `watcher` before and after it. For tests of
+    // single passes.
     void watch(PassWatcher watcher);
 
   private:

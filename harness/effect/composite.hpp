@@ -17,11 +17,11 @@ namespace gloam::effect {
 // The lit image, computed on the device by composite.comp: ambient * (1 - occlusion) + direct.
 class Composite {
   public:
-    // The device must outlive this. Throws std::runtime_error when the shader does not compile.
+    // The device must outlive this object. Throws std::runtime_error when the shader does not compile.
     Composite(const gpu::Device& device, const scene::PassLibrary& passes);
 
-    // Rows from the top. `occlusion` in [0, 1], a value for each pixel of the light; empty: none. Throws
-    // std::invalid_argument when the sizes disagree with the extent.
+    // The lit image, linear, rows from the top. `occlusion`: in [0, 1], a value for each pixel of the light;
+    // empty: no occlusion. Throws std::invalid_argument when the sizes disagree with the extent.
     [[nodiscard]] std::vector<glm::vec3> lit(gpu::Extent extent, const scene::SplitLight& light,
                                              std::span<const float> occlusion) const;
 

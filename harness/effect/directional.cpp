@@ -14,12 +14,12 @@
 
 namespace gloam::effect {
 
-// A pass as it is compiled.
+// What a pass is compiled for.
 struct DirectionalProgram {
     std::string pass;
     std::uint32_t layers = 1;
-    std::uint32_t interleave = 0;  // 0: the pass has none
-    std::size_t reads = 0;         // images that it reads besides those of all
+    std::uint32_t interleave = 0;  // 0: the pass does not use it
+    std::size_t reads = 0;         // images that it reads besides those that all passes read
 
     [[nodiscard]] auto operator<=>(const DirectionalProgram&) const = default;
 };
@@ -31,7 +31,7 @@ using enum gpu::Format;
 
 constexpr int most_interleave = 8;
 
-// As in directional/points.glsl.
+// Push constants, with the layout of directional/points.glsl.
 struct Parameters {
     glm::vec2 p00_p11;
     glm::ivec2 size;
@@ -107,7 +107,7 @@ struct Directional::Impl {
         return pipelines.emplace(program, make_pipeline(*device, library, program)).first->second;
     }
 
-    // A view on the device, with normals.
+    // Uploads a view; reconstructs missing normals.
     [[nodiscard]] FrameImages taken(const scene::GBuffer& view, const Settings& settings) {
         require(view, settings);
         FrameImages images(*device, view.extent, HistoryPrecision::float32);
@@ -122,7 +122,7 @@ struct Directional::Impl {
         return images;
     }
 
-    // Runs a pass that writes `out`; `read` are its bindings behind that.
+    // Runs a pass that writes `out`. `read`: the images at its further bindings.
     void shade(const std::string& pass, const FrameImages& images, const gpu::Image& out,
                std::vector<gpu::Resource> read, const scene::GBuffer& view, const Settings& settings,
                std::uint32_t interleave = 0) {

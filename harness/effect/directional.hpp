@@ -18,40 +18,40 @@ namespace gloam::effect {
 struct BentNormals {
     gpu::Extent extent;
     std::vector<glm::vec3>
-        direction;  // their mean: unit, view space; the normal where nothing is open, 0 at the background
-    std::vector<float> half_angle;  // of the cone that stands for them, radians in [0, pi / 2]
+        direction;  // mean: unit, view space; the normal where nothing is open, 0 at the background
+    std::vector<float> half_angle;  // of the cone that represents them, radians in [0, pi / 2]
 };
 
-// Interleaved sampling (Klehm et al. 2011). The pixels of a block, `interleave` on a side, share a pattern
-// of interleave^2 times as many samples, and each pixel takes its part. Then each pixel gathers the parts
-// of a block around it, from the pixels that lie on its surface. 1: each pixel by itself. 1 to 8.
+// Interleaved sampling (Klehm et al. 2011). The pixels of a block with `interleave` pixels on a side share
+// one pattern of interleave^2 times as many samples. Each pixel takes a part of it, then gathers the parts of
+// the block around it from the pixels on its own surface. Range: 1 to 8; 1: no sharing.
 struct BentOptions {
     int interleave = 1;
 };
 
-// Radiance that leaves the surfaces (CS-D), linear, in the environment's unit, rows and band as above; 0 at
-// the background.
+// Radiance that leaves the surfaces (CS-D): linear, in the environment's unit, 0 at the background. Rows from
+// the top, without the guard band.
 struct DirectionalLight {
     gpu::Extent extent;
-    std::vector<glm::vec3> direct;   // of the environment's light, from where the point is open
-    std::vector<glm::vec3> bounced;  // of that light, bounced once off the blockers
+    std::vector<glm::vec3> direct;   // of the environment's light, from the open directions
+    std::vector<glm::vec3> bounced;  // of that light after one bounce off the blockers
 };
 
-// Results by direction from the depth buffer. Points of the half ball around each pixel, uniform in
-// direction and radius, are blocked or not as for the method hemisphere. Each result is of one frame of
-// Settings::samples samples, with its radius, bias, range and layers, and without history. Its epsilon is
-// the least distance of a surface that sends light.
+// Results by direction, from the depth buffer. The samples are points of the half ball around each pixel,
+// uniform in direction and radius; each is blocked or open as in the method hemisphere. A result is that of
+// one frame of Settings::samples samples, with the settings' radius, bias, range and layers, and without
+// history. Settings::epsilon is the least distance of a surface that sends light.
 class Directional {
   public:
-    // The device must outlive this. Throws std::runtime_error when a shader does not compile.
+    // The device must outlive this object. Throws std::runtime_error when a shader does not compile.
     Directional(const gpu::Device& device, const scene::PassLibrary& passes);
     ~Directional();
     Directional(Directional&&) noexcept;
     Directional& operator=(Directional&&) noexcept;
 
-    // Both throw std::invalid_argument for settings out of range, images whose size disagrees, and fewer
-    // layers than the settings ask for, the first for options out of range. Normals that are missing are
-    // reconstructed from depth.
+    // Both throw std::invalid_argument for settings out of range, for images of another size, and if the view
+    // has fewer layers than the settings ask for; bent_normals() also for options out of range. Missing
+    // normals are reconstructed from depth.
     [[nodiscard]] BentNormals bent_normals(const scene::GBuffer& view, const Settings& settings,
                                            const BentOptions& options = {});
     [[nodiscard]] DirectionalLight light(const scene::GBuffer& view, const Settings& settings,

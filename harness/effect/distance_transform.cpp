@@ -11,7 +11,8 @@ namespace {
 
 using numeric::infinity;
 
-// Squared distances along one line: the lower envelope of parabolas at the places where `square` is finite.
+// Squared distances along one line: the lower envelope of parabolas at the positions where `square` is
+// finite.
 void transform_line(std::vector<double>& square) {
     const std::size_t count = square.size();
     std::vector<std::size_t> place(count);

@@ -33,8 +33,8 @@ class Projector {
         return glm::dvec3(world_from_view_ * glm::dvec4(at, 1.0));
     }
 
-    // Whether the ball around a point projects into the image, a pixel from its border. The ball is inside
-    // when it is in front of the four planes through the eye and the border.
+    // Whether the ball around a point projects into the image, at least a pixel from its border. The ball
+    // does so if it is in front of the four planes through the eye and the border.
     [[nodiscard]] bool ball_inside(const glm::dvec3& center, double radius) const {
         const glm::dvec2 slope =
             (1.0 - 2.0 / size_) / glm::abs(p_);  // tangents of half the angles; half sides

@@ -61,7 +61,7 @@ HistoryTexels history_in(const gpu::Image& image) {
     const std::vector<float> texels = image.download();
     HistoryTexels history{.occlusion = channel(texels, 0), .samples = channel(texels, 1)};
     if (image.format() != rgba16ui) return history;
-    // As GloamPackedHistory has them.
+    // The integers of a packed history, as in GloamPackedHistory.
     for (float& value : history.occlusion) value *= packed_occlusion_unit;
     for (float& value : history.samples) value /= 16.0F;
     return history;

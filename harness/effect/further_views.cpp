@@ -17,7 +17,7 @@ namespace {
 
 using enum gpu::BindingKind;
 
-// As in further_view.comp.
+// Push constants, with the layout of further_view.comp.
 struct Parameters {
     glm::mat4 other_from_this;
     glm::vec2 p00_p11;
@@ -84,7 +84,7 @@ struct FurtherViews::Impl {
     gpu::ComputePipeline normals;
     gpu::Buffer method;
     PassWatcher watcher;                                                 // empty: none
-    std::map<std::pair<Program, bool>, gpu::ComputePipeline> pipelines;  // by what the cameras are
+    std::map<std::pair<Program, bool>, gpu::ComputePipeline> pipelines;  // by both cameras
 
     [[nodiscard]] const gpu::ComputePipeline& pipeline(const Program& program, bool other_orthographic) {
         const std::pair key(program, other_orthographic);
@@ -98,7 +98,7 @@ struct FurtherViews::Impl {
             .first->second;
     }
 
-    // A view on the device, with normals.
+    // Uploads a view; reconstructs missing normals.
     [[nodiscard]] FrameImages taken(const scene::GBuffer& view) {
         FrameImages images(*device, view.extent, HistoryPrecision::float32);
         images.take(*device, view);

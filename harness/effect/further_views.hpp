@@ -13,21 +13,22 @@
 
 namespace gloam::effect {
 
-// Depth buffers of further cameras (CS-LAYERS, multiple views). Of all views that see a surface point, the
-// one with the largest occlusion counts.
+// Depth buffers of further cameras (CS-LAYERS, multiple views). A surface point takes the largest occlusion
+// of all views that see it.
 class FurtherViews {
   public:
-    // The device must outlive this.
+    // The device must outlive this object.
     FurtherViews(const gpu::Device& device, const scene::PassLibrary& passes);
     ~FurtherViews();
     FurtherViews(FurtherViews&&) noexcept;
     FurtherViews& operator=(FurtherViews&&) noexcept;
 
-    // The occlusion of a view, as AmbientOcclusion gives it, raised to that of one frame of the same
-    // settings in each of the other views. These may have any size and projection; only their first layers
-    // count, without history or filter. Views have no guard bands. Missing normals are reconstructed from
-    // depth. Throws std::invalid_argument for sizes that disagree, for settings out of range, for a method
-    // with preparation passes and for a guard band.
+    // The occlusion of a view, raised to that of each further view where that is larger. `occlusion`: of the
+    // view, as AmbientOcclusion returns it. Each further view is sampled for one frame with the same
+    // settings, in its first layer alone, without history and filter. Further views may have any size and
+    // projection.
+    // Missing normals are reconstructed from depth. Throws std::invalid_argument for sizes that disagree, for
+    // settings out of range, for a method with preparation passes and for a guard band.
     [[nodiscard]] std::vector<float> raised(const scene::GBuffer& view, const std::vector<float>& occlusion,
                                             std::span<const scene::GBuffer> others, const Settings& settings);
 

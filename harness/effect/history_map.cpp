@@ -23,16 +23,16 @@ glm::dmat4 camera_change(const scene::CameraFrame& camera) {
     return glm::dmat4(1.0);
 }
 
-// The earlier places of a view's surface points.
+// The positions of a view's surface points in the previous frame.
 class Earlier {
   public:
     Earlier(const scene::GBuffer& view, const scene::GBuffer& previous)
         : view_(view), now_(view), then_(previous), change_(camera_change(view.camera)) {}
 
     struct Point {
-        glm::dvec3 position{0};  // view space of the frame before
+        glm::dvec3 position{0};  // in the previous frame's view space
         glm::dvec3 normal{0};
-        glm::dvec3 if_still{0};  // where the position would be if only the camera had moved
+        glm::dvec3 if_still{0};  // the position if only the camera had moved
         double footprint = 0.0;  // width of a pixel there, world units
     };
 
@@ -70,7 +70,7 @@ struct Candidate {
     double weight;
 };
 
-// The four pixels around a place, with bilinear weights.
+// The four pixels around a position in the image, with bilinear weights.
 std::array<Candidate, 4> around(const glm::dvec2& place) {
     const double left = std::floor(place.x - 0.5);
     const double top = std::floor(place.y - 0.5);
@@ -82,7 +82,7 @@ std::array<Candidate, 4> around(const glm::dvec2& place) {
         {{x, y, (1 - u) * (1 - v)}, {x + 1, y, u * (1 - v)}, {x, y + 1, (1 - u) * v}, {x + 1, y + 1, u * v}}};
 }
 
-// Near enough for a pixel of the image to be among the four around the place; false for NaN.
+// Whether a pixel of the image can be among the four around the position; false for NaN.
 bool near_image(const glm::dvec2& place, gpu::Extent extent) {
     return place.x > -1.0 && place.y > -1.0 && place.x < extent.width + 1.0 && place.y < extent.height + 1.0;
 }

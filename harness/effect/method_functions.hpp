@@ -8,12 +8,14 @@
 
 namespace gloam::effect {
 
-// The methods as functions of one signature, for tests: a temporary folder. Its files NAME.glsl have
+// The methods as functions with one signature, for tests. They are files NAME.glsl in a temporary folder,
+// with
 //   vec2 method_gather(vec3 position, vec3 normal, GloamCamera camera, GatherKernel kernel, MethodValues
 //   values)
-// with GatherKernel the first five members of GloamKernel and MethodValues of passes/method_values.glsl.
-// Returns (samples times occlusion, samples). With more than one of `layers`, the function reads those behind
-// the first by vec3 gloam_fetch_layers(ivec2). Throws std::runtime_error for a file that cannot be written.
+// GatherKernel has the first five members of GloamKernel; MethodValues is that of passes/method_values.glsl.
+// The function returns (samples times occlusion, samples). If `layers` is more than 1, it reads the layers
+// behind the first by vec3 gloam_fetch_layers(ivec2). Throws std::runtime_error for a file that cannot be
+// written.
 class MethodFunctions {
   public:
     explicit MethodFunctions(int layers = 1);
@@ -23,7 +25,7 @@ class MethodFunctions {
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-    // Of a method, as an #include from the folder.
+    // The file of a method, for an #include from the folder.
     [[nodiscard]] static std::string file(const std::string& method) { return method + ".glsl"; }
 
   private:

@@ -16,15 +16,15 @@ namespace gloam::effect {
 // What a method's results estimate, before the remap.
 enum class Measure {
     cosine,   // cosine-weighted occlusion (TSSAO-1, CS-2.5)
-    uniform,  // the same with every direction of the hemisphere alike
+    uniform,  // the same, but every direction of the hemisphere has the same weight
     volume,   // solid part of a volume around the point
     shape     // how concave the surface is
 };
 
-// For which methods an open tile can be proven: a sample that meets nothing higher than the bias above the
+// For which samples open tiles can be found: a sample that meets nothing higher than the bias above the
 // tangent plane counts and adds exactly 0.
 enum class OpenProof {
-    none,   // not so, or not known
+    none,   // not true, or not known
     taps,   // surfaces under the disc of the radius
     points  // points of the half ball of the radius, each compared with the surface at its pixel
 };
@@ -32,7 +32,7 @@ enum class OpenProof {
 // The unit in which a method takes its samples.
 enum class SampleUnit {
     one,
-    pair,   // an odd number is taken as the even one above it
+    pair,   // an odd number is rounded up to an even one
     cross,  // of four taps: two slices of one frame, or a pair at two radii
     ray,    // of Settings::steps taps
     slice   // of Settings::steps taps to both sides
@@ -45,38 +45,38 @@ struct MethodInfo {
     Measure measure = Measure::cosine;
     std::string falloff;             // with the distance of the blocker: "linear", "none", ...
     std::string own_settings;        // GLSL struct; none: the function takes no settings of its own
-    std::vector<std::string> reads;  // names of the settings that are its members, in their order
-    std::vector<std::string> fixed;  // GLSL constants: its members after those
-    std::string points;  // what its samples share: glsl/gloam/sampling/NAME_point.glsl; none: nothing
+    std::vector<std::string> reads;  // names of the settings that are the struct's members, in their order
+    std::vector<std::string> fixed;  // GLSL constants for the members after those
+    std::string points;  // shared samples: glsl/gloam/sampling/NAME_point.glsl; empty: nothing is shared
     SampleUnit unit = SampleUnit::one;
     double on_a_plane = 0.0;  // its result on a bare plane
     OpenProof open_proof = OpenProof::none;
     bool ends_marches = false;   // skips taps that cannot change its march (skip_closed)
-    bool takes_fewer = false;    // samples than asked for, where several fall into one pixel
+    bool takes_fewer = false;    // than asked for, if several samples fall into one pixel
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
     void (*adapt)(Settings&) =
         nullptr;  // what it needs beside a preset's settings; lengths for a radius of 1
-    Preparation (*prepare)(const Settings&, gpu::Extent view) = nullptr;  // none: it prepares nothing
+    Preparation (*prepare)(const Settings&, gpu::Extent view) = nullptr;  // none: no preparation
     std::vector<Preset> (*presets)(const MethodInfo&) = nullptr;          // as published and compared
 };
 
 // All methods; the first is the default.
 [[nodiscard]] const std::vector<MethodInfo>& methods();
 
-// By name. Throws std::invalid_argument that lists the names.
+// The method with this name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] const MethodInfo& method_named(std::string_view name);
 
-// The settings, whose lengths are for a radius of 1, for another method. Throws like method_named().
+// The settings, changed to use another method; lengths are for a radius of 1. Throws like method_named().
 [[nodiscard]] Settings with_method(Settings settings, std::string_view name);
 
-// Samples of one unit.
+// Number of samples in one unit of the method. steps: Settings::steps.
 [[nodiscard]] std::uint32_t unit_of(const MethodInfo& method, std::uint32_t steps);
 
-// Samples that it takes for a number asked for: whole units, at least one unit; 0 for 0.
+// Samples that the method takes if `count` are asked for: whole units, at least one; 0 for 0.
 [[nodiscard]] std::uint32_t samples_taken(const MethodInfo& method, std::uint32_t count, std::uint32_t steps);
 
-// The call of its function in GLSL, for variables `position`, `normal`, `camera`, `kernel`, and `values` of
-// passes/method_values.glsl.
+// GLSL call of the method's function, with the variables `position`, `normal`, `camera`, `kernel`, and
+// `values` of type MethodValues (passes/method_values.glsl).
 [[nodiscard]] std::string call_of(const MethodInfo& method);
 
 [[nodiscard]] std::string to_string(Measure measure);

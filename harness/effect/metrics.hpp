@@ -11,7 +11,7 @@
 
 namespace gloam::effect {
 
-// How far an occlusion image is from the truth, over the pixels whose truth is known.
+// Differences between an occlusion image and the truth, over the pixels whose truth is known.
 struct Metrics {
     Errors raw;
     double similarity = 1.0;  // SSIM
@@ -20,7 +20,7 @@ struct Metrics {
     double similarity_after_remap = 1.0;
 };
 
-// Throws std::invalid_argument when the sizes disagree.
+// Calculates them. Throws std::invalid_argument when the sizes disagree.
 [[nodiscard]] Metrics metrics_of(std::span<const float> occlusion, std::span<const float> truth,
                                  gpu::Extent extent);
 

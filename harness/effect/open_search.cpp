@@ -52,7 +52,7 @@ void OpenSearch::advance(bool searched, const SelectedTiles& found) {
         rest_ -= rest_ > 0 ? 1 : 0;
         return;
     }
-    constexpr std::uint32_t worth_it = 8;  // the search takes about an eighth of what all samples take
+    constexpr std::uint32_t worth_it = 8;  // the search takes about an eighth of the time of all samples
     constexpr std::uint32_t frames_without = 7;
     rest_ = worth_it * found.open < found.shaded ? frames_without : 0;
 }

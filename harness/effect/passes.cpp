@@ -46,7 +46,7 @@ constexpr std::uint32_t listed_constant = 10;
 constexpr std::uint32_t list_constant = 11;
 constexpr std::uint32_t open_tiles_constant = 13;
 
-// Of a pass that runs over a list of tiles, or over the whole image.
+// Constants of a pass that runs over a list of tiles, or over the whole image.
 std::vector<gpu::SpecializationConstant> constants_of(std::optional<TileLists> list) {
     return {{.id = listed_constant, .bits = flag(list.has_value())},
             {.id = list_constant, .bits = static_cast<std::uint32_t>(list.value_or(TileLists::shaded))}};
@@ -56,18 +56,18 @@ bool is_cpu(const gpu::Device& device) {
     return device.info().type == "cpu";
 }
 
-// How ambient_occlusion.comp counts: the buffers of counts are memory of the CPU.
+// How ambient_occlusion.comp counts on a device. The buffers of counts are in the CPU's memory.
 Counting counting_on(const gpu::Device& device) {
     return is_cpu(device) ? Counting::each_invocation : Counting::each_group;
 }
 
-// Open tiles that a group takes. A CPU runs its invocations one after the other: the fewer, the less what
-// each costs by itself.
+// Open tiles of one group. A CPU runs a group's invocations one after another; fewer invocations have less
+// cost of their own.
 std::uint32_t open_tiles_each_on(const gpu::Device& device) {
     return is_cpu(device) ? 8U : 1U;
 }
 
-// Convergence from which the filter leaves a pixel as it is; infinite where it leaves none so.
+// Convergence from which the filter leaves a pixel unchanged; infinite if it changes all.
 float c_filter(const Settings& settings) {
     const bool leaves = settings.skip_filtered && settings.filter == Filter::convergence;
     return leaves ? settings.c_adaptive : std::numeric_limits<float>::infinity();

@@ -4,7 +4,7 @@
 namespace gloam::effect {
 namespace {
 
-// The value of that key, made where it is missing.
+// The value for a key; made if it is missing.
 template <class Key, class Make>
 const gpu::ComputePipeline& found_or_made(std::map<Key, gpu::ComputePipeline>& made, const Key& key,
                                           const Make& make) {

@@ -20,7 +20,7 @@ void PixelClasses::advance(const scene::GBuffer& view, const std::optional<Histo
     const std::size_t pixels = view.depth.size();
     if (history && age_.size() != pixels)
         throw std::invalid_argument("pixel classes: the size changed without a cut");
-    // What moved in this frame or stood there in the one before.
+    // Pixels whose surface moved in this frame, or that showed a moving surface in the previous one.
     Mask moved(pixels, 0);
     Mask swept(pixels, 0);
     for (std::size_t i = 0; history && i < pixels; ++i) {

@@ -10,7 +10,7 @@
 
 namespace gloam::effect {
 
-// A mask: one byte for each pixel, not 0 where it is set.
+// A mask: one byte for each pixel, non-zero where it is set.
 using Mask = std::vector<std::uint8_t>;
 
 // The classes of pixels of a moving view that a temporal method treats differently, frame by frame. They do
@@ -18,20 +18,22 @@ using Mask = std::vector<std::uint8_t>;
 class PixelClasses {
   public:
     struct Settings {
-        double radius = 0.5;      // of the occlusion, world units: how far a moving object reaches
-        int settled_frames = 32;  // a pixel has settled when it was seen this often, with nothing moving near
-        int memory = 8;           // frames for which a pixel counts as near after the object has left
+        double radius =
+            0.5;  // radius of influence, world units: how far a moving object affects the occlusion
+        int settled_frames =
+            32;  // a pixel is settled after it was seen for this many frames with nothing moving near it
+        int memory = 8;  // frames for which a pixel counts as near after the object has left
     };
 
     explicit PixelClasses(const Settings& settings) : settings_(settings) {}
 
-    // The next frame. `history`: from the frame before to this one; nullopt where there is none: the first
-    // frame, a camera cut. Throws std::invalid_argument when the size changes without a cut.
+    // Takes the next frame. `history`: from the previous frame to this one; nullopt for the first frame and
+    // after a camera cut. Throws std::invalid_argument when the size changes without a cut.
     void advance(const scene::GBuffer& view, const std::optional<HistoryMap>& history);
 
-    [[nodiscard]] const Mask& disoccluded() const { return disoccluded_; }  // not seen in the frame before
-    // Not disoccluded, and within the projected radius of a moving surface, in this frame, the previous one,
-    // or, followed along the surface, the frames of `memory`.
+    [[nodiscard]] const Mask& disoccluded() const { return disoccluded_; }  // not seen in the previous frame
+    // Not disoccluded, but within the projected radius of a moving surface: in this frame, in the previous
+    // one, or in one of the last `memory` frames, followed along the surface.
     [[nodiscard]] const Mask& near_moving() const { return near_moving_; }
     [[nodiscard]] const Mask& settled() const { return settled_; }
 

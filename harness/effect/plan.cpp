@@ -17,11 +17,11 @@ namespace {
 
 using Origin = PlannedImage::Origin;
 
-// A frame as one of the two sees it that are compared for what is the view's.
+// A frame of a view. Plans of several moments are compared to find the parameters that depend on the view.
 struct Moment {
     View view;
     View previous;
-    bool odd = false;    // of the frames that exchange the histories
+    bool odd = false;    // one of the frames in which the histories are swapped
     bool still = false;  // nothing has moved since the last frame
 };
 
@@ -174,7 +174,7 @@ class Planner {
                                 .pixels = pixels});
     }
 
-    // The last pass runs over a list where there are lists.
+    // Lets the last pass run over a list, if the plan has lists.
     void over(TileLists list) {
         if (!options_.tiles) return;
         plan_.passes.back().list = offset_of(list);
@@ -185,7 +185,7 @@ class Planner {
         const auto has = [&](const PlannedImage& other) { return other.name == image; };
         return std::ranges::any_of(plan_.images, has) ? image : nothing_image;
     }
-    // What the samples are blended into.
+    // The history into which the samples are blended.
     [[nodiscard]] std::string history() const {
         return settings_.history ? "history_reprojected" : "history_before";
     }
@@ -247,7 +247,7 @@ class Planner {
         if (!preparation_) return;
         const PreparationProgram program = preparation_program_for(settings_);
         for (const PreparationPass& step : preparation_->passes) {
-            // A group of 8 x 8 texels of half the resolution takes 16 x 16 pixels of the view, and so on.
+            // A group of 8 x 8 texels of half the resolution covers 16 x 16 pixels of the view, and so on.
             std::uint32_t side = tile_side;
             while (step.invocations.width * (side / tile_side) + side / tile_side <=
                    moment_.view.extent.width)
@@ -332,7 +332,7 @@ Plan plan_of(const Settings& settings, const PlanOptions& options) {
     const Moment elsewhere{other, {camera_of(options, 1.1), options.view, {}}, true, true};
     const Plan second = Planner(settings, options, odd).run();
     const Plan compared = Planner(settings, options, elsewhere).run();
-    // What differs between two frames that share nothing but the settings is not the settings'.
+    // Two frames with nothing but the settings in common: bytes that differ depend on the view.
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
         PlannedPass& pass = plan.passes[i];
         pass.odd_parameters = second.passes[i].parameters;

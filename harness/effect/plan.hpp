@@ -15,7 +15,7 @@
 
 namespace gloam::effect {
 
-// What a pass is compiled from, whatever the device.
+// The source of a pass, the same for every device.
 struct PassSource {
     std::string file;  // in glsl/passes
     std::vector<std::string> defines;
@@ -28,72 +28,71 @@ struct PlannedImage {
     enum class Origin {
         engine,   // written before the passes, each frame
         history,  // kept from frame to frame; zeros where there is none
-        once,     // written by passes of Turn::once
+        once,     // written by passes with Turn::once
         frame     // written by the passes, each frame
     };
     std::string name;
     std::string meaning;
     gpu::Format format = gpu::Format::rgba32f;
     Origin origin = Origin::frame;
-    gpu::Extent extent;  // for the view of the plan
-    std::uint32_t divisor =
-        1;  // of the view's sides, rounded up; 0: it has that extent for any view, or only for this one
+    gpu::Extent extent;         // for the view of the plan
+    std::uint32_t divisor = 1;  // of the view's sides, rounded up; 0: fixed, or for this view alone
 };
 
 struct PlannedBuffer {
     std::string name;
     std::string meaning;
     std::size_t bytes = 0;            // for the view of the plan
-    std::size_t bytes_a_tile = 0;     // of them, for each tile of 8 x 8 pixels
-    std::vector<std::byte> contents;  // at its beginning; the rest is zeros
-    bool refilled = false;            // before each frame, not at the beginning alone
+    std::size_t bytes_a_tile = 0;     // part of `bytes` for each tile of 8 x 8 pixels
+    std::vector<std::byte> contents;  // at its beginning; the rest is zero
+    bool refilled = false;            // before each frame; otherwise once, before the first
 };
 
 // When a pass runs.
 enum class Turn {
     once,   // before the first frame
-    moved,  // in frames whose view is not that of the last frame
+    moved,  // in frames with another view than the last frame
     always
 };
 
 struct PlannedPass {
-    std::string name;  // as Frame::times has it
+    std::string name;  // as in Frame::times
     PassSource source;
     Turn turn = Turn::always;
     std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers
-    // Push constants, and those of every second frame, in which the pairs of `exchanged` are swapped.
+    // Push constants of the even and of the odd frames; the pairs of `exchanged` are swapped between them.
     std::vector<std::byte> parameters;
     std::vector<std::byte> odd_parameters;
-    std::vector<bool> of_view;              // for each of their bytes: it is the view's, not the settings'
-    std::array<std::uint32_t, 2> pixels{};  // of the view that a group takes, along x and y
-    std::array<std::uint32_t, 3> groups{};  // where `pixels` is 0
-    std::optional<std::size_t> list;        // instead: an indirect dispatch in the buffer tile_lists, bytes
+    std::vector<bool> of_view;  // for each byte: it depends on the view; otherwise on the settings alone
+    std::array<std::uint32_t, 2> pixels{};  // pixels of the view for each group, along x and y
+    std::array<std::uint32_t, 3> groups{};  // number of groups, if `pixels` is 0
+    std::optional<std::size_t> list;  // instead: indirect dispatch, byte offset in the buffer tile_lists
 };
 
-// Bound where the settings need no image or buffer.
+// Names of the resources that are bound where the settings need no image or no buffer.
 inline constexpr const char* nothing_image = "nothing";
 inline constexpr const char* nothing_buffer = "no_buffer";
 
-// The passes of a frame, in their order, with all they need.
+// The passes of a frame, in their order, with all resources that they need.
 struct Plan {
     std::vector<PlannedImage> images;
     std::vector<PlannedBuffer> buffers;
     std::vector<PlannedPass> passes;
-    // Which two are exchanged after each frame.
+    // Pairs of images that are swapped after each frame.
     std::vector<std::array<std::string, 2>> exchanged;
     std::string result;        // image whose first channel is the occlusion
-    float result_unit = 1.0F;  // occlusion of 1 of it
+    float result_unit = 1.0F;  // occlusion that a value of 1 in it stands for
 };
 
 struct PlanOptions {
     gpu::Extent view{1920, 1080};
     bool moving_objects = false;  // the engine gives the previous positions of surface points
     bool orthographic = false;
-    bool tiles = false;   // passes run over lists of tiles (docs/skips.md); else over the whole image
-    bool normals = true;  // the engine has them; else they are made from depth
+    bool tiles = false;   // passes run over lists of tiles (docs/skips.md); otherwise over the whole image
+    bool normals = true;  // the engine has normals; otherwise they are reconstructed from depth
 };
 
-// How the effect of these settings runs. Throws std::invalid_argument like validate().
+// The plan of a frame with these settings. Throws std::invalid_argument like validate().
 [[nodiscard]] Plan plan_of(const Settings& settings, const PlanOptions& options);
 
 }  // namespace gloam::effect

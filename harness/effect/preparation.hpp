@@ -12,18 +12,18 @@ namespace gloam::effect {
 
 // A pass that runs before ambient_occlusion.comp and writes a part of the prepared image.
 struct PreparationPass {
-    std::string name;         // for its time; no other pass of the frame has it
+    std::string name;         // for its time; unique among the passes of the frame
     std::string file;         // in glsl/passes/preparation
-    gpu::Extent invocations;  // 8 x 8 a group
-    int level = 0;            // given to the pass as a constant
+    gpu::Extent invocations;  // in groups of 8 x 8
+    int level = 0;            // passed to the shader as a constant
 };
 
-// What a method needs before its samples: passes, in order, and the image that they write for it.
+// What a method needs before it samples: passes in order, and the image that they write.
 struct Preparation {
     gpu::Extent image;
     gpu::Format format = gpu::Format::rgba32f;  // or r32f
     std::vector<PreparationPass> passes;
-    // How far from the pixel's surface the samples of a result may lie: in pixels, and in world units.
+    // Largest distance of a result's samples from the pixel's surface: in pixels, and in world units.
     int spread = 0;
     float reach = 0.0F;
 };
@@ -32,7 +32,7 @@ struct Preparation {
 // method that needs none.
 [[nodiscard]] std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view);
 
-// Of a method's prepared image; rgba32f for one that prepares nothing.
+// Format of a method's prepared image; rgba32f for a method without one.
 [[nodiscard]] gpu::Format prepared_format(const std::string& method);
 
 }  // namespace gloam::effect

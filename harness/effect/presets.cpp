@@ -7,14 +7,14 @@
 namespace gloam::effect {
 namespace {
 
-// Table 1 of the TSSAO paper, and the lengths ours, for a radius of 1: what Settings are by themselves.
+// Table 1 of the TSSAO paper, with our lengths for a radius of 1: the defaults of Settings.
 Settings paper() {
     return {};
 }
 
-// A short memory: what the depth buffer can tell of a surface changes with the view, and a mean over 500
-// samples shows what it told long ago. The filter stops at as many samples as in table 1, and what has just
-// come into view it does not leave to neighbours that have converged (docs/temporal.md).
+// A short memory: what the depth buffer shows of a surface changes with the view, and a mean over 500 samples
+// lags behind. The filter stops at as many samples as in table 1. Pixels that have just come into view are
+// not dominated by converged neighbours (docs/temporal.md).
 Settings moving() {
     Settings settings = paper();
     settings.samples_converged = 32;
@@ -25,9 +25,9 @@ Settings moving() {
     return settings;
 }
 
-// Three points of the front of error against time over moving cameras (docs/benchmark.md). All leave the
-// noise to the mean, which costs nothing, instead of a filter, which costs as much as several samples; and
-// hold the history in half the bytes, which rounds far less than it lags.
+// Three points on the front of error against time over moving cameras (docs/benchmark.md). All reduce noise
+// by the mean, which is free, and not by a filter, which costs as much as several samples. All hold the
+// history in half the bytes: its rounding error is far smaller than its lag.
 Settings unfiltered(Settings settings, std::uint32_t samples) {
     settings.samples = samples;
     settings.samples_converged = samples;
@@ -36,24 +36,24 @@ Settings unfiltered(Settings settings, std::uint32_t samples) {
     return settings;
 }
 
-// At the time of a single frame of one slice, more exact than one of nine (docs/temporal.md): of the
-// estimators the nearest to the truth where the depth buffer hides most. Darker, it errs more where little is
-// hidden.
+// In the time of a single frame of one slice it is more exact than a frame of nine slices (docs/temporal.md).
+// Of all estimators this one is nearest to the truth where the depth buffer hides most. A larger intensity
+// has larger errors where little is hidden.
 Settings fast() {
     Settings settings = with_method(moving(), "alchemy");
     settings.intensity = 0.35F;
     return unfiltered(settings, 3);
 }
 
-// With more samples the paper's points are the more exact, once what is further in front than the radius no
-// longer counts.
+// With more samples the paper's points are more exact, if blockers further in front than the radius do not
+// count.
 Settings balanced() {
     Settings settings = moving();
     settings.range = 1.0F;
     return unfiltered(settings, 8);
 }
 
-// A mean no longer than a frame: at so many samples lag is more error than noise.
+// A mean over one frame's samples only: with so many samples, lag causes more error than noise.
 Settings reference() {
     Settings settings = unfiltered(balanced(), 64);
     settings.weight_max = 64.0F;

@@ -18,7 +18,7 @@ struct Preset {
 
 [[nodiscard]] std::vector<Preset> presets();
 
-// By name. Throws std::invalid_argument that lists the names.
+// The preset with this name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] Preset preset_named(std::string_view name);
 
 }  // namespace gloam::effect

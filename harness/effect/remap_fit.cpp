@@ -10,7 +10,7 @@
 namespace gloam::effect {
 namespace {
 
-// The pixels of nearly the same visibility: their squared error after a remap needs no more of them.
+// The pixels of nearly equal visibility. These sums suffice for their squared error after a remap.
 struct Bin {
     double count = 0.0;
     double visibility = 0.0;  // summed
@@ -35,7 +35,7 @@ std::vector<Bin> bins_of(std::span<const float> occlusion, std::span<const float
     return bins;
 }
 
-// a, log b, log c.
+// a, log b and log c of a remap.
 using Parameters = std::array<double, 3>;
 
 Remap remap_of(const Parameters& p) {
@@ -47,7 +47,7 @@ struct Vertex {
     double cost = 0.0;
 };
 
-// The squared error over all pixels. NaN (far out) counts as infinite.
+// The squared error over all pixels. NaN, which occurs far from the minimum, counts as infinite.
 double cost_of(const std::vector<Bin>& bins, const Parameters& at) {
     const Remap remap = remap_of(at);
     double sum = 0.0;
@@ -81,7 +81,8 @@ class Simplex {
 
     void sort() { std::ranges::stable_sort(corners_, {}, &Vertex::cost); }
 
-    // The worst corner moved through (or, below 0, towards) the middle of the others.
+    // The worst vertex, reflected by a factor through the centre of the others; a negative factor moves it
+    // towards them.
     [[nodiscard]] Vertex moved(double factor) const {
         Parameters p{};
         for (std::size_t i = 0; i < p.size(); ++i) {
@@ -135,7 +136,7 @@ Remap best_remap(std::span<const float> occlusion, std::span<const float> truth)
                                     std::to_string(truth.size()));
     const std::vector<Bin> bins = bins_of(occlusion, truth);
     if (bins.empty()) return {};
-    // Started again from what it found: a simplex can collapse beside the minimum.
+    // Restarted from its result, because a simplex can collapse beside the minimum.
     Parameters best{0.0, 0.0, 0.0};
     for (int round = 0; round < 3; ++round) best = Simplex(bins, best).best(150);
     const Remap fit = remap_of(best);

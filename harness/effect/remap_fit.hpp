@@ -8,8 +8,8 @@
 
 namespace gloam::effect {
 
-// The remap of a visibility v in [0, 1] (CS-REMAP): v' = (b (v + a))^c, clamped to [0, 1]. 0 for a base
-// below 0.
+// The remap of a visibility v in [0, 1] (CS-REMAP): v' = (b (v + a))^c, clamped to [0, 1]. A base below 0
+// gives 0.
 struct Remap {
     double a = 0.0;
     double b = 1.0;
@@ -18,10 +18,10 @@ struct Remap {
     [[nodiscard]] double operator()(double visibility) const;
 };
 
-// The remap that brings an occlusion image nearest to the truth, by root mean square. It shows how accurate
-// a method is apart from constant factors. The same images always give the same remap, and its error is
-// never larger than without one. No remap where no truth is known. Throws std::invalid_argument when the
-// sizes disagree.
+// The remap that minimises the root mean square difference of an occlusion image from the truth. It shows how
+// accurate a method is apart from constant factors. The result is deterministic, and its error is never
+// larger than without a remap. If no truth is known, the result is no remap. Throws std::invalid_argument
+// when the sizes disagree.
 [[nodiscard]] Remap best_remap(std::span<const float> occlusion, std::span<const float> truth);
 
 // The occlusion image after a remap.

@@ -19,7 +19,7 @@ std::uint32_t most_of_frame(const Settings& settings) {
 
 }  // namespace
 
-// A frame starts below the size of the table and goes on to its own end.
+// A frame starts at an index below the size of the table, and continues past it if needed.
 std::uint32_t last_tabulated(const Settings& settings) {
     return settings.table_size - 1 + most_of_frame(settings);
 }

@@ -45,7 +45,7 @@ Setting flag(const char* name, const char* meaning, bool Settings::*member) {
             .put = [member](Settings& s, const SettingValue& v) { s.*member = std::get<bool>(v); }};
 }
 
-// Names in the order of the enumeration.
+// A setting with a name for each value, in the order of the enumeration.
 template <class Enumeration>
 Setting choice(const char* name, const char* meaning, Enumeration Settings::*member,
                const std::vector<std::string>& names) {
@@ -278,7 +278,7 @@ void check(const Setting& setting, const SettingValue& value) {
 std::string text_of(const SettingValue& value) {
     if (const auto* on = std::get_if<bool>(&value)) return *on ? "on" : "off";
     if (const auto* number = std::get_if<double>(&value)) {
-        // As short as it can be and still be the same float; whole numbers in full.
+        // The shortest text that reads back as the same float; integers in full.
         const bool count = *number == std::floor(*number) && std::abs(*number) < 1e9;
         return count ? fmt::format("{:.0f}", *number) : fmt::format("{}", static_cast<float>(*number));
     }

@@ -13,7 +13,7 @@
 namespace gloam::effect {
 namespace {
 
-// What a history can hold.
+// The largest value of a setting that a history can hold.
 struct Limit {
     HistoryPrecision precision;
     const char* setting;

@@ -6,63 +6,63 @@
 
 namespace gloam::effect {
 
-// How much the history of a pixel counts when its neighbourhood has changed but it has not been disoccluded
+// How much of a pixel's history counts if its neighbourhood has changed, but the pixel was not disoccluded
 // (TSSAO-9, -SI).
 enum class Invalidation {
-    none,       // as before
+    none,       // unchanged
     clamp,      // at most Settings::weight_small samples
     confidence  // times 1 / (1 + S change / radius)
 };
 
-// Which texels of the previous frame a pixel takes its history from.
+// The texels of the previous frame from which a pixel takes its history.
 enum class HistoryTaps {
     nearest,   // one
-    bilinear,  // four, where the nearest passes the depth test
-    validated  // those of four that pass it
+    bilinear,  // four, if the nearest passes the depth test
+    validated  // those of four that pass the depth test
 };
 
 enum class HistoryPrecision {
     float32,  // 16 bytes a pixel
-    float16,  // 8, halves: coarse in the mean
-    packed    // 8, 16 bits of fixed point each
+    float16,  // 8 bytes, half floats: the mean is coarse
+    packed    // 8 bytes, 16 bits of fixed point each
 };
 
-// What smooths the estimate for display.
+// The filter that smooths the estimate for display.
 enum class Filter {
     none,
-    convergence,  // neighbours by how far they have converged (TSSAO-10)
-    geometry,     // by normal and depth, the comparative study's (CS-BLUR)
-    bilateral,    // by distance in the image and depth (ISSAO-7)
+    convergence,  // weights by the neighbours' convergence (TSSAO-10)
+    geometry,     // weights by normal and depth, the comparative study's (CS-BLUR)
+    bilateral,    // weights by distance in the image and depth (ISSAO-7)
     sao           // every other pixel, by depth (McGuire et al. 2012)
 };
 
 // The smallest projected radius worth sampling: below it all samples fall on the pixel itself.
 constexpr float one_pixel = 1.0F;
 
-// The most samples of a frame. llvmpipe ends a shader's loops after 65,535 rounds in all, without a
-// message, and a sample of a high index takes up to 26 rounds (the digits of its Halton point). With more
+// The most samples of a frame. llvmpipe ends a shader's loops after 65,535 iterations in all, without a
+// message, and a sample of a high index takes up to 26 iterations (the digits of its Halton point). With more
 // samples than this, some could be lost. Take more frames instead.
 constexpr std::uint32_t most_samples = 2'048;
 
 // A cap above every projected radius, in pixels: no cap.
 constexpr float no_radius_cap = 1e18F;
 
-// Everything that decides what a frame looks like. Unless its comment says otherwise, a setting has the
-// value of the preset `paper`, for a radius of 1. Each has a line in setting_table(), with its range.
+// All settings that affect a frame. Unless its comment says otherwise, a default is that of the preset
+// `paper` for a radius of 1. Each setting has a line in setting_table(), with its range.
 struct Settings {
-    std::string method = "hemisphere";  // how the occlusion of a pixel is estimated: a name of methods()
+    std::string method = "hemisphere";  // estimator of the occlusion: a name of methods()
     float radius = 1.0F;                // of influence, world units, > 0
-    float bias = 0.001F;                // world units, >= 0: differences below it are rounding, not occlusion
+    float bias = 0.001F;      // world units, >= 0: differences below it count as rounding, not as occlusion
     float bias_depth = 0.0F;  // the bias is at least this share of the depth, 0 to 1: for depths that are
                               // rounded coarsely, 0.002 for those from halves
     float range =
         2.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
     float epsilon = 0.5F;       // disc: distance at which a patch counts fully, world units, > 0
-    float intensity = 1.0F;     // factor of the estimate, for methods that have one, >= 0
+    float intensity = 1.0F;     // factor of the estimate, for methods with one, >= 0
     float thickness = 0.5F;     // bitmask: how far behind its front a surface blocks, world units, > 0
     float angle_bias = 0.0F;    // horizons: radians above the tangent plane, 0 to pi / 2
     float mip_distance = 0.0F;  // taps: pixels from which level 1 of the depth chain is read; 0: never
-    std::uint32_t layers = 1;   // of depth that samples see, 1 to 4: the view must have as many
+    std::uint32_t layers = 1;   // depth layers that samples see, 1 to 4: the view must have as many
     std::uint32_t steps = 4;    // horizons: taps along each half of a slice; mssao: resolutions; 1 to 64
     float disagreement = 0.1F;  // dual resolution: of neighbours at half the resolution, in occlusion, beyond
                                 // which a pixel is sampled in full; 0 to 1
@@ -73,24 +73,24 @@ struct Settings {
                                     // samples; 0: k everywhere
     float samples_radius =
         0.0F;  // ISSAO-LOD, pixels: fewer than k where the projected radius is smaller; 0: k everywhere
-    std::uint32_t samples_least = 4;  // of those two, where k is not less, 0 to most_samples
+    std::uint32_t samples_least = 4;  // least number of those two, or k if less; 0 to most_samples
     float radius_cap =
         no_radius_cap;  // pixels: the radius shrinks where its projection would be larger (CS-G), > 0
     bool reject_taps =
-        false;  // points, taps, slices: what is further in front than `range` is left out (CS-REJ)
+        false;  // points, taps, slices: those further in front than `range` are skipped (CS-REJ)
     float smoothing =
-        0.0F;  // part of each frame in an exponential mean (CS-G), 0 to 1; 0: the mean of all (eq. 5)
+        0.0F;  // share of each frame in an exponential mean (CS-G), 0 to 1; 0: the mean of all (eq. 5)
     float c_spatial = 0.3F;             // convergence from which a pixel takes k_2; above 1: never
     std::uint32_t table_size = 65'536;  // samples after which the sequence starts over, 1 to 2^24
-    float weight_max = 500.0F;          // samples in the mean at most, 1 to 2^23
+    float weight_max = 500.0F;          // largest number of samples in the mean, 1 to 2^23
     float c_rot = 0.5F;  // kernels are rotated by pixel below this convergence; 0: never, above 1: always
-    float c_adaptive = 0.2F;        // the filter does not change pixels of this convergence
+    float c_adaptive = 0.2F;        // the filter does not change pixels of at least this convergence
     float depth_tolerance = 0.02F;  // relative: another surface beyond it (TSSAO-8), > 0; infinity: no test
     bool history = true;            // off: each frame is independent, with the first samples of the sequence
     HistoryTaps taps = HistoryTaps::validated;
     bool nearest_index = true;  // off, for comparison: the start of the sequence is interpolated
     Invalidation invalidation = Invalidation::confidence;
-    float change_tolerance = 0.005F;  // change of a distance that is taken for rounding, world units, > 0
+    float change_tolerance = 0.005F;  // changes of distance up to this count as rounding, world units, > 0
     float weight_small = 48.0F;       // clamp: samples, >= 0
     float confidence_factor = 20.0F;  // confidence: S, per radius of change, >= 0
     HistoryPrecision precision = HistoryPrecision::float32;
@@ -101,7 +101,7 @@ struct Settings {
                                 // pixels apart
     float filter_depth = 0.1F;  // geometry, bilateral, sao: difference of depth that sets a neighbour apart,
                                 // world units, > 0
-    float remap_a = 0.0F;       // what is shown is (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
+    float remap_a = 0.0F;       // displayed: (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
     float remap_b = 1.0F;       // 0 to 1e18
     float remap_c = 1.0F;       // 0 to 1e18
     float least_radius =
@@ -109,25 +109,26 @@ struct Settings {
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
     bool guard_history = true;    // the band is sampled too: surfaces that enter from it have a history
     bool freeze = false;          // converged pixels take no more samples while nothing moves
-    bool sample_table = true;     // off: each pixel computes what samples share, to the same result
-    bool skip_background = true;  // off: background is processed like geometry, to the same result
-    bool skip_open = true;        // off: tiles that nothing can block are sampled, to the same result
-    bool skip_closed = true;      // off: marches go on where no tap can change them, to the same result
-    bool skip_settled = true;     // off: tiles that would not change are shaded, to the same result
-    bool skip_filtered = true;    // off: tiles that it would not change are filtered, to the same result
+    bool sample_table = true;     // off: each pixel computes the shared part of its samples; same result
+    bool skip_background = true;  // off: background is processed like geometry; same result
+    bool skip_open = true;        // off: tiles in which nothing can block are sampled; same result
+    bool skip_closed = true;      // off: marches continue where no tap can change them; same result
+    bool skip_settled = true;     // off: tiles that would not change are shaded; same result
+    bool skip_filtered = true;    // off: tiles that the filter would not change are filtered; same result
 };
 
-// Whether a filter follows the estimate.
+// Whether a filter is applied to the estimate.
 [[nodiscard]] bool filters(const Settings& settings);
 
-// Whether what is shown is not the estimate itself, filtered or not.
+// Whether the displayed values differ from the estimate by a remap.
 [[nodiscard]] bool remaps(const Settings& settings);
 
-// The same settings for another radius: everything in world units keeps its proportion to it.
+// The same settings for another radius: all lengths in world units are scaled with it.
 [[nodiscard]] Settings with_radius(Settings settings, float radius);
 
-// Throws std::invalid_argument that names the first setting outside its range: that of setting_table(), and
-// a history holds a table_size and a weight_max of at most 2048 in float16, of 65536 and 4095 packed.
+// Throws std::invalid_argument that names the first setting outside its range in setting_table(). A history
+// in float16 also limits table_size and weight_max to 2048; a packed one limits table_size to 65536 and
+// weight_max to 4095.
 void validate(const Settings& settings);
 
 }  // namespace gloam::effect

@@ -17,7 +17,7 @@ constexpr double deviation = 1.5;  // pixels
 constexpr double c1 = 0.01 * 0.01;
 constexpr double c2 = 0.03 * 0.03;
 
-// What is summed over a window: the known pixels, the two images, their squares and their product.
+// Sums over a window: the number of known pixels, the two images, their squares and their product.
 using Sums = std::array<double, 6>;
 
 std::array<double, half_window + 1> gaussian() {
@@ -27,7 +27,7 @@ std::array<double, half_window + 1> gaussian() {
     return weights;
 }
 
-// One direction of the separable window over an image whose pixels on that axis are `stride` apart.
+// Applies the separable window along one axis, whose pixels are `stride` apart.
 void blur_line(std::vector<Sums>& image, std::size_t start, std::size_t stride, std::size_t count) {
     static const std::array<double, half_window + 1> weights = gaussian();
     std::vector<Sums> line(count);

@@ -76,8 +76,8 @@ void Listing::advance(bool listed, const SelectedTiles& found, std::size_t tiles
         rest_ -= rest_ > 0 ? 1 : 0;
         return;
     }
-    constexpr std::size_t worth_it = 16;   // lists take about a sixteenth of a frame
-    constexpr std::uint32_t patience = 4;  // what the images hold is known after three
+    constexpr std::size_t worth_it = 16;   // lists take about a sixteenth of the time of a frame
+    constexpr std::uint32_t patience = 4;  // after three frames it is known which images hold background
     constexpr std::uint32_t frames_without = 20;
     const std::size_t left_out =
         std::size_t{found.background} + found.settled + found.open + found.filtered_enough;
@@ -96,7 +96,7 @@ bool selects_tiles(const Settings& settings) {
 }
 
 std::int32_t filter_reach(const Settings& settings) {
-    // SAO's taps lie two pixels apart.
+    // SAO's taps are two pixels apart.
     return settings.filter == Filter::sao ? 2 * settings.filter_half_width : settings.filter_half_width;
 }
 

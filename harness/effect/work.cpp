@@ -11,7 +11,8 @@ namespace gloam::effect {
 
 namespace {
 
-// The pixels of a tile's side that are shaded: from `first` on, of `size` in all.
+// Shaded pixels along a tile's side. first: its first pixel. size: of the image. band: not shaded, on each
+// side.
 std::uint32_t shaded_side(std::uint32_t first, std::uint32_t size, std::uint32_t band) {
     const std::uint32_t begin = std::max(first, band);
     const std::uint32_t end = std::min(first + tile_side, size - band);

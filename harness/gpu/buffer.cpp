@@ -21,7 +21,7 @@ BufferHandles create(const Context& context, std::size_t bytes) {
         vk::BufferCreateInfo{.size = bytes,
                              .usage = Usage::eStorageBuffer | Usage::eVertexBuffer | Usage::eIndexBuffer |
                                       Usage::eIndirectBuffer | Usage::eTransferSrc | Usage::eTransferDst});
-    // Cached: the host reads results back, which is very slow from write-combined memory.
+    // Cached memory: the host reads results back, which is very slow from write-combined memory.
     using Property = vk::MemoryPropertyFlagBits;
     constexpr auto coherent = Property::eHostVisible | Property::eHostCoherent;
     auto memory =

@@ -9,8 +9,9 @@
 
 namespace gloam::gpu {
 
-// A storage buffer in host-visible, coherent memory, mapped for its whole life. Contents start undefined.
-// Throws std::runtime_error when `bytes` is 0, exceeds the device's limit, or memory is short.
+// A storage buffer in host-visible, coherent memory, mapped during its lifetime. Its contents are undefined
+// at first. Throws std::runtime_error when `bytes` is 0 or exceeds the device's limit, or memory is
+// exhausted.
 class Buffer {
   public:
     Buffer(const Device& device, std::size_t bytes);
@@ -22,7 +23,7 @@ class Buffer {
     [[nodiscard]] std::span<std::byte> bytes();
     [[nodiscard]] std::span<const std::byte> bytes() const;
 
-    // The mapped memory as elements of the trivially copyable T; a rest smaller than T is left out.
+    // The mapped memory as elements of the trivially copyable T, without a remainder smaller than T.
     template <class T>
     [[nodiscard]] std::span<T> as() {
         return {reinterpret_cast<T*>(bytes().data()), size() / sizeof(T)};

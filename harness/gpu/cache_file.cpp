@@ -35,7 +35,7 @@ bool write_whole(const std::filesystem::path& file, std::span<const std::byte> c
     return !out.fail();
 }
 
-// Two processes that write at once must not share a temporary file.
+// Two processes that write simultaneously must not use the same temporary file.
 std::filesystem::path temporary_beside(const std::filesystem::path& file) {
     std::random_device random;
     auto temporary = file;

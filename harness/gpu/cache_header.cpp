@@ -8,8 +8,8 @@
 namespace gloam::gpu {
 namespace {
 
-// VkPipelineCacheHeaderVersionOne without its enumeration, which a damaged value would make undefined to
-// read.
+// VkPipelineCacheHeaderVersionOne with an integer in place of its enumeration: reading a damaged enumeration
+// would be undefined.
 struct BlobHeader {
     std::uint32_t bytes = 0;
     std::uint32_t version = 0;

@@ -150,8 +150,8 @@ void Commands::dispatch_indirect(const ComputePipeline& pipeline, std::span<cons
 std::size_t Commands::timestamp() {
     const auto& commands = impl_->recording();
     const std::size_t position = impl_->handles->timestamps.record(impl_->context, commands);
-    // lavapipe holds a dispatch back until something waits for it: without this the work before the reading
-    // would fall into the time behind it.
+    // lavapipe delays a dispatch until something waits for it. Without a barrier, the time of the work before
+    // the reading would count after it.
     device_barrier(commands);
     return position;
 }

@@ -22,7 +22,7 @@ struct SpecializationConstant {
     std::uint32_t bits = 0;  // the 32-bit pattern of the bool, int, uint or float
 };
 
-// What a compute pipeline is made of. Entry point "main"; binding i of descriptor set 0 has kind bindings[i].
+// The parts of a compute pipeline. Entry point "main"; binding i of descriptor set 0 has kind bindings[i].
 struct ComputeProgram {
     std::span<const std::uint32_t> spirv;
     std::vector<BindingKind> bindings;
@@ -31,8 +31,8 @@ struct ComputeProgram {
 };
 
 // A compiled compute pipeline. Throws std::runtime_error when the driver rejects it; std::invalid_argument
-// when the words are no SPIR-V module, or the bindings or push constants (a multiple of 4 bytes) are more
-// than the device allows. The module must agree with the bindings: only the validation layer checks that.
+// when the words are not a SPIR-V module, or when the bindings or push constants (a multiple of 4 bytes)
+// exceed the device's limits. The module must match the bindings; only the validation layer checks this.
 class ComputePipeline {
   public:
     ComputePipeline(const Device& device, const ComputeProgram& program);
@@ -47,7 +47,7 @@ class ComputePipeline {
     std::unique_ptr<Impl> impl_;
 };
 
-// What a binding is given: a storage buffer (all of it) or a storage image. Shaders may write to either.
+// The resource of a binding: a whole storage buffer, or a storage image. Shaders may write to either.
 using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>>;
 
 }  // namespace gloam::gpu

@@ -31,7 +31,7 @@ std::string version_text(std::uint32_t version) {
                        VK_API_VERSION_PATCH(version));
 }
 
-// The driver's name and its own text, or its version where it has no text.
+// The driver's name and its own text, or its version if it has no text.
 std::string driver_text(const vk::PhysicalDeviceProperties& properties,
                         const vk::PhysicalDeviceDriverProperties& driver) {
     const std::string info = driver.driverInfo;
@@ -39,8 +39,8 @@ std::string driver_text(const vk::PhysicalDeviceProperties& properties,
                        info.empty() ? version_text(properties.driverVersion) : info);
 }
 
-// By the specification pipelineCacheUUID alone should do. Mesa's lavapipe has the same one in every version,
-// and always driver version 1: only its texts tell of another Mesa or LLVM.
+// By the specification pipelineCacheUUID alone should suffice. Mesa's lavapipe has the same UUID and driver
+// version 1 in every version; only its texts differ between versions of Mesa or LLVM.
 std::string identity(const vk::PhysicalDeviceProperties& properties,
                      const vk::PhysicalDeviceDriverProperties& driver) {
     const auto texts = fmt::format("{}|{}", properties.deviceName.data(), driver_text(properties, driver));

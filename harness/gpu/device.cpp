@@ -117,7 +117,7 @@ void Device::Impl::run(const vk::raii::CommandBuffer& commands) {
 }
 
 vk::Result Device::Impl::wait() const {
-    // A driver that computes on the processor does so in this process.
+    // Whether the driver computes on the processor, in this process.
     constexpr std::chrono::milliseconds longest =
         std::chrono::years(100);  // in nanoseconds they fit a clock's count
     base::Patience patience(std::min(timeout, longest), [] { return base::processor_time_of(getpid()); });

@@ -13,7 +13,7 @@
 
 namespace gloam::gpu {
 
-// What a driver reports of float32 arithmetic (VkPhysicalDeviceFloatControlsProperties).
+// Properties of float32 arithmetic that a driver reports (VkPhysicalDeviceFloatControlsProperties).
 struct FloatControls {
     bool preserves_signed_zero_inf_nan = false;
     bool preserves_denormals = false;
@@ -22,14 +22,14 @@ struct FloatControls {
     bool rounds_to_zero = false;
 };
 
-// One Vulkan device, as it describes itself. `index` is its position in list_devices().
+// Properties of a Vulkan device. `index`: its position in list_devices().
 struct DeviceInfo {
     std::size_t index = 0;
     std::string name;         // "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string type;         // "cpu", "integrated", "discrete", "virtual" or "other"
-    std::string driver;       // driver name and its own version text (or, where it has none, its version)
+    std::string driver;       // driver name and its own version text, or its version if it has no text
     std::string api_version;  // "1.3.230"
-    std::string identity;     // hexadecimal; changes whenever a compiled pipeline can no longer be used
+    std::string identity;     // hexadecimal; it changes whenever compiled pipelines become invalid
     std::uint32_t max_image_size = 0;  // pixels, each side of a 2-D image
     std::uint64_t max_buffer_bytes = 0;
     std::array<std::uint32_t, 3> max_group_count{};
@@ -49,28 +49,28 @@ struct DeviceOptions {
     std::string
         device;  // index, or part of the name in any case; empty: the first GPU, else the first CPU device
     Validation validation = Validation::off;
-    std::filesystem::path cache_directory;  // where compiled pipelines are kept; empty: nowhere
-    // Longest wait for one submission, positive; longer where the driver computes on a processor that others
-    // use, too (base::Patience).
+    std::filesystem::path cache_directory;  // for compiled pipelines; empty: no cache
+    // Longest wait for one submission, positive. It is longer if the driver computes on a processor that
+    // others use as well (base::Patience).
     std::chrono::milliseconds timeout{60'000};
-    // On: a shader that reaches past its buffers harms nothing. Off: that is undefined, as in engines that
-    // leave it off; only for shaders that do not.
+    // True: out-of-bounds accesses of a shader to its buffers are harmless. False: they are undefined, as in
+    // engines without this feature; use it only for shaders without such accesses.
     bool robust_buffer_access = true;
-    // Called with each validation message as it comes, also with those of closing the device, when nobody can
-    // ask for them any more. May be called from any thread, never from two at once; must not throw nor call
-    // back into the device.
+    // Called with each validation message immediately, also with those during the device's destruction, which
+    // take_validation_messages() cannot return. It may be called from any thread, but never from two at once.
+    // It must not throw and must not use the device.
     std::function<void(const std::string&)> on_validation_message;
 };
 
-// An open Vulkan device with one queue, for use from one thread at a time. Everything made from it must die
-// before it. Throws std::runtime_error: no device, no device of that name (the message lists those there
-// are), validation asked for and its layer not installed; std::invalid_argument: a timeout that is not
-// positive.
+// An open Vulkan device with one queue, for one thread at a time. All objects made from it must be destroyed
+// before it. Throws std::runtime_error if there is no device, if there is no device with that name (the
+// message lists the existing ones), or if validation was requested and its layer is not installed;
+// std::invalid_argument for a timeout that is not positive.
 //
-// While a submission that timed out still runs, further submissions throw, and what is destroyed is only put
-// aside, for Vulkan forbids destroying what may be in use: once the work has finished, all is as before. A
-// device that is closed before that does not wait, since that might be for ever: it is leaked, on purpose,
-// with all that was put aside. Otherwise, closing writes the compiled pipelines to the cache directory.
+// While a submission that timed out still runs, further submissions throw. Vulkan forbids destroying objects
+// in use, so destroyed objects are kept until the work has finished; then the device works as before. If the
+// device is destroyed before that, it does not wait, because the work may never end: it leaks itself and the
+// kept objects on purpose. Otherwise its destructor writes the compiled pipelines to the cache directory.
 class Device {
   public:
     explicit Device(const DeviceOptions& options = {});

@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 constexpr const char* swiftshader_manifest = "vk_swiftshader_icd.json";
 constexpr const char* swiftshader_library = "libvk_swiftshader.so";
 
-// With one of the first two, the loader looks at nothing but what it names: the newer name, then the older.
+// Variables that replace the loader's own search, in its order: the newer name, then the older one.
 constexpr std::array instead{"VK_DRIVER_FILES", "VK_ICD_FILENAMES"};
 constexpr const char* besides = "VK_ADD_DRIVER_FILES";
 
-// Also to nothing: the loader then looks nowhere.
+// Whether a variable is set. If it is empty, the loader searches nowhere.
 bool is_set(const char* variable) {
     return std::getenv(variable) != nullptr;
 }
@@ -37,7 +37,7 @@ bool is_file(const fs::path& path) {
     throw std::runtime_error(fmt::format("Vulkan driver {}: {}", manifest.string(), reason));
 }
 
-// What the manifest says where the library is: a path, or a name for the system to find.
+// The library in a manifest: a path, or a name that the system searches for.
 std::string library_of(const fs::path& manifest) {
     std::ifstream stream(manifest, std::ios::binary);
     if (!stream) refuse(manifest, "cannot be read");

@@ -8,25 +8,25 @@
 
 namespace gloam::gpu {
 
-// Drivers that the Vulkan loader does not find by itself. A driver is named by its manifest, a small JSON
-// file that names the driver's library.
+// Drivers that the Vulkan loader does not find by itself. A driver is specified by its manifest, a small JSON
+// file with the path of the driver's library.
 
-// Where Chromium and Chrome keep SwiftShader, a Vulkan driver in software that they bring along.
+// The folders in which Chromium and Chrome keep SwiftShader, a Vulkan driver in software.
 [[nodiscard]] std::vector<std::filesystem::path> swiftshader_folders();
 
-// The manifest of SwiftShader in the first of these folders that has it, and its library beside it.
+// SwiftShader's manifest in the first of these folders that contains it together with its library.
 [[nodiscard]] std::optional<std::filesystem::path> find_swiftshader(
     std::span<const std::filesystem::path> folders);
 [[nodiscard]] std::optional<std::filesystem::path> find_swiftshader();
 
-// Whether the environment says which drivers there are: VK_DRIVER_FILES, VK_ICD_FILENAMES or
-// VK_ADD_DRIVER_FILES is set, be it to nothing.
+// Whether the environment selects the drivers: VK_DRIVER_FILES, VK_ICD_FILENAMES or VK_ADD_DRIVER_FILES is
+// set, even if empty.
 [[nodiscard]] bool drivers_are_chosen();
 
-// From now on list_devices() and Device know these drivers, too, in this process and those that it starts:
-// the Vulkan loader is told by its environment variables, and what they name already stays. Call it before
-// anything else of this room, from the only thread. Throws std::runtime_error that names the file: missing,
-// no driver manifest, or its library is missing; nothing has changed then.
+// Adds drivers for list_devices() and Device, in this process and those that it starts. It extends the
+// environment variables of the Vulkan loader. Call it before anything else of this room, while there is only
+// one thread. Throws std::runtime_error with the file's name if it is missing, is not a driver manifest, or
+// its library is missing; then nothing has changed.
 void add_drivers(std::span<const std::filesystem::path> manifests);
 
 }  // namespace gloam::gpu

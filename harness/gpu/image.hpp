@@ -10,10 +10,10 @@
 
 namespace gloam::gpu {
 
-// Formats that every Vulkan device can store to and render to, plus the depth attachment.
+// Formats that every Vulkan device can store and render to, and the depth attachment's.
 enum class Format { r32f, rgba32f, rgba16f, rgba16ui, depth32f };
 
-// Floats per texel as uploaded and downloaded.
+// Floats for each texel in uploads and downloads.
 [[nodiscard]] int channels(Format format);
 
 struct Extent {
@@ -22,9 +22,9 @@ struct Extent {
     friend bool operator==(const Extent&, const Extent&) = default;
 };
 
-// A 2-D image in device memory, row 0 at the top: storage image and colour attachment, or (depth32f) depth
-// attachment only. Contents start undefined. Throws std::runtime_error when a side is 0 or larger than the
-// device allows, the device has no such images, or memory is short.
+// A 2-D image in device memory, row 0 at the top. It is a storage image and colour attachment, or (depth32f)
+// a depth attachment only. Its contents are undefined at first. Throws std::runtime_error when a side is 0 or
+// exceeds the device's limit, the device does not support the format, or memory is exhausted.
 class Image {
   public:
     Image(const Device& device, Extent extent, Format format);
@@ -36,9 +36,9 @@ class Image {
     [[nodiscard]] Format format() const;
 
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
-    // rgba16f is converted from and to float32 (round to nearest even), and rgba16ui (to the nearest of 0 to
-    // 65535). Throws std::invalid_argument on
-    // another count, std::runtime_error like Commands::submit().
+    // rgba16f is converted from and to float32 (round to nearest even), and rgba16ui from the nearest integer
+    // in 0 to 65535. Throws std::invalid_argument for another count, std::runtime_error like
+    // Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 

@@ -12,7 +12,8 @@
 namespace gloam::gpu {
 namespace {
 
-// Whole rows: an image may be larger than any buffer, and staging it all would double its memory.
+// Copies bands of whole rows: an image may exceed the largest buffer, and staging all of it would double its
+// memory.
 constexpr std::size_t band_bytes = std::size_t{32} << 20;
 
 struct Band {
@@ -39,7 +40,7 @@ vk::BufferImageCopy copy_region(const Image::Impl& image, Band band) {
             .imageExtent = {image.extent.width, band.rows, 1}};
 }
 
-// The nearest integer that 16 bits hold; 0 for NaN.
+// The nearest integer of 16 bits; 0 for NaN.
 std::uint16_t to_uint16(float value) {
     return value > 0.0F ? static_cast<std::uint16_t>(std::lround(std::min(value, 65535.0F)))
                         : std::uint16_t{0};

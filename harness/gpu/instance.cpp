@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
-// Vulkan calls this through C: nothing may be thrown out of it.
+// Vulkan calls this from C, so it must not throw.
 VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                           VkDebugUtilsMessageTypeFlagsEXT,
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
@@ -36,10 +36,10 @@ bool layer_has_extension(const vk::raii::Context& loader, std::string_view name)
         extensions, [&](const auto& extension) { return std::string_view(extension.extensionName) == name; });
 }
 
-// Not heard: "general" messages, where the loader talks of drivers that it skipped, and "performance", which
-// dislikes the general image layout that keeps this room simple.
+// Ignored: "general" messages, in which the loader reports skipped drivers, and "performance" messages, which
+// criticise the general image layout that keeps this room simple.
 vk::DebugUtilsMessengerCreateInfoEXT messenger_info(MessageLog& log) {
-    // By the C structure, because the type of the callback in the C++ one depends on the version of the
+    // The C structure, because the callback's type in the C++ structure depends on the version of the
     // headers.
     vk::DebugUtilsMessengerCreateInfoEXT info;
     info = VkDebugUtilsMessengerCreateInfoEXT{
@@ -66,7 +66,7 @@ vk::raii::Instance create_validated(const vk::raii::Context& loader, vk::Instanc
         throw std::runtime_error(fmt::format(
             "validation layer {} not found: install the package vulkan-validationlayers", validation_layer));
     }
-    // Chained to the instance, it speaks only while the instance is created and destroyed.
+    // Chained to the instance, it reports only while the instance is created and destroyed.
     auto messenger = messenger_info(log);
     std::vector<const char*> extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
     const auto synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
@@ -84,7 +84,7 @@ vk::raii::Instance create_validated(const vk::raii::Context& loader, vk::Instanc
     return create(loader, info);
 }
 
-// The loader puts drivers that are added to those of the system in front of them.
+// The loader lists added drivers before those of the system.
 int rank(const vk::raii::PhysicalDevice& device) {
     if (device.getProperties().deviceType != vk::PhysicalDeviceType::eCpu) return 0;
     const auto chain =
@@ -140,7 +140,7 @@ std::vector<vk::raii::PhysicalDevice> physical_devices(const vk::raii::Instance&
             if (device.getProperties().apiVersion >= VK_API_VERSION_1_2) devices.push_back(std::move(device));
         }
     } catch (const vk::InitializationFailedError&) {
-        // The loader's word for drivers that are installed but find no hardware.
+        // The loader's error code if drivers are installed but find no hardware.
     }
     std::ranges::stable_sort(devices, {}, rank);
     return devices;

@@ -23,7 +23,7 @@ std::filesystem::path file_in(const std::filesystem::path& directory, const std:
     return directory.empty() ? std::filesystem::path{} : directory / ("pipelines-" + identity + ".bin");
 }
 
-// SwiftShader gives back what it was given behind one more header, so that its file would grow with every
+// SwiftShader returns the data that it was given behind one more header, so its file would grow with every
 // use.
 bool is_news(std::span<const std::byte> data, std::span<const std::byte> loaded) {
     if (std::ranges::equal(data, loaded)) return false;
@@ -49,7 +49,7 @@ void PipelineCache::save() const noexcept {
         const auto bytes = std::as_bytes(std::span(data));
         if (is_news(bytes, loaded_)) write_cache_file(file_, bytes);
     } catch (...) {
-        // The next process compiles again.
+        // On failure the next process compiles again.
     }
 }
 

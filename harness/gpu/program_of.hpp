@@ -8,7 +8,7 @@
 
 namespace gloam::gpu {
 
-// What a pipeline was made of, for whoever runs it elsewhere.
+// The parts of a pipeline, for running it elsewhere.
 struct PipelineProgram {
     std::vector<std::uint32_t> spirv;
     std::vector<SpecializationConstant> constants;

@@ -12,7 +12,7 @@
 namespace gloam::gpu {
 namespace {
 
-// Vertex attributes as Vulkan wants them, and their sum.
+// Vertex attributes in Vulkan's form, and their total size.
 struct VertexLayout {
     std::vector<vk::VertexInputAttributeDescription> attributes;
     std::uint32_t stride = 0;
@@ -93,7 +93,7 @@ std::vector<vk::PipelineColorBlendAttachmentState> no_blending(std::size_t image
                                                                             Component::eB | Component::eA}};
 }
 
-// The state that does not depend on the program; viewport and scissor come with the images.
+// The pipeline state that does not depend on the program; the images determine viewport and scissor.
 struct FixedState {
     vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
     vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};

@@ -19,7 +19,7 @@ vk::AttachmentDescription cleared(Format format) {
             .finalLayout = vk::ImageLayout::eGeneral};
 }
 
-// The layout changes at both ends must wait for what came before and be done for what comes after.
+// The layout transitions at both ends must wait for earlier commands and precede later ones.
 std::array<vk::SubpassDependency, 2> dependencies() {
     using Access = vk::AccessFlagBits;
     using Stage = vk::PipelineStageFlagBits;

@@ -21,7 +21,7 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-// Real GPUs first, whatever their order; software last.
+// Real GPUs first, in any order; software last.
 std::size_t default_device(std::span<const DeviceInfo> devices) {
     const auto rank = [](const DeviceInfo& device) {
         constexpr std::array<std::string_view, 4> order{"discrete", "integrated", "virtual", "cpu"};

@@ -15,7 +15,7 @@ namespace {
 using internal::Code;
 using internal::Instruction;
 
-// What may follow an instruction, as Coverage::add() is told it; nothing where that is one thing.
+// The values of `next` in Coverage::add() that can follow an instruction; empty if there is only one.
 std::vector<std::uint32_t> followers_of(const Code& code, const Instruction& i) {
     if (i.op == internal::select) return {1, 0};
     std::vector<std::uint32_t> targets;
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> followers_of(const Code& code, const Instruction& i) 
         for (const auto& [literal, edge] : all.cases) targets.push_back(code.edges[edge].target);
         targets.push_back(code.edges[all.otherwise].target);
     }
-    // Ways that lead to one place are one way.
+    // Ways with the same target count as one.
     const bool all_same = std::ranges::all_of(targets, [&](std::uint32_t t) { return t == targets.front(); });
     return all_same ? std::vector<std::uint32_t>{} : targets;
 }
@@ -57,7 +57,7 @@ void Coverage::add(std::size_t instruction, std::uint32_t next) {
 
 std::vector<Coverage::Way> Coverage::ways() const {
     const Code& code = program_.code();
-    // By the word of the module: each copy of a function counts for it.
+    // Keyed by the word in the module, because a function can have several copies.
     std::map<std::uint32_t, std::vector<Way>> branches;
     for (std::size_t at = 0; at < ways_.size(); ++at) {
         if (ways_[at].empty()) continue;

@@ -28,7 +28,7 @@ struct ImageView {
     std::span<const Word> texels;
 };
 
-// One invocation of a dispatch: {x, y, z} in work groups of one.
+// One invocation of a dispatch with work groups of one invocation: {x, y, z}.
 struct Invocation {
     std::array<std::uint32_t, 3> group{};
     std::array<std::uint32_t, 3> local{};
@@ -38,20 +38,20 @@ struct Invocation {
 
 [[nodiscard]] std::string name_of_operation(std::uint16_t opcode);
 
-// What a machine did: one instruction, with the value of every scalar that it gave.
+// One executed instruction, with the value of every scalar of its result.
 template <class Number>
 struct Step {
     const Place& place;
-    std::uint16_t opcode;  // of SPIR-V, or beyond those for what the decoder made of it
+    std::uint16_t opcode;  // of SPIR-V, or an Operation of the decoder above those
     std::span<const Value<Number>> results;
 
     // Its name: "OpFAdd", "GLSL.std.450 Sqrt".
     [[nodiscard]] std::string operation() const { return name_of_operation(opcode); }
 };
 
-// Runs a program on one number type (number.hpp), one invocation at a time. Not to be shared by threads; the
-// program may be. What is bound must outlive the runs. On intervals a run must happen inside
-// numeric::Paths::explore(), which repeats it for every way that undecided branches may go.
+// Runs a program on one number type (number.hpp), one invocation at a time. A machine is not thread-safe; the
+// program is. Bound memory must outlive the runs. On intervals a run must be inside
+// numeric::Paths::explore(), which repeats it for every way of undecided branches.
 template <class Number>
 class Machine {
   public:
@@ -60,29 +60,30 @@ class Machine {
     Machine(Machine&&) noexcept;
     Machine& operator=(Machine&&) noexcept;
 
-    // Nothing happens where the program has no such buffer or image. What a shader writes is seen by itself,
-    // and by read() until the next run, which begins with what was bound.
+    // Binds a buffer or image. It has no effect if the program does not use the binding. Writes of a shader
+    // are visible to itself and to read() until the next run, which starts with the bound contents.
     void bind(std::uint32_t set, std::uint32_t binding, std::span<const Word> words);
     void bind(std::uint32_t set, std::uint32_t binding, const ImageView& image);
     void bind_push_constants(std::span<const Word> words);
 
-    // Which invocation runs. It runs alone: what others of its group write to shared memory it does not see.
+    // Selects the invocation. It runs alone, and does not see what others of its group write to shared
+    // memory.
     void set_invocation(const Invocation& invocation);
 
-    // Runs the entry point to its end. Throws Error, which names the instruction's place.
+    // Runs the entry point to its end. Throws Error with the instruction's place.
     void run();
-    // The same, and reports every instruction that gives a value.
+    // The same, and reports every instruction with a result.
     void run(const std::function<void(const Step<Number>&)>& tell);
-    // The same, and counts what ran. `coverage` is of this program.
+    // The same, and counts what ran. `coverage`: of this program.
     void run(Coverage& coverage);
 
     // A word of a buffer or image after the run. Throws Error (missing, out_of_bounds).
     [[nodiscard]] Value<Number> read(std::uint32_t set, std::uint32_t binding, std::size_t word) const;
 
-    // Whether the last run wrote to a buffer or image.
+    // Whether the last run wrote to this buffer or image.
     [[nodiscard]] bool wrote(std::uint32_t set, std::uint32_t binding) const;
 
-    // The most instructions that one run takes; more is an Error (too_many_steps).
+    // Limit of instructions in one run; a run with more throws Error (too_many_steps).
     void set_limit(std::uint64_t steps) { limit_ = steps; }
     // Instructions of all runs so far.
     [[nodiscard]] std::uint64_t steps() const { return steps_; }

@@ -101,7 +101,7 @@ float half_value(Word bits) {
     return glm::unpackHalf1x16(static_cast<glm::uint16>(bits));
 }
 
-// One of the halfs in reach: their bits count up with their magnitude, and what is subnormal may be zero.
+// One of the possible halfs. Their bits increase with their magnitude; a subnormal may be flushed to zero.
 Word HalfBits::operator()(const numeric::Interval& x) const {
     constexpr int most = 64;
     constexpr int sign = 0x8000;

@@ -8,13 +8,14 @@
 #include "numeric/interval.hpp"
 #include "numeric/rearranged.hpp"
 
-// The number types that a module can be run on:
-//   float                 every operation rounded correctly, to nearest; nothing flushed. The same result on
-//                         every machine, but for the functions that IEEE 754 does not round (sin, exp, ...)
-//   double                stands for the real numbers
+// The number types on which a module can be run:
+//   float                 every operation rounded correctly, to nearest; nothing flushed. The result is the
+//   same
+//                         on every machine, except for functions that IEEE 754 does not round (sin, exp, ...)
+//   double                represents the real numbers
 //   numeric::Interval     all that Vulkan's precision rules permit, for modules that forbid rearrangement
-//   numeric::Rearranged   the same where the module lets a driver contract and rearrange
-//   Explained             all of it at once for one path, with the error that each operation adds
+//   numeric::Rearranged   the same for modules that let a driver contract and rearrange
+//   Explained             all of them at once for one path, with the error that each operation adds
 namespace gloam::interpreter {
 
 // float, double and the permitted results side by side, on the path that float takes.
@@ -33,7 +34,7 @@ template <class Number>
 template <class Number>
 [[nodiscard]] std::uint32_t undefined_bits();
 
-// 1 below zero and for -0. On intervals both are explored where both are in reach.
+// The sign bit: 1 below zero and for -0. On intervals both values are explored if both are possible.
 [[nodiscard]] std::uint32_t sign_bit(const numeric::Interval& x);
 [[nodiscard]] std::uint32_t sign_bit(const numeric::Rearranged& x);
 [[nodiscard]] inline std::uint32_t sign_bit(double x) {

@@ -10,8 +10,8 @@ namespace gloam::interpreter {
 
 using Word = std::uint32_t;
 
-// One scalar of a running shader: a number of the machine's type, or 32 bits (integers, bools, and floats as
-// memory holds them). Each turns into the other when it is asked for.
+// One scalar of a running shader: a number of the machine's type, or 32 bits (integers, bools, and floats in
+// memory). Each form is converted to the other on demand.
 template <class Number>
 class Value {
   public:
@@ -29,7 +29,7 @@ class Value {
         return value;
     }
 
-    // Bits that are a float: both at once.
+    // From the bits of a float; both forms are stored.
     static Value of_float(Word bits) {
         Value value;
         value.number_ = number_from_bits<Number>(bits);
@@ -38,17 +38,18 @@ class Value {
         return value;
     }
 
-    // As a float; the bits as one that the module was given. Anything where it is undefined.
+    // As a float. Bits are converted like a constant of the module. The result is arbitrary if the value is
+    // undefined.
     [[nodiscard]] Number number() const {
         if (state_ >= State::number) return number_;
         return state_ == State::bits ? number_from_bits<Number>(bits_) : undefined_number<Number>();
     }
-    // As bits; those of the float nearest to a number. On intervals each float in reach is explored.
+    // As bits: those of the float nearest to the number. On intervals each possible float is explored.
     [[nodiscard]] Word bits() const {
         if (state_ == State::bits || state_ == State::both) return bits_;
         return state_ == State::number ? bits_from_number(number_) : undefined_bits<Number>();
     }
-    // Whether it is a number and no bits.
+    // Whether it is a number and not bits.
     [[nodiscard]] bool is_number() const { return state_ == State::number; }
     [[nodiscard]] bool is_bits() const { return state_ == State::bits; }
 
@@ -60,7 +61,7 @@ class Value {
     State state_ = State::undefined;
 };
 
-// A float is its bits; what is undefined is zero.
+// A float is stored as its bits; an undefined value becomes zero.
 template <>
 class Value<float> {
   public:

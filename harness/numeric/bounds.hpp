@@ -6,10 +6,12 @@
 
 namespace gloam::numeric {
 
-// A set of results: every real number from low to high, infinities included when they are ends, and NaN when
-// `nan`. No number at all when low > high. NaN is kept apart from the ends, so that neither hides the other.
+// A set of results: every real number from low to high, infinities included if they are ends, and NaN if
+// `nan` is set. It contains no number if low > high. NaN is stored separately, so that neither hides the
+// other.
 struct Bounds {
-    // Without initialisers: GLM's vectors hold their components in unions, which wants trivial types.
+    // Without initialisers, because GLM's vectors hold their components in unions, which require trivial
+    // types.
     double low;
     double high;
     bool nan;
@@ -28,7 +30,7 @@ struct Bounds {
         return nan && low == -std::numeric_limits<double>::infinity() &&
                high == std::numeric_limits<double>::infinity();
     }
-    // Whether a result is one of these.
+    // Whether a result is in the set.
     [[nodiscard]] constexpr bool contains(double x) const { return x != x ? nan : low <= x && x <= high; }
     [[nodiscard]] constexpr bool contains(const Bounds& other) const {
         return (nan || !other.nan) && (other.empty() || (low <= other.low && other.high <= high));
@@ -37,7 +39,7 @@ struct Bounds {
     friend constexpr bool operator==(const Bounds&, const Bounds&) = default;
 };
 
-// The smallest bounds that hold both.
+// The smallest bounds that contain both.
 [[nodiscard]] constexpr Bounds hull(const Bounds& a, const Bounds& b) {
     return {std::min(a.low, b.low), std::max(a.high, b.high), a.nan || b.nan};
 }

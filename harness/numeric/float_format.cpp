@@ -11,7 +11,7 @@
 namespace gloam::numeric {
 namespace {
 
-// The hardware knows float32; the result is corrected where it rounded the other way.
+// Uses the hardware's float32, and corrects the result if it was rounded in the other direction.
 double float32_down(double x) {
     const auto nearest = static_cast<float>(x);
     if (static_cast<double>(nearest) <= x) return nearest;
@@ -31,7 +31,7 @@ int exponent_of(double x) {
     return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> double_digits & exponent_bits) - double_bias;
 }
 
-// The exponent of the last digit of the format's numbers around x.
+// The exponent of the last digit of the format's numbers near x.
 int last_place(const FloatFormat& format, double x) {
     return std::max(exponent_of(x), format.min_exponent) - (format.precision - 1);
 }
@@ -46,7 +46,7 @@ double FloatFormat::round_down(double x) const {
     const int place = last_place(*this, x);
     const int exponent = exponent_of(x);
     if (exponent < place) return x > 0.0 ? 0.0 : -power_of_two(place);
-    // What lies behind the last digit is cut off; a negative number goes on to the next one.
+    // Digits behind the last one are truncated; a negative number moves to the next one.
     const std::uint64_t digit = std::uint64_t{1} << (double_digits - (exponent - place));
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const std::uint64_t cut = bits & ~(digit - 1);

@@ -6,8 +6,8 @@
 
 namespace gloam::numeric {
 
-// A binary floating-point format, by the numbers that its rounding depends on. Values are held in double,
-// which holds every value of these formats exactly.
+// A binary floating-point format, described by the numbers that determine its rounding. Values are stored in
+// double, which represents all values of these formats exactly.
 struct FloatFormat {
     int precision;     // bits of the significand, the hidden one included
     int min_exponent;  // of the smallest normal number, 2^min_exponent
@@ -21,20 +21,21 @@ struct FloatFormat {
         return (2.0 - power_of_two(1 - precision)) * power_of_two(max_exponent);
     }
 
-    // The nearest value of the format at or below (above) x. Beyond the largest finite value: that value
-    // towards zero, infinity away from it. Infinities stay; x must not be NaN.
+    // The nearest value of the format at or below (above) x. Beyond the largest finite value the result is
+    // that value towards zero, and infinity away from zero. Infinities are returned unchanged; x must not be
+    // NaN.
     [[nodiscard]] double round_down(double x) const;
     [[nodiscard]] double round_up(double x) const;
 
     // One unit in the last place at the real number x, by Harrison's definition: the distance of the two
-    // neighbours that enclose x; at a power of two the smaller gap; below the smallest normal that number's
-    // own; beyond the largest value the largest gap.
+    // neighbours that enclose x. At a power of two it is the smaller gap; below the smallest normal number
+    // the gap there; beyond the largest value the largest gap.
     [[nodiscard]] double ulp(double x) const;
 
     friend constexpr bool operator==(const FloatFormat&, const FloatFormat&) = default;
 
   private:
-    // Of the exponents of normal doubles. The calls of the C library cost more than the rounding itself.
+    // For the exponents of normal doubles; calls of the C library would cost more than the rounding itself.
     static constexpr double power_of_two(int exponent) {
         constexpr int double_bias = 1023;
         constexpr int double_digits = 52;

@@ -6,13 +6,13 @@
 
 #include "numeric/bounds.hpp"
 
-// A number type on which a function computes, instead of one result, all results that Vulkan's precision
-// rules permit ("Precision and Operation of SPIR-V Instructions"). The format (float32 or float16) is that of
-// the running Paths::explore(). Each operation's rule gives the exact range and its error; rounding (either
-// neighbour), the flush of subnormals and overflow are applied in one place, enclose().
+// A number type with which a function computes all results that Vulkan's precision rules permit ("Precision
+// and Operation of SPIR-V Instructions"). The format (float32 or float16) is that of the running
+// Paths::explore(). Each operation's rule gives the exact range and its error. Rounding (either neighbour),
+// the flush of subnormals and overflow are applied in one function, enclose().
 //
-// Written so that a template over the number type runs on it unchanged: arithmetic, comparisons (an undecided
-// one explores both answers, see Paths), and the functions of GLSL found by argument-dependent lookup.
+// A template over the number type works with it unchanged. It has arithmetic, comparisons (an undecided one
+// explores both answers, see Paths), and the functions of GLSL, found by argument-dependent lookup.
 namespace gloam::numeric {
 
 class Interval {
@@ -25,9 +25,9 @@ class Interval {
     template <std::integral Integer>
     explicit Interval(Integer value) : Interval(converted(static_cast<double>(value))) {}
 
-    // An input of the function: exactly this value, or zero instead of a subnormal.
+    // An input of the function: exactly this value, or also zero for a subnormal.
     [[nodiscard]] static Interval input(float value);
-    // Any of these values; the bounds are taken as they are.
+    // Any of these values; the bounds are not rounded.
     [[nodiscard]] static constexpr Interval within(const Bounds& bounds) { return Interval(bounds); }
     [[nodiscard]] static constexpr Interval within(double low, double high) {
         return Interval(Bounds{low, high, false});
@@ -84,11 +84,11 @@ class Interval {
 [[nodiscard]] Interval round(const Interval& x);  // a half goes either way
 [[nodiscard]] Interval round_even(const Interval& x);
 
-// Conversion to an integer, towards zero; one of the integers in reach, explored one after the other.
-// Undetermined for NaN and outside int, and when there are more than a few.
+// Conversion to an integer, towards zero. Each possible integer is explored in turn. Undetermined for NaN,
+// for values outside int, and if there are more than a few integers.
 [[nodiscard]] int to_int(const Interval& x);
 [[nodiscard]] unsigned to_uint(const Interval& x);
-// The bits of one of the float32 in reach, explored in the same way; both zeros where zero is.
+// The bits of each possible float32, explored in the same way; both zeros if zero is possible.
 [[nodiscard]] std::uint32_t to_bits(const Interval& x);
 
 // Correctly rounded, or inherited from a formula.
@@ -102,7 +102,7 @@ class Interval {
 [[nodiscard]] Interval degrees(const Interval& x);
 [[nodiscard]] Interval quantize_to_half(const Interval& x);
 
-// With an error rule of their own, or inherited from such.
+// With an error rule of their own, or inherited from functions with one.
 [[nodiscard]] Interval inversesqrt(const Interval& x);
 [[nodiscard]] Interval sqrt(const Interval& x);
 [[nodiscard]] Interval exp(const Interval& x);
@@ -124,13 +124,13 @@ class Interval {
 [[nodiscard]] Interval acosh(const Interval& x);
 [[nodiscard]] Interval atanh(const Interval& x);
 
-// The results of several algorithms that are all permitted: their union, where a gap between two is not
-// filled but explored.
+// The results of several permitted algorithms: their union. A gap between two results is explored, not
+// filled.
 [[nodiscard]] Interval any_of(const Interval& a, const Interval& b);
 
-// What an operation may return whose exact results lie in `exact`: both neighbours of what the format cannot
-// hold, zero for what is subnormal, the largest value or infinity for what is beyond. The only place that
-// knows of rounding.
+// All results of an operation whose exact results are in `exact`: both neighbours of a value that the format
+// cannot represent, zero for a subnormal value, the largest value or infinity beyond the range. Only this
+// function applies rounding.
 [[nodiscard]] Interval enclose(const Bounds& exact);
 
 }  // namespace gloam::numeric

@@ -12,10 +12,10 @@
 namespace gloam::numeric {
 namespace {
 
-// a + b rounded towards -infinity in double: the rounding error of the sum is known exactly (Knuth).
+// a + b rounded towards -infinity in double; the rounding error of the sum is known exactly (Knuth).
 double sum_down(double a, double b) {
     const double sum = a + b;
-    if (std::isnan(sum)) return infinity;  // infinities that cancel: no number
+    if (std::isnan(sum)) return infinity;  // infinities that cancel: not a number
     if (std::isinf(sum)) return sum;
     const double part = sum - a;
     const double error = (a - (sum - part)) + (b - part);
@@ -30,7 +30,7 @@ bool is_nowhere(const Bounds& a, const Bounds& b) {
     return a.empty() || b.empty();
 }
 
-// Adds the product (or quotient) at a corner; one that is no number stands for those beside it.
+// Adds the product (or quotient) at a corner. A corner that is not a number represents the values near it.
 void add_corner(Bounds& all, double corner, bool beside_finite) {
     if (!std::isnan(corner)) {
         all = hull(all, Bounds::point(corner));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_integers = 64;
 
-// The answer, explored where both are possible. NaN alone makes every comparison false.
+// The answer; both are explored if both are possible. NaN alone makes every comparison false.
 bool decide(bool may_be_true, bool may_be_false) {
     if (may_be_true != may_be_false) return may_be_true;
     return Paths::choose(2) == 0;
@@ -27,7 +27,7 @@ bool is_nowhere(const Interval& a, const Interval& b) {
     return a.bounds().empty() || b.bounds().empty();
 }
 
-// One of the integers that x is truncated to, all of which must lie between least and most.
+// Explores each integer to which x can be truncated. All must be between least and most.
 double integer_within(const Interval& x, double least, double most) {
     const double low = std::trunc(x.low());
     const double high = std::trunc(x.high());

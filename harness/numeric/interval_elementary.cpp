@@ -22,7 +22,7 @@ using internal::within_ulps;
 
 constexpr double pi = std::numbers::pi;
 
-// The numbers of the table, for one format.
+// The numbers of Vulkan's table for one format.
 struct Rules {
     double exp_ulps;       // plus 2 |x|
     double log_absolute;   // inside [0.5, 2]
@@ -42,7 +42,7 @@ double largest_magnitude(const Bounds& x) {
     return std::max(std::abs(x.low), std::abs(x.high));
 }
 
-// A finite argument has a finite result; double may not hold it.
+// A finite argument has a finite result, even if double cannot represent it.
 double finite_result(double argument, double result) {
     return std::isinf(result) && !std::isinf(argument) ? std::numeric_limits<double>::max() : result;
 }
@@ -56,7 +56,7 @@ Interval exponential(const Interval& x, bool exact, F&& f) {
     const double slope = 2.0 * std::min(magnitude, Paths::format().largest());
     const Interval result = within_ulps(exact ? power : inflated(power), rules().exp_ulps + slope,
                                         exact ? Arguments::exact : arguments_of(b));
-    // A power is not negative: the error of a result that underflows reaches zero.
+    // A power is not negative, so the error of a result that underflows extends to zero only.
     return Interval::within({std::max(result.low(), 0.0), result.high(), result.may_be_nan()});
 }
 
@@ -81,7 +81,7 @@ Interval logarithm(const Interval& x, bool exact, F&& f) {
     return Interval::within(all);
 }
 
-// Sine and cosine as cos(x - shift): its turning points are shift + k pi.
+// Sine and cosine as cos(x - shift); the extrema are at shift + k pi.
 Interval sinusoid(const Interval& x, double shift) {
     const Bounds& b = x.bounds();
     if (b.nan || b.empty() || b.low < -pi || b.high > pi) return Interval::anything();
@@ -95,8 +95,8 @@ Interval sinusoid(const Interval& x, double shift) {
     return Interval::within({std::max(result.low(), -1.0), std::min(result.high(), 1.0), false});
 }
 
-// The angles of a box on one side of the cut; on the cut itself the sign of a zero decides, which may be
-// lost.
+// The angles of a box on one side of the cut. On the cut itself the sign of a zero decides, and that sign may
+// be lost.
 Interval half_plane(const Bounds& y, const Bounds& x) {
     Bounds angle{infinity, -infinity, false};
     for (const double v : {y.low, y.high}) {
@@ -164,8 +164,8 @@ Interval atan(const Interval& x) {
     return within_ulps(inflated(angle), rules().atan_ulps, arguments_of(x.bounds()));
 }
 
-// The angle is monotonic along each edge of a box that does not touch the cut (y = 0, x <= 0), so its ends
-// lie at corners.
+// The angle is monotonic along each edge of a box that does not touch the cut (y = 0, x <= 0), so its extrema
+// are at corners.
 Interval atan(const Interval& y, const Interval& x) {
     const Bounds& v = y.bounds();
     const Bounds& u = x.bounds();

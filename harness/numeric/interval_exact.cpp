@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions whose result Vulkan wants correct or correctly rounded, and what is made of them.
+// Functions whose results Vulkan requires to be correct or correctly rounded, and functions composed of
+// these.
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -17,8 +17,8 @@
 #include "numeric/interval.hpp"
 
 // Sums of products on vectors of intervals. GLSL's dot and matrix products inherit their precision from the
-// sum of products in any order, while GLM's generic operators have one order: these take the union over all
-// orders.
+// sum of products in any order, but GLM's generic operators have one order. These functions take the union
+// over all orders.
 namespace gloam::numeric {
 
 template <glm::length_t N>
@@ -87,7 +87,7 @@ using IntervalMat2 = glm::mat<2, 2, Interval>;
 using IntervalMat3 = glm::mat<3, 3, Interval>;
 using IntervalMat4 = glm::mat<4, 4, Interval>;
 
-// Not templates, so that they are preferred to GLM's.
+// Not templates, so that overload resolution prefers them to GLM's.
 [[nodiscard]] inline IntervalVec2 operator*(const IntervalMat2& m, const IntervalVec2& v) {
     return detail::product(m, v);
 }

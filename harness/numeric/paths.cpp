@@ -10,10 +10,10 @@ thread_local Paths* Paths::current_ = nullptr;
 
 namespace {
 
-// A run that asks more often is a loop that nothing in its intervals ends.
+// A run with more choices is an endless loop on its intervals.
 constexpr std::size_t most_choices = 4096;
 
-// Sets a pointer for as long as it lives.
+// Sets a pointer during its lifetime.
 template <class T>
 class Guard {
   public:
@@ -29,7 +29,7 @@ class Guard {
 
 }  // namespace
 
-// The next path in depth-first order: the last choice that has another possibility takes it.
+// The next path in depth-first order: the last choice with an untried possibility takes it.
 bool Paths::advance() {
     while (!choices_.empty() && choices_.back().taken + 1 == choices_.back().count) choices_.pop_back();
     if (choices_.empty()) return false;

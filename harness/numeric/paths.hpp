@@ -9,34 +9,35 @@
 
 namespace gloam::numeric {
 
-// How code that branches is run on intervals without being changed: it is run once for every way its
-// undecided comparisons may go. A comparison that an interval leaves open asks choose(); explore() repeats
-// the run until every sequence of answers was given. So the results over all runs hold every result that any
-// value inside the intervals can lead to. The format of the arithmetic travels with it.
+// Runs branching code on intervals without changing it: once for every way that its undecided comparisons may
+// go. A comparison that the intervals do not decide calls choose(); explore() repeats the run until every
+// sequence of answers was used. The results of all runs then contain every result for any values inside the
+// intervals. The exploration also sets the format of the arithmetic.
 //
-// What is being explored is a property of the running thread (an operator has no other way to learn of it);
-// explore() sets it and puts it back.
+// The current exploration is a property of the running thread, because an operator cannot get it otherwise;
+// explore() sets and restores it.
 class Paths {
   public:
-    // Thrown by run() to say that on this path anything at all is permitted.
+    // Thrown by run() if every result is permitted on this path.
     struct Undetermined {};
-    // Thrown by run() to say that no other path is of interest.
+    // Thrown by run() if no other path matters.
     struct Enough {};
 
     enum class Outcome { complete, enough, undetermined, too_many };
 
     // Calls run() for every path, at most `most` times. `undetermined`: some path ended with Undetermined;
-    // `too_many`: there are more paths than `most`. In both cases the runs do not cover what is permitted.
+    // `too_many`: there are more than `most` paths. In both cases the runs do not cover all permitted
+    // results.
     static Outcome explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run);
 
-    // One of `count` >= 1 possibilities, as the current path has it. Throws std::logic_error outside
+    // One of `count` >= 1 possibilities, chosen by the current path. Throws std::logic_error outside
     // explore().
     static std::size_t choose(std::size_t count);
 
-    // The format of the current exploration; float32 outside of one.
+    // The format of the current exploration; float32 outside an exploration.
     static const FloatFormat& format();
 
-    // The format from here on, until it is set again or the exploration ends: for code that mixes several.
+    // Sets the format until it is set again or the exploration ends, for code that mixes several formats.
     static void set_format(const FloatFormat& format);
 
   private:

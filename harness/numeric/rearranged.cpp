@@ -12,10 +12,10 @@
 namespace gloam::numeric {
 namespace {
 
-// A quotient is within 2.5 ULP, and may be a product with a reciprocal that is.
+// A quotient has an error of 2.5 ULP, and may be a product with a reciprocal with the same error.
 constexpr double quotient_roundings = 6.0;
 
-// The largest power of two that x is a multiple of; 0 for 0 and what is not finite.
+// The largest power of two that divides x; 0 for 0 and for values that are not finite.
 double lowest_bit(double x) {
     if (x == 0.0 || !std::isfinite(x)) return 0.0;
     int exponent = 0;
@@ -83,7 +83,7 @@ Rearranged operator*(const Rearranged& a, const Rearranged& b) {
     result.in_order_ = a.in_order_ * b.in_order_;
     result.magnitude_ = a.magnitude_ * b.magnitude_;
     result.largest_ = a.largest_ * b.largest_;
-    // Nothing is known of a grid where a factor has none, and nothing is lost where one is zero.
+    // If a factor has no grid, the product has none; if one is zero, nothing is lost.
     result.grid_ = a.grid_ == 0.0 || b.grid_ == 0.0 ? 0.0 : a.grid_ * b.grid_;
     result.terms_ = a.terms_ * b.terms_;
     result.roundings_ = a.roundings_ + b.roundings_ + 1.0;

@@ -5,19 +5,20 @@
 
 namespace gloam::numeric {
 
-// All results that Vulkan permits where an operation may be contracted with others and rearranged (no
-// NoContraction): sums, products and quotients may then be evaluated in any order that real numbers allow,
-// and with fewer roundings. A value is kept as the polynomial that it is of its leaves (inputs, and results
-// of operations that cannot be rearranged): the bounds that the order of the shader gives, and what bounds
-// the rounding errors of every other order. Expressions that add and subtract, or multiply and divide by,
-// what the shader does not name are not covered.
+// All results that Vulkan permits for operations that may be contracted and rearranged (no NoContraction).
+// Sums, products and quotients may then be evaluated in any order that is valid for real numbers, and with
+// fewer roundings.
+// A value is stored as a polynomial of its leaves, which are inputs and results of operations that cannot be
+// rearranged. Stored are the bounds for the shader's order, and the quantities that bound the rounding errors
+// of every other order. Expressions that add and subtract, or multiply and divide by, terms that are not in
+// the shader are not covered.
 class Rearranged {
   public:
     Rearranged() = default;
-    // A value that takes part as a whole.
+    // A leaf: a value that is not rearranged itself.
     explicit Rearranged(const Interval& leaf);
 
-    // Everything permitted.
+    // All permitted results.
     [[nodiscard]] Interval interval() const;
 
     friend Rearranged operator-(const Rearranged& x);
@@ -27,10 +28,10 @@ class Rearranged {
     friend Rearranged operator/(const Rearranged& a, const Rearranged& b);
 
   private:
-    Interval in_order_;       // in the order of the shader
+    Interval in_order_;       // for the shader's order
     double magnitude_ = 0.0;  // the sum of the magnitudes of the polynomial's terms
-    double largest_ = 1.0;    // that any partial result can reach
-    double grid_ = 0.0;       // a power of two that all terms are multiples of; 0: none known
+    double largest_ = 1.0;    // bound of any partial result
+    double grid_ = 0.0;       // a power of two that divides all terms; 0: unknown
     double terms_ = 1.0;
     double roundings_ = 0.0;  // of one term, by its products and quotients
     int operations_ = 0;

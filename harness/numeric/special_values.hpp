@@ -6,8 +6,8 @@
 
 namespace gloam::numeric {
 
-// Float32 values at which arithmetic changes its rules: signed zeros, the ends of the subnormal and normal
-// ranges, ones, the limit of exact integers, squares that under- and overflow, infinities, NaN.
+// Float32 values at which arithmetic behaves differently: signed zeros, the ends of the subnormal and normal
+// ranges, ones, the limit of exact integers, squares that overflow or underflow, infinities, NaN.
 inline constexpr std::array special_floats{
     0.0F,
     -0.0F,

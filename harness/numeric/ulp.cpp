@@ -16,7 +16,7 @@ namespace {
 constexpr double largest = std::numeric_limits<float>::max();
 constexpr double smallest_normal = std::numeric_limits<float>::min();
 
-// 0 or infinity where the distance is not a matter of measure; -1 where it is.
+// 0 or infinity if the error is not a matter of distance; -1 if it is.
 double settled_error(float got, double want) {
     if (std::isnan(got) || std::isnan(want)) return std::isnan(got) && std::isnan(want) ? 0.0 : infinity;
     if (std::abs(want) > largest) {
@@ -47,7 +47,7 @@ double absolute_error(float got, double want) {
 
 float step(float x, int steps) {
     if (std::isnan(x)) return x;
-    // Map floats to integers that count representable values from zero.
+    // Maps floats to integers that count representable values from zero.
     const auto bits = std::bit_cast<std::uint32_t>(x);
     const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffU);
     const std::int64_t ordinal = (bits >> 31) != 0 ? -magnitude : magnitude;

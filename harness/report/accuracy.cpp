@@ -65,7 +65,7 @@ std::string measured_text(const std::optional<MeasuredError>& measured) {
     return numeric::to_short_text(measured->fraction) + " " + measured->variant;
 }
 
-// The name where it is the only one of its kind, else with the driver.
+// The device's name if it is unique; otherwise with the driver.
 std::string column_title(const CheckReport& report, const std::vector<CheckReport>& reports) {
     const auto same = [&](const CheckReport& other) { return other.device.name == report.device.name; };
     return std::ranges::count_if(reports, same) == 1 ? report.device.name : name_of(report.device);
@@ -82,7 +82,7 @@ std::string markdown_header(std::vector<std::string> titles, const std::vector<C
     return line + "\n" + rules + "\n";
 }
 
-// Shares of the documented error that a row of the first table counts, each to its upper end.
+// A range of shares of the documented error, up to the upper end, for a row of the first table.
 struct Part {
     std::string_view name;
     double most;
@@ -149,7 +149,7 @@ std::string failure_text(const check::Answer& row) {
 std::string failures_table(const std::vector<CheckReport>& reports) {
     std::string text;
     for (const CheckReport& report : reports) {
-        std::vector<std::pair<std::string, std::string>> failures;  // the equation, and its variants
+        std::vector<std::pair<std::string, std::string>> failures;  // by equation: its variants
         for (const check::Answer& row : report.rows) {
             if (row.passed()) continue;
             if (failures.empty() || failures.back().first != row.equation)

@@ -10,30 +10,30 @@
 
 namespace gloam::report {
 
-// The largest error that a driver was measured at, over the variants that the documented error judges.
+// The largest measured error of a driver, over the variants that are judged by the documented error.
 struct MeasuredError {
     double fraction = 0.0;  // of the documented error
-    std::string variant;    // the one with the largest
+    std::string variant;    // the variant with the largest error
 };
 
-// How accurate an equation is documented to be, may be, and was.
+// The documented, the guaranteed and the measured accuracy of an equation.
 struct EquationAccuracy {
     std::string equation;
     std::string documented;  // "4 ulp"; empty where Vulkan's rules alone judge
     std::optional<check::Guarantee>
-        any_driver;     // what the rules leave any driver; nothing without a strict run
-    double open = 0.0;  // share of the inputs for which the rules permit anything
-    std::vector<std::optional<MeasuredError>> measured;  // for each report; nothing where the rules judge
+        any_driver;     // what the rules guarantee on any driver; nullopt without a strict run
+    double open = 0.0;  // share of the inputs for which the rules permit every result
+    std::vector<std::optional<MeasuredError>> measured;  // for each report; nullopt if the rules judge
 };
 
-// Of every equation, in the order of the rows; one report for each driver.
+// The accuracy of every equation, in the order of the rows; one report for each driver.
 [[nodiscard]] std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports);
 
-// Tables of Markdown: how many equations use which part of their documented error on each driver, what the
-// rules leave, the ten equations that use most, and every check that failed.
+// Markdown tables: how many equations use which part of their documented error on each driver, what the rules
+// guarantee, the ten equations that use the largest part, and every check that failed.
 [[nodiscard]] std::string to_accuracy_markdown(const std::vector<CheckReport>& reports);
 
-// A row for each equation: documented, any driver, and each driver that was measured.
+// A row for each equation: documented error, error on any driver, and measured error of each driver.
 [[nodiscard]] PageTable accuracy_table(const std::vector<CheckReport>& reports);
 
 }  // namespace gloam::report

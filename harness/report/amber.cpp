@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t words_in_a_line = 8;
 constexpr std::size_t fault_words = 5;
-// The kernel writes its canary behind the outputs; these are the bits of 1, to be seen in either view.
+// The canary that the kernel writes behind the outputs: the bits of 1, visible as a float and as a word.
 constexpr std::uint32_t canary = 0x3f800000U;
 constexpr auto largest = std::numeric_limits<float>::max();
 
@@ -28,7 +28,7 @@ std::string buffer_declaration(const std::string& name, const std::vector<std::u
     return text + "END\n\n";
 }
 
-// Amber reads a number without a point as an integer, and takes a shader to end at the first "END".
+// Amber reads a number without a point as an integer, and ends a shader at the first "END".
 std::string number(float value) {
     return fmt::format("{:#.9g}", value);
 }
@@ -40,7 +40,7 @@ std::string without_end(std::string assembly) {
     return assembly;
 }
 
-// The ends of the range as floats inside it.
+// The ends of a range as floats inside it.
 float lowest_inside(double low) {
     auto value = static_cast<float>(low);
     return static_cast<double>(value) < low ? std::nextafter(value, INFINITY) : value;
@@ -50,7 +50,7 @@ float highest_inside(double high) {
     return static_cast<double>(value) > high ? std::nextafter(value, -INFINITY) : value;
 }
 
-// Amber's comparisons hold for NaN, so that it must be refused apart; and it has no word for infinity.
+// Amber's comparisons are true for NaN, so NaN is excluded separately. Amber has no word for infinity.
 std::string expect_float(std::size_t byte, const numeric::Bounds& allowed) {
     const auto expect = [byte](const std::string& condition) {
         return fmt::format("EXPECT floats IDX {} {}\n", byte, condition);
@@ -98,7 +98,7 @@ std::string pipeline(const KernelReplay& replay, const std::string& view) {
     return text + fmt::format("END\n\nRUN read_{} 1 1 1\n", view);
 }
 
-// The outputs seen as floats or as words: a buffer has one type.
+// A view of the outputs as floats or as words, because an Amber buffer has one type.
 std::string view_of(const KernelReplay& replay, bool floats) {
     const std::string view = floats ? "floats" : "words";
     std::string text =

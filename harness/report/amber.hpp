@@ -9,7 +9,8 @@
 
 namespace gloam::report {
 
-// One dispatch of a generated kernel for a single input: what an AmberScript file needs to repeat it.
+// One dispatch of a generated kernel for a single input, with all that an AmberScript file needs to repeat
+// it.
 struct KernelReplay {
     std::vector<std::string> comments;  // lines at the top: what, where, how to run
     std::string assembly;               // SPIR-V 1.5
@@ -21,15 +22,15 @@ struct KernelReplay {
     };
     std::vector<Image> images;  // in the order of their bindings
     struct Output {
-        bool is_float = true;                  // else its word counts
-        std::vector<numeric::Bounds> allowed;  // one, or none: not judged
+        bool is_float = true;                  // false: compared as words
+        std::vector<numeric::Bounds> allowed;  // one range, or none: not judged
         std::string comment;
     };
     std::vector<Output> outputs;
 };
 
-// An AmberScript (https://github.com/google/amber) that runs the kernel and expects each output to lie in its
-// range, ends included; NaN only where it is allowed. Run it with `amber -v 1.2 -t spv1.5 FILE`.
+// An AmberScript (https://github.com/google/amber) that runs the kernel and expects each output in its range,
+// ends included; NaN only if it is allowed. Run it with `amber -v 1.2 -t spv1.5 FILE`.
 [[nodiscard]] std::string to_amber(const KernelReplay& replay);
 
 }  // namespace gloam::report

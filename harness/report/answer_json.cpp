@@ -37,7 +37,7 @@ check::InputClass read_class(const std::string& name, const JsonReader& json) {
     json.expected("a class of inputs");
 }
 
-// Those that had inputs.
+// The classes that had inputs.
 ordered_json classes_json(const Answer& answer) {
     ordered_json json = ordered_json::object();
     for (std::size_t i = 0; i < check::input_class_count; ++i) {
@@ -94,7 +94,7 @@ std::optional<check::Sample> read_sample(const JsonReader& json) {
     return sample;
 }
 
-// Only where the rules are the verdict is what they permit calculated.
+// Present only if the verdict is by the rules, because only then the permitted results are calculated.
 ordered_json guarantee_json(const Answer& answer) {
     if (answer.verdict != check::Verdict::rules) return nullptr;
     return {{"ulp", number_json(answer.guarantee.ulp)},

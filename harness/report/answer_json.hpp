@@ -8,9 +8,9 @@
 
 namespace gloam::report {
 
-// One line of JSON, and back: the worst input comes back without its fractions, the first for which the rules
-// permit anything as text alone, and the first failures of each class not at all. Reading throws
-// std::runtime_error that names the field and what was expected.
+// One line of JSON, and back. Reading restores the worst input without its fractions, the first unbounded
+// input as text alone, and no first failures. It throws std::runtime_error with the field's name and what was
+// expected.
 [[nodiscard]] std::string to_json(const check::Answer& answer);
 [[nodiscard]] check::Answer answer_from_json(std::string_view text);
 

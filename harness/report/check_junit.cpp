@@ -26,7 +26,8 @@ std::string escaped(std::string_view text) {
                 out += "&#10;";
                 break;
             default:
-                // XML 1.0 has no other control characters, not even escaped: a driver's message might.
+                // XML 1.0 does not allow other control characters, not even escaped; a driver's message may
+                // contain them.
                 out += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? '?' : c;
         }
     }

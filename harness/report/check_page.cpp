@@ -13,9 +13,9 @@ namespace gloam::report {
 namespace {
 
 constexpr std::size_t longest_value = 400;     // bytes of a cell
-constexpr std::size_t longest_story = 12'000;  // bytes of a failure, its worst input explained
+constexpr std::size_t longest_story = 12'000;  // bytes of a failure's story
 constexpr std::size_t most_stories = 100;
-constexpr int device_column = 3;  // where there are several devices
+constexpr int device_column = 3;  // if there are several devices
 
 std::vector<PageColumn> columns(bool several_devices) {
     std::vector<PageColumn> all{
@@ -45,7 +45,7 @@ PageCell verdict_cell(const check::Answer& row) {
     return {.text = verdict_of(row), .tone = row.passed() ? Tone::good : Tone::bad};
 }
 
-// Without the device.
+// The cells of a row, without the device.
 std::vector<PageCell> cells_of(const check::Answer& row) {
     std::vector<PageCell> cells{verdict_cell(row),
                                 {row.equation},

@@ -9,13 +9,13 @@
 
 namespace gloam::report {
 
-// Every check of every device, failures first: a row each, with what it found and its worst input. The device
-// has a column where there are several.
+// Every check of every device, failures first: a row each, with its results and its worst input. There is a
+// column for the device if there are several.
 [[nodiscard]] PageTable check_table(const std::vector<CheckReport>& reports);
 
-// The results of `gloam check` as one HTML page: the devices with how many checks failed, the story of each
-// failure, accuracy_table() and check_table(). `notes`: paragraphs below the title, conflicts between merged
-// files say.
+// The results of `gloam check` as one HTML page: the devices with the number of failed checks, the story of
+// each failure, accuracy_table() and check_table(). `notes`: paragraphs below the title, for example
+// conflicts between merged files.
 [[nodiscard]] std::string to_check_page(const std::vector<CheckReport>& reports,
                                         const std::vector<std::string>& notes = {});
 

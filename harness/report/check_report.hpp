@@ -11,7 +11,7 @@
 
 namespace gloam::report {
 
-// The device a check ran on, as the report shows it.
+// The device of a check, for reports.
 struct DeviceSummary {
     std::string name;
     std::string driver;
@@ -23,23 +23,24 @@ struct DeviceSummary {
     bool rounds_to_even = false;
 };
 
-// "NAME (DRIVER)": what tells one driver from another in a report.
+// "NAME (DRIVER)", which identifies a driver in a report.
 [[nodiscard]] std::string name_of(const DeviceSummary& device);
 
-// One line of JSON, and back. Reading throws std::runtime_error that names the field and what was expected.
+// One line of JSON, and back. Reading throws std::runtime_error with the field's name and what was expected.
 [[nodiscard]] std::string to_json(const DeviceSummary& device);
 [[nodiscard]] DeviceSummary device_from_json(std::string_view text);
 
-// Everything one device was asked.
+// The results of all checks of one device.
 struct CheckReport {
     DeviceSummary device;
     std::vector<check::Answer> rows;
-    std::string versions{};  // of gloam and of the compilers; empty: not known
+    std::string versions{};  // of gloam and of the compilers; empty: unknown
 
     [[nodiscard]] std::size_t failures() const;
 };
 
-// "ok", the number of inputs outside what is allowed ("3 outside"), or why the check did not run ("hang").
+// "ok", the number of inputs outside what is allowed ("3 outside"), or the reason why the check did not run
+// ("hang").
 [[nodiscard]] std::string verdict_of(const check::Answer& row);
 
 // Column titles, and one line for each row: ID, function, variant, inputs, worst ULP, worst absolute error as
@@ -57,8 +58,8 @@ struct CheckReport {
 // where the verdict is the budget. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 
-// The reports of such a text: one object or an array of them. Throws std::runtime_error that says where in
-// the text something else stands and what was expected.
+// Reads such a text: one object or an array of them. Throws std::runtime_error with the place in the text,
+// what was found and what was expected.
 [[nodiscard]] std::vector<CheckReport> reports_from_json(std::string_view text);
 
 // JUnit XML: a test suite for each device, a test case for each row. A row that did not run is an error whose

@@ -9,7 +9,7 @@
 namespace gloam::report {
 namespace {
 
-// As wide as the longest ID, function and variant.
+// Widths of the longest ID, function and variant.
 constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>10} {:>10}  {:<9} {}";
 
 }  // namespace

@@ -37,7 +37,7 @@ Color heat_color(double value) {
     const double t = value > 0.0 ? std::min(value, 1.0) : 0.0;
     const double lightness = 0.08 + 0.89 * t;
     const double hue = (285.0 + 180.0 * t) * std::numbers::pi / 180.0;
-    // As colourful as the screen allows, up to a limit: the lightness must not be touched.
+    // Reduces the chroma until the colour is displayable, because the lightness must not change.
     Triple rgb{};
     for (double chroma = 0.18; chroma > -0.005; chroma -= 0.005) {
         rgb = linear_from_oklab(lightness, chroma * std::cos(hue), chroma * std::sin(hue));

@@ -20,7 +20,7 @@ std::string allowed_text(const numeric::Bounds& allowed) {
                        allowed.nan ? ", or NaN" : "");
 }
 
-// Whole numbers beyond a few digits as they are: their bits tell nobody more.
+// Integers with many digits in decimal alone; their bits as a double carry no information.
 std::string wanted_text(double number) {
     constexpr double many_digits = 65'536.0;
     constexpr double exact = 9'007'199'254'740'992.0;

@@ -17,12 +17,12 @@ using RgbBytes = std::vector<std::uint8_t>;
 // Magnitudes of errors as a heat map: see to_heat_png(). Throws std::invalid_argument for a scale not > 0.
 [[nodiscard]] RgbBytes heat_rgb(std::span<const float> errors, double full);
 
-// Linear red, green and blue in [0, 1], three for each pixel, as sRGB (IEC 61966-2-1); beyond: the nearer
-// end, NaN: 0.
+// Linear red, green and blue in [0, 1], three for each pixel, as sRGB (IEC 61966-2-1). Values are clamped to
+// [0, 1]; NaN counts as 0.
 [[nodiscard]] RgbBytes srgb_of(std::span<const float> linear);
 
-// Images as the bytes of a file. `width` and `height` in pixels, rows from the top; all throw
-// std::invalid_argument when the number of texels is not what the size asks for.
+// Images as the bytes of a file. `width` and `height` in pixels, rows from the top. All throw
+// std::invalid_argument when the number of texels does not match the size.
 
 // Portable float map, little-endian: width * height * channels floats, 1 or 3 channels. Any float is kept,
 // bit by bit.
@@ -33,8 +33,8 @@ using RgbBytes = std::vector<std::uint8_t>;
 [[nodiscard]] std::string to_png(std::span<const std::uint8_t> grey, std::uint32_t width,
                                  std::uint32_t height);
 
-// PNG of visibility, 1 - occlusion, white where open: what one looks at. Occlusion outside [0, 1] is taken to
-// the nearer end, NaN to 0. Linear: value v in [0, 1] is stored as v * 255, rounded to the nearest.
+// PNG of visibility, 1 - occlusion, white where open, for display. Occlusion is clamped to [0, 1]; NaN counts
+// as 0. Linear: value v in [0, 1] is stored as v * 255, rounded to the nearest.
 [[nodiscard]] std::string to_visibility_png(std::span<const float> occlusion, std::uint32_t width,
                                             std::uint32_t height);
 
@@ -42,8 +42,8 @@ using RgbBytes = std::vector<std::uint8_t>;
 [[nodiscard]] std::string to_rgb_png(std::span<const std::uint8_t> rgb, std::uint32_t width,
                                      std::uint32_t height);
 
-// PNG of the magnitudes of errors as a heat map: 0 nearly black, `full` (> 0) and more pale yellow, in the
-// colours of heat_color(); grey where the error is NaN, which is to say not known.
+// PNG of the magnitudes of errors as a heat map in the colours of heat_color(): 0 is nearly black, `full` (>
+// 0) and more is pale yellow. NaN, an unknown error, is grey.
 [[nodiscard]] std::string to_heat_png(std::span<const float> errors, std::uint32_t width,
                                       std::uint32_t height, double full);
 

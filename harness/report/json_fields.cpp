@@ -122,8 +122,8 @@ ordered_json parse_json(std::string_view text) {
         base::require_bounded_json(text);
         return ordered_json::parse(text);
     } catch (const ordered_json::exception& error) {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the number helps nobody,
-        // and neither does the whole of what was read last.
+        // Removes the exception's number from "[json.exception.parse_error.101] parse error at line 1, column
+        // 2: ...", and shortens the quoted text.
         const std::string message = base::shortened(error.what(), longest_message);
         const std::size_t bracket = message.find("] ");
         throw std::runtime_error("no JSON: " +

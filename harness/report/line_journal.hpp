@@ -8,22 +8,22 @@
 
 namespace gloam::report {
 
-/// A file of lines that is written as results come, so that an interruption loses none of them. Its first
-/// line says under which circumstances the others may be taken over.
+// A file of lines that is written as results come, so that an interruption loses none of them. Its first line
+// states the conditions under which the other lines may be taken over.
 class LineJournal {
   public:
-    /// Begins the file anew; or, with `resume`, takes over the lines of one that begins with `heading`. A
-    /// last line without its end was being written, and is dropped. An empty path keeps nothing. Throws
-    /// std::runtime_error for a file that cannot be read or written, or that begins otherwise.
+    // Starts the file anew, or, with `resume`, takes over its lines if it begins with `heading`. A last line
+    // without its end was being written, and is dropped. An empty path: no file. Throws std::runtime_error
+    // for a file that cannot be read or written, or that begins with another heading.
     LineJournal(std::filesystem::path path, const std::string& heading, bool resume);
 
-    /// The lines that were taken over, without the heading; the first of them is line 2 of the file.
+    // The lines that were taken over, without the heading; the first of them is line 2 of the file.
     [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// Appends a line (without its end); on return it is in the file. Throws std::runtime_error when it
-    /// cannot be written.
+    // Appends a line (without its end); on return it is in the file. Throws std::runtime_error if it cannot
+    // be written.
     void add(std::string_view line) const;
 
   private:

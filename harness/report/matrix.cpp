@@ -43,7 +43,7 @@ std::vector<Line> lines_of(const std::vector<CheckReport>& reports) {
             lines.front().push_back(reports.size() == 1 ? variant : fmt::format("{} {}", i + 1, variant));
         }
         for (const check::Answer& row : reports[i].rows) {
-            if (row.variant.empty()) continue;  // the device itself: the summary tells
+            if (row.variant.empty()) continue;  // the row of the device itself, which is in the summary
             Line& line = by_equation.try_emplace(row.equation, Line{row.equation}).first->second;
             const auto at = std::ranges::find(variants, row.variant) - variants.begin();
             line.resize(std::max(line.size(), first + static_cast<std::size_t>(at) + 1), "-");

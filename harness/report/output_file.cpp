@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a link leads to; the link itself where it leads nowhere yet.
+// The target of a link; the link itself if its target does not exist.
 fs::path end_of_links(const fs::path& path) {
     std::error_code none;
     if (!fs::is_symlink(path, none)) return path;
@@ -23,7 +23,7 @@ fs::path end_of_links(const fs::path& path) {
     return none || end.empty() ? path : end;
 }
 
-// Devices (/dev/full) and what this process has open already (/dev/stdout) are written to as they are.
+// Devices (/dev/full) and files that this process has open (/dev/stdout) are written in place.
 bool is_written_in_place(const fs::path& path) {
     std::error_code none;
     const fs::file_status status = fs::status(path, none);

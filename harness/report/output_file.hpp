@@ -6,16 +6,16 @@
 
 namespace gloam::report {
 
-// A file to be written at the end of long work: whether it can be is found out at the beginning. It appears
-// whole or not at all; a link that the caller names stays one, and what it leads to is replaced. Devices and
-// open files (/dev/stdout) are written to. An empty path writes nothing.
+// A file that is written at the end of long work; the constructor finds out whether it can be. It appears
+// complete or not at all. A link remains, and its target is replaced. Devices and open files (/dev/stdout)
+// are written in place. An empty path writes nothing.
 class OutputFile {
   public:
-    // Throws std::runtime_error when the folder is missing or cannot be written to.
+    // Throws std::runtime_error if the folder is missing or cannot be written to.
     explicit OutputFile(std::filesystem::path path);
 
-    // Throws std::runtime_error when the text could not be written (a full disk, say); nothing is left behind
-    // then.
+    // Writes the file. Throws std::runtime_error if that fails, for example on a full disk; then nothing is
+    // left behind.
     void write(std::string_view text) const;
 
   private:

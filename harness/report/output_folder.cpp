@@ -19,19 +19,19 @@ namespace {
 namespace fs = std::filesystem;
 using base::fail_to_write;
 
-// Names come from data, too: none may lead out of the folder.
+// Names can come from data, and must not lead out of the folder.
 void require_file_name(const std::string& name) {
     if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
         name.find('\0') != std::string::npos)
         throw std::invalid_argument("output file \"" + name + "\": expected a name without a folder");
 }
 
-// The folder for one process alone, until the end of the scope.
+// Locks the folder for this process until the end of the scope.
 class FolderLock {
   public:
     explicit FolderLock(const fs::path& folder)
         : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        if (!file_.is_open()) return;  // put() says what is wrong with it
+        if (!file_.is_open()) return;  // put() reports the reason
         while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
         }
     }
@@ -64,7 +64,7 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
 
 OutputFolder::~OutputFolder() {
     waiting_.clear();
-    std::error_code ignored;  // a destructor has nobody to tell
+    std::error_code ignored;  // a destructor cannot report it
     for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
 }
 
@@ -73,7 +73,7 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
     const fs::path file = folder_ / name;
     std::error_code none;
     if (fs::is_directory(file, none)) fail_to_write(file, EISDIR);
-    fs::create_directories(folder_, none);  // another run that had made it may have given up
+    fs::create_directories(folder_, none);  // another run that had made it may have removed it
     base::WrittenAside aside(file, bytes);
     const auto known =
         std::ranges::find(waiting_, file, [](const base::WrittenAside& other) { return other.path(); });

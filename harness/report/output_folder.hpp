@@ -11,13 +11,13 @@
 
 namespace gloam::report {
 
-// A folder that receives the files of one run: all of them, or none. Files appear under their names when
-// keep() is called; until then they lie beside under names that nobody else uses, and go with the object, as
-// do folders that it made itself. Of several runs with one folder each keeps all of its files at once.
+// A folder that receives the files of one run: all of them, or none. Files get their names when keep() is
+// called. Until then they have unique temporary names beside these, and are removed with the object, as are
+// folders that it created. If several runs use one folder, each keeps all of its files at once.
 class OutputFolder {
   public:
-    // Makes the folder where it is missing. Throws std::runtime_error that names it when it cannot be made or
-    // written to: found out before the work, not after.
+    // Creates the folder if it is missing. Throws std::runtime_error with its name if it cannot be created or
+    // written to, before any work.
     explicit OutputFolder(std::filesystem::path folder);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
@@ -25,11 +25,11 @@ class OutputFolder {
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
-    // Writes a file, replacing one of the same name at keep(), be it a link. Throws std::runtime_error that
-    // names the file and the reason (a full disk, say), std::invalid_argument for a name that is a path.
+    // Writes a file. keep() replaces a file or link of the same name. Throws std::runtime_error with the
+    // file's name and the reason, for example a full disk; std::invalid_argument for a name that is a path.
     void write(const std::string& name, std::string_view bytes);
 
-    // All files get their names. Throws std::runtime_error that names the file that could not.
+    // Gives all files their names. Throws std::runtime_error with the name of a file for which this fails.
     void keep();
 
   private:

@@ -14,7 +14,7 @@
 namespace gloam::report {
 namespace {
 
-// The hash that the content security policy names the script by: base64 of the bytes, given in hexadecimal.
+// The script's hash for the content security policy: base64 of bytes that are given in hexadecimal.
 std::string base64_of_hex(std::string_view hex) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
@@ -31,7 +31,7 @@ std::string base64_of_hex(std::string_view hex) {
     return text;
 }
 
-// The path of a URL: what has a meaning in one is written as %XX.
+// The path of a URL: characters with a special meaning become %XX.
 std::string url_of(std::string_view file) {
     constexpr std::string_view plain = "-_.~/";
     std::string url;
@@ -66,7 +66,7 @@ std::string cell_html(const PageColumn& column, const PageCell& cell) {
     return html + ">" + escaped_html(cell.text) + "</td>";
 }
 
-// A list of the different texts of a column.
+// A selection list of the distinct texts of a column.
 std::string choice_html(const PageTable& table, std::size_t column) {
     std::set<std::string> texts;
     for (const auto& row : table.rows) texts.insert(row[column].text);

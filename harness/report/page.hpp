@@ -10,43 +10,43 @@
 
 namespace gloam::report {
 
-// How a table cell is marked.
+// The mark of a table cell.
 enum class Tone { plain, good, bad };
 
-// A cell of a table. With a value the column is sorted by it, otherwise by the text.
+// A cell of a table. Columns are sorted by the value if there is one, otherwise by the text.
 struct PageCell {
     std::string text;
     std::optional<double> value{};
     Tone tone = Tone::plain;
 };
 
-// A cell that is sorted by `value` and shows `text`.
+// A cell that shows `text` and is sorted by `value`.
 [[nodiscard]] inline PageCell number_cell(double value, std::string text) {
     return {.text = std::move(text), .value = value};
 }
 
 struct PageColumn {
     std::string title;
-    std::string meaning{};  // one sentence, listed above the table; empty: the title says it
-    bool numeric = false;   // aligned to the right; the first click sorts the largest to the top
-    bool filter = false;    // has few different texts, of which one can be chosen
+    std::string meaning{};  // one sentence, listed above the table; empty: the title suffices
+    bool numeric = false;   // right-aligned; the first click sorts the largest to the top
+    bool filter = false;    // has few distinct texts, one of which can be selected
 };
 
-// A table that a reader sorts by a click on a title, and filters by words and by the columns' own choices.
+// A table that a reader can sort by a click on a title, and filter by words and by the columns' selections.
 struct PageTable {
     std::vector<PageColumn> columns;
-    std::vector<std::vector<PageCell>> rows;  // each as many cells as there are columns
+    std::vector<std::vector<PageCell>> rows;  // each with a cell for each column
 };
 
-// A picture file beside the page, and what it shows.
+// A picture file beside the page, and its description.
 struct PagePicture {
     std::string file;
     std::string caption;
 };
 
-// An HTML page in one file: no network, no library; light or dark as the reader's system is; every control
-// can be reached by keyboard. Texts may come from anywhere: they are escaped, and the page's content security
-// policy lets the page's own script run and no other.
+// An HTML page in one file, without network or library. It is light or dark like the reader's system, and
+// every control is accessible by keyboard. Texts can be untrusted: they are escaped, and the content security
+// policy permits the page's own script only.
 class Page {
   public:
     explicit Page(std::string_view title);
@@ -55,7 +55,7 @@ class Page {
     void paragraph(std::string_view text);
     void preformatted(std::string_view text);
 
-    // Two pictures of one size, one above the other behind a slider: `before` to its left.
+    // Two pictures of one size on top of each other with a slider; `before` is on its left.
     void compare(const PagePicture& before, const PagePicture& after, std::string_view caption);
 
     // Pictures side by side, as many in a row as fit.
@@ -64,10 +64,10 @@ class Page {
     // One of several pictures, chosen with a slider: views around an object, or frames.
     void turntable(const std::vector<PagePicture>& pictures, std::string_view caption);
 
-    // Throws std::invalid_argument for a row with another number of cells than there are columns.
+    // Throws std::invalid_argument for a row with another number of cells than columns.
     void table(const PageTable& table);
 
-    // The whole file.
+    // The complete file.
     [[nodiscard]] std::string html() const;
 
   private:
@@ -75,8 +75,9 @@ class Page {
     std::string body_;
 };
 
-// The text for HTML, in element content and in quoted attributes: & < > " ' as entities, control characters
-// other than tab and line break as U+FFFD. Bytes that are not UTF-8 stay: a browser shows them as U+FFFD.
+// Escapes a text for HTML, in element content and in quoted attributes: & < > " ' become entities, control
+// characters except tab and line break become U+FFFD. Bytes that are not UTF-8 stay; a browser shows them as
+// U+FFFD.
 [[nodiscard]] std::string escaped_html(std::string_view text);
 
 }  // namespace gloam::report

@@ -20,9 +20,9 @@ const base::ProcessLimits limits{.memory_bytes = std::uint64_t{4} << 30,
                                  .cpu = std::chrono::seconds(60),
                                  .patience = std::chrono::seconds(120)};
 
-// A text for gnuplot, whoever wrote it: in its double quotes, where all but letters and spaces stands as the
-// number of its byte (digits, too: gnuplot takes any that follow such a number for a part of it), and a
-// control character as a space. Nothing of it can end the text or be obeyed.
+// Encodes an untrusted text for gnuplot's double quotes. All characters except letters and spaces become the
+// numbers of their bytes. That includes digits, because gnuplot would read a digit behind such a number as a
+// part of it. Control characters become spaces. The text can neither end the string nor run a command.
 std::string encoded(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) {
@@ -62,7 +62,7 @@ std::string drawn_of(std::size_t number, const Curve& curve) {
     return fmt::format("$curve{} using 1:2 {} title {}", number, style_of(curve.style), encoded(curve.name));
 }
 
-// The labels of a plot that does not place them apart from each other.
+// The labels of a plot that does not move them apart.
 std::string labels_of(const Plot& plot) {
     std::string text;
     for (const Curve& curve : plot.curves) {
@@ -84,7 +84,7 @@ std::string axis(char name, const internal::LogRange& range) {
                        range.high, tics);
 }
 
-// Axes as long as what is shown, and its labels apart from each other, with lines to their points.
+// Axes with the range of the data, and labels moved apart, with lines to their points.
 std::string logarithmic(const Plot& plot) {
     std::vector<double> xs;
     std::vector<double> ys;
@@ -124,7 +124,7 @@ std::string script_of(const Plot& plot, const Terminal& terminal) {
     std::string script = fmt::format("set terminal {} {}\n", terminal.name, terminal.settings);
     script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", encoded(plot.title),
                           encoded(plot.x), encoded(plot.y));
-    script += "set linetype 5 linecolor rgb '#8c564b'\n";  // for a yellow that cannot be read
+    script += "set linetype 5 linecolor rgb '#8c564b'\n";  // instead of a yellow that is hard to read
     script += "set grid\nset key outside right samplen 2\n";
     script += plot.logarithmic ? logarithmic(plot) : "set yrange [0:*]\n" + labels_of(plot);
     std::string drawn;
@@ -156,7 +156,7 @@ std::string drawn(const Plot& plot, const Terminal& terminal) {
     validate(plot);
     if (!has_point(plot))
         throw std::invalid_argument("plot \"" + plot.title + "\": there is no point to draw");
-    // The script on its standard input, the image on its standard output: no file, no shell.
+    // The script comes on standard input, the image on standard output: no file, no shell.
     base::ProcessResult gnuplot;
     try {
         gnuplot = base::run_process({"gnuplot", "-d"}, script_of(plot, terminal), limits);

@@ -10,8 +10,8 @@ namespace gloam::report {
 enum class CurveStyle {
     line,        // with its points
     points,      // alone
-    background,  // small grey points: what the others stand among
-    steps        // a thick black staircase, each point's value until the next: a front
+    background,  // small grey points, behind the others
+    steps        // a thick black staircase, constant up to the next point: a front
 };
 
 // A line of a plot. A y that is not finite leaves a gap.
@@ -19,20 +19,20 @@ struct Curve {
     std::string name;
     std::vector<std::pair<double, double>> points;
     CurveStyle style = CurveStyle::line;
-    std::vector<std::string> labels{};  // written beside the points, as many as there are; or none
+    std::vector<std::string> labels{};  // beside the points: one for each, or none
 };
 
 struct Plot {
     std::string title;
-    std::string x;  // what the axes show, with units
+    std::string x;  // titles of the axes, with units
     std::string y;
     bool logarithmic = false;  // both axes
     std::vector<Curve> curves;
 };
 
-// The plot as an SVG, drawn by gnuplot, which must be installed; texts may hold anything. Throws
-// std::runtime_error when it is not or cannot draw this, std::invalid_argument for a plot without a point or
-// with labels of another number.
+// The plot as an SVG. gnuplot, which must be installed, draws it. Texts can contain any characters. Throws
+// std::runtime_error if gnuplot is missing or fails, std::invalid_argument for a plot without a point or with
+// another number of labels than points.
 [[nodiscard]] std::string to_svg(const Plot& plot);
 
 // The same as a PNG.

@@ -8,7 +8,7 @@
 namespace gloam::report::internal {
 namespace {
 
-// Of a label, in parts of the plot, generously.
+// Size of a label as parts of the plot, estimated generously.
 constexpr double character = 0.0105;
 constexpr double line_height = 0.036;
 constexpr double gap = 0.008;  // between a point and its label
@@ -33,8 +33,8 @@ bool inside(const Box& box) {
     return box.left >= 0.0 && box.right <= 1.0 && box.bottom >= 0.0 && box.top <= 1.0;
 }
 
-// Where a label may stand: right of the point or left of it, a little above or below, clear of a line that
-// passes through it, then further and further away.
+// Candidate positions of a label: right or left of the point, slightly above or below, clear of a line
+// through it, then at increasing distances.
 std::vector<std::pair<double, double>> places_for(const std::pair<double, double>& point,
                                                   const std::string& text) {
     const double width = character * static_cast<double>(text.size());

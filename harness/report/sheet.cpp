@@ -26,7 +26,7 @@ struct Canvas {
 
     Canvas(std::size_t w, std::size_t h) : width(w), height(h), rgb(3 * w * h, paper) {}
 
-    // Ink over what is there: 0 none, 255 all.
+    // Darkens a pixel. ink: 0 none, 255 black.
     void darken(std::size_t x, std::size_t y, std::uint8_t ink) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
             std::uint8_t& value = rgb[3 * (y * width + x) + channel];
@@ -38,7 +38,7 @@ struct Canvas {
 // Glyphs of one size.
 class Font {
   public:
-    // Empty where there is no such file, or it is no font.
+    // Empty if the file does not exist or is not a font.
     static std::optional<Font> of_height(float pixels) {
         Font font;
         std::ifstream file(GLOAM_FONT, std::ios::binary);
@@ -50,7 +50,7 @@ class Font {
         return font;
     }
 
-    // A line of Latin-1 from the left end of a box of the canvas.
+    // Draws a line of Latin-1 text at the left end of a box of the canvas.
     void draw(Canvas& canvas, std::string_view text, std::size_t left, std::size_t top, std::size_t width) {
         int ascent = 0;
         stbtt_GetFontVMetrics(&info_, &ascent, nullptr, nullptr);

@@ -14,7 +14,7 @@ std::vector<double> roots_of(double a, double b, double c) {
     if (a == 0.0) return b == 0.0 ? std::vector<double>{} : std::vector<double>{-0.5 * c / b};
     const double discriminant = b * b - a * c;
     if (discriminant < 0.0) return {};
-    // Without the difference of two nearly equal numbers.
+    // This form avoids the difference of two nearly equal numbers.
     const double q = -(b + std::copysign(std::sqrt(discriminant), b));
     if (q == 0.0) return {0.0};
     std::vector<double> roots{q / a, c / q};
@@ -74,7 +74,7 @@ std::optional<SurfaceHit> AnalyticScene::hit(const Sphere& sphere, const glm::dv
     return std::nullopt;
 }
 
-// ((x - apex) . axis)^2 = sin^2 |x - apex|^2 on the axis' side.
+// Solves ((x - apex) . axis)^2 = sin^2 |x - apex|^2 on the axis' side.
 std::optional<SurfaceHit> AnalyticScene::hit(const Cone& cone, const glm::dvec3& origin,
                                              const glm::dvec3& direction) {
     const glm::dvec3 o = origin - cone.apex;

@@ -8,32 +8,33 @@
 
 namespace gloam::scene {
 
-// What lies on the inner side of a plane: (x - point) . normal >= 0.
+// The points on the inner side of a plane: (x - point) . normal >= 0.
 struct HalfSpace {
     glm::dvec3 point{0, 0, 0};
     glm::dvec3 normal{0, 0, 1};
 };
 
-// Where a ray meets a surface.
+// The intersection of a ray with a surface.
 struct SurfaceHit {
     double distance = 0.0;  // in units of the ray's direction
     glm::dvec3 normal{0};   // unit, against the ray
 };
 
-// Surfaces in closed form, met by rays in double: no mesh, no raster. Any space, any unit.
+// Surfaces in closed form, intersected by rays in double, without mesh or raster. Any space, any unit.
 class AnalyticScene {
   public:
-    // The part of a plane inside all of `limits`; all of it without any. The normal is unit.
+    // Adds the part of a plane inside all of `limits`; without limits the whole plane. The normal is unit.
     void add_plane(const HalfSpace& plane, std::vector<HalfSpace> limits = {});
 
-    // All of a sphere, seen from inside or outside. radius > 0.
+    // Adds a sphere, visible from inside and outside. radius > 0.
     void add_sphere(const glm::dvec3& center, double radius);
 
-    // A funnel: the points whose elevation over the plane through the apex, as seen from there, is constant.
-    // axis: unit, the middle of the opening. elevation: radians, above 0 and below pi / 2.
+    // Adds a funnel: the points that the apex sees at a constant elevation above the plane through it. axis:
+    // unit, the plane's normal and the middle of the opening. elevation: radians, above 0 and below pi / 2.
     void add_cone(const glm::dvec3& apex, const glm::dvec3& axis, double elevation);
 
-    // The nearest hit at a distance above 0; nullopt for none. `direction` may have any length but 0.
+    // The nearest hit at a distance above 0; nullopt if there is none. `direction` may have any length except
+    // 0.
     [[nodiscard]] std::optional<SurfaceHit> first_hit(const glm::dvec3& origin,
                                                       const glm::dvec3& direction) const;
 

@@ -64,7 +64,7 @@ glm::dmat4 projection_of(const Camera& camera, double aspect) {
     return projection;
 }
 
-// OpenGL's clip coordinates from Vulkan's: y up, z from 2 z - w.
+// Matrix from Vulkan's to OpenGL's clip coordinates: y up, z becomes 2 z - w.
 const glm::dmat4& clip_gl_from_vk() {
     static const glm::dmat4 matrix{{1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 2, 0}, {0, 0, -1, 1}};
     return matrix;

@@ -8,7 +8,7 @@ namespace gloam::scene {
 
 enum class Projection { perspective, orthographic };
 
-// A camera as people place it. View space is right-handed and looks down -z.
+// A camera by position and direction. View space is right-handed and looks down -z.
 struct Camera {
     glm::dvec3 eye{0, 0, 0};
     glm::dvec3 target{0, 0, -1};
@@ -26,21 +26,21 @@ struct CameraFrame {
     glm::mat4 view{1};                       // world to view
     glm::mat4 proj_vk{1};                    // view to clip: y down, z in [0, 1]
     std::optional<glm::mat4> previous_view;  // world to view of the frame before
-    // View space of this frame to that of the frame before. Calculated in double where the cameras are known:
-    // the product of the two above loses the difference far from the origin.
+    // View space of this frame to that of the previous one. It is calculated in double where the cameras are
+    // known, because the product of the two matrices above loses the difference far from the origin.
     std::optional<glm::mat4> previous_from_current;
 
-    // Elements [0][0] and [1][1] of proj_vk: what the shaders call p00_p11.
+    // Elements [0][0] and [1][1] of proj_vk; the shaders call them p00_p11.
     [[nodiscard]] glm::vec2 p00_p11() const { return {proj_vk[0][0], proj_vk[1][1]}; }
     [[nodiscard]] bool orthographic() const { return proj_vk[2][3] == 0.0F; }
 };
 
-// The matrices for an image of the given width over height, calculated in double. Throws
-// std::invalid_argument for a camera without a direction, a field of view outside (0, pi), or planes that are
-// not 0 < near < far.
+// The matrices for an image with this ratio of width to height, calculated in double. Throws
+// std::invalid_argument for a camera without a direction, a field of view outside (0, pi), or planes that do
+// not satisfy 0 < near < far.
 [[nodiscard]] CameraFrame make_frame(const Camera& camera, double aspect);
 
-// The same with the camera of the frame before.
+// The same, and the view matrix of the previous frame's camera.
 [[nodiscard]] CameraFrame make_frame(const Camera& camera, double aspect, const Camera& previous);
 
 // World to view, the rotation only: view position = rotation * (world position - eye). Throws
@@ -51,7 +51,8 @@ struct CameraFrame {
 [[nodiscard]] glm::dmat4 gl_from_vk(const glm::dmat4& proj_vk);
 [[nodiscard]] glm::dmat4 vk_from_gl(const glm::dmat4& proj_gl);
 
-// Depths of the two ends of a projection's depth range, nearest first; +infinity for an infinite far plane.
+// Depths of the two ends of a projection's depth range, nearer end first; +infinity for an infinite far
+// plane.
 struct Planes {
     double near = 0.0;
     double far = 0.0;

@@ -18,11 +18,11 @@ constexpr double away = 4.0;        // of the eye from the point
 constexpr double half_image = 1.6;  // from the point to the edge of the image, at its depth
 constexpr double roll = 0.35;       // radians about the optical axis: no edge runs along the pixels
 
-// Places a scene before the camera. It is described around the point: x towards what blocks, z along the
-// normal there.
+// Places a scene in front of the camera. The scene's coordinates start at the point; x points towards the
+// blockers, z along the normal.
 class Placement {
   public:
-    // tilt: radians of the eye's direction from the normal, away from what blocks.
+    // tilt: radians from the normal to the eye's direction, away from the blockers.
     Placement(double tilt, double distance) : distance_(distance) {
         const glm::dvec3 eye{-std::sin(tilt), 0, std::cos(tilt)};
         const glm::dvec3 side{std::cos(tilt), 0, std::sin(tilt)};
@@ -49,7 +49,7 @@ class Placement {
     glm::dvec3 back_;
 };
 
-// What a view is made of, but for its surfaces.
+// All parts of a view except its surfaces.
 struct Setup {
     std::string name;
     std::string description;
@@ -76,7 +76,7 @@ ClosedFormView view_of(const Setup& setup, Projection projection) {
     return view;
 }
 
-// A view of the floor and what `add` puts on it.
+// A view of the floor and of the surfaces that `add` adds.
 template <class Add>
 ClosedFormView on_floor(const Setup& setup, Projection projection, const Add& add) {
     ClosedFormView view = view_of(setup, projection);
@@ -109,7 +109,7 @@ ClosedFormView wall(double distance, Projection projection) {
         });
 }
 
-// From 2 R away, half way up: the floor is seen at 7 degrees.
+// From 2 R away, at half the height: the floor is seen at an angle of 7 degrees.
 ClosedFormView ceiling(Projection projection) {
     constexpr double height = 0.5;
     constexpr double along = 2.0;
@@ -159,7 +159,7 @@ ClosedFormView pit(Projection projection) {
     return view;
 }
 
-// The orthographic view starts half way up: what lies above would hide the inside.
+// The orthographic view starts at half the height, because the upper half would hide the inside.
 ClosedFormView sphere(Projection projection) {
     const bool orthographic = projection == Projection::orthographic;
     const Setup setup{.name = "sphere",
@@ -231,7 +231,7 @@ GBuffer draw(const ClosedFormView& view, std::uint32_t size) {
         }
     }
     const std::size_t middle = std::size_t{size} * (size / 2) + size / 2;
-    buffer.normal[middle] = glm::vec3(view.normal);  // where several surfaces meet
+    buffer.normal[middle] = glm::vec3(view.normal);  // several surfaces meet there
     return buffer;
 }
 

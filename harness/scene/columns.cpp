@@ -53,14 +53,14 @@ Mesh make_column(double x, double z) {
     return column;
 }
 
-// A box that stands out of the wall at x = side * half_width by `depth`, from the floor up.
+// A box at the wall at x = side * half_width, from the floor up. depth: how far it stands out.
 Mesh make_at_wall(double side, double depth, double height, double z_low, double z_high) {
     const double wall = side * half_width;
     const double face = side * (half_width - depth);
     return make_box({std::min(wall, face), 0, z_low}, {std::max(wall, face), height, z_high}, columns_cell);
 }
 
-// What a bay has besides its columns: a beam under the ceiling, pilasters and benches at the walls.
+// The other parts of a bay: a beam under the ceiling, pilasters and benches at the walls.
 Mesh make_bay(double z) {
     const double beam = hall_height - beam_height;
     Mesh mesh = make_box({-half_width, beam, z - 0.3}, {half_width, hall_height, z + 0.3}, columns_cell);
@@ -71,8 +71,8 @@ Mesh make_bay(double z) {
     return mesh;
 }
 
-// The near end: a cable a hand's breadth before the eye, a parapet that the camera looks over, a ball on it,
-// and balls on the floor behind.
+// The near end: a cable a hand's breadth in front of the eye, a parapet in front of the camera with a ball on
+// it, and balls on the floor behind.
 Mesh make_foreground() {
     Mesh mesh = make_box({0.1, 0, 0.2}, {2.0, 1.5, 0.72}, columns_cell);
     append(mesh, make_cylinder({0.222, 0, 0.89}, 0.008, hall_height, 24));
@@ -99,7 +99,7 @@ Scene make_columns() {
                     .near = 0.05,
                     .far = 250.0,
                     .reversed_z = true};
-    // Sways from side to side, so that everything near slides over what is far.
+    // The camera sways from side to side, so that near objects move in front of distant ones.
     scene.camera_path = [start = scene.camera](int frame) {
         Camera camera = start;
         camera.eye += glm::dvec3(0.12 * std::sin(0.05 * frame), 0.02 * std::sin(0.11 * frame), 0.0);

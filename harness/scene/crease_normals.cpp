@@ -16,7 +16,7 @@ glm::vec3 unit_or_zero(const glm::vec3& v) {
     return length > 0.0F && std::isfinite(length) ? v / length : glm::vec3(0);
 }
 
-// The unit normal of each triangle, 0 for one without area.
+// The unit normal of each triangle, 0 for a triangle without area.
 std::vector<glm::vec3> face_normals(const Mesh& mesh) {
     std::vector<glm::vec3> normals;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -38,7 +38,7 @@ float angle_at(const Mesh& mesh, std::size_t corner) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// The corners at each position, however many vertices stand there.
+// The corners at each position, over all vertices there.
 std::map<std::array<float, 3>, std::vector<std::size_t>> corners_by_position(const Mesh& mesh) {
     std::map<std::array<float, 3>, std::vector<std::size_t>> corners;
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {

@@ -13,7 +13,7 @@
 namespace gloam::scene {
 namespace {
 
-// Which neighbours belong to one surface.
+// Determines which neighbouring pixels belong to one surface.
 class Connections {
   public:
     Connections(const GBuffer& view, double thickness)
@@ -32,7 +32,7 @@ class Connections {
         return continues(at(x - dx, y - dy), a, b) || continues(at(x + 2 * dx, y + 2 * dy), b, a);
     }
 
-    // Between all four pixels of a block, of which (x, y) is the first.
+    // Whether all four pixels of a block are connected. (x, y): its first pixel.
     [[nodiscard]] bool block(long x, long y) const {
         return connected(x, y, 1, 0) && connected(x, y, 0, 1) && connected(x, y + 1, 1, 0) &&
                connected(x + 1, y, 0, 1);
@@ -44,7 +44,7 @@ class Connections {
         return depth_[static_cast<std::size_t>(y * width_ + x)];
     }
 
-    // Whether the slope from `first` to `second`, one pixel apart, leads to `third` within the thickness.
+    // Whether the slope from `first` to `second`, one pixel apart, continues to `third` within the thickness.
     [[nodiscard]] bool continues(float first, float second, float third) const {
         if (!is_surface(first)) return false;
         if (orthographic_) return std::abs(2.0 * second - first - third) <= thickness_;
@@ -59,8 +59,8 @@ class Connections {
     double thickness_;
 };
 
-// The difference of positions towards the neighbour on an axis that is nearer in depth, as if it lay on the
-// positive side; 0 without one.
+// Along an axis, the difference of positions to the neighbour that is nearer in depth, with the sign of the
+// positive direction; 0 without a neighbour.
 glm::dvec3 slope_at(const GBuffer& view, const PixelPositions& positions, long x, long y, bool vertical) {
     const auto width = static_cast<long>(view.extent.width);
     const long index = y * width + x;

@@ -9,21 +9,21 @@
 
 namespace gloam::scene {
 
-// Light from far away: radiance over directions of the world. Columns are longitudes, -z in the middle
-// and +x to the right of it, rows polar angles from +y down; rows from the top.
+// Light from infinitely far away: radiance by direction in the world. Columns are longitudes, with -z in the
+// middle and +x to the right of it; rows are polar angles from +y downwards, top row first.
 struct Environment {
     gpu::Extent extent;
     std::vector<glm::vec3> radiance;  // any unit, >= 0, finite
 };
 
-// The same from everywhere.
+// An environment with the same radiance in all directions.
 [[nodiscard]] Environment constant_environment(const glm::vec3& radiance);
 
 // A clear sky: blue at the zenith, white at the horizon, dim and brown below it.
 [[nodiscard]] Environment sky_environment();
 
-// An equirectangular image, .exr or .pfm, three channels. What is negative or not finite counts as 0. Throws
-// std::runtime_error that names the file: missing, malformed, another kind.
+// Reads an equirectangular image, .exr or .pfm, with three channels. Negative and non-finite values count as
+// 0. Throws std::runtime_error with the file's name if it is missing, malformed or of another kind.
 [[nodiscard]] Environment read_environment(const std::filesystem::path& file);
 
 }  // namespace gloam::scene

@@ -67,7 +67,7 @@ FloatImage read(const std::string& file, int channels) {
     const auto pixel = static_cast<std::size_t>(channels) * sizeof(float);
     Imf::FrameBuffer frame;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        // Slice::Make does the arithmetic for a window that does not begin at the origin.
+        // Slice::Make handles a window that does not begin at the origin.
         frame.insert(names[i], Imf::Slice::Make(Imf::FLOAT, image.texels.data() + i, window, pixel,
                                                 pixel * static_cast<std::size_t>(width)));
     }
@@ -85,7 +85,7 @@ std::string bytes_of(const FloatImage& image) {
 }  // namespace
 
 FloatImage read_exr(const std::filesystem::path& file, int channels) {
-    // The library may be wrong about a malformed file: its reading is done apart, within limits.
+    // The library may crash on a malformed file, so it reads in another process, within limits.
     const base::ProcessLimits limits{.memory_bytes = std::uint64_t{8} << 30,
                                      .cpu = std::chrono::seconds(60),
                                      .patience = std::chrono::minutes(10)};

@@ -6,7 +6,7 @@
 
 namespace gloam::scene {
 
-// How much a blocker at a distance counts.
+// Weight of a blocker by its distance.
 enum class Falloff {
     linear,     // 1 - d / R
     quadratic,  // 1 - d^2 / R^2

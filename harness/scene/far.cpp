@@ -8,7 +8,7 @@
 namespace gloam::scene {
 namespace {
 
-// 128 km away: floats are 1/128 apart on each axis. What stands still is made of multiples of that, exactly.
+// 128 km away: floats are 1/128 apart on each axis. Static objects consist of exact multiples of that.
 constexpr glm::dvec3 there{98304.0, 512.0, -81920.0};
 
 Mesh make_terrace() {
@@ -28,7 +28,7 @@ Mesh make_terrace() {
 
 Scene make_far() {
     Scene scene{.name = "far", .mesh = make_terrace()};
-    // Round things are objects with a place of their own: their shape does not suffer.
+    // Round objects have an object space of their own, so that their shape stays exact.
     scene.objects.push_back({make_sphere({0, 0, 0}, 0.5, 48, 96),
                              [](int) { return rigid_motion(there + glm::dvec3(-0.4, 0.5, -0.5)); }});
     scene.objects.push_back({make_sphere({0, 0, 0}, 0.25, 48, 96), [](int frame) {
@@ -41,7 +41,7 @@ Scene make_far() {
                     .near = 0.1,
                     .far = 60.0,
                     .reversed_z = true};
-    // Less than the spacing of floats from frame to frame.
+    // Moves by less than the spacing of floats from frame to frame.
     scene.camera_path = [start = scene.camera](int frame) {
         Camera camera = start;
         camera.eye += glm::dvec3(-0.4 * std::sin(0.01 * frame), 0.0, 0.1 * std::sin(0.013 * frame));

@@ -20,12 +20,12 @@ using nlohmann::json;
 constexpr std::size_t longest_description = std::size_t{1} << 20;  // bytes
 constexpr std::size_t longest_message = 300;
 
-// Thrown below without the file's name, which read_frame_json adds.
+// Throws without the file's name; read_frame_json adds it.
 [[noreturn]] void fail_to_read(const std::string& what) {
     throw std::runtime_error(what);
 }
 
-// What stands there instead, for a message.
+// The value that was found instead, for a message.
 std::string found(const json& value) {
     constexpr std::size_t longest_quote = 40;
     return ", found " +
@@ -52,8 +52,7 @@ std::uint32_t side(const json& object, const char* key) {
     return static_cast<std::uint32_t>(value);
 }
 
-// Whether single precision holds the elements and the columns span a volume, beyond what rounding makes of
-// none.
+// Whether single precision holds the elements and the columns span a volume larger than rounding errors.
 bool is_invertible(const glm::dmat4& matrix) {
     double box = 1.0;
     for (int column = 0; column < 4; ++column) {
@@ -64,7 +63,7 @@ bool is_invertible(const glm::dmat4& matrix) {
     return std::abs(glm::determinant(matrix)) > 1e-12 * box;
 }
 
-// Sixteen numbers, column after column, of a matrix that has an inverse.
+// A matrix with an inverse: sixteen numbers, column after column.
 glm::dmat4 matrix(const json& object, const char* key) {
     const std::string name = std::string("\"") + key + "\"";
     const json& values = object[key];
@@ -87,8 +86,8 @@ glm::mat4 projection_from_planes(const json& camera) {
     return make_frame(lens, number(camera, "aspect")).proj_vk;
 }
 
-// The library's functions know symmetric projections: the axis may miss the image's centre by a pixel
-// (jitter).
+// The library's functions support symmetric projections only: the axis may miss the image's centre by at most
+// a pixel (jitter).
 void require_symmetric(const glm::mat4& projection, gpu::Extent extent) {
     const bool orthographic = projection[2][3] == 0.0F;
     const glm::vec4& offset = projection[orthographic ? 3 : 2];
@@ -170,7 +169,7 @@ FrameDescription read_frame_json(const std::filesystem::path& file) {
     try {
         return parse(text);
     } catch (const json::exception& error) {
-        // The parser quotes the whole of what it read last.
+        // The parser's own message would quote the whole last token.
         throw std::runtime_error(file.string() +
                                  ": malformed JSON: " + base::shortened(error.what(), longest_message));
     } catch (const std::exception& error) {

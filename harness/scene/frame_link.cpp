@@ -8,7 +8,7 @@
 namespace gloam::scene {
 namespace {
 
-// Within rounding: of a rotation, or of lengths in single precision.
+// Whether two matrices agree within rounding: of rotations, or of lengths in single precision.
 bool agree(const glm::mat4& a, const glm::mat4& b) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
@@ -23,7 +23,7 @@ bool inside(const glm::dvec2& place, gpu::Extent extent) {
     return place.x >= 0.0 && place.y >= 0.0 && place.x < extent.width && place.y < extent.height;
 }
 
-// Earlier positions of one view's points, from its motion.
+// Positions of a view's points in the previous frame, from its motion.
 class Earlier {
   public:
     Earlier(const GBuffer& view, const GBuffer& previous)
@@ -39,7 +39,7 @@ class Earlier {
         const glm::vec3& motion = view_.motion[pixel];
         const glm::vec3 moved = then_.at(pixel, before, -glm::dvec2(motion));
         if (motion.z > 0.5F) return moved;
-        // Not valid: outside the previous image, or unknown.
+        // Invalid motion: the point was outside the previous image, or its position is unknown.
         if (!inside(then_.pixel_of(moved), view_.extent)) return moved;
         const bool left = if_still.z < 0.0 && !inside(then_.pixel_of(if_still), view_.extent);
         return left ? glm::vec3(if_still) : glm::vec3(0);

@@ -11,11 +11,11 @@
 
 namespace gloam::scene {
 
-// Beside the depth that the eye sees.
+// Depth layers besides the first one.
 constexpr int most_further_layers = 3;
 
-// What an engine hands to an ambient-occlusion effect: one frame, rows from the top, width * height elements
-// in each image that is there.
+// The input of an ambient-occlusion effect from an engine: one frame, rows from the top. Each image has width
+// * height elements, or is empty.
 struct GBuffer {
     gpu::Extent extent;
     std::vector<float> depth;  // eye-linear, world units; background +infinity
@@ -24,20 +24,19 @@ struct GBuffer {
     std::vector<glm::vec3> motion;      // dx, dy in pixels (y down), valid. Empty: from the cameras alone
     std::vector<float> previous_depth;  // with motion: eye-linear depth of the surface point in the camera of
                                         // the frame before. Empty: from the cameras
-    // Surfaces behind depth, the nearest of them first, at most most_further_layers: eye-linear depth,
-    // negative where the surface is seen from behind (it ends what lies in front of it); nothing more: not
-    // finite.
+    // Surfaces behind depth, nearest first, at most most_further_layers of them: eye-linear depth, negative
+    // for a surface seen from behind, which ends the solid in front of it. Not finite: no further surface.
     std::vector<std::vector<float>> layers;
     std::vector<glm::vec3> color;  // diffuse albedo, linear, [0, 1]. Empty: white
     CameraFrame camera;
     std::optional<double> ao_radius;  // world units
     gpu::Extent border;  // guard band around the frame, pixels on each side, part of extent (guard_band.hpp)
 
-    // Only from rasterize(), when asked for; previous_position also from link().
+    // Only from rasterize(), on request; previous_position also from link().
     std::vector<glm::vec3> previous_position;  // where the surface point was, in the view space of the frame
                                                // before; background 0
-    std::vector<std::uint32_t> object;    // 0: what stands still, k: the k-th moving object; background 0
-    std::vector<std::uint32_t> triangle;  // counted through all meshes; background 2^32 - 1
+    std::vector<std::uint32_t> object;         // 0: static, k: the k-th moving object; background 0
+    std::vector<std::uint32_t> triangle;       // counted over all meshes; background 2^32 - 1
 };
 
 }  // namespace gloam::scene

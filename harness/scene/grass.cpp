@@ -11,13 +11,13 @@ namespace {
 
 constexpr double extent = 4.0;  // of the meadow, metres
 
-// What a blade or a leaf looks like.
+// The shape of a blade or a leaf.
 struct Shape {
     double length;
     double width;   // at its widest, metres
     double lean;    // angle from upright at the foot, radians
-    double bend;    // by how much more it leans at the tip
-    double widest;  // where along it, 0 to 1
+    double bend;    // additional lean at the tip
+    double widest;  // position of the widest part, 0 to 1
 };
 
 double width_at(const Shape& shape, double t) {
@@ -25,7 +25,7 @@ double width_at(const Shape& shape, double t) {
     return shape.width * (1.0 - t) / (1.0 - shape.widest);
 }
 
-// Grown from `foot` towards the azimuth `heading`, without thickness.
+// A blade that grows from `foot` towards the azimuth `heading`, without thickness.
 Mesh make_blade(const glm::dvec3& foot, double heading, const Shape& shape) {
     const glm::dvec3 ahead{std::sin(heading), 0, std::cos(heading)};
     const glm::dvec3 across{std::cos(heading), 0, -std::sin(heading)};

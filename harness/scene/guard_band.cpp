@@ -13,12 +13,12 @@ std::uint32_t pixels_of(double guard, std::uint32_t side) {
     return static_cast<std::uint32_t>(std::floor(guard * side + 0.5));
 }
 
-// (1 + 2 guard) along one axis.
+// The factor (1 + 2 guard) along one axis.
 double widening(std::uint32_t side, std::uint32_t border) {
     return (side + 2.0 * border) / side;
 }
 
-// Motion that began in the band is none for the frame.
+// Motion from within the band is invalid for the frame.
 void keep_motion_inside(GBuffer& frame) {
     const glm::vec2 size(frame.extent.width, frame.extent.height);
     for (std::size_t i = 0; i < frame.motion.size(); ++i) {

@@ -6,14 +6,14 @@
 
 namespace gloam::scene {
 
-// A guard band (TSSAO-BORDER): the view is rendered larger, so that what lies near the frame's edge has its
-// neighbourhood, and the result is cropped. The band is a whole number of pixels on each side, and the larger
-// view's projection is made from those pixels and not from the guard asked for: the pixels of the frame
-// itself look along the same rays as without a band.
+// A guard band (TSSAO-BORDER): the view is rendered larger, so that surfaces near the frame's edge have
+// neighbours, and the result is cropped. The band is a whole number of pixels on each side, and the larger
+// projection follows from these pixels. The frame's pixels therefore have the same view rays as without a
+// band.
 
 // The band in pixels, on the left and right (width) and at top and bottom (height): guard times each side of
-// the frame, rounded to the nearest pixel, halves up. guard: 0 to 0.5; 0.05 to 0.1 is usual. Throws
-// std::invalid_argument for another.
+// the frame, rounded to the nearest pixel, halves up. guard: 0 to 0.5; usual values are 0.05 to 0.1. Throws
+// std::invalid_argument for other values.
 [[nodiscard]] gpu::Extent guard_border(gpu::Extent frame, double guard);
 
 // The size of the frame with its band.
@@ -40,8 +40,8 @@ template <class Texel>
     return inner;
 }
 
-// The frame without its band: images, projection, and motion that is valid only where it began in the frame.
-// The view itself where it has no band.
+// The frame without its band: cropped images, projection, and motion that is valid only if it began in the
+// frame. A view without a band is returned unchanged.
 [[nodiscard]] GBuffer cropped(const GBuffer& view);
 
 }  // namespace gloam::scene

@@ -27,17 +27,17 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// What lights one view; positions and directions in view space.
+// The light of one view; positions and directions in view space.
 struct Lamp {
     glm::dvec3 position{0};  // of a lamp
     glm::dvec3 to_sun{0};    // of the sun
     bool sun = true;
 
-    // Unit, towards the middle of the light.
+    // Unit direction from a point to the middle of the light.
     [[nodiscard]] glm::dvec3 from(const glm::dvec3& point) const {
         return sun ? to_sun : glm::normalize(position - point);
     }
-    // Of the disc that it shows, radians.
+    // Radius of the light's disc as seen from a point, radians.
     [[nodiscard]] double radius_from(const glm::dvec3& point) const {
         return sun ? sun_radius : lamp_radius / std::max(glm::distance(position, point), lamp_radius);
     }
@@ -52,7 +52,7 @@ Lamp lamp_of(const GBuffer& view, const Scene* scene, int frame) {
     return {.position = rotation * (*scene->lamp - camera_at(*scene, frame).eye), .sun = false};
 }
 
-// Jorge Jimenez's interleaved gradient noise: turns the pattern of rays from pixel to pixel.
+// Jorge Jimenez's interleaved gradient noise: rotates the pattern of rays from pixel to pixel.
 double turn_of(std::size_t pixel, std::uint32_t width) {
     const auto x = static_cast<double>(pixel % width);
     const auto y = static_cast<double>(pixel / width);
@@ -61,7 +61,7 @@ double turn_of(std::size_t pixel, std::uint32_t width) {
     return noise - std::floor(noise);
 }
 
-// Part of the light's disc that is seen from a point, in [0, 1]; directions are a spiral over the disc.
+// Visible part of the light's disc at a point, in [0, 1]; the directions form a spiral over the disc.
 double lit_part(const RayScene& blockers, const Lamp& lamp, const glm::dvec3& origin, double clearance,
                 int rays, double turn) {
     const glm::dvec3 middle = lamp.from(origin);
@@ -81,7 +81,7 @@ double lit_part(const RayScene& blockers, const Lamp& lamp, const glm::dvec3& or
     return static_cast<double>(open) / rays;
 }
 
-// The light of pixels, each on its own.
+// Calculates the light of single pixels.
 class Lighting {
   public:
     Lighting(const GBuffer& view, const Scene* scene, const LightingOptions& options)
@@ -120,7 +120,7 @@ class Lighting {
         const double cosine = glm::dot(normal, lamp_.from(point));
         if (!(cosine > 0.0)) return 0.0;
         if (!blockers_) return cosine;
-        const double clearance = 1e-4 * largest(point);  // far above the rounding of a depth
+        const double clearance = 1e-4 * largest(point);  // far above the rounding error of a depth
         return cosine * lit_part(*blockers_, lamp_, point + clearance * normal, clearance, rays_,
                                  turn_of(pixel, view_.extent.width));
     }

@@ -44,7 +44,7 @@ Mesh convert(const aiMesh& source) {
     return mesh;
 }
 
-// What assimp says, in one line.
+// Assimp's error message, in one line.
 std::string reason_of(const Assimp::Importer& importer) {
     const std::string text = base::one_line(importer.GetErrorString());
     return text.empty() ? "cannot be read" : text;
@@ -53,7 +53,7 @@ std::string reason_of(const Assimp::Importer& importer) {
 constexpr unsigned most_corners = 4096;  // of a face: taking one apart costs their square
 constexpr int deepest_node = 256;        // assimp recurses
 
-// What assimp's further steps rely on and its readers do not see to.
+// Checks properties that assimp's later steps require and its readers do not ensure.
 void check_faces(const fs::path& file, const aiMesh& mesh) {
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
@@ -88,8 +88,8 @@ void check_finite(const fs::path& file, const aiMesh& mesh) {
     }
 }
 
-// What has no usable normal (vertices of triangles without area, and what a file gives that is none) gets one
-// of its triangles', or up.
+// Replaces unusable normals (of vertices of triangles without area, and invalid ones of the file) by that of
+// one of the vertex' triangles, or by up.
 void mend_normals(Mesh& mesh) {
     const auto usable = [](const glm::vec3& n) { return is_finite(n) && glm::dot(n, n) > 1e-12F; };
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -106,7 +106,7 @@ void mend_normals(Mesh& mesh) {
         normal = usable(normal) ? glm::normalize(normal) : glm::vec3(0, 1, 0);
 }
 
-// Before assimp calculates with anything.
+// Checks the scene before assimp calculates with it.
 void check_scene(const fs::path& file, const aiScene& scene) {
     if (scene.mNumMeshes == 0 || scene.mRootNode == nullptr) fail_to_load(file, "has no triangle");
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {

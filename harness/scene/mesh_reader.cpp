@@ -39,7 +39,7 @@ std::vector<T> take(std::string_view& bytes, std::uint64_t count) {
     return values;
 }
 
-// What a file may cost: enough to begin with, and more with its size.
+// Limits of memory and time for a file: a constant part, and a part that grows with its size.
 base::ProcessLimits limits_for(const fs::path& file) {
     std::error_code none;
     const std::uint64_t bytes = fs::is_regular_file(file, none) ? fs::file_size(file, none) : 0;

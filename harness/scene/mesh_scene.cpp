@@ -30,7 +30,7 @@ void check(const MeshView& view) {
     if (!(view.aspect > 0.0)) refuse(fmt::format("aspect {}, expected > 0", view.aspect));
 }
 
-// Rows of the rotation that turns the file's up into +y and keeps its axes.
+// Rows of the rotation that turns the file's up axis into +y and maps axes to axes.
 glm::dmat3 upright(const glm::dvec3& up) {
     const glm::dvec3 side = std::abs(up.x) > 0.5 ? glm::dvec3(0, -up.x, 0) : glm::dvec3(1, 0, 0);
     return glm::transpose(glm::dmat3(side, up, glm::cross(side, up)));
@@ -49,7 +49,7 @@ glm::dvec3 direction_of(double azimuth_deg, double elevation_deg) {
             std::cos(azimuth) * std::cos(elevation)};
 }
 
-// How far from `center`, in a direction, the eye must be for all vertices to be inside the image.
+// Distance from `center`, in a direction, at which an eye sees all vertices inside the image.
 double fitting_distance(const Mesh& mesh, const glm::dvec3& center, const glm::dvec3& back, double aspect) {
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
     const glm::dvec3 up = glm::cross(back, right);
@@ -118,7 +118,7 @@ Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view) {
     const glm::dvec3 size = bounds.high - bounds.low;
     const double largest = std::max({size.x, size.y, size.z});
     if (!(largest > 0.0)) throw std::invalid_argument("mesh " + name + ": all its vertices are one point");
-    // What lies flat has no height to speak of: its longest side becomes 1.
+    // A flat mesh has nearly no height: its longest side becomes 1.
     const double scale = 1.0 / (size.y > 1e-3 * largest ? size.y : largest);
     const glm::dvec3 foot{0.5 * (bounds.low.x + bounds.high.x), bounds.low.y,
                           0.5 * (bounds.low.z + bounds.high.z)};

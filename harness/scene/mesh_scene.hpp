@@ -10,26 +10,26 @@
 
 namespace gloam::scene {
 
-// How a mesh is stood and looked at. Positions are in mesh heights: the mesh is 1 high, the middle of its
-// foot is the origin, up is +y, the front looks along +z.
+// Placement and view of a mesh. Positions are in mesh heights: the mesh is 1 high, the middle of its base is
+// the origin, up is +y, and the front faces +z.
 struct MeshView {
-    glm::dvec3 up{0, 1, 0};           // of the file: one of its axes or their opposites
-    bool ground = true;               // a plane under the mesh
-    double azimuth_deg = 20.0;        // of the eye around the mesh, from the front towards +x
-    double elevation_deg = 22.0;      // of the eye above the horizon, -89 to 89
-    int turntable = 0;                // frames of one full turn around the mesh; 0: the camera stands still
-    std::optional<glm::dvec3> eye{};  // instead of azimuth and elevation
+    glm::dvec3 up{0, 1, 0};               // up direction of the file: one of its axes or their opposites
+    bool ground = true;                   // a plane under the mesh
+    double azimuth_deg = 20.0;            // of the eye around the mesh, from the front towards +x
+    double elevation_deg = 22.0;          // of the eye above the horizon, -89 to 89
+    int turntable = 0;                    // frames of one full turn around the mesh; 0: static camera
+    std::optional<glm::dvec3> eye{};      // instead of azimuth and elevation
     std::optional<glm::dvec3> look_at{};  // default: the middle of the mesh
     double aspect = 1.0;                  // of the image, width over height
 };
 
-// "x", "y", "z", "-x", "-y" or "-z" as a direction; nullopt for another text.
+// "x", "y", "z", "-x", "-y" or "-z" as a direction; nullopt for other text.
 [[nodiscard]] std::optional<glm::dvec3> axis_named(std::string_view name);
 
-// A mesh scaled to a height of 1 (where it has next to none, to a longest side of 1) and stood on the plane
-// y = 0. Without an eye of its own the camera is as near as it can be to show all of the mesh with a margin,
-// from every side of a turntable. Throws std::invalid_argument for a mesh without extent, an elevation or a
-// number of frames out of range, an aspect that is not > 0, and an eye that is where it looks.
+// A scene of a mesh, scaled to a height of 1 (if it has nearly none, to a longest side of 1), on the plane y
+// = 0. Without `eye`, the camera is as near as possible so that the whole mesh is visible with a margin, from
+// every side of a turntable. Throws std::invalid_argument for a mesh without extent, an elevation or a number
+// of frames out of range, an aspect that is not > 0, and an eye at the point it looks at.
 [[nodiscard]] Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view = {});
 
 }  // namespace gloam::scene

@@ -8,7 +8,7 @@
 namespace gloam::scene {
 namespace {
 
-// A floor, a wall with pilasters, steps before it.
+// A floor, a wall with pilasters, steps in front of it.
 Mesh make_background() {
     Mesh mesh = make_parallelogram({-8, 0, -3}, {0, 0, 10}, {16, 0, 0}, 1.0);
     append(mesh, make_parallelogram({-8, 0, -3}, {16, 0, 0}, {0, 6, 0}, 1.0));
@@ -22,7 +22,7 @@ Mesh make_background() {
 
 Scene make_moving() {
     Scene scene{.name = "moving", .mesh = make_background()};
-    // A ball that rolls from side to side without slipping, a box that turns as it slides the other way.
+    // A ball rolls from side to side without slipping; a box turns while it slides the opposite way.
     constexpr double ball = 0.35;
     scene.objects.push_back({make_sphere({0, 0, 0}, ball, 48, 96), [](int frame) {
                                  const double x = 1.3 * std::sin(0.03 * frame);

@@ -14,7 +14,7 @@
 namespace gloam::scene {
 namespace {
 
-// Independent scramblings, from whose means the standard error comes.
+// Number of independent scramblings; their means give the standard error.
 constexpr int parts = 16;
 
 std::size_t points_in_part(const RaySettings& settings) {
@@ -31,14 +31,14 @@ std::array<glm::dvec3, 2> tangents(const glm::dvec3& n) {
             glm::dvec3(b, sign + n.y * n.y * a, -n.y)};
 }
 
-// A direction of density cos / pi about the z axis for a uniform point of the unit square.
+// A direction with density cos / pi about the z axis, from a uniform point of the unit square.
 glm::dvec3 cosine_direction(const glm::dvec2& u) {
     const double r = std::sqrt(u.x);
     const double angle = 2.0 * std::numbers::pi * u.y;
     return {r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0 - u.x)};
 }
 
-// One of density 1 / (2 pi).
+// The same with density 1 / (2 pi).
 glm::dvec3 uniform_direction(const glm::dvec2& u) {
     const double height = 1.0 - u.x;
     const double r = std::sqrt(std::max(1.0 - height * height, 0.0));
@@ -126,7 +126,8 @@ OcclusionEstimate OcclusionTracer::occlusion(const Receiver& receiver, std::uint
     double squares = 0.0;
     for (const double value : means) squares += (value - mean) * (value - mean);
     const double error = std::sqrt(squares / (parts * (parts - 1)));
-    // Where rays only count, parts of few rays may all agree by their strata: no less than one ray is told.
+    // If rays have weights of 0 or 1 only, parts of few rays can agree by their strata; the reported error is
+    // at least that of one ray.
     const double least = impl_->settings.falloff == Falloff::step ? 1.0 / static_cast<double>(rays()) : 0.0;
     return {std::clamp(mean, 0.0, 1.0), std::max(error, least)};
 }
@@ -146,11 +147,11 @@ std::optional<Receiver> OcclusionTracer::surface(const glm::dvec3& origin, const
     glm::dvec3 facet = glm::normalize(area);
     const double slope = glm::dot(facet, direction);
     if (slope > 0.0) facet = -facet;
-    // Embree's distance, made exact on the triangle's plane unless that is seen edge-on.
+    // Embree's distance, made exact on the triangle's plane, unless the plane is seen edge-on.
     double distance = hit->distance;
     if (std::abs(slope) > 1e-6) distance = glm::dot(facet, a - origin) / glm::dot(facet, direction);
     const glm::dvec3 at = origin + distance * direction;
-    // Enough for the rounding of the ray's origin and of the intersection with neighbours in the same plane.
+    // Larger than the rounding of the ray's origin and of the intersection with neighbours in the same plane.
     const double reach = std::max({largest(at), largest(u), largest(v)});
     return Receiver{.position = at, .normal = facet, .facet = facet, .clearance = 4.0 * 0x1p-24 * reach};
 }

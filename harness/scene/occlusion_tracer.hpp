@@ -11,10 +11,10 @@
 
 namespace gloam::scene {
 
-// How the directions of the hemisphere count.
+// The weight of the hemisphere's directions.
 enum class Weighting {
     cosine,   // by the cosine to the normal: TSSAO-1
-    uniform,  // all alike
+    uniform,  // the same for all directions
 };
 
 struct RaySettings {
@@ -24,15 +24,15 @@ struct RaySettings {
     Weighting weighting = Weighting::cosine;
 };
 
-// Throws std::invalid_argument that names the first setting outside its range.
+// Throws std::invalid_argument that names the first setting out of range.
 void validate(const RaySettings& settings);
 
-// A point that receives light.
+// A point whose occlusion is estimated.
 struct Receiver {
     glm::dvec3 position{0};
     glm::dvec3 normal{0, 0, 1};  // unit: the hemisphere is around it
-    glm::dvec3 facet{0, 0, 1};   // unit: of the triangle that the point lies on, on the side that is lit
-    double clearance = 0.0;      // world units: rays start this far from the triangle
+    glm::dvec3 facet{0, 0, 1};  // unit: normal of the triangle that contains the point, on the receiving side
+    double clearance = 0.0;     // world units: rays start this far from the triangle
 };
 
 struct OcclusionEstimate {
@@ -41,31 +41,33 @@ struct OcclusionEstimate {
 };
 
 // Estimates the occlusion of points by tracing rays:
-// (1 / pi) * integral over the hemisphere of V(w) D(d(w)) (n . w) dw, with V = 1 where the ray is blocked at
-// the distance d; 1 / (2 pi) and without (n . w) where all directions count alike. Directions are points of
-// Sobol' sequences of that weight. The rays are divided into 16 equal parts, each with its own scrambling;
-// the means of the parts give the standard error (15 degrees of freedom). Several threads may use it at once.
+//   (1 / pi) * integral over the hemisphere of V(w) D(d(w)) (n . w) dw
+// Here V = 1 where the ray is blocked at the distance d. With Weighting::uniform the factor is 1 / (2 pi),
+// without (n . w). Directions are points of Sobol' sequences of that density. The rays are divided into 16
+// equal parts, each with its own scrambling; the means of the parts give the standard error (15 degrees of
+// freedom). Thread-safe.
 //
-// A direction may leave through the back of the triangle it starts on, because a smooth normal is not the
-// facet's. It is mirrored at the triangle, so that the facets of a smooth shape do not shade themselves.
+// A direction can leave through the back of the triangle on which it starts, because a smooth normal differs
+// from the facet's. It is then mirrored at the triangle, so that the facets of a smooth shape do not occlude
+// themselves.
 class OcclusionTracer {
   public:
-    // The triangles of a mesh; its normals are not used. Coordinates are single precision: best near the
-    // origin. Throws std::invalid_argument for settings out of range, no triangles, indices that do not fit
-    // or positions that are not finite.
+    // Takes the triangles of a mesh; its normals are not used. Coordinates are single precision, which is
+    // most exact near the origin. Throws std::invalid_argument for settings out of range, no triangles,
+    // indices out of range and positions that are not finite.
     OcclusionTracer(Mesh mesh, const RaySettings& settings);
     ~OcclusionTracer();
     OcclusionTracer(OcclusionTracer&&) noexcept;
     OcclusionTracer& operator=(OcclusionTracer&&) noexcept;
 
-    // How many rays an estimate takes.
+    // Number of rays of an estimate.
     [[nodiscard]] std::size_t rays() const;
 
-    // The estimate for one point; each seed scrambles the directions in its own way.
+    // The estimate for one point; each seed gives another scrambling of the directions.
     [[nodiscard]] OcclusionEstimate occlusion(const Receiver& receiver, std::uint64_t seed) const;
 
-    // The first surface between the distances `near` and `far` from an origin along a unit direction, lit
-    // from that side: the point in double on its triangle, both normals the triangle's own.
+    // The first surface between the distances `near` and `far` from an origin along a unit direction, as a
+    // receiver on that side: the point in double on its triangle; both normals are the triangle's own.
     [[nodiscard]] std::optional<Receiver> surface(const glm::dvec3& origin, const glm::dvec3& direction,
                                                   double near, double far) const;
 

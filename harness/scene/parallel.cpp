@@ -20,7 +20,7 @@ struct Queue {
     std::mutex mutex;
     std::exception_ptr failure;
 
-    // Whether there was something left to do.
+    // Does the next item. Returns false if none is left.
     bool step() {
         const std::size_t index = next++;
         if (index >= count || failed) return false;

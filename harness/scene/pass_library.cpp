@@ -23,7 +23,7 @@ std::string lines_of(const std::vector<std::string>& defines) {
     return lines;
 }
 
-// Behind the #version line, which must stay the first.
+// Inserts the definitions behind the #version line, which must remain the first.
 std::string with_defines(const std::string& text, const std::vector<std::string>& defines) {
     if (defines.empty()) return text;
     const std::size_t version = text.find("#version");

@@ -11,32 +11,32 @@
 
 namespace gloam::scene {
 
-// The passes of glsl/passes, compiled when asked for.
+// The passes of glsl/passes, compiled on demand.
 class PassLibrary {
   public:
-    // glsl: the folder that holds gloam/ and passes/. cache: where compiled passes are kept; empty: nowhere.
+    // glsl: the folder that contains gloam/ and passes/. cache: folder for compiled passes; empty: no cache.
     // optimization: of every pass.
     explicit PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache = {},
                          shader::Optimization optimization = shader::Optimization::hoisting);
 
-    // The same passes, optimised otherwise.
+    // The same passes with another optimization.
     [[nodiscard]] PassLibrary with(shader::Optimization optimization) const;
 
-    // An #include of a pass, as written, and what is included instead.
+    // An #include of a pass, as written, and its replacement.
     struct Replacement {
         std::string include;
         std::string instead;
     };
 
-    // The pass in passes/NAME, whose suffix (.comp, .vert, .frag) says its stage. Each
-    // of `defines` is defined before the first line. Throws std::runtime_error for a missing file,
-    // std::invalid_argument for a replacement of what the pass does not include, shader::CompileError for a
-    // pass that does not compile.
+    // Compiles the pass passes/NAME; its suffix (.comp, .vert, .frag) determines the stage. `defines` are
+    // defined before the first line. Throws std::runtime_error for a missing file, std::invalid_argument for
+    // a replacement of a file that the pass does not include, shader::CompileError for a pass that does not
+    // compile.
     [[nodiscard]] shader::Spirv compile(const std::string& name, const std::vector<std::string>& defines = {},
                                         const std::vector<Replacement>& replacements = {}) const;
 
-    // The same pass as one text without #include and #if, its constants set (shader::pack()). Throws like
-    // compile().
+    // The same pass as one text without #include and #if, with its constants set (shader::pack()). Throws
+    // like compile().
     [[nodiscard]] std::string text(const std::string& name, const std::vector<std::string>& defines = {},
                                    const std::vector<Replacement>& replacements = {},
                                    const std::map<std::uint32_t, std::uint32_t>& constants = {}) const;

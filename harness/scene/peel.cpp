@@ -11,7 +11,7 @@
 namespace gloam::scene {
 namespace {
 
-// As in peel.frag; gbuffer.vert reads the first.
+// Push constants, with the layout of peel.frag; gbuffer.vert reads the first member.
 struct PeelConstants {
     glm::mat4 projection;
     std::uint32_t reversed_z;
@@ -48,7 +48,7 @@ gpu::RasterPipeline make_pipeline(const gpu::Device& device, const PassLibrary& 
              .image_count = 1}};
 }
 
-// What every surface lies behind.
+// A layer in front of every surface.
 std::vector<float> before_all(gpu::Extent extent, bool reversed_z) {
     std::vector<float> texels;
     for (std::size_t i = 0; i < std::size_t{extent.width} * extent.height; ++i)

@@ -24,7 +24,7 @@ struct Header {
     std::size_t bytes = 0;  // of all texels
 };
 
-// Four words, each ended by one white-space character; the texels begin behind the last.
+// Reads four words, each followed by one white-space character; the texels begin behind the last.
 Header read_header(std::ifstream& stream, const fs::path& file) {
     std::string kind;
     std::int64_t width = 0;

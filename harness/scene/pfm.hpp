@@ -15,8 +15,8 @@ struct FloatImage {
     std::vector<float> texels;
 };
 
-// Reads a portable float map (Pf or PF, either byte order). Throws std::runtime_error that names the file:
-// missing, not a PFM, cut short, or longer than its size says.
+// Reads a portable float map (Pf or PF, either byte order). Throws std::runtime_error with the file's name if
+// it is missing, not a PFM, truncated, or longer than its header says.
 [[nodiscard]] FloatImage read_pfm(const std::filesystem::path& file);
 
 }  // namespace gloam::scene

@@ -9,12 +9,12 @@
 
 namespace gloam::scene {
 
-// Whether an eye-linear depth is that of a surface, and not of the background.
+// Whether an eye-linear depth is that of a surface, not of the background.
 [[nodiscard]] inline bool is_surface(float depth) {
     return depth > 0.0F && std::isfinite(depth);
 }
 
-// Pixels to view-space positions and back, in double.
+// Conversion of pixels to view-space positions and back, in double.
 class PixelPositions {
   public:
     explicit PixelPositions(const GBuffer& view)
@@ -23,8 +23,8 @@ class PixelPositions {
           scale_(view.camera.p00_p11()),
           orthographic_(view.camera.orthographic()) {}
 
-    // The point at an eye-linear depth under the centre of a pixel, counted by rows from the top, or `aside`
-    // of it by a part of a pixel.
+    // The point at an eye-linear depth under the centre of a pixel; pixels are counted by rows from the top.
+    // aside: offset from the centre, pixels.
     [[nodiscard]] glm::dvec3 at(std::size_t pixel, double depth, const glm::dvec2& aside = {0, 0}) const {
         const glm::dvec2 center(static_cast<double>(pixel % width_) + 0.5,
                                 static_cast<double>(pixel / width_) + 0.5);
@@ -32,14 +32,14 @@ class PixelPositions {
         return {ndc / scale_ * (orthographic_ ? 1.0 : depth), -depth};
     }
 
-    // Where a view-space point falls, in pixels from the top left corner: the centre of the first is
-    // (0.5, 0.5). Perspective: only for points before the eye (z < 0).
+    // Position of a view-space point in the image, in pixels from the top left corner; the centre of the
+    // first pixel is (0.5, 0.5). Perspective: only for points in front of the eye (z < 0).
     [[nodiscard]] glm::dvec2 pixel_of(const glm::dvec3& position) const {
         const glm::dvec2 ndc = scale_ * glm::dvec2(position) / (orthographic_ ? 1.0 : -position.z);
         return (0.5 * ndc + 0.5) * size_;
     }
 
-    // How many pixels a length across the view covers at a depth.
+    // Number of pixels that a length parallel to the image covers at a depth.
     [[nodiscard]] double pixels_of_length(double length, double depth) const {
         return 0.5 * length * glm::abs(scale_.y) * size_.y / (orthographic_ ? 1.0 : depth);
     }

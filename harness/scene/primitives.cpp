@@ -15,7 +15,7 @@ struct Vertex {
     glm::dvec3 normal;
 };
 
-// The image of a grid of columns x rows cells; `at` takes the cell corners (0..columns, 0..rows). Triangles
+// The image of a grid of columns x rows cells. `at`: maps the cell corners (0..columns, 0..rows). Triangles
 // wind counter-clockwise seen from the side of d/dx x d/dy.
 Mesh make_grid(int columns, int rows, const std::function<Vertex(int, int)>& at) {
     Mesh mesh;
@@ -115,7 +115,7 @@ Mesh make_strip(const std::vector<glm::dvec3>& left, const std::vector<glm::dvec
         const std::size_t before = row == 0 ? 0 : row - 1;
         const std::size_t after = std::min(row + 1, left.size() - 1);
         const glm::dvec3 way = left[after] + right[after] - left[before] - right[before];
-        // The tip may be a point: the width of the row before gives the direction.
+        // The tip can be a point; then the width of the previous row gives the direction.
         glm::dvec3 across = right[row] - left[row];
         if (!(glm::length(across) > 0.0)) across = right[before] - left[before];
         return {x == 0 ? left[row] : right[row], glm::normalize(glm::cross(across, way))};

@@ -13,7 +13,7 @@
 namespace gloam::scene {
 namespace {
 
-// As in gbuffer.vert and gbuffer.frag.
+// Push constants, with the layout of gbuffer.vert and gbuffer.frag.
 struct RasterConstants {
     glm::mat4 projection;
 };
@@ -23,7 +23,7 @@ struct Vertex {
     glm::vec3 normal;
 };
 
-// With GLOAM_MOTION; its own for each corner of each triangle.
+// A vertex with GLOAM_MOTION; each corner of each triangle has its own.
 struct MovingVertex {
     glm::vec3 position;
     glm::vec3 normal;
@@ -91,7 +91,7 @@ std::vector<glm::vec3> to_vectors(const std::vector<float>& texels) {
     return vectors;
 }
 
-// From previous_position: dx, dy in pixels, and whether the point lay in the image before.
+// Motion from previous_position: dx, dy in pixels, and whether the point was in the previous image.
 std::vector<glm::vec3> motion_of(const GBuffer& view, const CameraFrame& before) {
     std::vector<glm::vec3> motion(view.depth.size(), glm::vec3(0));
     const glm::dmat4 projection(before.proj_vk);

@@ -87,13 +87,13 @@ struct RayScene::Impl {
 RayScene::RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices)
     : positions_(std::move(positions)), indices_(std::move(indices)) {
     check(positions_, indices_);
-    // One thread builds: the same tree every time.
+    // One thread builds the tree, so it is the same every time.
     impl_ = std::make_unique<Impl>();
     impl_->device.reset(rtcNewDevice("threads=1"));
     if (!impl_->device) fail(nullptr);
     impl_->scene.reset(rtcNewScene(impl_->device.get()));
     if (!impl_->scene) fail(impl_->device.get());
-    // Robust: no ray slips between two triangles that share an edge.
+    // Robust: no ray passes between two triangles with a common edge.
     rtcSetSceneFlags(impl_->scene.get(), RTC_SCENE_FLAG_ROBUST);
     const EmbreeOwned<RTCGeometry> geometry = make_geometry(impl_->device.get(), positions_, indices_);
     rtcAttachGeometry(impl_->scene.get(), geometry.get());

@@ -25,7 +25,7 @@ std::string size_text(gpu::Extent extent, int channels) {
            std::to_string(channels) + (channels == 1 ? " channel" : " channels");
 }
 
-// The image of that stem, PFM or EXR; without texels when neither is there.
+// Reads the image with this stem, PFM or EXR; an image without texels if neither exists.
 FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channels) {
     const fs::path pfm = stem.string() + ".pfm";
     const fs::path exr = stem.string() + ".exr";
@@ -55,8 +55,8 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Unit normals; 0 for what is none, and at the background. Those of 16-bit files are a little too long or too
-// short.
+// Unit normals; 0 for invalid ones and at the background. Normals of 16-bit files have lengths slightly
+// different from 1.
 std::vector<glm::vec3> with_unit_length(std::vector<glm::vec3> normals, const std::vector<float>& depth) {
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const glm::dvec3 n = normals[i];
@@ -70,13 +70,13 @@ std::vector<glm::vec3> with_unit_length(std::vector<glm::vec3> normals, const st
     return normals;
 }
 
-// Albedo: what is no number is 0.
+// Albedo clamped to [0, 1]; NaN becomes 0.
 std::vector<glm::vec3> within_unit(std::vector<glm::vec3> colors) {
     for (glm::vec3& color : colors) color = is_finite(color) ? glm::clamp(color, 0.0F, 1.0F) : glm::vec3(0);
     return colors;
 }
 
-// PREFIX_layer1 and so on, as many as there are without a gap.
+// Reads PREFIX_layer1 and so on, up to the first missing one.
 std::vector<std::vector<float>> read_layers(const fs::path& stem, gpu::Extent extent) {
     std::vector<std::vector<float>> layers;
     for (int i = 1; i <= most_further_layers; ++i) {
@@ -93,7 +93,7 @@ std::vector<std::vector<float>> read_layers(const fs::path& stem, gpu::Extent ex
     return layers;
 }
 
-// Motion that is no number is no history.
+// Motion that is not finite is set to 0: no history.
 std::vector<glm::vec3> with_finite_motion(std::vector<glm::vec3> motion) {
     for (glm::vec3& m : motion) {
         if (!is_finite(m)) m = glm::vec3(0);
@@ -108,7 +108,7 @@ std::vector<float> with_background_at_infinity(std::vector<float> depth) {
     return depth;
 }
 
-// The frame whose description a file name is, "f0012.json"; nothing for any other name.
+// The frame number in a file name such as "f0012.json"; nullopt for any other name.
 std::optional<int> frame_of(const std::string& name) {
     constexpr std::size_t digits = 4;
     const std::string number = name.substr(std::min<std::size_t>(1, name.size()), digits);

@@ -9,11 +9,12 @@
 
 namespace gloam::scene {
 
-// The name that the files of a frame begin with: "f0007". Throws std::invalid_argument outside 0 to 9999.
+// The first part of a frame's file names: "f0007". Throws std::invalid_argument for a frame outside 0 to
+// 9999.
 [[nodiscard]] std::string frame_prefix(int frame);
 
-// The frames of a directory (those with an fNNNN.json), ascending. Throws std::runtime_error that names the
-// directory when it is missing or holds none.
+// The frames of a directory (those with an fNNNN.json), ascending. Throws std::runtime_error with the
+// directory's name if it is missing or has no frame.
 [[nodiscard]] std::vector<int> frames_of(const std::filesystem::path& directory);
 
 // Reads one frame: PREFIX.json, PREFIX_depth, and, when they are there, PREFIX_normal, PREFIX_motion,
@@ -25,7 +26,7 @@ namespace gloam::scene {
 // inverted, a projection that is not symmetric (beyond a pixel of jitter).
 [[nodiscard]] GBuffer read_gbuffer(const std::filesystem::path& directory, int frame);
 
-// The text of PREFIX.json for a frame; read_gbuffer reads the same camera back, exactly.
+// The text of a frame's PREFIX.json; read_gbuffer reads exactly the same camera from it.
 [[nodiscard]] std::string frame_json(const GBuffer& gbuffer, int frame);
 
 }  // namespace gloam::scene

@@ -8,7 +8,7 @@
 namespace gloam::scene {
 namespace {
 
-// Metres. The panel hangs on a pilaster of the hall, whose face is x = -6.7, around z = -5.
+// Metres. The panel hangs on a pilaster of the hall, with the face x = -6.7, around z = -5.
 constexpr double face = -6.7;
 constexpr double middle = -5.0;
 constexpr double low = 1.2;
@@ -60,7 +60,7 @@ Mesh make_flower() {
 
 }  // namespace
 
-// The hall's twin: the same world and the same radius, an arm's length before a wall.
+// The same world and radius as the hall, at arm's length from a wall.
 Scene make_relief() {
     Scene scene = make_columns();
     scene.name = "relief";

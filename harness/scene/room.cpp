@@ -51,7 +51,7 @@ Mesh make_window() {
     return mesh;
 }
 
-// Books of any thickness and height from x = low to high on a board.
+// Books of varying thickness and height on a board, from x = low to x = high.
 void add_books(Mesh& mesh, numeric::Random& random, double low, double high, double board, double z) {
     for (double x = low; x < high;) {
         const double thick = random.uniform(0.015, 0.05);

@@ -57,7 +57,8 @@ Mesh view_space_mesh(const Scene& scene, int frame) {
     const auto add = [&](const Mesh& mesh, const glm::dmat4& world_from_mesh) {
         const glm::dmat3 turn = rotation * glm::dmat3(world_from_mesh);
         const glm::dvec3 move = rotation * (glm::dvec3(world_from_mesh[3]) - camera.eye);
-        // What stands still is moved to the eye before it is turned: no digits are lost far from the origin.
+        // A static mesh is moved relative to the eye before it is rotated, so that no digits are lost far
+        // from the origin.
         const bool still = world_from_mesh == glm::dmat4(1.0);
         Mesh seen = mesh;
         for (glm::vec3& p : seen.positions)

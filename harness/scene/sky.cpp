@@ -8,7 +8,7 @@
 namespace gloam::scene {
 namespace {
 
-// A mast with two arms, at a place on the ground.
+// A mast with two arms, at a position on the ground.
 Mesh make_mast(double x, double z) {
     Mesh mast = make_cylinder({x, 0, z}, 0.12, 7.0, 24);
     append(mast, make_box({x - 0.9, 6.2, z - 0.06}, {x + 0.9, 6.35, z + 0.06}, 1.0));
@@ -29,7 +29,7 @@ Scene make_sky() {
     for (const double x : {-2.85, -1.15}) append(scene.mesh, make_wire(x, 6.35, -135.0, 5.0));
     for (const double x : {-2.55, -1.45}) append(scene.mesh, make_wire(x, 5.65, -135.0, 5.0));
     append(scene.mesh, make_box({4, 0, -40}, {9, 2.6, -34}, 1.0));  // a hut
-    // A kite that circles: history against a sky that has none.
+    // A circling kite: its history meets the sky, which has none.
     scene.objects.push_back({make_box({-0.4, -0.03, -0.3}, {0.4, 0.03, 0.3}, 1.0), [](int frame) {
                                  const double t = 0.03 * frame;
                                  const glm::dvec3 at{1.5 + 1.2 * std::cos(t), 5.0 + std::sin(t), -9.0};

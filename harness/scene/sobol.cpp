@@ -12,7 +12,7 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
     return x << 16 | x >> 16;
 }
 
-// The second coordinate; the first is the index reversed.
+// The second coordinate. The first is the index with its bits reversed.
 constexpr std::uint32_t sobol_second(std::uint32_t index) {
     std::uint32_t bits = 0;
     for (std::uint32_t direction = 1U << 31; index != 0; index >>= 1, direction ^= direction >> 1) {
@@ -21,7 +21,8 @@ constexpr std::uint32_t sobol_second(std::uint32_t index) {
     return bits;
 }
 
-// Each bit of x is flipped by a hash of the bits below it only: reversed, that is a nested scrambling.
+// A hash flips each bit of x depending on the bits below it only. With the bits reversed this is a nested
+// scrambling.
 constexpr std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
     x ^= x * 0x3d20adeaU;
     x += seed;

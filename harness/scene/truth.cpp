@@ -19,12 +19,12 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// A point of the G-buffer as it is. reach: the largest coordinate of the triangles around it.
+// A point of the G-buffer, unchanged. reach: the largest coordinate of the triangles around it.
 Receiver as_it_is(const glm::dvec3& at, const glm::dvec3& normal, double reach) {
     return {.position = at, .normal = normal, .facet = normal, .clearance = 16.0 * 0x1p-24 * reach};
 }
 
-// For each vertex the largest coordinate of the triangles that it belongs to.
+// For each vertex the largest coordinate of its triangles.
 std::vector<double> reaches(const Mesh& mesh) {
     std::vector<double> reach(mesh.positions.size());
     for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = largest(glm::dvec3(mesh.positions[i]));
@@ -37,7 +37,7 @@ std::vector<double> reaches(const Mesh& mesh) {
     return result;
 }
 
-// The first surface along the ray through a point that was drawn, within a part of its distance.
+// The first surface along the ray through a rendered point, within a share of the point's distance.
 std::optional<Receiver> near_drawn(const OcclusionTracer& tracer, const PixelPositions& positions,
                                    const glm::dvec3& drawn, double tolerance) {
     const glm::dvec3 eye = positions.orthographic() ? glm::dvec3(drawn.x, drawn.y, 0.0) : glm::dvec3(0.0);
@@ -46,10 +46,11 @@ std::optional<Receiver> near_drawn(const OcclusionTracer& tracer, const PixelPos
                           distance * (1.0 + tolerance));
 }
 
-// The point of the geometry that a pixel sees, if that is there. At the rim of an object the device, which
-// rounds corners to parts of a pixel, may draw what the ray through the centre misses or, edge-on, meets far
-// in front: then the nearest rays around it are asked, and at last more of the depth. Or it may draw the far
-// side, with a normal that points into the object: then the near side's own is taken.
+// The point of the geometry that a pixel shows, if it is found. Devices round corners to fractions of a
+// pixel. At an object's silhouette they can render a surface that the ray through the centre misses or,
+// edge-on, meets far in front. Then the nearest rays around the centre are tried, and at last a larger range
+// of depth. A device can also render the far side, with a normal that points into the object; then the near
+// side's own normal is used.
 std::optional<Receiver> matched(const OcclusionTracer& tracer, const PixelPositions& positions,
                                 std::size_t pixel, double depth, const glm::dvec3& normal) {
     constexpr double aside = 1.0 / 128;  // pixels; devices keep 1/256 or better
@@ -57,7 +58,7 @@ std::optional<Receiver> matched(const OcclusionTracer& tracer, const PixelPositi
     for (const double tolerance :
          {1e-3, 3e-2}) {  // of the distance; far above the rounding of a depth buffer
         for (int i = 0; i < 9; ++i) {
-            const int side = (i + 4) % 9;  // the centre first
+            const int side = (i + 4) % 9;  // centre first
             const glm::dvec2 offset(side % 3 - 1, side / 3 - 1);
             auto receiver =
                 near_drawn(tracer, positions, positions.at(pixel, depth, aside * offset), tolerance);
@@ -80,7 +81,7 @@ TracedTruth open(const GBuffer& view) {
     return {.occlusion = zeros, .standard_error = zeros, .pixels = count_surface(view)};
 }
 
-// Calls `receiver_of(pixel)` for each pixel with geometry and traces from there.
+// Calls `receiver_of(pixel)` for each pixel with geometry and traces the result.
 template <class ReceiverOf>
 TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const TruthSettings& settings,
                   const ReceiverOf& receiver_of) {
@@ -88,7 +89,7 @@ TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const Trut
     TracedTruth truth{.occlusion = std::vector<float>(pixels, 0.0F),
                       .standard_error = std::vector<float>(pixels, 0.0F),
                       .rays = tracer.rays()};
-    constexpr std::size_t batch = 64;  // pixels that a thread takes at once
+    constexpr std::size_t batch = 64;  // pixels of one work item of a thread
     const auto work = [&](std::size_t index) {
         for (std::size_t i = index * batch; i < std::min(pixels, (index + 1) * batch); ++i) {
             if (!is_surface(view.depth[i])) continue;
@@ -135,7 +136,7 @@ TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
 TracedTruth trace_depth(const GBuffer& view, const TruthSettings& settings) {
     validate(settings.rays);
     const Mesh field = depth_field(view, settings.thickness);
-    if (field.indices.empty()) return open(view);  // no four pixels that form a surface: nothing blocks
+    if (field.indices.empty()) return open(view);  // no four pixels form a surface: nothing blocks
     const OcclusionTracer tracer(field, settings.rays);
     const std::vector<double> reach = reaches(field);
     return trace(view, tracer, settings, [&](std::size_t pixel) {

@@ -15,31 +15,33 @@ namespace gloam::scene {
 struct TruthSettings {
     RaySettings rays;
     double thickness = std::numeric_limits<double>::infinity();  // trace_depth(): as in depth_field()
-    unsigned threads = 0;                                        // 0: as many as the machine has
-    std::function<void(double)> progress;                        // called with the part done, in [0, 1]
+    unsigned threads = 0;                                        // 0: one for each processor
+    std::function<void(double)> progress;                        // called with the completed part, in [0, 1]
 };
 
-// Traced occlusion, rows from the top; 0 at the background. The same bits for any number of threads.
+// Traced occlusion, rows from the top; 0 at the background. Bit-identical for any number of threads.
 struct TracedTruth {
     std::vector<float> occlusion;       // in [0, 1], 1 where blocked
     std::vector<float> standard_error;  // of it
     std::uint64_t rays = 0;             // for each pixel with geometry
     std::uint64_t pixels = 0;           // with geometry
-    std::uint64_t unmatched = 0;        // of them, those whose surface the geometry does not have there
+    std::uint64_t unmatched = 0;        // of these, pixels whose surface was not found in the geometry
 };
 
-// (G): the occlusion that the whole geometry of a scene makes in a frame, at the points that a G-buffer of
-// that frame shows. The G-buffer says which surface a pixel sees, by its depth, and around which normal its
-// hemisphere is, for that is what every estimator is given; the geometry says where the surface exactly lies:
-// the point is moved along the view ray onto the triangle that it is within a thousandth of, and that is not
-// turned away from the normal. Where there is none, on rays up to a hundredth of a pixel around the centre
-// and within a thirtieth, it is taken as it is. Throws std::invalid_argument for settings out of range, a
-// scene that validate() refuses and images whose size disagrees.
+// (G), geometry truth: the occlusion by the whole geometry of a scene in a frame, at the points that a
+// G-buffer of that frame shows. The G-buffer's depth determines the visible surface, and its normal the
+// hemisphere, because every estimator gets these. The geometry determines the exact position: the point is
+// moved along the view ray onto a triangle within a thousandth of its distance that does not face away from
+// the normal.
+// If there is none, rays up to a hundredth of a pixel around the centre and a thirtieth of the distance are
+// tried. The next choice is a surface that faces away, with its own normal; the last is the point itself,
+// unchanged. Throws std::invalid_argument for settings out of range, a scene that validate() rejects and
+// images of another size.
 [[nodiscard]] TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
                                          const TruthSettings& settings);
 
-// (D): the occlusion that the depth buffer alone can tell of: the surface of depth_field() at its own
-// vertices, the normals as there. Throws std::invalid_argument like depth_field() and for settings out of
+// (D), depth truth: the occlusion by the surface that the depth buffer shows. It is traced from the vertices
+// of depth_field(), with its normals. Throws std::invalid_argument like depth_field() and for settings out of
 // range.
 [[nodiscard]] TracedTruth trace_depth(const GBuffer& view, const TruthSettings& settings);
 

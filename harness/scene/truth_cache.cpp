@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// To be raised whenever the tracer gives other numbers for the same input.
+// Increase it whenever the tracer's results change for the same input.
 constexpr std::uint64_t version = 1;
 
-// 128 bits of whatever is added.
+// A hash of 128 bits over all added data.
 class Hash {
   public:
     void add(std::uint64_t word) {
@@ -67,12 +67,11 @@ void add_view(Hash& hash, const GBuffer& view, const TruthSettings& settings) {
     hash.add(settings.rays.radius);
     hash.add(static_cast<std::uint64_t>(settings.rays.falloff));
     hash.add(static_cast<std::uint64_t>(settings.rays.rays));
-    // Nothing for what all truth was before there was a choice.
+    // Adds nothing for the default weighting, so that files from before the choice stay valid.
     if (settings.rays.weighting == Weighting::uniform) hash.add(std::uint64_t{1});
 }
 
-// Three counts, two images, and a hash of all of it and of what it is the truth of: a file under another's
-// name is none.
+// Three counts, two images, and a hash of these and of the input. The hash detects a file under a wrong name.
 using Counts = std::array<std::uint64_t, 3>;
 
 std::uint64_t check_word(const Hash& of, const Counts& counts, const std::vector<float>& values) {
@@ -123,7 +122,7 @@ void write(const fs::path& path, const Hash& of, const TracedTruth& truth) {
     append(bytes, std::span<const std::uint64_t>(&check, 1));
     try {
         base::write_file(path, bytes);
-    } catch (const std::runtime_error&) {  // it is done without
+    } catch (const std::runtime_error&) {  // the cache is optional
     }
 }
 

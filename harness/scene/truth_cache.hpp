@@ -7,15 +7,15 @@
 
 namespace gloam::scene {
 
-// Traced truth that is kept in a folder, under a hash of everything it depends on: triangles as the frame's
-// camera sees them, depth, normals, projection, settings. A file that is damaged or cut short counts as
-// missing; one that cannot be written is done without.
+// A folder of traced truth, keyed by a hash of everything that the truth depends on: triangles as the frame's
+// camera sees them, depth, normals, projection, settings. A damaged or truncated file counts as missing. A
+// file that cannot be written is ignored.
 class TruthCache {
   public:
-    // folder: made where it is missing; empty: nothing is kept.
+    // folder: created if it is missing; empty: no cache.
     explicit TruthCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // As trace_geometry() and trace_depth(). Throw like them.
+    // Like trace_geometry() and trace_depth(), from the cache if possible. They throw like those.
     [[nodiscard]] TracedTruth geometry(const Scene& scene, int frame, const GBuffer& view,
                                        const TruthSettings& settings) const;
     [[nodiscard]] TracedTruth depth(const GBuffer& view, const TruthSettings& settings) const;

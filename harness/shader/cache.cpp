@@ -19,7 +19,7 @@ std::optional<Spirv> decode_module(std::string_view bytes) {
     return module;
 }
 
-// Of everything that the result depends on.
+// A hash of everything on which the result depends.
 internal::Hash key_of(std::string_view kind, const Source& source, const CompileOptions& options) {
     internal::Fingerprint fingerprint;
     fingerprint.add(kind);
@@ -39,7 +39,7 @@ internal::Hash key_of(std::string_view kind, const Source& source, const Compile
     return fingerprint.hash();
 }
 
-// What the entry holds, or what `make` makes the bytes of, which are then stored.
+// The decoded entry; if there is none, the bytes from `make`, which are then stored.
 template <class Decode, class Make>
 auto stored_or_made(const std::filesystem::path& directory, std::string_view kind, const Source& source,
                     const CompileOptions& options, Decode&& decode, Make&& make) {
@@ -49,7 +49,7 @@ auto stored_or_made(const std::filesystem::path& directory, std::string_view kin
     if (const auto payload = internal::read_entry(file, key))
         if (auto stored = decode(*payload)) return std::move(*stored);
     const std::string made = make(source, options);
-    // An include that changed meanwhile must not be stored under the key of its old text.
+    // If an include has changed meanwhile, the result must not be stored under the key of the old text.
     if (key_of(kind, source, options) == key) internal::write_entry(file, key, made);
     return *decode(made);
 }

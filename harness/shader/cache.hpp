@@ -11,11 +11,11 @@
 namespace gloam::shader {
 
 // Compiled modules on disk, keyed by the text, every included file, the options and the compiler. A damaged,
-// truncated or foreign entry is recompiled and replaced without a word; files are written whole or not at
-// all. An unwritable directory costs only speed. Safe to share between processes.
+// truncated or foreign entry is recompiled and replaced silently. Files are written completely or not at all.
+// An unwritable directory costs only speed. Processes can share the directory.
 class SpirvCache {
   public:
-    // An empty directory keeps nothing.
+    // An empty directory means no cache.
     explicit SpirvCache(std::filesystem::path directory = {});
 
     // compile(source, options), or the stored result of an identical call.

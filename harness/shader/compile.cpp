@@ -13,7 +13,7 @@
 namespace gloam::shader {
 namespace {
 
-// What the variant makes of the module of the front end; each step leaves a valid module.
+// Applies the variant to the front end's module; each step produces a valid module.
 Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& variant) {
     validate(module);
     if (variant.round_trip) module = internal::round_trip(module, stage, name);
@@ -22,7 +22,8 @@ Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& 
         if (variant.relaxed) words = with_relaxed_precision(words);
         return words;
     };
-    // Before the optimiser, which may then not contract either; and after it, for what it made itself.
+    // Decorates before the optimizer, so that it cannot contract, and after it, for instructions that it has
+    // created.
     module = decorated(std::move(module));
     if (variant.optimization != Optimization::none)
         module = decorated(optimize(module, variant.optimization));

@@ -14,8 +14,8 @@ namespace gloam::shader {
 
 enum class Stage { compute, vertex, fragment };
 
-// GLSL text with the name that error messages give it. The text starts with its own #version line: 430 to 460
-// (core), 310 es or 320 es.
+// GLSL text, and the name by which error messages refer to it. The text starts with its own #version line:
+// 430 to 460 (core), 310 es or 320 es.
 struct Source {
     std::string name;
     std::string text;
@@ -23,33 +23,32 @@ struct Source {
 
 struct CompileOptions {
     Stage stage = Stage::compute;
-    // Where #include "a/b.glsl" is looked for, after the includer's own folder. A Source has one when its
-    // name is a path with a folder in it.
+    // Folders for #include "a/b.glsl", searched after the includer's own folder. A Source has such a folder
+    // if its name is a path with a folder.
     std::vector<std::filesystem::path> include_roots;
-    Variant variant;     // what is done to the module after the front end
-    bool lines = false;  // the module says which line of which file each instruction comes from
+    Variant variant;     // how the module is changed after the front end
+    bool lines = false;  // the module records the file and line of each instruction
 };
 
-// The compiler rejected the text; what() has one line per message, each "file:line: message" with the file of
-// the *include*.
+// The compiler rejected the text. what() has one line for each message, "file:line: message", with the file
+// that contains the error.
 class CompileError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 using Spirv = std::vector<std::uint32_t>;
 
-// GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module of the variant; names are kept. #include needs no
-// #extension line. Functions that main does not reach may call prototypes without a body. Throws
-// CompileError, also for an include that is missing or that includes itself.
+// Compiles GLSL for Vulkan 1.2 (SPIR-V 1.5) to a validated module of the variant; names are kept. #include
+// needs no #extension line. Functions that main does not call may use prototypes without a body. Throws
+// CompileError, also for an include that is missing or includes itself.
 [[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options);
 
-// Every function that the text and its includes define, and every one that they only declare and call (a
-// declaration that nothing calls is not seen), in order of definition or first call; types and names are
-// those of the compiled module. Overloads are separate entries. The text needs no main; the variant does not
-// matter. Throws like compile().
+// The functions that the text and its includes define, and the functions that they declare and call without a
+// definition, in order of definition or first call. Types and names are those of the compiled module.
+// Overloads are separate entries. The text needs no main; the variant has no effect. Throws like compile().
 [[nodiscard]] std::vector<Function> functions(const Source& source, const CompileOptions& options);
 
-// Name and version of the compiler, the optimiser, the validator and the translator back to GLSL; part of
+// Name and version of the compiler, the optimizer, the validator and the translator back to GLSL; part of
 // every cache key.
 [[nodiscard]] std::string compiler_version();
 

@@ -14,7 +14,7 @@ const base::ProcessLimits limits{.memory_bytes = std::uint64_t{3} << 30,
                                  .cpu = std::chrono::seconds(60),
                                  .patience = std::chrono::minutes(5)};
 
-// Texts and numbers one behind the other.
+// Serialises texts and numbers, one after another.
 class Writer {
   public:
     void add(std::string_view text) {
@@ -28,7 +28,7 @@ class Writer {
     std::string bytes_;
 };
 
-// Of what Writer has made: never of anybody else's.
+// Reads what a Writer of this program has written; never untrusted bytes.
 class Reader {
   public:
     explicit Reader(std::string_view bytes) : bytes_(bytes) {}

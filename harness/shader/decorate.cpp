@@ -34,13 +34,13 @@ bool is_float_arithmetic(const Instruction& instruction) {
     return std::ranges::find(opcodes, instruction.opcode) != opcodes.end();
 }
 
-// A value that is given and not calculated: a constant, or a bit pattern.
+// Whether the instruction yields a given value, not a calculated one: a constant, or a bit pattern.
 bool is_given(std::uint32_t opcode) {
     return opcode == SpvOpUndef || opcode == SpvOpBitcast ||
            (opcode >= SpvOpConstantTrue && opcode <= SpvOpSpecConstantOp);
 }
 
-// float32 and the vectors and matrices of it.
+// The IDs of float32 and of its vectors and matrices.
 std::set<Id> float32_types(const std::vector<Instruction>& instructions) {
     constexpr std::uint32_t width = 32;
     std::set<Id> types;
@@ -53,7 +53,7 @@ std::set<Id> float32_types(const std::vector<Instruction>& instructions) {
     return types;
 }
 
-// Whether the instruction has a result and a type of it; these are its words 2 and 1 then.
+// Whether the instruction has a result (word 2) with a type (word 1).
 bool has_typed_result(const Instruction& instruction) {
     bool result = false;
     bool type = false;
@@ -70,7 +70,7 @@ std::set<Id> decorated_ids(const std::vector<Instruction>& instructions, SpvDeco
     return ids;
 }
 
-// Where annotations begin: behind everything that the layout of a module puts in front of them.
+// Index at which annotations begin: behind all sections that precede them in a module.
 std::size_t annotations_begin(const std::vector<Instruction>& instructions, std::size_t end) {
     constexpr std::array before{SpvOpCapability,      SpvOpExtension,       SpvOpExtInstImport,
                                 SpvOpMemoryModel,     SpvOpEntryPoint,      SpvOpExecutionMode,

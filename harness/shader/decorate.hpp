@@ -5,16 +5,17 @@
 
 namespace gloam::shader {
 
-// Decorations added to a module, everything else left as it is. What has the decoration already keeps it; a
-// second call changes nothing. Both throw std::runtime_error when the words are no SPIR-V module.
+// Adds decorations to a module and changes nothing else. An existing decoration is kept, so a second call
+// changes nothing. Both throw std::runtime_error for words that are not a SPIR-V module.
 
-// NoContraction on the result of every float arithmetic instruction (negation, sum, difference, product,
-// quotient, remainder, modulo, dot and outer product, and products with matrices): neither contracted with
-// another nor reordered. The extended instructions (sqrt, fma, ...) cannot carry it.
+// Adds NoContraction to the result of every float arithmetic instruction (negation, sum, difference, product,
+// quotient, remainder, modulo, dot and outer product, and products with matrices), so that it is neither
+// contracted nor reordered. The extended instructions (sqrt, fma, ...) do not support this decoration.
 [[nodiscard]] Spirv with_no_contraction(const Spirv& module);
 
-// RelaxedPrecision on every float32 scalar, vector or matrix result: it may be calculated with the range and
-// precision of float16. Constants, and bit patterns that become floats (uintBitsToFloat), are left alone.
+// Adds RelaxedPrecision to every float32 scalar, vector or matrix result, so that it may be calculated with
+// the range and precision of float16. Constants, and bit patterns that become floats (uintBitsToFloat), are
+// not decorated.
 [[nodiscard]] Spirv with_relaxed_precision(const Spirv& module);
 
 }  // namespace gloam::shader

@@ -20,8 +20,8 @@ bool defines(const std::vector<Declaration>& declared, const Declaration& wanted
     });
 }
 
-// One declaration for each function, in the order in which the completed text defines them: those that the
-// text defines, then those that it only declares.
+// One declaration for each function, in the order of definition in the completed text: defined functions
+// first, then those that are only declared.
 std::vector<Declaration> in_order_of_definition(const std::vector<Declaration>& declared) {
     std::vector<Declaration> ordered;
     std::ranges::copy_if(declared, std::back_inserter(ordered), &Declaration::defined);
@@ -33,8 +33,8 @@ std::vector<Declaration> in_order_of_definition(const std::vector<Declaration>& 
     return ordered;
 }
 
-// A body for each function that has none, and a main where there is none: SPIR-V holds complete programs
-// only.
+// Adds a body to each function without one, and a main if there is none, because SPIR-V contains complete
+// programs only.
 std::string completed(std::string text, const std::vector<Declaration>& functions) {
     text += "\n";
     for (const Declaration& function : functions) {
@@ -48,7 +48,7 @@ std::string completed(std::string text, const std::vector<Declaration>& function
     return text;
 }
 
-// What the module knows of a function, with what only the text knows: directions, and the names of opaque
+// Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
 Function function_of(const Signature& signature, const Declaration& declaration) {
     Function function{signature.name, signature.result, signature.parameters, declaration.defined};
@@ -63,8 +63,8 @@ Function function_of(const Signature& signature, const Declaration& declaration)
     return function;
 }
 
-// For each function of the module its declaration; null for a main that was added. Those of one name are in
-// the same order on both sides.
+// The declaration of each function of the module; null for an added main. Functions of one name are in the
+// same order on both sides.
 std::vector<const Declaration*> paired(const std::vector<Signature>& signatures,
                                        const std::vector<Declaration>& declared) {
     std::vector<const Declaration*> pairs(signatures.size(), nullptr);
@@ -78,7 +78,7 @@ std::vector<const Declaration*> paired(const std::vector<Signature>& signatures,
     return pairs;
 }
 
-// In order of definition; a function that is only declared at its first call.
+// In order of definition; a function that is only declared is listed at its first call.
 std::vector<Function> listed(const std::vector<Signature>& signatures,
                              const std::vector<Declaration>& declared) {
     const std::vector<const Declaration*> pairs = paired(signatures, declared);
@@ -102,7 +102,7 @@ std::vector<Function> listed(const std::vector<Signature>& signatures,
 
 std::vector<Function> functions(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
-    // Parsed as it stands first: messages name the places of the text itself.
+    // The unchanged text is parsed first, so that messages have its line numbers.
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
                                 options.include_roots);
     const std::string text = internal::preprocessed(source, options.stage, options.include_roots);

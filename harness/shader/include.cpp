@@ -15,7 +15,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// The files that an include name may mean, in the order in which they are tried.
+// The files to which an include name can refer, in the order in which they are tried.
 std::vector<Path> candidates(std::string_view name, const Path& from, const std::vector<Path>& roots) {
     std::vector<Path> files;
     if (!from.empty()) files.push_back((from / name).lexically_normal());

@@ -10,17 +10,18 @@
 
 namespace gloam::shader {
 
-// Reads a text file; throws std::runtime_error naming the file when it cannot.
+// Reads a text file. Throws std::runtime_error with the file's name if that fails.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
-// The file that #include "name" means in a file of folder `from` (may be empty): from/name, else the first
-// root that has it. Throws std::runtime_error that lists where it looked.
+// The file of #include "name" in a file of folder `from` (may be empty): from/name, otherwise that of the
+// first root that contains it. Throws std::runtime_error with the searched places.
 [[nodiscard]] std::filesystem::path resolve_include(std::string_view name, const std::filesystem::path& from,
                                                     const std::vector<std::filesystem::path>& roots);
 
-// Every file that a text of folder `from` reaches through #include directives (whether or not a condition
-// hides them), each once, in the order of first mention, with its text: what a cache key must cover. Files
-// that are missing are left out (only the compiler knows whether a condition hides them).
+// Every file that a text of folder `from` reaches by #include directives, whether or not a condition disables
+// them. Each file is listed once with its text, in the order of first mention; a cache key must cover all of
+// them. Missing files are skipped, because only the compiler knows whether a condition disables the
+// directive.
 struct IncludedFile {
     std::filesystem::path path;
     std::string text;

@@ -12,7 +12,7 @@
 
 namespace gloam::shader {
 
-// A member of a block as it lies in memory.
+// A member of a block with its memory layout.
 struct LaidOut {
     std::string name;
     std::string type;      // of its components: "float", "int", "uint", "bool"; of a structure its name
@@ -20,14 +20,14 @@ struct LaidOut {
     unsigned columns = 1;  // of a matrix
     std::vector<unsigned> sizes;   // of an array, outermost first; 0: as many as the buffer holds
     std::size_t offset = 0;        // bytes, in the block or structure
-    std::size_t size = 0;          // bytes; of one element where there is no end
+    std::size_t size = 0;          // bytes; of one element for an unbounded array
     std::size_t stride = 0;        // bytes from one element of an array to the next
     std::vector<LaidOut> members;  // of a structure
 };
 
 struct BlockLayout {
     std::string name;
-    std::size_t size = 0;  // bytes, without an array that has no end
+    std::size_t size = 0;  // bytes, without an unbounded array at the end
     std::vector<LaidOut> members;
 };
 
@@ -36,7 +36,7 @@ enum class BindingType { storage_image, sampled_image, texture, sampler, storage
 struct Binding {
     std::uint32_t set = 0;
     std::uint32_t number = 0;
-    std::string name;  // of the variable; of a block without one, the block's
+    std::string name;  // of the variable; for an unnamed variable that of its block
     BindingType type = BindingType::storage_image;
     std::string format;  // of a storage image, as GLSL has it: "rgba32f"; empty: none is said
     bool reads = true;   // may be read: not declared writeonly
@@ -48,10 +48,10 @@ struct SpecializationConstant {
     std::uint32_t id = 0;
     std::string name;
     std::string type;        // "bool", "int", "uint", "float"
-    std::uint32_t bits = 0;  // of the value where nobody gives one
+    std::uint32_t bits = 0;  // default value
 };
 
-// What a compute module meets the world with.
+// The interface of a compute module.
 struct ModuleInterface {
     std::vector<Binding> bindings;  // by set and number
     std::optional<BlockLayout> push_constants;
@@ -59,7 +59,8 @@ struct ModuleInterface {
     std::array<std::uint32_t, 3> local_size{};
 };
 
-// Throws std::runtime_error for words that are no module, and for a binding that has none of those types.
+// The interface of a module. Throws std::runtime_error for words that are not a module, and for a binding of
+// another type.
 [[nodiscard]] ModuleInterface reflect(const Spirv& module);
 
 // "storage image", "storage buffer" ...

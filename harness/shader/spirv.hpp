@@ -7,11 +7,11 @@
 
 namespace gloam::shader {
 
-// Throws std::runtime_error with the validator's message when the module is not valid for Vulkan 1.2.
+// Throws std::runtime_error with the validator's message if the module is not valid for Vulkan 1.2.
 void validate(const Spirv& module);
 
-// The module after the passes of the given kind; `none` gives it back as it is. Does not validate.
-// Throws std::runtime_error with the optimiser's message when it cannot read the module.
+// The module after the passes of the given kind; `none` returns it unchanged. Does not validate. Throws
+// std::runtime_error with the optimizer's message if it cannot read the module.
 [[nodiscard]] Spirv optimize(const Spirv& module, Optimization optimization);
 
 // The module as assembly text with friendly names. Throws std::runtime_error when it cannot be decoded.

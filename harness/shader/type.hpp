@@ -37,8 +37,8 @@ struct Parameter {
     Direction direction = Direction::in;
 };
 
-// A function as the compiler saw it: defined, or only declared (a prototype that somebody else must define;
-// its parameters have no names then).
+// A function as the compiler sees it: defined, or only declared (a prototype for another to define; its
+// parameters then have no names).
 struct Function {
     std::string name;
     Type result;
@@ -46,7 +46,7 @@ struct Function {
     bool defined = false;
 };
 
-// No part of the type is unsupported.
+// Whether no part of the type is unsupported.
 [[nodiscard]] bool is_supported(const Type& type);
 
 // "vec3", "mat4x3", "float", "Name { float a; vec2 b; }".

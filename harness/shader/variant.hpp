@@ -11,29 +11,29 @@ enum class Optimization {
     none,
     performance,
     size,
-    hoisting  // performance, and what a loop does not change is computed before it: not every driver moves it
+    hoisting  // performance, with loop invariants computed before their loops: not every driver does this
 };
 
-// One way to make a module of a shader. The default is the way that glslang makes it.
+// One way to make a module from a shader. The default is glslang's unchanged module.
 struct Variant {
-    // How a kernel gets the inputs that it is called with: from memory, or as constants that the compiler
-    // (literals) or the driver (specialization constants) may fold. compile() does not look at it: the text
-    // has them, or has them not.
+    // How a kernel gets its inputs: from memory, or as constants that the compiler (literals) or the driver
+    // (specialization constants) may fold. compile() ignores it, because the text already contains the inputs
+    // or does not.
     enum class Constants { none, literals, specialization };
 
     std::string name;
     std::string description;
     Optimization optimization = Optimization::none;
-    bool strict = false;      // every float operation NoContraction, as if all were `precise`
-    bool relaxed = false;     // every float result RelaxedPrecision, as if all were `mediump`
-    bool round_trip = false;  // to GLSL by SPIRV-Cross, and compiled again
+    bool strict = false;      // every float operation has NoContraction, as if all were `precise`
+    bool relaxed = false;     // every float result has RelaxedPrecision, as if all were `mediump`
+    bool round_trip = false;  // translated to GLSL by SPIRV-Cross, and compiled again
     Constants constants = Constants::none;
 };
 
 // All variants: shipped, strict, optimized, small, round_trip, relaxed, literals, specialization.
 [[nodiscard]] std::vector<Variant> variants();
 
-// The variant of that name. Throws std::invalid_argument that lists the names.
+// The variant with this name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] Variant variant(const std::string& name);
 
 }  // namespace gloam::shader

@@ -73,7 +73,7 @@ bool returns_floats(const Entry& entry) {
     return std::ranges::count(entry.question.signature.output_scalars(), shader::Scalar::float_) > 0;
 }
 
-// Results of which nothing is true for every input but that they are numbers, and why.
+// Results without a codomain: any number is possible for some input. With the reason.
 const std::map<std::string, std::string> any_number{
     {"CS-I-ratio", "a height over a half chord: any float, -infinity for background"},
     {"CS-I-pair", "as far as its caller believes: any float from lowest to highest"},

@@ -23,7 +23,7 @@ constexpr const char* layers =
 constexpr const char* flushed =
     "NaN: only a device that flushes a subnormal contrast beside an infinite occlusion comes here";
 
-// Why the inputs of no entry reach it. By the line alone, whatever the way.
+// Lines that the inputs of no entry reach, with the reason; it applies to all ways of the line.
 const std::map<std::pair<std::string, std::string>, std::string> unreached{
     {{"gloam/gather/pair.glsl", "vec3 further = layers > 1 ? abs(gloam_fetch_layers(pixel)) : vec3(0.0);"},
      layers},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every include compiles alone, as it stands and packed, in every GLSL version that the library promises.
+// Every include compiles alone, unchanged and packed, in every GLSL version that the library supports.
 #include <gtest/gtest.h>
 
 #include <filesystem>

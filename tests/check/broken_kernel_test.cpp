@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kernels that betray the harness: the canaries and guards must tell.
+// Broken kernels: the canaries and guards must report them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -28,8 +28,8 @@ struct Texel {
     bool valid;
 };
 
-// Words of every kind that a scalar may be: in GLSL true is 1, and the rest is any pattern but NaN, which
-// nobody need keep bit by bit.
+// Words of every kind of scalar. In GLSL true is 1; other scalars have any bit pattern except NaN, whose bits
+// need not be preserved.
 std::vector<Word> some_words(const std::vector<shader::Scalar>& scalars, std::size_t count) {
     constexpr std::array<float, 10> floats{0.0F,     -0.0F,     1.0F / 3.0F, -2.5F,  16777217.0F,
                                            1.2e-38F, 3.402e38F, INFINITY,    -1e-6F, -INFINITY};

@@ -51,7 +51,7 @@ TEST_F(CoverageTest, WhatNoInputReachesIsToldWithItsLine) {
     EXPECT_THAT(to_text(some), HasSubstr("not reached: sum += 10.0;"));
 }
 
-// An optimiser removes branches and copies others: what is told is about the source.
+// An optimizer removes some branches and copies others; the report must be about the source.
 TEST_F(CoverageTest, IsTheSameInEveryVariant) {
     const Domain domain{uniform(0.5, 90), integers(1, 2)};
     EXPECT_EQ(missed(of(domain, shader::variant("optimized"))), missed(of(domain)));

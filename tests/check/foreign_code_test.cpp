@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions of anybody's: whatever their file holds besides, they run as they are, or it is said why not.
+// Functions of a user's files, with any other content: they run unchanged, or a message states why not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -94,7 +94,7 @@ TEST(Guide, AnEnginesDepthAndLight) {
     EXPECT_EQ(light(glm::vec3(4), glm::vec3(1), 0.75F), glm::vec3(2));
 }
 
-// What the guide says of a budget that is too narrow.
+// The guide's text on a budget that is too narrow.
 TEST(Guide, ANarrowBudgetFailsAndSaysWhere) {
     const Lab lab = guide_lab();
     const auto other = [](double x) { return x / (1.0 + 1.001 * x); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Verdicts by Vulkan's precision rules: what they permit passes, anything beyond fails, and nobody chose a
-// number.
+// Verdicts by Vulkan's precision rules: permitted results pass, all others fail, and no tolerance is chosen
+// by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

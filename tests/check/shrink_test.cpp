@@ -22,7 +22,7 @@ float as_float(Word word) {
     return std::bit_cast<float>(word);
 }
 
-// A function that should return its first word, and where `fails` says so returns another.
+// A function that should return its first word; where `fails` is true it returns another one.
 template <class Function>
 struct Planted {
     Domain domain;

@@ -43,8 +43,8 @@ TEST_P(ClosedForm, ConvergesToItsOwnValue) {
     }
 }
 
-// On a plane the normal from the depth is the plane's, but for rounding: that changes less than the samples
-// spread. A result that is made of other pixels' results has edges in it where there are any.
+// On a plane the normal from depth differs from the plane's by rounding only; this changes less than the
+// spread of the samples. A result that uses other pixels' results is affected by the edges in them.
 TEST_P(ClosedForm, NormalsFromTheDepthMakeNoDifference) {
     const ClosedFormOptions given{.frames = 4};
     ClosedFormOptions reconstructed = given;

@@ -38,7 +38,7 @@ TEST_F(CompositePass, OcclusionDarkensTheAmbientLightAlone) {
     EXPECT_GT(brightest, 0.1F);
 }
 
-// Each pixel has its own; what is no occlusion counts as none or all, and NaN as none.
+// Each pixel has its own occlusion. Values outside [0, 1] are clamped, and NaN counts as 0.
 TEST_F(CompositePass, EachPixelHasItsOwnOcclusion) {
     const scene::SplitLight light{.ambient = std::vector<glm::vec3>(5, glm::vec3(1, 2, 4)),
                                   .direct = std::vector<glm::vec3>(5, glm::vec3(0.5F, 0, 0))};

@@ -57,7 +57,7 @@ TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
     }
 }
 
-// A tile that is left out is counted as what it is: the sky has no pixels to share samples among.
+// A skipped tile is counted correctly: the sky has no pixels over which samples are averaged.
 TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
     BenchmarkViews views = views_of("sky");
     Settings settings =

@@ -51,7 +51,7 @@ scene::GBuffer step(float left, float right, double view_height = 8.0) {
     return view;
 }
 
-// The step hides the left half of the hemisphere from what is beside it; it is higher than the radius.
+// The step hides the left half of the hemisphere from the points beside it; it is higher than the radius.
 constexpr std::size_t beside = 16 * 48 + 24;
 constexpr float high = 1.5F;
 constexpr double close = 0.5;  // view: a pixel's centre is a 128th from the step
@@ -68,8 +68,9 @@ TEST_F(Directions, AnOpenPlaneBendsNothing) {
     }
 }
 
-// Every window of as many pixels as share a pattern has all of it, wherever it lies: on a plane all pixels of
-// few samples agree, and with as many of one pixel. By itself each pixel has a direction of its own.
+// Every window with as many pixels as share a pattern contains the whole pattern. On a plane, all pixels with
+// few samples therefore agree with each other, and with a single pixel that takes all samples. Without
+// interleaving each pixel has a direction of its own.
 TEST_F(Directions, InterleavedPixelsShareOnePattern) {
     const scene::GBuffer view = step(3.0F, 3.0F);
     Settings few = with_radius({}, 1.0F);
@@ -93,7 +94,7 @@ TEST_F(Directions, InterleavedPixelsShareOnePattern) {
     EXPECT_NEAR(shared.half_angle[48 * 16 + 24], alone.half_angle[48 * 16 + 24], 1e-5F);
 }
 
-// What lies on another surface does not bend: beside a high step all is as without interleaving.
+// Pixels on another surface do not count: beside a high step the result is that without interleaving.
 TEST_F(Directions, InterleavingStopsAtEdges) {
     const scene::GBuffer view = step(3.0F - high, 3.0F, close);
     const BentNormals bent = directional_.bent_normals(view, many(), {.interleave = 4});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A march that ends where no tap to come can change it gives the same images, to the bit, as one that goes
-// on.
+// A march that ends when no later tap can change it gives bit-identical images to one that continues.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,7 +48,7 @@ class EndedMarches : public OnDevice<testing::Test> {
         return frames;
     }
 
-    // Returns the pixels of each frame of which a march was ended.
+    // Returns the number of pixels in each frame with a march that was ended.
     [[nodiscard]] std::vector<std::uint64_t> ended(const std::vector<scene::GBuffer>& views,
                                                    Settings settings) const {
         const std::vector<Frame> with = run(views, settings);
@@ -72,8 +71,8 @@ class EndedMarches : public OnDevice<testing::Test> {
 
 class EndedMarchesOf : public EndedMarches, public testing::WithParamInterface<std::string> {};
 
-// As gtao.glsl says, its marches never close; samples of points, taps and pairs each count for themselves,
-// and rays end at what they hit.
+// By gtao.glsl, its marches never end early. Samples of points, taps and pairs count independently, and rays
+// end at their hit.
 bool may_close(const std::string& method) {
     return method == "bitmask" || method == "hbao" || method == "dual_resolution";
 }

@@ -113,8 +113,8 @@ TEST_P(Filters, NothingLeaksOverAnEdge) {
     for (std::size_t i = 0; i < result.size(); ++i) ASSERT_NEAR(result[i], field.occlusion[i], 1e-4) << i;
 }
 
-// Whatever stands for background, and however near the surfaces beside it are: nothing reaches it, and it
-// reaches nothing.
+// For every representation of background and any distance of neighbouring surfaces: nothing flows from
+// background to surfaces or back.
 TEST_P(Filters, BackgroundKeepsItsValueAndLendsItToNobody) {
     for (const float background : {0.0F, -1.0F, inf, std::numeric_limits<float>::quiet_NaN()}) {
         Field field = random_field({19, 11}, 0.0F);

@@ -23,7 +23,7 @@ namespace further_views_test {
 
 constexpr gpu::Extent extent{95, 63};
 
-// A table with a thin top on a floor, seen from straight above: its underside and what it stands over are
+// A table with a thin top on a floor, seen from straight above: its underside and the floor below it are
 // hidden.
 scene::Scene table(double azimuth_degrees, double elevation_degrees) {
     scene::Scene scene{.name = "table", .ao_radius = 0.6};
@@ -66,7 +66,7 @@ Settings settings_for(const std::string& method, std::uint32_t samples = 32) {
 
 class FurtherOf : public Further, public testing::WithParamInterface<std::string> {};
 
-// The same depth buffer tells nothing more: the samples are those of the first frame.
+// The same depth buffer adds no information: the samples are those of the first frame.
 TEST_P(FurtherOf, TheSameViewChangesNothing) {
     const scene::GBuffer view = view_from(20, 50);
     const scene::GBuffer views[] = {view, view};
@@ -92,7 +92,7 @@ TEST_F(Further, AViewThatDoesNotShowThePointChangesNothing) {
     EXPECT_EQ(further_.raised(view, once, {}, settings_for("alchemy")), once);
 }
 
-// Something stands before all that the other camera would see, near enough to block: it is not asked.
+// An object hides everything from the other camera, and is near enough to block: this view is not used.
 TEST_F(Further, APointHiddenInTheOtherViewIsNotAskedThere) {
     const scene::GBuffer view = view_from(0, 60);
     scene::GBuffer covered = view;
@@ -102,8 +102,8 @@ TEST_F(Further, APointHiddenInTheOtherViewIsNotAskedThere) {
     EXPECT_EQ(further_.raised(view, once, others, settings_for("hemisphere")), once);
 }
 
-// The other camera looks along the same rays and shows the middle alone, with a ridge near its border: what
-// lies beside its image is not asked, what lies in it is.
+// The other camera looks along the same rays but shows the middle only, with a ridge near its border. It is
+// not used for points beside its image, but for those inside.
 TEST_F(Further, BesideTheOtherImageNothingIsKnown) {
     const auto floor = [](glm::dvec2) { return 5.0; };
     scene::GBuffer view = view_of(extent, true, floor);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The guard band: what lies near the frame's edge has its neighbourhood and its history, the rest is as it
-// was.
+// The guard band: surfaces near the frame's edge have their neighbours and their history, and the rest does
+// not change.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -34,7 +34,7 @@ constexpr std::uint32_t op_constant = 43;
 constexpr std::uint32_t mode_local_size = 17;
 constexpr std::uint32_t mode_local_size_id = 38;
 
-// What stands behind one binding: the words of a buffer, or four of each texel.
+// The contents of one binding: the words of a buffer, or four words of each texel.
 struct Bound {
     std::vector<Word> words;
     gpu::Extent extent{};  // of an image; 0 x 0: a buffer

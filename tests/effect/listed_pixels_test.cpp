@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Passes over lists of tiles: whatever a group takes, each pixel of the listed tiles has one invocation, and
-// no other pixel has any.
+// Passes over lists of tiles: for any number of tiles in a group, each pixel of the listed tiles has one
+// invocation, and no other pixel has any.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -82,7 +82,7 @@ scene::GBuffer plane(gpu::Extent extent, const scene::Camera& camera, const scen
     return view;
 }
 
-// What a method says of a bare plane, before the remap.
+// A method's result on a bare plane, before the remap.
 double on_a_plane(const std::string& method) {
     return with_method(Settings{}, method).remap_a > 0.0F ? 0.5 : 0.0;
 }

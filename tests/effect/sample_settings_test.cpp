@@ -64,7 +64,7 @@ TEST_F(SampleSettings, FewerAreTakenFarAway) {
     EXPECT_NEAR(per_pixel(frame_of(settings)), all * 9 / 32, 0.1);
 }
 
-// What is counted, in the weight and in what is told of the work, is what was taken: whole slices, rays,
+// The counts, in the weight and in the reported work, are those of the samples taken: whole slices, rays,
 // pairs.
 TEST_F(SampleSettings, WhatIsCountedWasTaken) {
     struct Asked {
@@ -155,7 +155,7 @@ TEST_F(SampleSettings, TheCapOfTheRadiusIsASmallerRadius) {
     EXPECT_NEAR(mean_of(capped), mean_of(smaller), 1e-3);
 }
 
-// A tap that tells nothing is no sample: the fewer count, the less the history takes of them.
+// A rejected tap is not a sample: with fewer samples, less of the history is replaced.
 TEST_F(SampleSettings, RejectedTapsDoNotCount) {
     for (const char* method : {"hemisphere", "alchemy"}) {
         Settings settings = plain(method);
@@ -171,7 +171,7 @@ TEST_F(SampleSettings, RejectedTapsDoNotCount) {
     }
 }
 
-// A slice has its weight whatever its steps find: what is left out there is an open step.
+// A slice has its weight for all results of its steps: a rejected step is open.
 TEST_F(SampleSettings, RejectedStepsAreOpen) {
     Settings settings = plain("gtao");
     const Frame all = frame_of(settings);
@@ -182,7 +182,7 @@ TEST_F(SampleSettings, RejectedStepsAreOpen) {
     EXPECT_LT(mean_of(some.occlusion), 0.9 * mean_of(all.occlusion));
 }
 
-// The mean of two frames of the same number of samples tells the second one: (a + b) / 2.
+// The mean of two frames with the same number of samples, (a + b) / 2, determines the second one.
 TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
     scene_ = scene::make_scene("corner");
     Settings settings = plain();

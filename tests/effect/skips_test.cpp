@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is left out changes nothing: the same images, to the bit, with each skip and without, over frames.
+// Skips change nothing: over several frames, images are bit-identical with each skip and without.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ class Skips : public OnDevice<testing::Test> {
                                       static_cast<float>(scene::make_scene(name).ao_radius)));
     }
 
-    // All frames of all stays. The images have held something else before.
+    // All frames of all stays. Before, the images contained other values.
     [[nodiscard]] std::vector<Frame> run(const std::vector<Stay>& stays, const Settings& settings) const {
         AmbientOcclusion& effect = effect_for(stays.front().view.extent);
         scene::GBuffer dirt = stays.front().view;

@@ -254,8 +254,8 @@ struct MovingHalf {
     }
 };
 
-// A sample of the hemisphere is blocked by what is up to `range` in front of it, however small the radius:
-// what leaves that range changes the occlusion.
+// A sample of the hemisphere is blocked by surfaces up to `range` in front of it, for any radius. When a
+// surface leaves that range, the occlusion changes.
 TEST_F(Temporal, ProbesReachAsFarAsWhatBlocks) {
     const MovingHalf plate(4.2, 3.0);
     Settings settings = with_radius(with_method(paper(), "hemisphere"), 0.2F);
@@ -275,7 +275,7 @@ TEST_F(Temporal, ProbesReachAsFarAsWhatBlocks) {
     EXPECT_LT(open.convergence[pixel], 0.5F * blocked.convergence[pixel]);
 }
 
-// A pixel that takes no samples has no probes: its history stays as it was, whatever moves beside it.
+// A pixel that takes no samples has no probes, so its history stays unchanged when objects move beside it.
 TEST_F(Temporal, WithoutSamplesTheHistoryStays) {
     const MovingHalf pit(5.3, 6.0);
     Settings settings = with_radius(with_method(paper(), "hemisphere"), 0.5F);

@@ -33,7 +33,7 @@ inline void require(bool promise) {
     if (!promise) std::abort();
 }
 
-// A reader gives something, or says in an exception of the standard library why not; the message is short.
+// A reader returns a result, or throws an exception of the standard library with a short message.
 template <class Read>
 void read_or_refuse(const Read& read) {
     constexpr std::size_t longest = 2000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a worker process says, which a driver may have written over, and the rows of a check.
+// The messages of a worker process, which a driver may have overwritten, and the rows of a check.
 #include "cli/check/task.hpp"
 #include "fuzz/fuzz.hpp"
 #include "report/answer_json.hpp"

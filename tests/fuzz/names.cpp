@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text of anybody's in names, messages and bounds.
+// Untrusted text in names, messages and bounds.
 #include "base/json_bounds.hpp"
 #include "base/text.hpp"
 #include "fuzz/fuzz.hpp"

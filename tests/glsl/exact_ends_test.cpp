@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Images of exact 0 and 1, sides of 0, vectors that are equal, opposite, parallel or along an axis: what is
-// documented for them.
+// The documented results for images of exact 0 and 1, sides of 0, and vectors that are equal, opposite,
+// parallel or along an axis.
 #include <gtest/gtest.h>
 
 #include <cmath>

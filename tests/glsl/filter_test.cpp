@@ -235,8 +235,8 @@ TEST_F(Filter, SmallImages) {
     EXPECT_EQ(at(one, {0, 0}, -1), 0.3F);
 }
 
-// The image is smaller than the shader is told: reading a neighbour is a fault, so a pixel that passes read
-// none.
+// The image is smaller than the size passed to the shader, so reading a neighbour is a fault. A pixel that
+// passes has read none.
 TEST_F(Filter, ConvergedPixelReadsNoNeighbour) {
     const auto run = [&](float convergence) {
         const Pixels pixels{.size = {1, 1},

@@ -185,8 +185,8 @@ TEST_F(Relatives, HsaoIsHbaoWithTheSameTaps) {
     EXPECT_GT(same, 20);
 }
 
-// Each setting that a method's descriptor says it reads changes what it says of a rough surface, and no other
-// does. Those with preparation passes are tried by the effect (tests/effect/setting_table_test.cpp).
+// Each setting that a method's descriptor lists changes its result on a rough surface, and no other setting
+// does. Methods with preparation passes are tested by the effect (tests/effect/setting_table_test.cpp).
 class RelativesSettings : public testing::TestWithParam<std::string> {};
 
 std::vector<std::string> unprepared_methods() {
@@ -233,12 +233,12 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
 INSTANTIATE_TEST_SUITE_P(All, RelativesSettings, testing::ValuesIn(unprepared_methods()),
                          [](const auto& info) { return info.param; });
 
-// Taps that fall into one pixel count once: where the whole disc lies in one pixel there is one sample, of a
-// disc a few pixels wide no more than it has pixels, and the mean is that over the pixels that were read.
+// Taps in one pixel count once. If the whole disc is in one pixel there is one sample; in a disc a few pixels
+// wide there are at most as many samples as pixels. The mean is that over the pixels that were read.
 TEST_F(Relatives, TapsInOnePixelCountOnce) {
     const check::Kernel<Gather> every = method("issao");
     const check::Kernel<Gather> distinct = method("issao_distinct");
-    // One pixel beside the middle stands up: whichever tap falls into it counts, all others are 0.
+    // One pixel beside the middle is raised: every tap in it counts, all others are 0.
     const auto view = test::view_of(glm::ivec2(side), [](glm::ivec2 p) {
         return p == glm::ivec2(middle + 1, middle) ? static_cast<float>(5.0 - 0.5 * pixel) : 5.0F;
     });

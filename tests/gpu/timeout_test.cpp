@@ -26,8 +26,9 @@ ComputePipeline slow_pipeline(const Device& device) {
             {.spirv = slow_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4}};
 }
 
-// As many work groups as keep this device busy for a few seconds, whatever its speed. Where the driver
-// computes on the processor, its time counts: on a busy machine the clock says nothing about the work.
+// Number of work groups that keep this device busy for a few seconds, at any speed. If the driver computes on
+// the processor, processor time is measured, because on a busy machine elapsed time does not measure the
+// work.
 Groups long_work() {
     const Device device({.device = device_name()});
     const bool on_processor = device.info().type == "cpu";
@@ -94,8 +95,7 @@ TEST_F(TimeoutTest, ThrowsAndRecoversWhenTheWorkIsDone) {
     EXPECT_EQ(buffer.as<std::uint32_t>()[0], 1664525u + 1013904223u);
 }
 
-// Runs in a process of its own, and says on stderr what it saw: everything of a device that still works is
-// destroyed.
+// Runs in a separate process and reports on stderr: all objects of a device that still works are destroyed.
 [[noreturn]] void destroy_while_running() {
     const auto groups = long_work();
     std::string report;

@@ -33,8 +33,8 @@ TEST_F(ValidationTest, SeesMissingPushConstants) {
     EXPECT_TRUE(any_mentions(take_messages(), "VUID-VkComputePipelineCreateInfo-layout"));
 }
 
-// A pipeline that outlives its device is a bug of the caller, which only a listener can be told of. Runs in a
-// process of its own, for the pipeline can never be destroyed.
+// A pipeline that outlives its device is an error of the caller, which only a listener can receive. It runs
+// in a separate process, because the pipeline can never be destroyed.
 [[noreturn]] void leave_a_pipeline_behind() {
     std::optional<Device> device(std::in_place,
                                  DeviceOptions{.device = device_name(),

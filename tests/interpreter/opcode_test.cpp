@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every operation alone: against wider arithmetic, and against the device where the result has one value
-// only.
+// Every operation alone: compared with wider arithmetic, and with the device if the result has a single
+// value.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every order of evaluation lies inside, and a single operation has one order.
+// The bounds contain every order of evaluation; a single operation has one order.
 #include "numeric/rearranged.hpp"
 
 #include <gtest/gtest.h>

@@ -67,14 +67,14 @@ TEST(Plot, TextsAreNeverObeyed) {
     }
 }
 
-// Its own text, whatever stands in it, is what is shown.
+// A text is shown literally, with any characters.
 TEST(Plot, TextsAreShownAsTheyAre) {
     const std::string text = "7/4 \"x\" \\ 'y' `z` $w @v 100% {a}_b^c";
     const std::string svg = to_svg({.title = text, .curves = {{"c", {{1, 1}, {2, 3}}}}});
     EXPECT_THAT(svg, HasSubstr("7/4 \"x\" \\ 'y' `z` $w @v 100% {a}_b^c"));
 }
 
-// No shell stands between: what the environment names is no part of a command.
+// No shell is used: environment variables do not become part of a command.
 TEST(Plot, TheFolderForTemporaryFilesIsNoCommand) {
     const test::TemporaryDirectory scratch;
     const std::string folder = (scratch.path() / "it's; a $(folder)").string();

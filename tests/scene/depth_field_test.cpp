@@ -72,7 +72,8 @@ TEST(DepthField, OfAPlaneIsOpen) {
     }
 }
 
-// Where nothing is hidden the depth buffer tells all: a wall meets a floor, both wholly in view.
+// If nothing is hidden, the depth buffer contains all geometry: a wall meets a floor, both completely
+// visible.
 TEST(DepthField, AgreesWithTheGeometryWhereNothingIsHidden) {
     Scene scene{.name = "edge", .mesh = make_parallelogram({-9, -1, -5}, {0, 0, 9}, {18, 0, 0}, 1.0)};
     append(scene.mesh, make_parallelogram({-9, -1, -5}, {18, 0, 0}, {0, 9, 0}, 1.0));

@@ -13,8 +13,8 @@ namespace bench_sources_test {
 using nlohmann::json;
 using testing::HasSubstr;
 
-// Each experiment has all its rows, what is the same has the same error, and what is printed is what is
-// written.
+// Each experiment has all its rows, equal configurations have equal errors, and the printed numbers are the
+// written ones.
 TEST(BenchSources, RepeatsTheExperiments) {
     const TemporaryDirectory folder;
     const auto file = folder.path() / "sources.json";

@@ -9,8 +9,8 @@
 
 namespace gloam::test {
 
-// It could not run: status 2, nothing on standard output, and one line on standard error that names what is
-// wrong.
+// The command could not run: status 2, nothing on standard output, and one line on standard error with the
+// error.
 inline void expect_could_not_run(const CommandResult& result, const std::string& named) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");

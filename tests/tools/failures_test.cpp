@@ -66,7 +66,7 @@ TEST(Failures, AWrongResultIsHandedOverWhole) {
     }
 }
 
-// What report.txt says to run is complete: as it stands, in a shell, it finds the same to the bit.
+// The command in report.txt is complete: run unchanged in a shell, it finds exactly the same failure.
 TEST(Failures, RunItAgainReproducesToTheBit) {
     const Installation installation;
     installation.replace(shader_file, "5.9604644775390625e-8", "5.9604652e-8");

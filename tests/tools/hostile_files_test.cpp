@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of anybody's, made to hurt: each is one line on standard error and status 2, soon, and leaves
-// nothing.
+// Hostile files: each soon ends with one line on standard error and status 2, and leaves nothing behind.
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>

@@ -68,7 +68,7 @@ TEST(Pack, OneFunctionAlone) {
     expect_could_not_run(run_command({"pack", halton, "--function", "gloam_halton_4d"}), "gloam_halton_4d");
 }
 
-// A whole shader, its stage told by its name.
+// A whole shader, whose stage follows from its name.
 TEST(Pack, AShaderWithAMain) {
     for (const char* name : {"reproject.comp", "gbuffer.vert", "gbuffer.frag", "tiles/select.comp"}) {
         const CommandResult result = run_command({"pack", std::string(GLOAM_GLSL_DIR "/passes/") + name});

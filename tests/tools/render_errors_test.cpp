@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `gloam render` says of input that it cannot use: one line, status 2, and nothing left in --out.
+// Errors of `gloam render` for invalid input: one line, status 2, and nothing left in --out.
 #include <unistd.h>
 
 #include <fstream>

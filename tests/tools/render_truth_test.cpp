@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `gloam render --truth`: the truth that it traces, the metrics against it, and what it says of options that
-// it cannot use.
+// `gloam render --truth`: the traced truth, the metrics against it, and the messages for invalid options.
 #include <fstream>
 #include <nlohmann/json.hpp>
 

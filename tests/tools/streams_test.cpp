@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cannot be written is an error, wherever it was to go; and what is closed is nobody's else.
+// An output that cannot be written is an error, wherever it goes; and no other file replaces a closed stream.
 #include <sys/resource.h>
 
 #include <fstream>

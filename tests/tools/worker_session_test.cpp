@@ -20,7 +20,7 @@ std::vector<std::string> shell(const std::string& script) {
     return {"/bin/sh", "-c", script};
 }
 
-// Greets, then does what it is told.
+// Greets, then executes the commands that it receives.
 const std::vector<std::string> obedient = shell("echo hello; while read -r line; do eval \"$line\"; done");
 
 TEST(WorkerSession, OneWorkerAnswersManyQuestions) {

@@ -7,8 +7,7 @@ class App;
 
 namespace gloam::cli {
 
-// Adds the subcommand `bench`, a group: each part measures something of its own. `status` receives what a
-// part returns.
+// Adds the subcommand `bench` with a subcommand for each measurement. `status` receives the exit status.
 void add_bench(CLI::App& app, int& status);
 
 }  // namespace gloam::cli

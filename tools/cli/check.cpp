@@ -37,7 +37,7 @@ std::vector<std::string> devices_to_check(const std::string& device) {
     std::vector<std::string> all;
     const std::size_t count = count_devices();
     for (std::size_t i = 0; i < count; ++i) all.push_back(std::to_string(i));
-    if (all.empty()) all.emplace_back();  // opening the default then says that there is none
+    if (all.empty()) all.emplace_back();  // then opening the default device fails with a clear message
     return all;
 }
 
@@ -45,7 +45,7 @@ bool is_of_file(const CheckOptions& options) {
     return !options.equations.empty() && is_shader_file(options.equations.front());
 }
 
-// The IDs of the equations that were asked for, or the functions of a file.
+// The IDs of the selected equations, or the functions of a file.
 std::vector<std::string> names_of(const CheckOptions& options) {
     if (is_of_file(options))
         return own_functions(options.equations.front(),
@@ -56,7 +56,7 @@ std::vector<std::string> names_of(const CheckOptions& options) {
     return names;
 }
 
-// Each in every variant that was asked for, of which this shard takes its share.
+// The selected equations in every selected variant; only this shard's share.
 std::vector<CheckTask> tasks_of(const CheckOptions& options) {
     const Shard shard = shard_from(options.shard);
     const std::vector<std::string> names = names_of(options);
@@ -92,7 +92,7 @@ void print_row(const check::Answer& row) {
     std::fflush(stdout);
 }
 
-// What runs this check again, to the bit: the same inputs on the same device.
+// The command that repeats this check exactly: the same inputs on the same device.
 std::string command_for(const CheckOptions& options, const report::DeviceSummary& device,
                         const check::Answer& row) {
     std::string what = report::shell_word(row.equation);
@@ -122,7 +122,7 @@ std::chrono::milliseconds timeout_of(const CheckOptions& options) {
     return std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
 }
 
-// One worker a core, where each has enough to do for its start to pay.
+// One worker for each core, unless the work is too short for another worker's start.
 std::size_t jobs_of(const CheckOptions& options, std::size_t checks) {
     constexpr std::size_t checks_that_pay = 64;
     constexpr std::size_t most = 16;
@@ -131,12 +131,12 @@ std::size_t jobs_of(const CheckOptions& options, std::size_t checks) {
     return std::clamp<std::size_t>(checks / checks_that_pay, 1, cores);
 }
 
-// Where the rows are kept while the check runs; empty without a file for the results.
+// The journal of the rows while the check runs; empty if no result file is written.
 std::filesystem::path journal_of(const CheckOptions& options) {
     return options.json.empty() ? "" : options.json.string() + ".journal";
 }
 
-// Prints rows as they come, keeps them in the journal, and shows how far the run is.
+// Prints rows as they come, writes them to the journal, and shows the progress.
 class CheckRun {
   public:
     CheckRun(const CheckOptions& options, std::vector<CheckTask> tasks, std::size_t devices)
@@ -180,7 +180,7 @@ class CheckRun {
     }
 
   private:
-    // A failure is run again where it is to be made ready to report.
+    // The row of an earlier run. A failure is run again if it is to be prepared for a report.
     [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& on,
                                                      const CheckTask& task) const {
         std::optional<check::Answer> row = journal_.known(on, task);
@@ -209,11 +209,12 @@ class CheckRun {
     ProgressLine progress_;
 };
 
-// A driver that does not even load costs itself alone: its row, where it was to be checked, and a line.
+// A driver that cannot be loaded is reported by a row, if it was selected, and by a line; others are not
+// affected.
 std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& options, std::size_t checks) {
     std::vector<report::CheckReport> reports;
     const LeftOut left_out = leave_out_bad_drivers();
-    if (!left_out.others) return reports;  // opening a device says what is wrong
+    if (!left_out.others) return reports;  // opening a device reports the reason
     for (const DriverTrouble& driver : left_out.drivers) {
         const std::string name = "driver " + driver.manifest.string();
         if (options.device != "all" && !driver.asked_for) {
@@ -258,8 +259,8 @@ CheckOutcome check(const CheckOptions& options) {
     json.write(report::to_json(outcome.reports));
     junit.write(report::to_junit(outcome.reports));
     html.write(report::to_check_page(outcome.reports));
-    if (!options.json.empty()) {      // the results are kept elsewhere now
-        std::error_code still_there;  // harmless: the next run begins it anew
+    if (!options.json.empty()) {      // the results are now in the result file
+        std::error_code still_there;  // harmless: the next run starts it anew
         std::filesystem::remove(journal_of(options), still_there);
     }
     return outcome;
@@ -281,7 +282,7 @@ int run_check(const CheckOptions& options) {
 
 namespace {
 
-// What is written, and what is printed.
+// Options for written files and for the printed output.
 void add_file_options(CLI::App& command, CheckOptions& options) {
     CLI::Option* json = command.add_option(
         "--json", options.json,

@@ -15,7 +15,7 @@ class App;
 
 namespace gloam::cli {
 
-// What `gloam check` was asked.
+// The options of `gloam check`.
 struct CheckOptions {
     std::vector<std::string>
         equations;                    // IDs, functions or globs; empty: all. Or a shader file and functions
@@ -28,12 +28,12 @@ struct CheckOptions {
     bool coverage = false;
     bool validation = false;
     double timeout = 120.0;  // seconds for each check
-    std::size_t jobs = 0;    // worker processes for each device; 0: as many as pay
+    std::size_t jobs = 0;    // worker processes for each device; 0: chosen by the amount of work
     bool in_process = false;
     std::filesystem::path json;
-    bool resume = false;  // go on from the journal beside `json`
+    bool resume = false;  // continue from the journal beside `json`
     std::filesystem::path junit;
-    std::filesystem::path failures;  // folder for what failed, ready to report
+    std::filesystem::path failures;  // folder for failures, prepared for a report
     std::filesystem::path html;      // page of the results; empty: none
     bool rows = true;                // print the device and a line for each check
     bool progress = true;            // on a terminal
@@ -46,10 +46,10 @@ struct CheckOutcome {
     std::size_t failures = 0;
 };
 
-// Runs the checks and writes the files that the options name.
+// Runs the checks and writes the requested files.
 [[nodiscard]] CheckOutcome check(const CheckOptions& options);
 
-// check(), and prints the story of each failure. Returns the exit status: 0 or 1.
+// Runs check() and prints the story of each failure. Returns the exit status: 0 or 1.
 [[nodiscard]] int run_check(const CheckOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

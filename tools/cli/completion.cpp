@@ -23,7 +23,7 @@ Words words_of(const std::vector<Named>& names, Words words = {}) {
     return words;
 }
 
-// The words that an option takes, by its name.
+// The words that each option accepts, by the option's name.
 std::vector<std::pair<std::string, Words>> option_values() {
     Words variants{"all"};
     for (const shader::Variant& variant : shader::variants()) variants.push_back(variant.name);
@@ -36,7 +36,7 @@ std::vector<std::pair<std::string, Words>> option_values() {
             {"--variant", variants}};
 }
 
-// The words that a command takes beside options and files.
+// The words that a command accepts besides options and files.
 Words positional_words(const CLI::App& command) {
     if (command.get_name() == "render") return words_of(scene_names());
     if (command.get_name() == "list")
@@ -53,7 +53,7 @@ Words options_of(const CLI::App& command) {
     return words;
 }
 
-// A case for the command and each below it: the words to complete.
+// Adds a case for the command and each of its subcommands: the words to complete.
 void add_cases(const CLI::App& command, const std::string& path, std::string& commands, std::string& cases) {
     Words words = positional_words(command);
     for (const CLI::App* below : command.get_subcommands(nullptr)) {

@@ -8,7 +8,7 @@ class App;
 namespace gloam::cli {
 
 // `gloam completion bash`: prints a bash script that completes commands, options, and the names that options
-// take. It is made from the commands that `app` has when the command runs, the hidden ones left out.
+// accept. It is generated from the commands that `app` has when it runs, without hidden ones.
 void add_completion(CLI::App& app);
 
 }  // namespace gloam::cli

@@ -43,7 +43,7 @@ struct Shown {
     Rendered run;
 };
 
-// Flushed: what follows takes its time.
+// Prints and flushes a line, because the next step takes time.
 void say(const DemoOptions& demo, const std::string& line) {
     if (demo.quiet) return;
     fmt::print("{}\n", line);
@@ -121,7 +121,7 @@ std::string check_line(const CheckOutcome& outcome) {
                        colored(fmt::format("{} failed ({})", outcome.failures, names), Ink::bad));
 }
 
-// The pictures come first, and of them the sheet: the check takes longer than all of them.
+// The pictures come first, beginning with the sheet, because the check takes longer than all of them.
 int run_demo(const DemoOptions& demo) {
     report::OutputFolder out(demo.out);
     const fs::path folder = fs::absolute(demo.out);

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr double seconds_to_load = 30.0;
 
-// How long a driver may take to load. Throws std::invalid_argument.
+// Time limit for loading a driver. Throws std::invalid_argument.
 std::chrono::milliseconds time_to_load() {
     const char* text = std::getenv("GLOAM_DRIVER_SECONDS");
     if (text == nullptr) return std::chrono::milliseconds(static_cast<int>(1e3 * seconds_to_load));
@@ -50,7 +50,7 @@ std::vector<std::string> parts_of(const char* list) {
     return parts;
 }
 
-// A manifest, or all that lie in a folder, by name.
+// Appends a manifest, or all manifests of a folder, sorted by name.
 void add_manifests(const fs::path& place, std::vector<fs::path>& manifests) {
     std::error_code error;
     if (!fs::is_directory(place, error)) {
@@ -69,7 +69,7 @@ const char* variable(const char* name, const char* otherwise) {
     return value == nullptr || *value == '\0' ? otherwise : value;
 }
 
-// Where the loader looks when the environment names no drivers.
+// The folders that the loader searches if the environment names no drivers.
 std::vector<fs::path> standard_folders() {
     const fs::path home = variable("HOME", "/nonexistent");
     std::vector<fs::path> folders{fs::path(variable("XDG_CONFIG_HOME", (home / ".config").c_str()))};
@@ -83,7 +83,7 @@ std::vector<fs::path> standard_folders() {
     return folders;
 }
 
-// How many devices there are, with this driver alone or, without one, with all.
+// Counts the devices, with this driver alone or, for an empty path, with all.
 DriverTrouble tried(const fs::path& manifest) {
     DriverTrouble trouble{.manifest = manifest};
     const auto fail = [&](check::Reason reason, const std::string& why) {
@@ -122,7 +122,7 @@ void choose(const std::vector<fs::path>& manifests) {
     std::string list;
     for (const fs::path& manifest : manifests) list += (list.empty() ? "" : ":") + manifest.string();
     ::setenv("VK_DRIVER_FILES", list.c_str(), 1);
-    ::setenv("VK_ICD_FILENAMES", list.c_str(), 1);  // for loaders that know the older name only
+    ::setenv("VK_ICD_FILENAMES", list.c_str(), 1);  // for loaders that support only the older name
     ::unsetenv("VK_ADD_DRIVER_FILES");
 }
 

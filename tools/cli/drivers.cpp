@@ -26,8 +26,8 @@ bool holds(const Manifests& manifests, const std::filesystem::path& file) {
     });
 }
 
-// One that was asked for by name must not be passed over without a word; what it does to the process that
-// loads it is for the command to say.
+// Throws if a driver that was requested by name has no device. If it crashes the process that loads it, the
+// command reports that.
 void require_driver(const std::filesystem::path& manifest) {
     const DriverTrouble driver = probe_driver(manifest);
     if (driver.reason != check::Reason::error) return;

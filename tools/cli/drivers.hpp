@@ -14,8 +14,8 @@ namespace gloam::cli {
 // itself. A driver without a device is an error.
 void add_driver_option(CLI::App& command);
 
-// Adds --device, --validation and --driver to a command that runs on one device. The references live as long
-// as the command.
+// Adds --device, --validation and --driver to a command that runs on one device. The referenced variables
+// must live as long as the command.
 void add_device_options(CLI::App& command, std::string& device, bool& validation);
 
 }  // namespace gloam::cli

@@ -18,8 +18,8 @@ fs::path from_environment(const char* name) {
     return value == nullptr ? fs::path{} : fs::path(value);
 }
 
-// The first of share/gloam/NAME beside the installed program and the source tree's `source` that holds
-// `content`.
+// The first folder that contains `content`: share/gloam/NAME beside the installed program, then `source` in
+// the source tree.
 fs::path shaders_in(const char* name, const fs::path& source, const char* content) {
     std::error_code none;
     const fs::path program = fs::read_symlink("/proc/self/exe", none);

@@ -5,21 +5,21 @@
 
 namespace gloam::cli {
 
-// The folder that holds gloam/ and passes/: beside the installed program, else in the source tree it was
-// built from. Throws std::runtime_error when neither is there.
+// The folder that contains gloam/ and passes/: beside the installed program, otherwise in the source tree of
+// the build. Throws std::runtime_error if neither exists.
 [[nodiscard]] std::filesystem::path glsl_directory();
 
-// The folder of the shaders that only `gloam stress` runs, found likewise.
+// The folder of the shaders that only `gloam stress` uses, found in the same way.
 [[nodiscard]] std::filesystem::path stress_shaders_directory();
 
-// Where compiled shaders are kept: $GLOAM_CACHE_DIR, else gloam in $XDG_CACHE_HOME or ~/.cache; empty without
-// a home.
+// Folder for compiled shaders: $GLOAM_CACHE_DIR, otherwise gloam in $XDG_CACHE_HOME or ~/.cache; empty
+// without a home.
 [[nodiscard]] std::filesystem::path cache_directory();
 
-// Where ray-traced truth is kept: in cache_directory(); empty without one.
+// Folder for ray-traced truth, in cache_directory(); empty without that.
 [[nodiscard]] std::filesystem::path truth_cache_directory();
 
-// Whether people are watching: standard error is a terminal.
+// Whether standard error is a terminal, so that people see it.
 [[nodiscard]] bool on_terminal();
 
 }  // namespace gloam::cli

@@ -45,7 +45,7 @@ T parsed(const std::string& text, int base) {
     return value;
 }
 
-// A number as one writes it, true or false, or the bits in hexadecimal.
+// Parses a number, true or false, or bits in hexadecimal.
 Word word_from(Scalar scalar, const std::string& text) {
     constexpr int hexadecimal = 16;
     constexpr int decimal = 10;

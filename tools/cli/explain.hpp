@@ -7,8 +7,7 @@ class App;
 
 namespace gloam::cli {
 
-// Adds `gloam explain FILE FUNCTION VALUE...`: what a shader function does with one input, operation by
-// operation.
+// Adds `gloam explain FILE FUNCTION VALUE...`: the operations of a shader function on one input.
 void add_explain(CLI::App& app);
 
 }  // namespace gloam::cli

@@ -8,7 +8,7 @@
 namespace gloam::cli {
 namespace {
 
-// By command; the program itself has the empty name.
+// Examples by command; the program itself has the empty name.
 const std::map<std::string, std::string>& examples() {
     static const std::map<std::string, std::string> table{
         {"",

@@ -66,7 +66,7 @@ nlohmann::ordered_json equation_json(const catalogue::Entry& entry) {
             {"source", d.source}};
 }
 
-// The names of a kind with all that is known of each.
+// The names of a kind with all their properties.
 nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& names) {
     auto json = nlohmann::ordered_json::array();
     if (kind == "equations") {
@@ -78,7 +78,7 @@ nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Name
     return json;
 }
 
-// Every equation as a page that is searched and sorted.
+// A page of all equations that can be searched and sorted.
 std::string equations_page() {
     report::Page page("Equations of gloam");
     page.paragraph(

@@ -6,13 +6,13 @@
 
 namespace gloam::cli {
 
-// A name that the command line takes, and what it stands for.
+// A name that the command line accepts, and its meaning.
 struct Named {
     std::string name;
     std::string description;
 };
 
-// What `gloam render` can be asked for.
+// Names for `gloam render`.
 [[nodiscard]] std::vector<Named> method_names();
 [[nodiscard]] std::vector<Named> preset_names();
 [[nodiscard]] std::vector<Named> setting_names();  // with value, unit and range

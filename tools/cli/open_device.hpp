@@ -7,11 +7,12 @@
 
 namespace gloam::cli {
 
-// The device that --device and --validation name; its pipelines are kept in cache_directory(). Throws like
+// Opens the device of --device and --validation; its pipelines are cached in cache_directory(). Throws like
 // gpu::Device.
 [[nodiscard]] gpu::Device open_device(const std::string& name, bool validation);
 
-// Prints what the validation layers found since the last call. Returns the exit status: 0 nothing, else 1.
+// Prints the validation messages since the last call. Returns the exit status: 0 without messages, otherwise
+// 1.
 [[nodiscard]] int validation_status(gpu::Device& device);
 
 }  // namespace gloam::cli

@@ -13,21 +13,21 @@ namespace gloam::cli {
 
 std::function<void(double)> progress_bar(std::string what) {
     if (!on_terminal()) return [](double) {};
-    return
-        [what = std::move(what), shown = -1, begin = std::chrono::steady_clock::now()](double part) mutable {
-            constexpr int steps = 40;
-            constexpr double enough = 0.02;  // of the work, to tell how long the rest takes
-            const int percent = static_cast<int>(100.0 * part);
-            if (percent == shown) return;
-            shown = percent;
-            const int done = static_cast<int>(steps * part);
-            fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {} %", what, "", done, "", steps - done, percent);
-            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-            if (part > enough) fmt::print(stderr, ", {} left", rough_duration(spent * ((1.0 - part) / part)));
-            fmt::print(stderr, "\033[K");
-            if (percent >= 100) fmt::print(stderr, "\r\033[K");
-            std::fflush(stderr);
-        };
+    return [what = std::move(what), shown = -1,
+            begin = std::chrono::steady_clock::now()](double part) mutable {
+        constexpr int steps = 40;
+        constexpr double enough = 0.02;  // completed part of the work from which the time left is estimated
+        const int percent = static_cast<int>(100.0 * part);
+        if (percent == shown) return;
+        shown = percent;
+        const int done = static_cast<int>(steps * part);
+        fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {} %", what, "", done, "", steps - done, percent);
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+        if (part > enough) fmt::print(stderr, ", {} left", rough_duration(spent * ((1.0 - part) / part)));
+        fmt::print(stderr, "\033[K");
+        if (percent >= 100) fmt::print(stderr, "\r\033[K");
+        std::fflush(stderr);
+    };
 }
 
 std::string rough_duration(std::chrono::duration<double> duration) {

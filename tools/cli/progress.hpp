@@ -8,24 +8,25 @@
 
 namespace gloam::cli {
 
-// A bar on a line of standard error and the time left, for work of which the part done is known, in [0, 1]:
-// call it as often as you like. Nothing where nobody watches; the line is wiped at 1.
+// A progress bar with the time left, on a line of standard error. Call the result with the completed part, in
+// [0, 1], at any rate; at 1 the line is erased. It prints nothing if standard error is not a terminal.
 [[nodiscard]] std::function<void(double)> progress_bar(std::string what);
 
 // "about 40 s", "about 12 min", "about 3 h": a duration to the nearest unit.
 [[nodiscard]] std::string rough_duration(std::chrono::duration<double> duration);
 
-// A line of standard error for work of `total` equal steps, "checks [120/270], about 4 min left", below what
-// standard output shows: wipe() it before output is written, show() it after. Nothing where nobody watches.
+// A progress line on standard error for `total` equal steps, "checks [120/270], about 4 min left", below the
+// text on standard output: wipe() it before output is written, show() it after. It prints nothing if standard
+// error is not a terminal.
 class ProgressLine {
   public:
-    // watched: whether it is wanted at all.
+    // watched: false: no line.
     ProgressLine(std::string what, std::size_t total, bool watched = true);
     ~ProgressLine() { wipe(); }
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    // One step is done. `free`: it took no time, and says nothing about the time left.
+    // Completes one step. `free`: it took no time, and does not affect the estimate of the time left.
     void step(bool free);
     void show() const;
     void wipe() const;

@@ -28,7 +28,7 @@ struct Run {
     std::string prefix;  // of its files
 };
 
-// One for each method that was asked for, all names in them looked at.
+// A run for each selected method; checks all names.
 std::vector<Run> runs_of(const RenderOptions& options) {
     std::vector<std::string> methods = options.methods;
     if (methods.empty()) methods.push_back(options.method);
@@ -180,7 +180,7 @@ void add_truth_options(CLI::App& command, RenderOptions& options) {
         ->needs(truth);
 }
 
-// `render --truth columns`: with nothing else to render, what follows is the scene and not its truth.
+// `render --truth columns`: if there is nothing else to render, the value of --truth is the scene.
 void take_scene_from_truth(RenderOptions& options) {
     if (!options.source.empty() || !options.gbuffer.empty() || options.truth.empty()) return;
     options.source = std::exchange(options.truth, "");

@@ -14,7 +14,7 @@ class App;
 
 namespace gloam::cli {
 
-// How a mesh is stood and looked at, as the command line has it: see scene::MeshView.
+// Placement and view of a mesh, as text of the command line: see scene::MeshView.
 struct MeshOptions {
     std::string eye;      // "X,Y,Z"; empty: as near as it can be
     std::string look_at;  // likewise; empty: the middle of the mesh
@@ -28,7 +28,7 @@ struct MeshOptions {
     }
 };
 
-// What `gloam render` was asked.
+// The options of `gloam render`.
 struct RenderOptions {
     std::string source;             // a scene's name or a mesh file; empty with gbuffer
     std::filesystem::path gbuffer;  // folder of an engine's frames
@@ -52,7 +52,7 @@ struct RenderOptions {
     std::string device;
     bool validation = false;
     bool trace_truth = false;  // --truth without a file
-    bool truth_every = false;  // trace it in each frame, not in the last alone
+    bool truth_every = false;  // trace it for each frame; otherwise for the last alone
     std::string truth;         // PFM; empty: none
     std::string truth_falloff = "linear";
     int truth_rays = 1024;                                             // for each pixel
@@ -65,8 +65,8 @@ struct RenderOptions {
     bool quiet = false;
 };
 
-// Renders, writes the images and render.json, then prints what it did. Returns the exit status: 0, or 1 when
-// the validation layers had something to say.
+// Renders, writes the images and render.json, then prints a summary. Returns the exit status: 0, or 1 if the
+// validation layers reported messages.
 [[nodiscard]] int run_render(const RenderOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

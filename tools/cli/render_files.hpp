@@ -10,10 +10,10 @@
 
 namespace gloam::cli {
 
-// x, y, z of each.
+// x, y, z of each vector.
 [[nodiscard]] std::vector<float> components_of(const std::vector<glm::vec3>& vectors);
 
-// A frame of docs/gbuffer-format.md. What read_gbuffer() and link() make of it is the view again, within the
+// Writes a frame of docs/gbuffer-format.md. read_gbuffer() and link() restore the view from it, within the
 // rounding of the files.
 void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffer& view);
 

@@ -14,8 +14,8 @@ namespace gloam::cli {
 
 constexpr int most_further_views = 6;
 
-// What so many further cameras see of a scene in a frame: they look where its camera looks, from as far,
-// turned around the vertical by 40 degrees to both sides, then by 80 and 120.
+// The views of `count` further cameras in a frame of a scene. They look at the same target as the scene's
+// camera from the same distance, rotated about the vertical by 40 degrees to both sides, then by 80 and 120.
 [[nodiscard]] std::vector<scene::GBuffer> further_views_of(const gpu::Device& device,
                                                            const scene::PassLibrary& passes,
                                                            const scene::Scene& scene, int frame,

@@ -8,7 +8,7 @@
 namespace gloam::cli {
 namespace {
 
-// Writes one picture; its file name.
+// Writes one picture and returns its file name.
 std::string write(report::OutputFolder& folder, const Pictures& pictures, const std::string& name,
                   const report::RgbBytes& rgb) {
     folder.write(name, report::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height));

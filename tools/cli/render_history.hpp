@@ -10,24 +10,24 @@
 
 namespace gloam::cli {
 
-// How a view goes with the one before it.
+// The relation of a view to the previous one.
 enum class ViewLink {
     same,     // the same view again
     follows,  // the next of a sequence
-    cut       // another
+    cut       // an unrelated view
 };
 
-// Follows the frames of one call of `gloam render`: how much the picture changes from frame to frame, and
-// which pixels a temporal method treats differently.
+// Follows the frames of one call of `gloam render`: the change of the picture from frame to frame, and the
+// pixels that a temporal method treats differently.
 class RenderHistory {
   public:
-    // The next frame. Views without normals have nothing to do with those before.
+    // Takes the next frame. Views without normals have no relation to earlier ones.
     void advance(const scene::GBuffer& view, ViewLink link, double radius, const std::vector<float>& image);
 
     // Mean change at the same surface points since the frame before; nullopt in the first.
     [[nodiscard]] const std::optional<double>& flicker() const { return flicker_; }
 
-    // The classes of the pixels of the last frame; nullopt where there was none before it.
+    // The classes of the last frame's pixels; nullopt if there was no frame before it.
     [[nodiscard]] const std::optional<effect::PixelClasses>& classes() const { return classes_; }
 
   private:

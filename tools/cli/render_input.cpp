@@ -40,7 +40,7 @@ std::string scene_list() {
     return names;
 }
 
-// The numbers of "0.5,1,2.25", as many as are asked for.
+// Parses "0.5,1,2.25": exactly `count` numbers.
 std::vector<double> parse_numbers(const char* option, const std::string& text, std::size_t count,
                                   const char* expected) {
     std::vector<double> numbers;
@@ -128,7 +128,7 @@ RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
     const effect::Settings settings = settings_for(options, scene->ao_radius);
     const double guard = double{settings.guard};
     const gpu::Extent wide = scene::with_border(extent, scene::guard_border(extent, guard));
-    // Where only the camera moves, its matrices tell everything.
+    // If only the camera moves, its matrices determine all motion.
     const bool motion = follows && !scene->objects.empty();
     input.load = [scene, extent, wide, guard, motion, layers = static_cast<int>(settings.layers),
                   first = options.frame](const gpu::Device& device, const scene::PassLibrary& passes,

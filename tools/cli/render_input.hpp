@@ -16,21 +16,21 @@
 
 namespace gloam::cli {
 
-// What is to be shaded: one still view on which frames accumulate, or a sequence of views that is followed.
+// The views to shade: one still view, on which frames accumulate, or a sequence of views.
 struct RenderInput {
     std::string name;
-    std::vector<int> views;  // their numbers, which the files written have too
+    std::vector<int> views;  // their numbers, which are also in the names of written files
     int first_frame = 0;     // of a scene: view 0 shows it
     int frames_per_view = 1;
     std::function<scene::GBuffer(const gpu::Device&, const scene::PassLibrary&, int view)> load;
     std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere
-    effect::TrueOcclusion truth;                // empty where it is not known
+    effect::TrueOcclusion truth;                // empty if it is unknown
     std::string truth_name;
 };
 
-// Checks the names and files that the options give, as far as that needs no device. Throws
-// std::invalid_argument or std::runtime_error with one line that names what is wrong.
-// `like`: an input of the same source, whose scene is taken instead of read again; null: none.
+// Checks the names and files of the options, as far as that is possible without a device. Throws
+// std::invalid_argument or std::runtime_error with the error in one line. `like`: an input of the same
+// source, whose scene is used instead of reading it again; null: none.
 [[nodiscard]] RenderInput open_input(const RenderOptions& options, const RenderInput* like = nullptr);
 
 }  // namespace gloam::cli

@@ -14,9 +14,9 @@
 
 namespace gloam::cli {
 
-// What one looks at of a frame, in 8-bit colour.
+// Pictures of a frame for display, in 8-bit colour.
 struct Pictures {
-    std::string name;  // of its files, without what follows _
+    std::string name;  // of its files, without the part from _ on
     gpu::Extent extent;
     report::RgbBytes plain;       // lit, without occlusion
     report::RgbBytes shaded;      // lit, with occlusion
@@ -25,23 +25,22 @@ struct Pictures {
     report::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
 };
 
-// One run of one method: what is reported of it, and the pictures of its last frame; those of all its frames
-// where a turntable turns.
+// One run of one method: its report, and the pictures of its last frame; for a turntable those of all frames.
 struct Rendered {
     RenderReport report;
     std::vector<Pictures> pictures;
 };
 
-// An error of this size is as bright as the heat map goes.
+// The error at the bright end of the heat map.
 inline constexpr double brightest_error = 0.25;
 
-// Lit by the pass that engines use. occlusion: a value for each pixel of the light; truth: the same, or
-// empty.
+// Pictures, lit by the pass that engines use. occlusion: a value for each pixel of the light; truth: the
+// same, or empty.
 [[nodiscard]] Pictures pictures_of(const effect::Composite& composite, std::string name, gpu::Extent extent,
                                    const scene::SplitLight& light, const std::vector<float>& occlusion,
                                    const effect::Truth& truth);
 
-// NAME_plain.png, NAME_shaded.png, NAME_error.png where there is one.
+// Writes NAME_plain.png, NAME_shaded.png, and NAME_error.png if there is an error.
 void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
 
 // Sum of the passes of the last frame, ms; NaN where the device has no clock.
@@ -53,9 +52,9 @@ void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
 // "gtao, 3.2 ms, error 0.031": for captions.
 [[nodiscard]] std::string caption_of(const RenderReport& report);
 
-// PNG. Of one run: lit without and with occlusion, the occlusion alone, and its error where the truth is
-// known. Of several: the truth where it is known, then the occlusion of each, with its name, time and error.
-// Throws std::invalid_argument for none.
+// A PNG sheet. For one run: lit without and with occlusion, the occlusion alone, and its error if the truth
+// is known. For several runs: the truth if it is known, then the occlusion of each with its name, time and
+// error. Throws std::invalid_argument for no runs.
 [[nodiscard]] std::string sheet_of(const std::vector<Rendered>& runs);
 
 }  // namespace gloam::cli

@@ -23,23 +23,23 @@ struct FrameErrors {
     std::optional<effect::ClassErrors> by_class;   // of the filtered image; from the second frame on
 };
 
-// What is told of a traced truth.
+// The report of a traced truth.
 struct TruthReport {
     std::uint64_t rays = 0;               // for each pixel
     std::uint64_t pixels = 0;             // with geometry
-    std::uint64_t unmatched = 0;          // of them, those that the rays did not find again
+    std::uint64_t unmatched = 0;          // of these, pixels whose surface the rays did not find
     double standard_error = 0.0;          // root mean square over the pixels
     std::optional<effect::Errors> depth;  // of the depth buffer's truth, against that of the geometry
 };
 
-// What the history brought to a frame.
+// The use of the history in a frame.
 struct HistoryReport {
-    std::string cut;       // why there was none; empty: there was
-    double kept = 0.0;     // part of the pixels with geometry that have a history, [0, 1]
-    double samples = 0.0;  // that it holds, mean over those pixels
+    std::string cut;       // why there was no history; empty: there was one
+    double kept = 0.0;     // share of the pixels with geometry that have a history, [0, 1]
+    double samples = 0.0;  // in the history, mean over those pixels
 };
 
-// What is told of a frame; its images lie in files.
+// The report of a frame; its images are in files.
 struct FrameReport {
     int number = 0;
     std::optional<int> scene_frame;
@@ -57,7 +57,7 @@ struct FrameReport {
 struct RenderReport {
     std::string source;
     std::string preset;
-    std::string truth;  // what the errors are against
+    std::string truth;  // the truth that the errors refer to
     gpu::DeviceInfo device;
     int repeat = 1;
     std::vector<FrameReport> frames;

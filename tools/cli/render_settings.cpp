@@ -13,7 +13,8 @@
 namespace gloam::cli {
 namespace {
 
-// NAME=VALUE. The method and the radius bring other settings along, which --method and --radius see to.
+// Applies NAME=VALUE. The method and the radius also change other settings, so --method and --radius apply
+// them.
 void apply(effect::Settings& settings, const std::string& assignment) {
     const std::size_t sign = assignment.find('=');
     if (sign == std::string::npos) {

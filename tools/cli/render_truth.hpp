@@ -13,29 +13,29 @@
 
 namespace gloam::cli {
 
-// Truth of one view that was traced.
+// The traced truth of one view.
 struct TracedView {
     std::optional<scene::TracedTruth> geometry;  // (G); not for a G-buffer from elsewhere
     scene::TracedTruth depth;                    // (D)
 };
 
-// What a view is compared with.
+// The truth for a view.
 struct ViewTruth {
-    effect::Truth truth;               // empty: nothing is known
+    effect::Truth truth;               // empty: unknown
     std::optional<TracedView> traced;  // with --truth
 };
 
-// Where the truth of a call of `gloam render` comes from: rays, a file, or a closed form.
+// The source of the truth in a call of `gloam render`: rays, a file, or a closed form.
 class TruthSource {
   public:
-    // Reads the file that the options name. Throws std::runtime_error that names it, std::invalid_argument
-    // for options that do not go together.
+    // Reads the file of the options. Throws std::runtime_error with its name, std::invalid_argument for
+    // options that exclude each other.
     TruthSource(const RenderOptions& options, const RenderInput& input);
 
     [[nodiscard]] std::string name() const;  // empty: there is none
 
-    // Whether every view of a sequence is compared, not the last alone: tracing takes long, and a file holds
-    // one image.
+    // Whether every view of a sequence is compared, or only the last: tracing takes long, and a file has one
+    // image.
     [[nodiscard]] bool every_view() const;
 
     // frame: of the scene.

@@ -24,7 +24,7 @@
 namespace gloam::cli {
 namespace {
 
-// depth: the truth of the depth buffer, compared with that of the geometry.
+// depth: the truth of the depth buffer, which is compared with that of the geometry.
 TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {
     const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
     double squares = 0.0;
@@ -116,7 +116,7 @@ class Renderer {
         before_ = Before{number, settings.radius, std::move(wide)};
     }
 
-    // What is asked for beside the occlusion, of the view alone.
+    // Writes the requested results besides the occlusion, which depend on the view alone.
     void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings) {
         if (output_.folder == nullptr || (!options_.bent_normals && !environment_)) return;
         if (!directional_) directional_.emplace(bench_.device, bench_.passes);
@@ -143,7 +143,7 @@ class Renderer {
             write_further(*output_.folder, stem(frame_number), view.extent, raised);
     }
 
-    // Why the view has no history; empty: it has.
+    // The reason why the view has no history; empty: it has one.
     [[nodiscard]] std::string cut_before(int number, const scene::GBuffer& view,
                                          const effect::Settings& settings) const {
         if (!before_) return "the first frame";
@@ -152,7 +152,7 @@ class Renderer {
         return cut_between(before_->view, view);
     }
 
-    // Empty where nothing is known, or it is not asked for in this view.
+    // Empty if the truth is unknown, or not requested for this view.
     [[nodiscard]] ViewTruth truth_at(int number, const scene::GBuffer& view,
                                      const effect::Settings& settings) {
         if (number != input_.views.back() && !truth_.every_view()) return {};
@@ -199,7 +199,7 @@ class Renderer {
         entry.errors->metrics = effect::metrics_of(frame.filtered, truth.truth, view.extent);
     }
 
-    // The pictures of a view's last frame.
+    // Makes the pictures of a view's last frame.
     void show(int view_number, int frame_number, const scene::GBuffer& view, const effect::Frame& frame,
               const ViewTruth& truth) {
         const scene::SplitLight& light = bench_.light_of(input_, view_number, view, !options_.quiet);

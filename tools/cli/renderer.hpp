@@ -14,18 +14,18 @@
 
 namespace gloam::cli {
 
-// What the runs of several methods on one input share: the device, the passes, and the light of the view
-// rendered last, which no method changes.
+// The common parts of runs of several methods on one input: the device, the passes, and the light of the last
+// rendered view, which does not depend on the method.
 class RenderBench {
   public:
     // Opens the device that the options name.
     explicit RenderBench(const RenderOptions& options);
 
-    // The light of a view of that number.
+    // The light of the view with this number.
     [[nodiscard]] const scene::SplitLight& light_of(const RenderInput& input, int number,
                                                     const scene::GBuffer& view, bool watched);
 
-    // The next view is of another input.
+    // Call it before a view of another input.
     void forget_light() { lit_.reset(); }
 
     gpu::Device device;
@@ -37,7 +37,7 @@ class RenderBench {
     scene::SplitLight light_;
 };
 
-// Where the files of a run go: into `folder` under names that begin with `prefix`.
+// The output of a run: written to `folder`, with names that begin with `prefix`.
 struct RenderOutput {
     report::OutputFolder* folder = nullptr;  // null: nothing is written
     std::string prefix = {};

@@ -7,8 +7,8 @@ class App;
 
 namespace gloam::cli {
 
-// Adds the subcommand that merges the JSON of `gloam check` from many machines; `status` receives 0, or 1
-// when a failure is in it.
+// Adds the subcommand that merges the JSON of `gloam check` from many machines. `status` receives 0, or 1 if
+// there is a failure.
 void add_report(CLI::App& app, int& status);
 
 }  // namespace gloam::cli

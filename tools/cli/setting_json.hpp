@@ -7,7 +7,7 @@
 
 namespace gloam::cli {
 
-// true or false, a number (as many digits as single precision needs), or a name; infinity is "inf".
+// true or false, a number with the digits of single precision, or a name; infinity is "inf".
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::SettingValue& value);
 
 // {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is the

@@ -21,7 +21,7 @@
 namespace gloam::cli {
 namespace {
 
-// One line on a terminal that is written over and over; nothing elsewhere.
+// Shows one line on a terminal, which is overwritten; prints nothing elsewhere.
 void show_progress(const std::string& text) {
     if (on_terminal()) fmt::print(stderr, "\r\033[K{}", text);
 }
@@ -43,7 +43,7 @@ stress::Rows make_runs(const std::vector<stress::Run>& runs, const stress::Conte
 int run_stress(const StressOptions& options) {
     const std::vector<stress::Run> runs = stress::select_runs(options.only);
     (void)catalogue::select(catalogue::all_entries(),
-                            options.equations);  // a wrong name is said before anything runs
+                            options.equations);  // invalid names are reported before anything runs
     const report::OutputFile json(options.json);
     require_good_drivers();
     const effect::MethodFunctions methods;

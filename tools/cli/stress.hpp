@@ -12,7 +12,7 @@ class App;
 
 namespace gloam::cli {
 
-// What `gloam stress` was asked.
+// The options of `gloam stress`.
 struct StressOptions {
     std::string only;
     std::vector<std::string> equations;  // name of one run; empty: all
@@ -24,8 +24,8 @@ struct StressOptions {
     std::filesystem::path json;
 };
 
-// Makes the runs and prints a line for each number. Returns the exit status: 1 when a bound is broken, else
-// 0.
+// Runs the searches and prints a line for each number. Returns the exit status: 1 if a bound is broken,
+// otherwise 0.
 [[nodiscard]] int run_stress(const StressOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

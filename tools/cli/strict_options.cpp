@@ -23,7 +23,7 @@ std::string refuse_negative(const std::string& text) {
 void make_strict(CLI::Option& option) {
     const bool takes_value = option.get_items_expected_max() > 0 && option.get_type_size_max() > 0;
     if (!takes_value) return;  // a flag
-    // "FLOAT" or "UINT": so CLI11 names what it reads, and adds what the option's own checks say.
+    // CLI11 names the type "FLOAT" or "UINT", and appends the descriptions of the option's own checks.
     const std::string type = option.get_type_name();
     const auto add = [&option](std::string (*refuse)(const std::string&)) {
         option.check(CLI::Validator(refuse, ""));

@@ -7,8 +7,8 @@ class App;
 
 namespace gloam::cli {
 
-// Every option of the command and of those below it, whoever added it, refuses what CLI11 takes for a value
-// and nobody means: an empty text, a number that is NaN, a count below zero. To be called when all are added.
+// Lets every option of the command and its subcommands reject values that CLI11 accepts and that are never
+// intended: an empty text, a number that is NaN, a count below zero. Call it after all options were added.
 void refuse_meaningless_values(CLI::App& app);
 
 }  // namespace gloam::cli

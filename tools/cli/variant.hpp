@@ -8,7 +8,7 @@
 
 namespace gloam::cli {
 
-// The variant of that name, or all of them for "all". Throws std::invalid_argument that lists the names.
+// The variant with this name; all variants for "all". Throws std::invalid_argument that lists the names.
 [[nodiscard]] std::vector<shader::Variant> select_variants(const std::string& name);
 
 }  // namespace gloam::cli

@@ -5,8 +5,8 @@
 
 namespace gloam::cli {
 
-// "gloam 0.1.0, glslang 11.13.0 (generator 10), SPIRV-Tools v2022.4, SPIRV-Cross ...": what a result depends
-// on besides the device and its driver.
+// "gloam 0.1.0, glslang 11.13.0 (generator 10), SPIRV-Tools v2022.4, SPIRV-Cross ...": the versions on which
+// a result depends, besides the device and its driver.
 [[nodiscard]] std::string versions();
 
 }  // namespace gloam::cli

@@ -9,7 +9,7 @@
 
 namespace gloam::cli {
 
-// The two whole numbers of "640x360", or nothing where that is not what the text is.
+// The two integers of "640x360"; nullopt for other text.
 [[nodiscard]] std::optional<gpu::Extent> extent_from(std::string_view text);
 
 // The value of --size: "640x360". Throws std::invalid_argument that names --size.

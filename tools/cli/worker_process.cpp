@@ -28,7 +28,7 @@ namespace {
 using namespace std::chrono_literals;
 using base::FileDescriptor;
 
-constexpr auto to_end_by_itself = 1s;            // after it closed its output
+constexpr auto to_end_by_itself = 1s;            // time to end by itself after it closed its output
 constexpr auto to_die = 10s;                     // a process inside a hung driver may be beyond any signal
 constexpr std::size_t longest_line = 1U << 28U;  // bytes; more is no answer
 constexpr off_t last_bytes = 1000;
@@ -45,10 +45,10 @@ FileDescriptor scratch_file() {
     return base::beyond_standard(std::move(file));
 }
 
-// What the child does between fork and exec: nothing that allocates or locks. Returns only when exec failed.
+// The child's work between fork and exec, which neither allocates nor locks. Returns only if exec failed.
 void become(char* const* arguments, int connection, int errors, pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);  // it was over before that took effect
+    if (getppid() != parent) _exit(1);  // the parent ended before this took effect
     dup2(connection, STDIN_FILENO);
     dup2(connection, STDOUT_FILENO);
     dup2(errors, STDERR_FILENO);
@@ -69,7 +69,7 @@ void WorkerProcess::start(const std::vector<std::string>& command, int theirs) {
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     auto [failure, failure_end] =
-        base::connected_pair();  // closed by a successful exec; else carries its error
+        base::connected_pair();  // closed by a successful exec; otherwise carries its error
     const pid_t parent = getpid();
     child_ = fork();
     if (child_ < 0) fail(errno, "cannot start " + command.at(0));
@@ -142,7 +142,7 @@ std::string WorkerProcess::end() {
     return words.empty() ? text : text + ": " + words;
 }
 
-// Polls, since no wait with a time limit works in every thread.
+// Polls, because no wait with a time limit works in every thread.
 bool WorkerProcess::wait(Clock::duration patience) {
     const auto deadline = Clock::now() + patience;
     while (running_) {

@@ -12,9 +12,9 @@
 
 namespace gloam::cli {
 
-// A program that answers lines with lines. Its standard input and output are a connection to this process,
-// its standard error goes to an unnamed file. It dies with the object, and with the thread that started it
-// (so with this process, however that ends).
+// A program that answers lines with lines. Its standard input and output are connected to this process; its
+// standard error goes to an unnamed file. It is killed with the object, and when the thread that started it
+// ends (and so when this process ends for any reason).
 class WorkerProcess {
   public:
     using Clock = std::chrono::steady_clock;
@@ -26,14 +26,14 @@ class WorkerProcess {
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-    // Sends a line; false when the program no longer listens.
+    // Sends a line. Returns false if the program cannot receive it.
     bool send(std::string_view line);
 
-    // Waits for a whole line (given without its end), for the end of its output, or until the deadline.
+    // Waits for a complete line (returned without its end), for the end of the output, or until the deadline.
     [[nodiscard]] Heard receive(std::string& line, Clock::time_point deadline);
 
-    // Ends the program if it has not ended by itself, and says how it ended: "ended by signal 11 (SEGV:
-    // Segmentation fault)", "ended with status 3", with the last words of its standard error.
+    // Ends the program if it still runs. Returns how it ended: "ended by signal 11 (SEGV: Segmentation
+    // fault)", "ended with status 3", with the last text of its standard error.
     [[nodiscard]] std::string end();
 
     [[nodiscard]] pid_t id() const { return child_; }
@@ -45,10 +45,10 @@ class WorkerProcess {
 
     pid_t child_ = -1;
     bool running_ = false;
-    int status_ = 0;  // as waitpid() has it, once it does not run
+    int status_ = 0;  // status from waitpid(), after it has ended
     base::FileDescriptor connection_;
     base::FileDescriptor errors_;
-    std::string heard_;  // not yet taken
+    std::string heard_;  // received but not yet returned
 };
 
 }  // namespace gloam::cli

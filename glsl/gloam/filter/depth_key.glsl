@@ -4,7 +4,7 @@
 
 #include "gloam/geometry/background.glsl"
 
-// The depth that travels beside the occlusion through a blur, in two of the four 8-bit channels (SAO).
+// The depth that a blur stores beside the occlusion, in two of the four 8-bit channels (SAO).
 
 // Depth as a key: clamp(d / z_key, 0, 1).
 // depth: d, eye-linear, world units. z_key: depth of the key 1, world units, in [2^-126, 2^126]; SAO uses 300 m.

@@ -2,8 +2,8 @@
 #ifndef GLOAM_FILTER_DUAL_RESOLUTION_GLSL
 #define GLOAM_FILTER_DUAL_RESOLUTION_GLSL
 
-// Where occlusion of half the resolution does not do (Bavoil and Sainz 2009): it is computed there first, and again
-// in full where the neighbours disagree.
+// Where occlusion of half the resolution is not sufficient (Bavoil and Sainz 2009): it is computed there first, and
+// again at full resolution where neighbours differ.
 
 // Defined by the user: occlusion of a pixel inside the image, in [0, 1].
 float gloam_fetch_occlusion(ivec2 pixel);

@@ -4,8 +4,8 @@
 
 #include "gloam/geometry/background.glsl"
 
-// Scale of distances for gloam_gaussian_scaled (g of TSSAO-10): sqrt(log2(e) / 2) / sigma. It holds all of the weight
-// that is the same for every neighbour of a pixel. Not its square, which may overflow or underflow.
+// Scale of distances for gloam_gaussian_scaled (g of TSSAO-10): sqrt(log2(e) / 2) / sigma. It is the factor that all
+// neighbours of a pixel share. It is not squared, because the square could overflow or underflow.
 // sigma: standard deviation, world units, >= 0.
 // Returns the scale, in 1 / world units, from 2^-101 to 2^126 for all but three kinds of sigma: a zero, subnormal or
 // negative one is read as 2^-126, of which no distance but 0 counts; above 2^100 (and for infinity) 0, with which

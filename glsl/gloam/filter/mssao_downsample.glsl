@@ -21,14 +21,14 @@ int gloam_depth_rank(vec4 depths, int index) {
     return rank;
 }
 
-// Weights of four pixels in the one that stands for them, by their depths z_1 <= z_2 <= z_3 <= z_4: a half each for
-// the second and third if z_4 - z_1 <= tolerance, else one for the second.
-// depths: eye-linear, world units, of a 2 x 2 block in any order. Background lies behind everything, and is chosen
-// only where all are.
-// tolerance: world units, >= 0: how far apart depths of one surface may be.
-// Returns the weight of each, in the same order, summing to 1; the second and first of equal depths are told apart by
-// their place. All 0 for four background pixels; one for the only surface. A NaN tolerance takes the second. Error:
-// none, but depths whose range is within rounding of the tolerance may fall to either side.
+// Weights of four pixels in the pixel that represents them, by their depths z_1 <= z_2 <= z_3 <= z_4: one half each for
+// the second and third if z_4 - z_1 <= tolerance, otherwise one for the second.
+// depths: eye-linear, world units, of a 2 x 2 block in any order. Background is behind everything, and is chosen only
+// if all four are background.
+// tolerance: world units, >= 0: largest range of depths of one surface.
+// Returns the weight of each, in the same order, summing to 1. Of equal depths the one with the lower index comes
+// first. All 0 for four background pixels; one for the only surface. A NaN tolerance selects the second. Error: none,
+// except that depths with a range within rounding of the tolerance may be judged either way.
 vec4 gloam_mssao_weights(vec4 depths, float tolerance) {
     vec4 d = depths;
     int surfaces = 0;

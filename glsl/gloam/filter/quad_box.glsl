@@ -4,9 +4,9 @@
 
 #include "gloam/occlusion/visibility.glsl"
 
-// Mean of the two pixels of a quad along one axis, from what a fragment knows of its neighbour (SAO): A - dA ((x & 1)
-// - 1/2), unless a depth edge lies between them. Along x and then along y, with the y difference of the new values,
-// it is the mean of the quad.
+// Mean of the two pixels of a quad along one axis, from the screen-space derivative of a fragment (SAO): A - dA ((x &
+// 1) - 1/2), unless a depth edge lies between them. Applied along x and then along y, with the y difference of the new
+// values, it is the mean of the quad.
 // visibility: A of the pixel, [0, 1]. difference: that of the odd pixel minus that of the even one, dFdx(A).
 // depth_difference: the same of the depth, world units. coordinate: of the pixel along the axis; its lowest bit alone
 // counts. edge: largest depth difference that is still smoothed over, world units: 0.02 m.

@@ -6,8 +6,8 @@
 #include "gloam/occlusion/disc_proxy.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 
-// Surfaces seen at less than this cosine count as seen at it: a pixel across their outline would stand for more than
-// is there.
+// Lower bound of the cosine at which a surface is seen. A pixel at the outline of a surface would otherwise represent
+// more area than there is.
 const float GLOAM_DISC_LEAST_FACING = 0.05;
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
@@ -16,7 +16,7 @@ float gloam_fetch_depth(ivec2 pixel);
 // Defined by the user: view-space normal facing the eye of a pixel inside the image, any length.
 vec3 gloam_fetch_normal(ivec2 pixel);
 
-// What the surface seen at a pixel blocks as a disc of the area that the pixel covers there (CS-S).
+// Contribution of the surface at a pixel as a disc with the area that the pixel covers there (CS-S).
 // at: inside the image. position: of the shaded point, view space, world units. normal: of it, unit. kernel: of it the
 // radius and the bias count. axes: half-axes of the radius at the shaded point's depth, pixels.
 // Returns a contribution in [0, 1]; 0 where the pixel shows nothing, for what lies beyond the radius and for what is

@@ -2,11 +2,11 @@
 #ifndef GLOAM_GATHER_DISTINCT_PIXELS_GLSL
 #define GLOAM_GATHER_DISTINCT_PIXELS_GLSL
 
-// Taps that fall into the same pixel read the same depth: of those, one is enough (ISSAO, in prose). Where radii are
-// uniform taps meet near the shaded pixel: pixels within 8 x 8 around it are told apart by a bit each. (A list of the
-// pixels read, to be searched at each tap, took ten times as long as the taps that it saved.)
+// Taps in the same pixel read the same depth, so one of them is enough (ISSAO, in prose). With uniform radii such taps
+// are near the shaded pixel. A bit for each of the 8 x 8 pixels around it makes these distinct. (Searching a list of
+// the pixels read took ten times as long as the saved taps.)
 
-// Which pixels around the shaded one the taps have read.
+// The pixels around the shaded one that the taps have read.
 struct GloamDistinctPixels {
     ivec2 center;  // the shaded pixel; the others lie 4 to its left and above, 3 to its right and below
     uvec2 seen;    // a bit for each pixel: four rows of 8, and four more; 0 before the first tap

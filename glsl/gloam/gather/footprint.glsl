@@ -5,8 +5,8 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 
-// The image of the ball of influence around a shaded point, and what takes a tap in it to the pixel it reads and to
-// the surface seen there: computed once a pixel. Only for what gloam_can_gather lets pass.
+// The image of the ball of influence around a shaded point, and the mapping from a tap in it to its pixel and to the
+// surface there. Computed once a pixel; requires gloam_can_gather.
 struct GloamFootprint {
     vec2 center;        // where the point is seen, texture coordinates
     vec2 reach;         // half-axes of the radius of influence, texture coordinates

@@ -7,14 +7,13 @@
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/volumetric.glsl"
 
-// Two opposite line samples of volumetric obscurance (CS-3.5), of which each stands in for the other where that tells
-// nothing.
+// Two opposite line samples of volumetric obscurance (CS-3.5). If one of them is unusable, the other one replaces it.
 
 // The surface at a chord is another object's below this share of the chord and beyond its near end, as the published
 // shader has it.
 const float GLOAM_LEAST_SOLID = 0.35;
 
-// What volumetric obscurance knows of the shaded point, the same for all its pairs.
+// The data of the shaded point for volumetric obscurance, the same for all its pairs.
 struct GloamLinePoint {
     vec3 position;  // view space, world units
     vec3 normal;    // unit
@@ -23,7 +22,7 @@ struct GloamLinePoint {
     GloamFootprint footprint;
 };
 
-// Computed once a pixel; only for what gloam_can_gather lets pass.
+// Computed once a pixel; requires gloam_can_gather.
 // position: of the surface, view space, world units. normal: unit. radius: of influence, world units.
 // Error of the facing: 1e-6.
 GloamLinePoint gloam_line_point(vec3 position, vec3 normal, float radius, GloamCamera camera) {
@@ -31,10 +30,11 @@ GloamLinePoint gloam_line_point(vec3 position, vec3 normal, float radius, GloamC
     return GloamLinePoint(position, normal, facing, gloam_upright(camera), gloam_footprint(position, radius, camera));
 }
 
-// Solid lengths of the chords of the ball at a tap and opposite to it; of several layers those stay that block most.
-// tap: of the unit disc, y as in the image. kernel: of it the radius and the layers count.
-// Returns as `whole` both chords' lengths, as `occluded` the solid part of that. Error: that of gloam_pair_height and
-// gloam_line_pair times the chord, but for taps within rounding of a pixel's border.
+// Solid lengths of the chords of the ball at a tap and at the opposite tap. With several layers, the layers that block
+// most count.
+// tap: of the unit disc, y as in the image. kernel: only its radius and its layers are used.
+// Returns both chords' lengths as `whole`, and their solid part as `occluded`. Error: that of gloam_pair_height and
+// gloam_line_pair times the chord, except for taps within rounding of a pixel's border.
 GloamPairShare gloam_line_pair_share(GloamLinePoint point, vec2 tap, GloamKernel kernel) {
     vec3 aim = vec3(kernel.radius * tap * point.upright, 0.0);
     float half_height = gloam_chord_half_height(tap, kernel.radius);

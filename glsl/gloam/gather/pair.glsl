@@ -6,17 +6,17 @@
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
 
-// Two opposite surface points at a time (CS-I, CS-P): where one of them tells nothing, the other stands for both.
+// Two opposite surface points at a time (CS-I, CS-P): if one of them is unusable, the other one represents both.
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
+// Defined by the user: depths of the layers behind the first, negative where seen from behind, 0 where there is none.
+// Called only if the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
-// Two opposite taps. The surface seen at a tap is moved along the tangent plane to the place that was aimed at, on the
-// line along the view vector: opposite taps of a bare plane are then opposite at any tilt, and at the border of the
+// Two opposite taps. The surface at a tap is moved parallel to the tangent plane onto the line along the view vector
+// through the aimed position. Opposite taps of a bare plane are then opposite at any tilt, and at the border of the
 // image.
 struct GloamPair {
     vec3 aim;     // from the shaded point to the place of the first tap, in the plane of the image; the second is
@@ -26,7 +26,7 @@ struct GloamPair {
     float second;   // likewise at the second
 };
 
-// What the two taps of a pair may see: every layer.
+// The depths at the two taps of a pair: every layer.
 struct GloamPairDepths {
     ivec2 first_pixel;
     ivec2 second_pixel;
@@ -37,7 +37,7 @@ struct GloamPairDepths {
 // What a pair contributes.
 struct GloamPairShare {
     float occluded;  // occlusion times weight
-    float whole;     // weight; 0 for a pair that tells nothing
+    float whole;     // weight; 0 for an unusable pair
 };
 
 // Background counts as a surface this many radii behind the shaded point.
@@ -49,15 +49,15 @@ vec4 gloam_pair_layers(ivec2 pixel, int layers) {
     return vec4(gloam_fetch_depth(pixel), further);
 }
 
-// tap: of the unit disc, y as in the image.
+// The depths at two opposite taps. tap: of the unit disc, y as in the image.
 GloamPairDepths gloam_pair_depths(GloamFootprint footprint, vec2 tap, int layers) {
     ivec2 first = gloam_footprint_pixel(footprint, tap);
     ivec2 second = gloam_footprint_pixel(footprint, -tap);
     return GloamPairDepths(first, second, gloam_pair_layers(first, layers), gloam_pair_layers(second, layers));
 }
 
-// How far along the view vector from an aimed place the surface lies that is as high over the tangent plane as what
-// is seen at a pixel.
+// Height of a tap's surface: the distance along the view vector from an aimed position to the plane through the surface
+// that is parallel to the tangent plane.
 // depth: at the pixel. position, normal: of the shaded point, unit normal. facing: view . normal, at least 1e-4.
 // Returns a length in world units, ((s - p - aim) . n) / facing: gloam_height_at. Error: 3e-7 of the offset over the
 // facing.
@@ -72,20 +72,20 @@ float gloam_pair_layer(vec4 depths, int layer) {
     return gloam_layer_depth(depths.x, depths.yzw, layer);
 }
 
-// Layers are tried one after the other: first what the eye sees at both taps, then each further one at the first tap,
-// then at the second; of each tap the one stays with which the pair blocks most. This says which depths a try has:
-// those that stayed, but for the new one.
-// look: number of the try, from 0. stayed: depths at both taps.
-// Returns depths at both taps; 0 at a tap that has no such layer.
+// The depths of one try. Layers are tried in order: first the visible surface at both taps, then each further layer at
+// the first tap, then each at the second. At each tap the layer with which the pair blocks most is kept. A try has the
+// kept depths, with the new layer at its tap.
+// look: number of the try, from 0. stayed: kept depths at both taps.
+// Returns depths at both taps; 0 at a tap without such a layer.
 vec2 gloam_pair_look(GloamPairDepths depths, vec2 stayed, int look, int layers) {
     if (look == 0) return vec2(depths.first.x, depths.second.x);
     return look < layers ? vec2(gloam_pair_layer(depths.first, look), stayed.y)
                          : vec2(stayed.x, gloam_pair_layer(depths.second, look - layers + 1));
 }
 
-// Whether a try is to stay. As much is taken too: beside a tap that tells nothing its partner cannot tell more
-// either, until both are replaced.
-// depths: of the try. found, most: what it and the best before it contribute.
+// Whether a try is kept: if it blocks at least as much. Equality suffices, because beside an unusable tap a new partner
+// cannot block more until both are replaced.
+// depths: of the try. found, most: contributions of the try and of the best one before it.
 bool gloam_pair_stays(vec2 depths, int look, int layers, GloamPairShare found, GloamPairShare most) {
     if (look == 0) return true;
     bool seen = gloam_tap_sees(look < layers ? depths.x : depths.y);

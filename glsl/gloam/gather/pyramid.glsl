@@ -2,11 +2,11 @@
 #ifndef GLOAM_GATHER_PYRAMID_GLSL
 #define GLOAM_GATHER_PYRAMID_GLSL
 
-// Several values of ever smaller resolutions in one image of about the size of the full one: of level 1, of half the
-// resolution, the first value in its upper left quarter, the second in the upper right, the third in the lower left,
-// and in the fourth likewise the next level. A texel of level l stands for the block of 2^l x 2^l pixels that it
-// covers, and the last of a row for what is left of one: sizes are rounded up, so that at any size texel i begins at
-// pixel 2^l i and nothing drifts.
+// Three values for each of several resolutions in one image, which has about the size of the full image. For level 1,
+// half the resolution, the first value is in the upper left quarter, the second in the upper right, the third in the
+// lower left. The lower right quarter contains level 2 in the same arrangement, and so on.
+// A texel of level l represents the block of 2^l x 2^l pixels that it covers; the last of a row represents the rest of
+// a block. Sizes are rounded up, so that texel i begins at pixel 2^l i at any image size and nothing drifts.
 
 // Size of a level of an image of `size` pixels; level 0 is the image.
 ivec2 gloam_level_size(ivec2 size, int level) {

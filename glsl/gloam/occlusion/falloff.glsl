@@ -2,11 +2,11 @@
 #ifndef GLOAM_OCCLUSION_FALLOFF_GLSL
 #define GLOAM_OCCLUSION_FALLOFF_GLSL
 
-// How much a hit counts, by its distance (the D of TSSAO-1): 1 at the shaded point, 0 at the radius of influence. All
-// take the magnitude of the distance and give 0 for NaN. A radius that is zero, subnormal, negative or NaN influences
-// nothing; an infinite one gives every finite distance the value at 0. The polynomials are built on 1 - d / R, formed
-// as (R - d) / R: subtracting before dividing keeps full relative accuracy up to the radius itself, where 1 - d / R
-// would have lost it. The min() keep a division or power that rounds up inside [0, 1].
+// Weight of a hit by its distance (the D of TSSAO-1): 1 at the shaded point, 0 at the radius of influence. All
+// functions use the magnitude of the distance and return 0 for NaN. With a radius that is zero, subnormal, negative or
+// NaN no hit counts; with an infinite one every finite distance has the value at 0.
+// The polynomials use 1 - d / R in the form (R - d) / R: subtracting before dividing keeps full relative accuracy up to
+// the radius, where 1 - d / R loses it. The min() keeps a division or power that is rounded up inside [0, 1].
 
 // Step falloff (D-step): 1 if d <= R, else 0. The plain AO integral, cut off.
 // hit_distance: d, world units. radius: R, world units, >= 0; at 0 only d = 0 counts.

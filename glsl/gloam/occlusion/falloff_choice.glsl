@@ -2,14 +2,14 @@
 #ifndef GLOAM_OCCLUSION_FALLOFF_CHOICE_GLSL
 #define GLOAM_OCCLUSION_FALLOFF_CHOICE_GLSL
 
-// A falloff that a setting chooses, without the guards of falloff.glsl: for loops behind gloam_can_gather. Where the
-// choice is a constant, nothing of the others is left.
+// A falloff selected by a setting, without the guards of falloff.glsl: for loops after gloam_can_gather. If the
+// selection is constant, the compiler removes the other falloffs.
 const uint GLOAM_FALLOFF_STEP = 0u;
 const uint GLOAM_FALLOFF_LINEAR = 1u;
 const uint GLOAM_FALLOFF_QUADRATIC = 2u;
 const uint GLOAM_FALLOFF_CUBIC = 3u;
 
-// How much a hit counts at a share of the radius of influence (D of TSSAO-1). One more falloff is one more line.
+// Weight of a hit at a share of the radius of influence (D of TSSAO-1). Another falloff is one more line.
 // falloff: GLOAM_FALLOFF_*, linear for any other number. x: d / R, [0, 1e9].
 // Returns D: 1 at x = 0, positive for x < 1; from there on 0 or less, where nothing counts. Step: 1 up to x = 1, then
 // 0. Linear: 1 - x. Quadratic: 1 - x^2. Cubic: 1 - x^3. Error: 2e-7 up to x = 1.

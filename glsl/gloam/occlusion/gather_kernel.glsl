@@ -5,31 +5,30 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/finite.glsl"
 
-// What all methods of gloam/methods have in common: what they are asked for, what they answer, and the border at
-// which they refuse what they cannot use. Behind that border nothing overflows and nothing is NaN but the depths of
-// taps, which gloam_tap_sees tells apart.
+// The common part of all methods of gloam/methods: their request, their result, and the test that rejects unusable
+// points. After this test nothing overflows, and nothing is NaN except depths of taps, which gloam_tap_sees tests.
 
-// The samples that one pixel takes in one frame: points first + 1 ... first + count of a Halton sequence (TSSAO-4).
-// The last three are choices; where they are constants, the compiler leaves out what they do not ask for.
+// The samples that one pixel takes in one frame: points first + 1 ... first + count of a Halton sequence (TSSAO-4). The
+// last three members are options; if they are constants, the compiler removes the code for unused options.
 struct GloamKernel {
     float radius;  // of influence, world units
-    float bias;  // world units: hides the rounding of positions and depths, so no less than a depth's spacing (2^-23 of
-                 // it in float32, 2^-10 in halves: 0.05 at 50 units); the presets have 1e-3 of the radius, whatever the
-                 // depth, and a share of the depth can be asked for besides (bias_depth)
+    float bias;  // world units: hides the rounding of positions and depths, so at least the spacing of depths (2^-23 of
+                 // the depth in float32, 2^-10 in halves: 0.05 at 50 units). The presets use 1e-3 of the radius at any
+                 // depth; bias_depth adds a lower limit as a share of the depth
     float angle;   // rotation of the kernel, radians; 0 once the pixel has converged (TSSAO-ROT)
     uint first;    // j, samples taken before
     uint count;    // k
-    float farthest;     // world units: of points, taps and slices, what lies further in front than this tells nothing
-                        // (CS-REJ); infinity: all tells
-    int layers;         // of depth that the samples see, 1 to 4
-    bool ends_marches;  // leave out taps that cannot change a march any more: the same result to the bit
+    float farthest;     // world units: points, taps and slices further in front than this are rejected (CS-REJ);
+                        // infinity: none is
+    int layers;         // depth layers that the samples see, 1 to 4
+    bool ends_marches;  // skip taps that cannot change a march any more; bit-identical result
 };
 
-// What a method says of a pixel.
+// What a method estimates for a pixel.
 struct GloamEstimate {
     float occlusion;  // mean of the samples, [0, 1]
-    float samples;    // taken, a whole number up to 2^24; 0 where there is nothing to shade
-    uint left_out;    // taps that were counted but not taken, since they could not change the result
+    float samples;    // taken, an integer up to 2^24; 0 where there is nothing to shade
+    uint left_out;    // taps that were counted but skipped, since they could not change the result
 };
 
 // No depth, position or length of a scene is as large: squares stay finite.

@@ -55,9 +55,9 @@ float gloam_gtao_inner(float horizon, float angle) {
     return visible > 0.0 ? min(visible, 1.570796327) : 0.0;
 }
 
-// What a horizon on the positive side takes from that: the integral over the angles between the horizon and the
-// tangent plane, 1/2 (e sin n + sin(e - n) sin e), where e = n + pi / 2 - h is the elevation: sin(e - n) = cos h and
-// sin e = cos(h - n), so that no further sine is needed. On the negative side n changes its sign.
+// Amount by which a horizon on the positive side reduces that: the integral over the angles between the horizon and the
+// tangent plane, 1/2 (e sin n + sin(e - n) sin e). e = n + pi / 2 - h is the elevation: sin(e - n) = cos h and sin e =
+// cos(h - n), so that no further sine is needed. On the negative side n changes its sign.
 // elevation: e, radians in [0, pi], taken to the nearer end outside, NaN to 0. horizon: (cos h, sin h). normal: (cos
 // n, sin n).
 // Returns an amount in [0, pi / 2]; 0 exactly for e = 0. Error: 3e-7.
@@ -77,7 +77,7 @@ float gloam_gtao_arc_uniform(float horizon, float sine) {
     return arc > 0.0 ? min(arc, 1.0) : 0.0;
 }
 
-// What a horizon takes from a slice, cosine-weighted: from its cosine.
+// Amount by which a horizon reduces a slice's visibility, cosine-weighted, from the horizon's cosine.
 // horizon: cos h of gloam_gtao_horizon, taken to the nearer end outside [-1, 1]. angle: n, radians. normal: (cos n,
 // sin n). Both for the positive side; on the negative side -n.
 // Returns an amount in [0, pi / 2]; 0 for NaN. Error: 8e-7.

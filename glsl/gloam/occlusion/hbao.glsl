@@ -95,7 +95,7 @@ vec2 gloam_hbao_step_size(float radius, float largest, float steps, float extra)
     return vec2(reach / (count + extra), count);
 }
 
-// Visibility from the mean over directions: 1 - contrast occ / (1 - sin bias), what the bias took off given back.
+// Visibility from the mean over directions: 1 - contrast occ / (1 - sin bias). The divisor compensates the bias.
 // occlusion: mean of the y of gloam_hbao_step. bias: radians, as given to gloam_hbao_start. contrast: 1, or NVIDIA's
 // 1.25.
 // Returns visibility in [0, 1]; 1 for NaN and for a bias of 1.5 or more. Error: 5e-7 up to 0.8.

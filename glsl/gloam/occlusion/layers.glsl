@@ -5,8 +5,8 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// What more than one depth image says of a point: layers peeled one behind the other (Bavoil and Sainz 2009), or
-// views of other cameras.
+// Occlusion of a point by more than one depth image: layers peeled one behind another (Bavoil and Sainz 2009), or views
+// of other cameras.
 
 // Occlusion over layers or views: the largest, since each can only miss what the others see. A layer given twice
 // changes nothing.
@@ -17,7 +17,7 @@ float gloam_layers_occlusion(float occlusion, float layer) {
     return max(gloam_unit_interval(occlusion), gloam_unit_interval(layer));
 }
 
-// Whether a sample point lies inside one object, between its front and its back: no guess of a thickness is needed.
+// Whether a sample point is inside one object, between its front and its back; no thickness has to be assumed.
 // sample_depth: of the point, eye-linear, world units. front, back: depths of the two sides at its pixel, world
 // units. Background at the back: solid all the way.
 // Returns 1 if front <= sample_depth <= back, else 0; 0 for background in front and for a sample at or behind the eye.
@@ -29,9 +29,9 @@ float gloam_layer_blocked(float sample_depth, float front, float back) {
     return front <= sample_depth && before_back ? 1.0 : 0.0;
 }
 
-// Depth of a layer at a tap, of which the first is what the eye sees (CS-E, CS-LAYERS; Bavoil and Sainz 2009). Of the
-// surfaces at a tap the one that blocks most counts: each layer can only miss what the others show.
-// first: of what the eye sees. further: of layers 1 to 3 behind it, negative where seen from behind. layer: 0 to 3.
+// Depth of a layer at a tap; layer 0 is the visible surface (CS-E, CS-LAYERS; Bavoil and Sainz 2009). Of the surfaces
+// at a tap the one that blocks most counts, because a layer can only miss blockers.
+// first: of the visible surface. further: of layers 1 to 3 behind it, negative where seen from behind. layer: 0 to 3.
 // Eye-linear, world units.
 // Returns a depth without the sign. Error: none.
 float gloam_layer_depth(float first, vec3 further, int layer) {
@@ -39,9 +39,9 @@ float gloam_layer_depth(float first, vec3 further, int layer) {
     return abs(layer == 1 ? further.x : (layer == 2 ? further.y : further.z));
 }
 
-// What the layers at a sample point, the first of them first, say of it together. With further layers a point behind
-// the back of what is in front of it is open: no guess of a thickness is needed. What is behind the last layer nobody
-// knows: of three or more, a back that is the last closes nothing.
+// The combined result of the layers at a sample point, added in order. With further layers a point behind a back face,
+// which ends the solid in front of it, is open: no thickness has to be assumed. What is behind the last layer is
+// unknown. So of three or more layers the last one ends nothing, even if it is a back face.
 struct GloamLayersSeen {
     float occlusion;  // so far, [0, 1]; 0 to begin with
     float before;     // as it was before the last layer; 0 to begin with

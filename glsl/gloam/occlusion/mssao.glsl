@@ -7,8 +7,8 @@
 #include "gloam/occlusion/falloff.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): a small kernel at each of several resolutions, the
-// coarser ones reaching further in the world, and what is made of their results.
+// Multi-resolution ambient occlusion (Hoang and Low 2010, 2012): a small kernel at each of several resolutions, where
+// the coarser kernels cover more of the world, and the combination of their results.
 
 // Contribution of the surface point under a tap, at one level: (1 - min(1, (d / d_max)^2)) max(n . v / |v|, 0), d =
 // |v|.

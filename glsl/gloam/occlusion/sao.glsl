@@ -6,10 +6,10 @@
 #include "gloam/occlusion/visibility.glsl"
 #include "gloam/shading/remap.glsl"
 
-// Scalable Ambient Obscurance (McGuire, Mara and Luebke 2012): what the surface point under a tap counts, and what is
-// made of the sum. v = s - p. All contributions but the last are in 1 / world units and sum up through
-// gloam_estimator_add for gloam_visibility_sao; those that the reference shader states for a radius of one metre are
-// divided by the power of the radius that makes them so.
+// Scalable Ambient Obscurance (McGuire, Mara and Luebke 2012): the contribution of the surface point under a tap, and
+// the visibility from the sum of contributions. v = s - p. All contributions except the last are in 1 / world units,
+// and are summed by gloam_estimator_add for gloam_visibility_sao. The reference shader states some of them for a radius
+// of one metre; these are divided by a power of the radius to get this unit.
 
 // The part 1 - v^2 / r^2 of the falloffs, without a square root.
 // squared_distance: v^2, world units squared, >= 0. radius: r, world units, in [8.9e-16, 9.2e18].

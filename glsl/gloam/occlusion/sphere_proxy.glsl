@@ -7,9 +7,9 @@
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/occlusion/cosine.glsl"
 
-// A ball in the place of what a tap sees (Shanmugam and Arikan 2007; mixture sampling, Song 2010). Its radius r is
-// half the width of the tap's pixel in the world, gloam_filter_sigma with half a pixel. Balls that overlap count
-// twice: clamp the sum.
+// A ball that replaces the surface at a tap (Shanmugam and Arikan 2007; mixture sampling, Song 2010). Its radius r is
+// half the width of the tap's pixel in the world: gloam_filter_sigma with half a pixel. Overlapping balls count twice,
+// so clamp the sum.
 
 // Part of the half space that a ball seen from outside takes up: 1 - sqrt(1 - (r / D)^2), by solid angle.
 // radius: r, distance_to: D of the centre, world units, same unit.
@@ -49,7 +49,7 @@ float gloam_contribution_sphere_cosine(vec3 offset, vec3 normal, float radius) {
     return x * x * gloam_sample_cosine(offset, normal);
 }
 
-// Whether a proxy stands above the horizon of its direction: only there does it block what the horizon does not
+// Whether a proxy is above the horizon of its direction. Only there it blocks directions that the horizon does not
 // (mixture sampling).
 // offset: from the point to the centre, view space, world units. tan_horizon: tangent of the horizon's elevation over
 // the image plane, the larger where the point is nearer to the eye.

@@ -25,16 +25,16 @@ GloamSweepSide gloam_sweep_side(float lowest) {
     return GloamSweepSide(lowest, 0.0, 0.0, 0.0);
 }
 
-// Where the surface lies that a tap uncovers: half-way between the last tap and this one. A surface that rises
-// steadily between both is there in the mean. From so few taps nobody can tell whether a gap lies between them
-// (docs/methods.md).
+// Distance of the surface that a tap uncovers: the mean of the distances of the last tap and this one. For a surface
+// that rises steadily between both this is exact on average. Whether there is a gap between them is unknown with so few
+// taps (docs/methods.md).
 // before, here: distances of the two, >= 0.
 // Returns a distance. Error: 1 ULP.
 float gloam_sweep_distance(float before, float here) {
     return 0.5 * before + 0.5 * here;
 }
 
-// What is behind a direction on the positive side: the inner integral between it and the tangent plane, 1/2 (e sin n +
+// Amount behind a direction on the positive side: the inner integral between it and the tangent plane, 1/2 (e sin n +
 // cos h cos(h - n)), e = n + pi / 2 - h (gloam_gtao_arc). On the negative side n changes its sign (gloam_sweep_slice).
 // direction: in the slice, (along view, along tangent), unit, not below the tangent plane; the sign of the latter does
 // not matter.
@@ -45,20 +45,20 @@ float gloam_sweep_behind(vec2 direction, GloamSlice slice) {
     return 0.5 * (elevation * slice.normal.y + upper.x * dot(upper, slice.normal));
 }
 
-// The slice as one of its sides sees it, as if that were the positive one.
+// The slice for one of its sides: mirrored, if needed, so that the side is the positive one.
 // towards: 1 for the positive side, -1 for the negative. Returns the slice with n times that. Error: none.
 GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
     return GloamSlice(slice.view, towards * slice.tangent, vec2(slice.normal.x, towards * slice.normal.y),
                       towards * slice.angle, slice.weight);
 }
 
-// Takes a tap.
+// Adds a tap to a side.
 // side: so far. slice: of gloam_sweep_slice. offset: of the tap in the slice, (along view, along tangent), in units of
-// the radius of influence, longer than 1e-17 where the tap rises, shorter than 1e9. tells: whether there is a tap at
-// all; else the side stays as it is. rises: whether the tap is above the tangent plane; of one that is not, the
-// distance alone is kept. falloff: GLOAM_FALLOFF_*.
-// Returns the side with the tap. One below the horizon adds nothing, nor does one beyond the reach of the falloff: the
-// directions behind it are left to the taps that follow. Error: 1e-6.
+// the radius of influence, longer than 1e-17 where the tap rises, shorter than 1e9. tells: whether the tap has a
+// surface; if not, the side does not change. rises: whether the tap is above the tangent plane; otherwise only its
+// distance is kept. falloff: GLOAM_FALLOFF_*.
+// Returns the side with the tap. A tap below the horizon or beyond the range of the falloff adds nothing; in the second
+// case later taps can still cover its directions. Error: 1e-6.
 GloamSweepSide gloam_sweep_tap(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
                                uint falloff) {
     float squared = dot(offset, offset);

@@ -2,7 +2,7 @@
 #ifndef GLOAM_OCCLUSION_VISIBILITY_GLSL
 #define GLOAM_OCCLUSION_VISIBILITY_GLSL
 
-// Visibility that stands for an amount of occlusion: 1 - x inside [0, 1]. What cannot be read is taken as open.
+// Visibility for an amount of occlusion: 1 - x, clamped to [0, 1]. NaN counts as open.
 // occlusion: x, any float.
 // Returns visibility in [0, 1]; 1 for NaN. Error: 0.5 ULP.
 // No method or pass here calls it: it is there to be copied.

@@ -4,12 +4,13 @@
 
 #include "gloam/numeric/square_root.glsl"
 
-// Volumetric obscurance by line samples (Loos and Sloan 2010; CS-3.5): how much of a sphere around the point is
-// solid. Each tap of a disc is a chord of the sphere along the view ray, of which the depth buffer tells the solid
-// part. A plane gives 1/2 at any tilt (the offset 0.5 of gloam_remap undoes it), a one-sided groove of angle b 1/2 +
-// b / (2 pi). The volume is the mean of the parts weighted by chord, for which gloam_weighted_mean_add serves; the
-// published shader takes the plain mean, which is too large in grooves (0.647 for 0.625 at 45 degrees), and begins it
-// with (0.5, 1), a prior for few samples.
+// Volumetric obscurance by line samples (Loos and Sloan 2010; CS-3.5): the solid part of a sphere around the point.
+// Each tap of a disc is a chord of the sphere along the view ray; the depth buffer determines the solid part of the
+// chord. A plane gives 1/2 at any tilt (the offset 0.5 of gloam_remap compensates this), a one-sided groove of angle b
+// gives 1/2 + b / (2 pi).
+// The volume is the mean of the parts weighted by chord, calculated by gloam_weighted_mean_add. The published shader
+// uses the plain mean, which is too large in grooves (0.647 instead of 0.625 at 45 degrees), and starts it with (0.5,
+// 1), a prior for few samples.
 
 // Half the chord of the sphere at a tap: r sqrt(1 - |xi|^2).
 // xi: offset of the tap from the centre in the unit disc (the published shader takes the absolute texture coordinate,
@@ -33,9 +34,9 @@ float gloam_line_occlusion(float height, float half_height) {
     return abs(height) < half_height ? 0.5 + 0.5 * (height / half_height) : 0.5;
 }
 
-// Where the surface at a tap lies along the chord: q* = (h + z) / (2 h), 0 at the far end, 1 at the near one, not
-// clamped. It is what gloam_line_pair tells another object by: a surface in front of the sphere has q* > 1, where the
-// clamped fraction would say solid.
+// Position of a tap's surface along the chord: q* = (h + z) / (2 h), 0 at the far end, 1 at the near end, not clamped.
+// gloam_line_pair uses it to detect other objects: a surface in front of the sphere has q* > 1, where the clamped
+// fraction would be solid.
 // height, half_height: as above.
 // Returns any float; -infinity for background, 1/2 for h that is not positive, subnormal or above 2^126, and for NaN.
 // Error: 2e-7, or 1.5 ULP, up to 1e38.
@@ -45,12 +46,11 @@ float gloam_line_ratio(float height, float half_height) {
     return abs(ratio) >= 0.0 ? ratio : 0.5;
 }
 
-// Pair of opposite taps: what lies in front of the sphere, or far behind the point, is another object, and the
-// partner's complement stands for it.
-// ratios: (q*_1, q*_2) of gloam_line_ratio, not clamped. lowest, highest: what is believed, 0.35 and 1 in the
+// Pair of opposite taps. A surface in front of the sphere, or far behind the point, belongs to another object; then 1 -
+// the partner's fraction replaces its own.
+// ratios: (q*_1, q*_2) of gloam_line_ratio, not clamped. lowest, highest: range of valid fractions, 0.35 and 1 in the
 // published shader.
-// Returns the two fractions, a disbelieved one replaced by 1 - the other; (0.5, 0.5) if neither is believed. NaN is
-// not believed.
+// Returns the two fractions, an invalid one replaced by 1 - the other; (0.5, 0.5) if both are invalid. NaN is invalid.
 // Error: 0.5 ULP.
 vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
     bool first = ratios.x >= lowest && ratios.x <= highest;

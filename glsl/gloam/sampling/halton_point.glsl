@@ -4,9 +4,9 @@
 
 #include "gloam/sampling/halton.glsl"
 
-// The files of this folder hold what is the same for all pixels of a sample, which only its number tells apart. Who
-// has it in a table defines the guard and the function before the method is included (passes/samples/table.glsl): a
-// look-up then takes the place of the computation.
+// The files of this folder compute the part of a sample that all pixels share; it depends on the sample's number alone.
+// A shader that has it in a table defines the include guard and the function before it includes the method
+// (passes/samples/table.glsl). A look-up then replaces the computation.
 
 // Point of the three-dimensional Halton sequence (HALTON), of which slices and rays are made.
 // index: number of the point, 1 for the first. Returns a point in [0, 1)^3. Error: at most 2 ulp.

@@ -2,9 +2,9 @@
 #ifndef GLOAM_DIRECTIONAL_POINTS_GLSL
 #define GLOAM_DIRECTIONAL_POINTS_GLSL
 
-// What the passes share that ask in which directions a point is open: their bindings, and the samples, which are
-// those of Ritschel et al. (2009): points of the half ball around the normal, uniform in direction and radius, each
-// blocked or not as for the method hemisphere.
+// The bindings and the samples of the passes that estimate in which directions a point is open. The samples are those
+// of Ritschel et al. (2009): points of the half ball around the normal, uniform in direction and radius. A sample is
+// blocked or open as in the method hemisphere.
 //
 // Descriptor set 0 of each of them:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
@@ -14,7 +14,7 @@
 //   4 and on    as the pass says
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 0) const int layers = 1;  // of depth that the samples see, 1 to 4
+layout(constant_id = 0) const int layers = 1;  // depth layers that the samples see, 1 to 4
 
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
 layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
@@ -27,7 +27,7 @@ layout(push_constant) uniform Parameters {
     float bias;             // world units
     uint samples;           // for each pixel
     uint orthographic;      // 1, or 0 for perspective
-    mat3x4 world_from_view;  // rotation, of which xyz of each column are meant
+    mat3x4 world_from_view;  // a rotation: only xyz of each column are used
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
@@ -49,28 +49,28 @@ float gloam_fetch_depth(ivec2 pixel) {
     return imageLoad(depth_image, pixel).x;
 }
 
-// The point that is shaded.
+// The shaded point.
 struct Shaded {
     vec3 position;  // view space, world units
     vec3 normal;    // unit
     mat3 frame;     // tangent, bitangent, normal
     GloamFootprint footprint;
-    vec2 turn;  // (cos, sin) of the kernel's angle
+    vec2 turn;  // (cos, sin) of the kernel's rotation
 };
 
-// One direction in which it may be open.
+// One sample: a direction, and whether the point is open there.
 struct Sample {
     vec3 direction;    // view space, unit
     float visibility;  // 1 open, 0 blocked
-    ivec2 pixel;       // where the sample lies
-    bool counts;       // false behind the eye
+    ivec2 pixel;       // where the sample is compared with the depth
+    bool counts;       // false behind the eye and for a point without direction
 };
 
 GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
 }
 
-// Whether there is something to shade at a pixel, and what.
+// Whether a pixel has a surface to shade. shaded: written; complete only where the result is true.
 bool shaded_at(ivec2 pixel, out Shaded shaded) {
     vec3 normal = imageLoad(normal_image, pixel).xyz;
     shaded.position = gloam_camera_position(pixel, gloam_fetch_depth(pixel), this_camera());
@@ -82,7 +82,7 @@ bool shaded_at(ivec2 pixel, out Shaded shaded) {
     return true;
 }
 
-// Whether the layers at a pixel block a point. depth: of the point, moved to the pixel's centre.
+// Whether the layers at a pixel block a point, 1 or 0. depth: of the point, moved to the pixel's centre.
 float blocked_at(ivec2 pixel, float depth) {
     float first = gloam_fetch_depth(pixel);
     vec3 further = layers > 1 ? imageLoad(layer_image, pixel).xyz : vec3(0.0);
@@ -95,7 +95,7 @@ float blocked_at(ivec2 pixel, float depth) {
     return seen.occlusion;
 }
 
-// point: of the unit half ball, z along the normal.
+// Tests one sample. point: of the unit half ball, z along the normal.
 Sample sample_at(Shaded shaded, vec3 point) {
     vec3 along = shaded.frame * point;
     vec3 at = shaded.position + parameters.radius * along;
@@ -106,7 +106,7 @@ Sample sample_at(Shaded shaded, vec3 point) {
     return Sample(gloam_safe_normalize(along, vec3(0.0)), 1.0 - blocked, pixel, counts);
 }
 
-// The same points for every pixel, turned from one to the next. i: number of the sample, from 0.
+// The sample of a sequence that all pixels share, rotated for each pixel. i: number of the sample, from 0.
 Sample sample_of(Shaded shaded, uint i) {
     vec3 point = gloam_hemisphere_uniform(gloam_halton_3d(i + 1u));
     return sample_at(shaded, gloam_turn_hemisphere(point, shaded.turn));

@@ -5,15 +5,17 @@
 #include "gloam/filter/bilateral_weight.glsl"
 #include "gloam/filter/weighted_mean.glsl"
 
-// Neighbours count by distance in the image and difference of depth (ISSAO-7), at most 16 on each side:
-// gloam_bilateral_filter over the row, to the bit. Reads sigma_pixels (sigma_d) and depth_scale (sigma_r).
+// Weights by distance in the image and by difference of depth (ISSAO-7), with at most 16 taps on each side:
+// gloam_bilateral_filter over the row, with bit-identical results. Reads sigma_pixels (sigma_d) and depth_scale
+// (sigma_r).
 
 const int REACH = min(HALF_WIDTH, 16);
 
 #include "passes/tiles/depth_tap.glsl"
 #include "passes/tiles/row.glsl"
 
-// mean: what was added so far. center: depth of the filtered pixel. offset: of the tap from it, pixels.
+// mean: the sum so far. center: depth of the filtered pixel. offset: of the tap from it, pixels. Returns the mean with
+// the tap.
 GloamWeightedMean with_tap(GloamWeightedMean mean, float center, Tap tap, int offset) {
     float weight = gloam_bilateral_weight(vec2(float(offset), 0.0), tap.depth - center, parameters.sigma_pixels,
                                           parameters.depth_scale);

@@ -8,8 +8,9 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/temporal/convergence.glsl"
 
-// Pixels that have not converged take after those nearby in the world that have (TSSAO-10 and -11):
-// gloam_convergence_filter over the row, to the bit. Reads sigma_pixels, c_adaptive, weight_max and cap.
+// Pixels that have not converged take the occlusion of pixels nearby in the world that have (TSSAO-10 and -11):
+// gloam_convergence_filter over the row, with bit-identical results. Reads sigma_pixels, c_adaptive, weight_max and
+// cap.
 
 const int REACH = HALF_WIDTH;
 
@@ -17,7 +18,7 @@ struct Tap {
     vec3 position;  // view space, world units; zero for background
     bool surface;
     float occlusion;
-    float convergence;  // [0, 1]; 0, no weight, for background
+    float convergence;  // [0, 1]; 0, without weight, for background
 };
 
 Tap weightless(Tap tap) {
@@ -28,14 +29,14 @@ Tap tap_at(ivec2 pixel) {
     Source source = source_at(pixel);
     GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
     vec3 position = gloam_camera_position(pixel, source.depth, camera);
-    bool surface = position.z < 0.0;  // the zero vector stands for background and for what is not finite
+    bool surface = position.z < 0.0;  // zero for background and for depth that is not finite
     return Tap(position, surface, source.occlusion,
                surface ? gloam_convergence(source.samples, parameters.weight_max) : 0.0);
 }
 
 #include "passes/tiles/row.glsl"
 
-// Of the Gaussian at a pixel, 1 / world units.
+// Scale of the Gaussian at a pixel, 1 / world units.
 float scale_at(vec3 position) {
     float depth = orthographic ? 1.0 : -position.z;
     float tan_half_fovy = 1.0 / abs(parameters.p00_p11.y);
@@ -43,9 +44,9 @@ float scale_at(vec3 position) {
         gloam_filter_sigma(depth, tan_half_fovy, float(parameters.size.y), parameters.sigma_pixels));
 }
 
-// mean: what was added so far. offset: between the tap and the filtered pixel, whichever comes first in the row: then
-// that of a pair is computed once for both. coverage: part of the tap in the window. most: what a convergence counts
-// at most.
+// mean: the sum so far. offset: from the tap and the filtered pixel, the later one in the row minus the earlier one;
+// the compiler can then compute it once for both pixels. coverage: part of the tap inside the window. scale: of the
+// Gaussian. most: upper limit of the tap's convergence.
 // Returns the mean with the tap, as gloam_filter_tap does.
 GloamWeightedMean with_tap(GloamWeightedMean mean, vec3 offset, Tap tap, float coverage, float scale, float most) {
     float weight = coverage * gloam_gaussian_scaled(dot(offset, offset), scale) * min(tap.convergence, most);
@@ -57,7 +58,7 @@ float filtered_occlusion(int position) {
     float most = own.convergence > 0.0 ? max(parameters.cap, 1.0) * own.convergence : 1.0;
     float reach = float(HALF_WIDTH) * gloam_shrink(own.convergence, parameters.c_adaptive);
     float scale = scale_at(own.position);
-    // The pixel's own distance is 0, and the Gaussian 1.
+    // The pixel's own distance is 0, so its Gaussian is 1.
     GloamWeightedMean mean = gloam_weighted_mean_add(gloam_weighted_mean_empty(), own.occlusion, own.convergence);
     UNROLL for (int i = 1; i <= HALF_WIDTH; ++i) {
         if (!HOLDS_ROW && float(i) >= reach + 1.0) break;  // no tap counts from here on
@@ -67,8 +68,8 @@ float filtered_occlusion(int position) {
         mean = with_tap(mean, own.position - before.position, before, coverage, scale, most);
         mean = with_tap(mean, after.position - own.position, after, coverage, scale, most);
     }
-    // Chosen afterwards and not by a branch around the taps, most of whose cost is that of the row, read for all its
-    // pixels.
+    // Selected at the end, without a branch around the taps: the row costs most, and it is read for all pixels of the
+    // invocation.
     bool filters = reach > 0.0 && own.surface;
     return gloam_weighted_mean_value(filters ? mean : gloam_weighted_mean_empty(), own.occlusion);
 }

@@ -6,13 +6,13 @@
 #include "gloam/filter/weighted_mean.glsl"
 #include "gloam/geometry/background.glsl"
 
-// The comparative study's blur (CS-BLUR): neighbours count by their normal and their depth, however far they are in
-// the image; gloam_geometry_blur over the row, to the bit.
-// Reads depth_scale: the unit of depth, of which the study's scenes had ten to a radius.
+// The comparative study's blur (CS-BLUR): it weights by normal and depth, not by distance in the image. The function is
+// gloam_geometry_blur over the row, with bit-identical results.
+// Reads depth_scale: the unit of depth, world units. In the study's scenes a radius had ten of these units.
 
 const int REACH = HALF_WIDTH;
 
-// Powers of normal and depth that the study used.
+// The study's exponents of the normal's and of the depth's weight.
 const vec2 STUDY_POWERS = vec2(10.0, 0.5);
 
 struct Tap {
@@ -34,13 +34,14 @@ Tap tap_at(ivec2 pixel) {
 
 #include "passes/tiles/row.glsl"
 
-// Weight of two pixels for each other, in the order of the row: then that of a pair is computed once for both.
+// Mutual weight of two pixels. They are passed in the order of the row, so that the compiler can compute a pair once
+// for both.
 float weight_of(Tap first, Tap second) {
     return gloam_geometry_weight(first.normal, second.normal, first.depth - second.depth, STUDY_POWERS.x,
                                  STUDY_POWERS.y);
 }
 
-// mean: what was added so far. weight: of the tap, as on a surface.
+// mean: the sum so far. weight: of the tap if it has a surface. Returns the mean with the tap.
 GloamWeightedMean with_tap(GloamWeightedMean mean, Tap tap, float weight) {
     return gloam_weighted_mean_add(mean, tap.occlusion, tap.surface ? weight : 0.0);
 }

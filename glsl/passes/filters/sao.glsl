@@ -6,9 +6,9 @@
 #include "gloam/filter/weighted_mean.glsl"
 
 // The blur of scalable ambient obscurance (McGuire et al. 2012; CS-Q): at most four taps on each side, two pixels
-// apart; one counts nothing from depth_scale on, and linearly more before it.
-// Reads depth_scale: in print 0.15 m, the depth key's 300 m over 2000. The depth itself is at hand and stands for the
-// key.
+// apart. The weight decreases linearly with the difference of depth and is 0 from depth_scale on.
+// Reads depth_scale, world units. The paper uses 0.15 m: 300 m, the range of its depth key, divided by 2000. This
+// filter compares the depth itself instead of the key.
 
 const int SAO_STRIDE = 2;
 const int SAO_MOST_TAPS = 4;
@@ -18,8 +18,8 @@ const int REACH = SAO_STRIDE * SAO_TAPS;
 #include "passes/tiles/depth_tap.glsl"
 #include "passes/tiles/row.glsl"
 
-// mean: what was added so far. center: depth of the filtered pixel, world units. number: of the tap, from the centre.
-// Returns the mean with the tap; unchanged outside the image and for background.
+// mean: the sum so far. center: depth of the filtered pixel, world units. number: of the tap, from the centre. Returns
+// the mean with the tap; unchanged outside the image and for background.
 GloamWeightedMean with_tap(GloamWeightedMean mean, float center, Tap tap, int number) {
     float weight = gloam_sao_blur_weight(number, (tap.depth - center) / parameters.depth_scale, 1.0);
     return gloam_weighted_mean_add(mean, tap.occlusion, tap.surface ? weight : 0.0);

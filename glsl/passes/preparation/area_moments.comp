@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Mean and variance of the surfaces of ever larger blocks, for volumetric_area.glsl: one level from the one before, one
-// invocation for each of its texels. Bindings and constants: pass.glsl.
+// Mean and variance of the surfaces in blocks of growing size, for volumetric_area.glsl. Each run computes one level
+// from the level before, with one invocation for each of its texels. Bindings and constants: pass.glsl.
 //
 // Writes a texel of each of the three values of gloam/gather/pyramid.glsl: (mean position, pixels with a surface),
 // variances, covariances.
@@ -10,12 +10,12 @@
 
 #include "gloam/methods/volumetric_area.glsl"
 
-// What the method reads of the image that is written here.
+// The image that this pass writes, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 texel) {
     return imageLoad(prepared_image, texel);
 }
 
-// A texel of the level before; nothing outside it.
+// A texel of the level before; without a surface outside it.
 GloamSurfaceMoments finer(ivec2 texel) {
     int level = parameters.level - 1;
     ivec2 size = gloam_level_size(parameters.size, level);

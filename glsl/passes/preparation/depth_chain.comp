@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The depth chain of SAO, all levels in one pass: each texel is one pixel of the full image, so that none waits for
-// another level. One invocation for each texel of level 1. Bindings and constants: pass.glsl.
+// The depth chain of SAO, all levels in one pass: each texel copies one pixel of the full image, so no level depends on
+// another. One invocation for each texel of level 1. Bindings and constants: pass.glsl.
 //
-// Writes the depth in x, as it is in the full image.
+// Writes the depth in x, unchanged from the full image.
 
 #include "passes/preparation/pass.glsl"
 
 #include "gloam/methods/sao_chain.glsl"
 
-// What the method reads of the image that is written here.
+// The image that this pass writes, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
 }

@@ -3,13 +3,13 @@
 // Visibility of each pixel's disc, for disc_proxy_two.glsl (Bunnell, GPU Gems 2): one invocation a pixel. Bindings and
 // constants: pass.glsl. Reads intensity: factor of the sum.
 //
-// Writes 1 less the occlusion by all discs in x; 1 at the background and where the radius is too small to see.
+// Writes 1 minus the occlusion by all discs in x; 1 at the background and where the radius is too small to see.
 
 #include "passes/preparation/pass.glsl"
 
 #include "gloam/methods/disc_proxy_two.glsl"
 
-// What the method reads of the image that is written here.
+// The image that this pass writes, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
 }

@@ -9,7 +9,7 @@
 
 #include "gloam/methods/separable.glsl"
 
-// What the method reads of the image that is written here.
+// The image that this pass writes, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
 }

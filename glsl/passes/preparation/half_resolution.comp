@@ -9,12 +9,12 @@
 
 #include "gloam/methods/dual_resolution.glsl"
 
-// What the method reads of the image that is written here.
+// The image that this pass writes, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
 }
 
-// The neighbourhood of 3 x 3 small pixels that a pixel of the frame looks at.
+// Distance in pixels up to which a pixel of the frame reads its neighbourhood of 3 x 3 half-resolution pixels.
 const int REACH = 4;
 
 vec4 prepared(ivec2 pixel) {

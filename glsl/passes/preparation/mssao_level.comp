@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The occlusion of one level of MSSAO (CS-F), with that of the coarser ones, which have been written before: one
-// invocation for each texel. Bindings and constants: pass.glsl.
+// The occlusion of one level of MSSAO (CS-F), combined with that of the coarser levels, which earlier runs have
+// written. One invocation for each texel. Bindings and constants: pass.glsl.
 //
 // Writes (largest occlusion of the levels so far, their mean, their number) into the pyramid's results.
 
@@ -13,12 +13,12 @@ vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
 }
 
-// The pixel at the middle of a texel, whose history says which samples are next.
+// The pixel at the middle of a texel. Its history determines which samples come next.
 ivec2 middle(ivec2 texel) {
     return min((texel << parameters.level) + (1 << (parameters.level - 1)), parameters.size - 1);
 }
 
-// depth: of the texel's surface, which need not be that of the pixel.
+// The kernel of a texel. depth: of the texel's surface, which can differ from that of the middle pixel.
 GloamKernel texel_kernel(ivec2 texel, float depth) {
     GloamKernel kernel = kernel_at(middle(texel));
     kernel.radius = radius_at(depth);

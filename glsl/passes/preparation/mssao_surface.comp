@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// The surfaces of one level of MSSAO's pyramid, from the level before (CS-F): one invocation for each texel. Bindings
-// and constants: pass.glsl. Reads range: how far apart in depth the pixels of one surface may be.
+// The surfaces of one level of MSSAO's pyramid, computed from the level before (CS-F). One invocation for each texel.
+// Bindings and constants: pass.glsl. Reads range: the largest difference in depth between pixels of one surface, world
+// units.
 //
 // Writes the position and the normal of the pyramid's texel (gloam/gather/pyramid.glsl), zeros for background.
 
@@ -19,7 +20,7 @@ vec4 gloam_fetch_prepared(ivec2 pixel) {
     return imageLoad(prepared_image, pixel);
 }
 
-// A texel of the level before; nothing outside it.
+// A texel of the level before; zeros outside it.
 Surface finer(ivec2 texel) {
     int level = parameters.level - 1;
     ivec2 size = gloam_level_size(parameters.size, level);
@@ -31,7 +32,7 @@ Surface finer(ivec2 texel) {
     return Surface(position, normal);
 }
 
-// The one or two surfaces of positive weight as one.
+// Combines the one or two surfaces of positive weight into one; zeros where no weight is positive.
 Surface chosen(Surface surfaces[4], vec4 depths, vec4 weights) {
     int second = -1;
     int third = -1;

@@ -2,11 +2,12 @@
 #ifndef GLOAM_PREPARATION_PASS_GLSL
 #define GLOAM_PREPARATION_PASS_GLSL
 
-// What the preparation passes have in common. They run before ambient_occlusion.comp, in the order of their method's
-// list, and write parts of one image that the method reads by gloam_fetch_prepared. Nothing of a frame stays in it.
+// The common part of the preparation passes. They run before ambient_occlusion.comp, in the order of their method's
+// list. Each writes a part of one image, which the method reads by gloam_fetch_prepared. The image keeps nothing from
+// frame to frame.
 //
-// The history is held as history_image.glsl says. Define GLOAM_PREPARED as r32f for the passes whose image has one
-// channel (first_direction.comp, depth_chain.comp, disc_visibility.comp), else it is rgba32f.
+// The history has the format of history_image.glsl. Define GLOAM_PREPARED as r32f for the passes whose image has one
+// channel (first_direction.comp, depth_chain.comp, disc_visibility.comp); the default is rgba32f.
 // Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
@@ -22,13 +23,13 @@
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 0) const int layers = 1;               // of depth that the samples see, 1 to 4
-// leave out taps further in front than MethodValues::range (CS-REJ)
+layout(constant_id = 0) const int layers = 1;               // depth layers that the samples see, 1 to 4
+// skip taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 1) const bool reject_taps = false;
-layout(constant_id = 2) const bool keeps_history = true;    // else each frame stands by itself
+layout(constant_id = 2) const bool keeps_history = true;    // false: each frame stands by itself
 layout(constant_id = 3) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
 layout(constant_id = 4) const uint samples_converged = 16u;  // k_2, for each pixel that has
-layout(constant_id = 5) const uint method_steps = 4u;        // in the place of MethodValues::steps
+layout(constant_id = 5) const uint method_steps = 4u;        // replaces MethodValues::steps
 const bool fewer_samples = true;
 const bool caps_radius = true;
 const bool ends_marches = false;
@@ -44,20 +45,20 @@ layout(push_constant) uniform Parameters {
     ivec2 border;          // guard band on each side, pixels
     float radius;          // of influence, world units
     float bias;            // world units
-    float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
-    float weight_max;      // w_max: samples in the mean, at most
-    float c_rot;           // kernels are rotated below this convergence; 0 never
-    float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
+    float c_spatial;       // convergence from which a pixel takes k_2; above 1: never
+    float weight_max;      // w_max: largest number of samples in the mean
+    float c_rot;           // kernels are rotated below this convergence; 0: never
+    float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0: off
     uint orthographic;     // 1, or 0 for perspective
-    uint shade_border;     // 1: the band has occlusion as well; 0: it is left out
+    uint shade_border;     // 1: the band has occlusion as well; 0: it is skipped
     float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many
                              // everywhere
     float samples_radius;    // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many
                              // everywhere
-    uint samples_least;    // of those, at least
-    float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
+    uint samples_least;    // least number that these two leave
+    float radius_cap;      // pixels: largest projected radius (Gears of War 2)
     float bias_depth;      // the bias is at least this share of the depth
-    int level;             // that the pass writes, 1 for half the resolution, of passes that run once for each
+    int level;             // that the pass writes, 1 for half the resolution; of passes that run once for each level
 } parameters;
 
 #include "gloam/geometry/borders.glsl"
@@ -85,20 +86,20 @@ float gloam_fetch_depth(ivec2 pixel) {
 
 // The samples that ambient_occlusion.comp takes at a pixel in this frame.
 GloamKernel kernel_at(ivec2 pixel) {
-    // Where there is no geometry nothing may have been written: tiles of background are left out (tiles/select.comp).
+    // Tiles of background are skipped (tiles/select.comp), so nothing may have been written where there is no geometry.
     float depth = gloam_fetch_depth(pixel);
     GloamHistory before = gloam_history_empty(0.0);
     if (keeps_history && !gloam_is_background(depth)) before = GLOAM_LOAD_HISTORY(history_before, pixel);
     return kernel_of(pixel, depth, before, samples_at(before, depth));
 }
 
-// Whether a surface of that depth is open without a sample, its radius of influence being too small to see.
+// Whether a surface at that depth is open without a sample, because its projected radius is below the limit.
 bool below_limit(float depth) {
     vec2 reach = reach_at(depth);
     return max(reach.x, reach.y) < parameters.least_radius;
 }
 
-// Whether no pixel of the frame lies within so many pixels: what only the guard band would read.
+// Whether no pixel of the frame is within this distance. Such a pixel is read by the guard band only.
 bool far_from_frame(ivec2 pixel, int pixels) {
     if (parameters.shade_border != 0u) return false;
     ivec2 inner = pixel - parameters.border;

@@ -2,10 +2,11 @@
 #ifndef GLOAM_SAMPLES_TABLE_GLSL
 #define GLOAM_SAMPLES_TABLE_GLSL
 
-// What all pixels share of their samples (gloam/sampling/points), in an image of 256 columns: sample number i is
-// texel (i mod 256, i / 256). A pass that reads it defines GLOAM_SAMPLE_TABLE as its binding, SAMPLE_POINT as the
-// name of the points' function, and the guard of their file, so that the table takes its place; and includes this
-// file before the method. sample_table.comp writes it.
+// The part of the samples that all pixels share (gloam/sampling/points), in an image of 256 columns: sample number i is
+// texel (i mod 256, i / 256). sample_table.comp writes it.
+// A pass that reads the table defines GLOAM_SAMPLE_TABLE as its binding, SAMPLE_POINT as the name of the points'
+// function, and the include guard of that function's file, so that the table replaces it. The pass includes this file
+// before the method.
 
 const uint SAMPLE_TABLE_COLUMNS = 256u;
 

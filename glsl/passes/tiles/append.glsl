@@ -4,15 +4,15 @@
 
 #include "list.glsl"
 
-// Lets a pass of one invocation a tile fill lists of tiles. Define GLOAM_LIST_BINDING as the binding of the lists,
-// their counts 0 and their `layers` 1 before the first pass that fills them.
+// Lets a pass with one invocation a tile fill lists of tiles. Define GLOAM_LIST_BINDING as the binding of the lists.
+// Before the first pass that fills them, their counts are 0 and their `layers` 1.
 
 layout(binding = GLOAM_LIST_BINDING, std430) buffer TileLists {
     TileList tile_lists[TILE_LISTS];
     uint listed_tiles[];  // one list after the other, each with room for all tiles
 };
 
-// Puts a tile behind the others of a list.
+// Appends a tile to a list.
 // tiles: of the image, along x and y.
 void append(uint list, uvec2 tile, uvec2 tiles) {
     uint position = atomicAdd(tile_lists[list].tiles, 1u);

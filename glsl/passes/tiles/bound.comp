@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// How near to the eye the surfaces of each tile come: an upper bound of the inverse depth, affine in the image, since
-// that of a plane is. One invocation a tile. Perspective only.
+// An upper bound of the inverse depth of each tile's surfaces. The bound is affine in the image, as the inverse depth
+// of a plane is. One invocation a tile. Perspective only.
 //
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f    eye-linear depth, world units; background 0 or not finite
@@ -18,13 +18,13 @@ layout(push_constant) uniform Parameters {
     ivec2 size;  // of the image, pixels
 } parameters;
 
-// Of the surface at a pixel; 0 for background.
+// Inverse depth of the surface at a pixel, 1 / world units; 0 for background.
 float inverse_at(ivec2 pixel) {
     float depth = imageLoad(depth_image, pixel).x;
     return gloam_is_background(depth) ? 0.0 : 1.0 / depth;
 }
 
-// Mean slopes between the corners; any slopes make a bound, the right ones a close bound.
+// Mean slopes between the corners. Any slopes give a valid bound; slopes near the surface's give a close one.
 vec2 slopes_of(Block block) {
     float a = inverse_at(block.first);
     float b = inverse_at(ivec2(block.last.x, block.first.y));
@@ -48,7 +48,8 @@ void main() {
         }
     }
     bool empty = largest == -3.402823466e38;
-    // 2.5 ULP of the quotient, and 1 ULP each of two products, a sum and a difference, of numbers no larger than this.
+    // Error: 2.5 ULP of the quotient, and 1 ULP each of two products, a sum and a difference, of numbers no larger than
+    // this.
     float rounded = 1e-6 * (abs(largest) + dot(abs(slopes), vec2(block.last - block.first)));
     bounds[tile.y * tiles.x + tile.x] = empty ? vec4(0.0) : vec4(largest + rounded, slopes, 1.0);
 }

@@ -4,7 +4,7 @@
 
 #include "gloam/geometry/background.glsl"
 
-// What row.glsl keeps of a pixel for filters that look at its depth alone.
+// The data that row.glsl keeps of a pixel, for filters that use depth alone.
 struct Tap {
     float occlusion;
     float depth;  // world units

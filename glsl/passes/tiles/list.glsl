@@ -2,8 +2,8 @@
 #ifndef GLOAM_PASSES_TILES_LIST_GLSL
 #define GLOAM_PASSES_TILES_LIST_GLSL
 
-// Tiles of 8 x 8 pixels, and lists of those that a pass has to run on. A list is its own indirect dispatch: rows of
-// at most 32,768 groups, since no device has to allow more than 65,535 along an axis.
+// Tiles of 8 x 8 pixels, and lists of the tiles on which a pass has to run. A list is also the argument of its indirect
+// dispatch. Its rows have at most 32,768 groups, since Vulkan guarantees only 65,535 along an axis.
 struct TileList {
     uint columns;  // groups along x, y and z, as an indirect dispatch reads them
     uint rows;
@@ -14,7 +14,7 @@ struct TileList {
 const uint TILE_SIDE = 8u;
 const uint LIST_COLUMNS = 32768u;
 
-// Which list, and what is counted beside them.
+// The lists, by number, and the counts beside them.
 const uint SHADED_TILES = 0u;      // reprojection, and samples where no tile is known to be open
 const uint FILTERED_X_TILES = 1u;  // the filter along x
 const uint FILTERED_Y_TILES = 2u;  // the filter along y, and the mapping
@@ -23,20 +23,19 @@ const uint OPEN_TILES = 4u;        // of the shaded tiles: those where nothing c
 const uint SKIPPED_TILES = 5u;     // (background, settled, 0, filtered enough): no list, but counts
 const uint TILE_LISTS = 6u;
 
-// Tiles that a group takes where its invocations take several pixels of a tile each: 1, 2, 4 or 8. Of the filter,
-// which takes them along x where it runs over the whole image; and of the open tiles, which take so little that a
-// group's own cost shows.
+// Tiles of one group, where each of its invocations takes several pixels of a tile: 1, 2, 4 or 8. The filter takes them
+// along x when it runs over the whole image. An open tile costs so little that the cost of a group would be visible.
 const uint FILTER_TILES = 8u;
 layout(constant_id = 13) const uint open_tiles_each = 1u;
 
-// Of a list.
+// Tiles of one group of a list.
 uint tiles_of_group(uint list) {
     if (list == OPEN_TILES) return open_tiles_each;
     return list == FILTERED_X_TILES || list == FILTERED_Y_TILES ? FILTER_TILES : 1u;
 }
 
-// Of a list's entry: the tile's column, and its row from this bit on. A division by the columns would cost each
-// invocation more than the entry.
+// Fields of a list's entry: the tile's column, and its row from this bit on. Dividing an index by the number of columns
+// would cost each invocation more than the entry does.
 const uint ENTRY_ROW_SHIFT = 15u;
 const uint ENTRY_COLUMN = 0x7FFFu;
 const uint ENTRY_NONE = 0xFFFFFFFFu;  // no tile: outside every image

@@ -4,8 +4,8 @@
 
 #include "list.glsl"
 
-// Lets a pass of 8 x 8 pixels a group run over a list of tiles, dispatched by the list itself, or over all of them.
-// Define GLOAM_LIST_BINDING as the binding of the lists; they are read when `listed` is set.
+// Lets a pass with groups of 8 x 8 pixels run over all tiles, or over a list of tiles that is also its indirect
+// dispatch. Define GLOAM_LIST_BINDING as the binding of the lists; they are read when `listed` is set.
 
 layout(constant_id = 10) const bool listed = false;  // run over the list `which_list`; else over the whole image
 layout(constant_id = 11) const uint which_list = 0u;
@@ -15,7 +15,7 @@ layout(binding = GLOAM_LIST_BINDING, std430) readonly buffer TileLists {
     uint listed_tiles[];  // one list after the other, each with room for all tiles
 };
 
-// One of the entries (ENTRY_*) of a group that takes several tiles; ENTRY_NONE beyond the end of the list.
+// One entry (ENTRY_*) of a group that takes several tiles; ENTRY_NONE beyond the end of the list.
 // size: of the image, pixels. nth: which of `count`.
 uint group_entry_at(ivec2 size, uint nth, uint count) {
     if (!listed) return entry_of(uvec2(gl_WorkGroupID.x * count + nth, gl_WorkGroupID.y));
@@ -25,14 +25,14 @@ uint group_entry_at(ivec2 size, uint nth, uint count) {
     return listed_tiles[which_list * tiles.x * tiles.y + position];
 }
 
-// The pixels of an invocation, all of one tile, one below the other.
+// The pixels of an invocation: a vertical run of one tile.
 struct Column {
     uint entry;   // the tile's (ENTRY_*)
     ivec2 first;  // outside the image for a tile beyond its edge, and beyond the end of the list
     int pixels;
 };
 
-// Of a group of 64 invocations. Those next to each other lie so in the image.
+// The pixels of an invocation, in a group of 64. Neighbouring invocations have neighbouring pixels.
 // size: of the image, pixels.
 Column column_of_invocation(ivec2 size) {
     uint pixels = tiles_of_group(which_list);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// One level of the pyramid of bounds from the level below it: one invocation a block of 4 x 4. Of a plane the bound
-// stays close.
+// Computes one level of the pyramid of bounds from the finer level. One invocation for each block of 4 x 4. The bound
+// of a plane stays close to the plane.
 //
 // Dispatch ceil(blocks / 8) groups. Descriptor set 0:
 //   0  buffer  the pyramid (bounds.glsl): `level` is written from the level before
@@ -26,7 +26,7 @@ vec4 bound_of_child(ivec2 child) {
     return bounds[bound_index(child, parameters.level - 1, parameters.size)];
 }
 
-// Mean of the children's; x, y and how many children have geometry.
+// Mean of the children's slopes in x and y; the number of children with geometry in z.
 vec3 slopes_of(Block children) {
     vec3 sum = vec3(0.0);
     for (int y = children.first.y; y <= children.last.y; ++y) {
@@ -35,8 +35,8 @@ vec3 slopes_of(Block children) {
     return vec3(sum.xy / max(sum.z, 1.0), sum.z);
 }
 
-// Constant of a plane of these slopes that is nowhere below the child's bound. The difference of affine functions is
-// largest at a corner.
+// Constant c of a bound with these slopes that is nowhere below the child's bound. The difference of affine functions
+// is largest at a corner.
 float constant_over(ivec2 child, vec2 slopes, ivec2 origin) {
     vec4 bound = bound_of_child(child);
     if (bound.w == 0.0) return -3.402823466e38;
@@ -44,7 +44,7 @@ float constant_over(ivec2 child, vec2 slopes, ivec2 origin) {
     vec2 extent = vec2(pixels.last - pixels.first);
     vec2 offset = vec2(pixels.first - origin);
     vec2 rise = max((bound.yz - slopes) * extent, vec2(0.0));
-    // A few operations round by 1 ULP each, of numbers no larger than this.
+    // Error: a few operations of 1 ULP each, of numbers no larger than this.
     float rounded = 1e-6 * (abs(bound.x) + dot(abs(bound.yz), extent) + dot(abs(slopes), offset + extent));
     return bound.x + rise.x + rise.y - dot(slopes, offset) + rounded;
 }

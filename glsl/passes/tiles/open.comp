@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Finds the tiles of which it is certain that no sample of any pixel is blocked: nothing in reach rises above the
-// pixels' tangent planes by as much as the bias. One invocation a tile. Perspective only.
+// Finds the tiles in which certainly no sample of any pixel is blocked: no surface within reach rises above the pixels'
+// tangent planes by as much as the bias. One invocation a tile. Perspective only.
 //
-// A sample of the ball of radius R around p is compared at the centre q of its pixel, where the plane parallel to the
-// tangent plane through it has a depth of at most 1 / t(q), t(q) = n . ray(q) / n . p being that of the tangent
-// plane. So no sample is blocked where every surface has an inverse depth
-//     1/s <= t + m t^2,   since then s >= 1/t - m,   m = bias - what rounding adds to the sample's depth. t and the
-//     bound of a block (bounds.glsl) are affine, t^2 is no less than T (2 t - T) with T the least t of the block, and
-//     what is affine is nowhere above 0 in a rectangle if it is not so at its corners. All pixels of a tile share the
-//     plane of one, lowered by the most that another lies below it at that pixel, and by how much their slopes differ
-//     for each pixel from there.
+// A sample of the ball of radius R around p is compared at the centre q of its pixel. The plane through the sample that
+// is parallel to the tangent plane has at q a depth of at most 1 / t(q), with the tangent plane's inverse depth t(q) =
+// n . ray(q) / n . p. So no sample is blocked where every surface has an inverse depth
+//   1/s <= t + m t^2,   since then s >= 1/t - m,   m = bias - what rounding adds to the sample's depth.
+// Both t and the bound of a block (bounds.glsl) are affine, and t^2 >= T (2 t - T) with T the least t of the block. An
+// affine function is nowhere above 0 in a rectangle if it is not above 0 at the corners. All pixels of a tile share the
+// plane of one pixel. It is lowered by the largest distance of another plane below it at that pixel, and by the largest
+// difference of the slopes for each pixel from there.
 //
-// What rounding adds, with e = 2^-24 and each operation exact to 2 e, whichever way it rounds. N = -n . p; S_p and
-// S_r are the sums of magnitudes of the products in n . p and n . ray. A dot product of three whose result is N and
-// whose magnitudes add up to S is exact to 3 e (S + N), since no partial sum exceeds (S + N) / 2; positions are exact
-// to 6 e along x and y, as documented. So n . sample is exact to e (11 S_p + 3 N + 64 R), which includes that the
-// directions lie above the plane to 2e-6, n . ray to e (9 S_r + 3 N t), the quotient and the difference to 7 e:
-// together no more than e ((11 S_p + 64 R) / N + 11 S_r / (N t) + 14) of the depth 1/t, while that is small.
-// A method that takes the height of surfaces above the plane, N (1 - t s), instead: <= bias where 1/s <= t + m t / N,
-// and N t <= S_r; its rounding, 11 e (S_p + S_r / t), is less than that above times max(1, S_r). Hence m = bias /
-// max(1, S_r) - that above.
+// Rounding, with e = 2^-24: each operation is exact to 2 e in any rounding mode. N = -n . p; S_p and S_r are the sums
+// of magnitudes of the products in n . p and n . ray. A dot product of three with result N and sum of magnitudes S is
+// exact to 3 e (S + N), since no partial sum exceeds (S + N) / 2. Positions are exact to 6 e along x and y, as
+// documented.
+// So n . sample is exact to e (11 S_p + 3 N + 64 R), which includes that the directions lie above the plane to 2e-6.
+// n . ray is exact to e (9 S_r + 3 N t), the quotient and the difference to 7 e.
+// Together that is at most e ((11 S_p + 64 R) / N + 11 S_r / (N t) + 14) of the depth 1/t, while that is small.
+// Other methods use the height of surfaces above the plane, N (1 - t s). It is at most bias where 1/s <= t + m t / N,
+// and N t <= S_r. Its rounding, 11 e (S_p + S_r / t), is less than the one above times max(1, S_r). Hence m = bias /
+// max(1, S_r) - the rounding above.
 //
-// A point is no further away than d + R besides, and at most half a pixel beside q, or beyond the edge of the image
-// that q lies at: the plane through it has at q at most (d + R) (1 + rise / t), rise being that of t from q to the
-// point. What is further than that, and than its rounding, blocks nothing either: near the eye, where a ball is seen
-// before what is far behind it.
+// Also, a point is at most d + R away. It is at most half a pixel from q, or beyond the edge of the image at which q
+// lies.
+// Let rise be the increase of t from q to the point. The plane through the point then has at q a depth of at most
+// (d + R) (1 + rise / t). A surface further away than that and its rounding blocks nothing either. This decides near
+// the eye, where the image shows the ball in front of distant surfaces.
 //
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
@@ -52,13 +54,13 @@ layout(push_constant) uniform Parameters {
 #include "bounds.glsl"
 #include "tangent_plane.glsl"
 
-const float NEARER = 1.02;  // the eye is further than this many radii from the points and from their planes
+const float NEARER = 1.02;  // the eye must be more than this many radii away from the points and from their planes
 
-// What is known of a tile's pixels.
+// What is known about a tile's pixels.
 struct Pixels {
-    TangentPlane plane;  // of one of them
-    float below;         // how far the planes of others lie below it at that pixel, 1 / world units, rounding included
-    vec2 diverging;      // how far their slopes differ from its own, per pixel, likewise
+    TangentPlane plane;  // of one of the pixels
+    float below;         // how far the planes of others lie below it at its pixel, 1 / world units, rounding included
+    vec2 diverging;      // largest difference of their slopes from its own, per pixel, rounding included
     float height;        // least N
     vec3 normal;         // largest magnitudes of n
     vec3 position;       // and of p
@@ -70,14 +72,14 @@ vec2 steepest_ray;  // largest magnitudes along x and y of the rays through them
 vec4 overshoot;  // how far the samples reach beyond the left, the top, the right and the bottom of the image, pixels
 
 // Slope of the ray that touches the ball around a point, on the side of larger slopes. slope, depth: of the point,
-// further away than the radius.
+// which must be further away than the radius.
 float touching(float slope, float depth) {
     float beyond = depth * depth * (1.0 + slope * slope) - parameters.radius * parameters.radius;
     float aside = parameters.radius / sqrt(beyond);
     return (slope + aside) / (1.0 - slope * aside);
 }
 
-// The same for the disc.
+// The same for the disc of the radius.
 float beside(float slope, float depth) {
     return slope + 1.00001 * parameters.radius / depth;
 }
@@ -87,13 +89,13 @@ vec2 furthest(vec2 slopes, float depth) {
     return vec2(touching(slopes.x, depth), touching(slopes.y, depth));
 }
 
-// Finds the pixels at which the samples of a tile are compared; its surfaces are no nearer than `nearest`.
+// Finds the pixels at which the samples of a tile are compared. nearest: no surface of the tile is nearer, world units.
 void find_reach(Block tile, float nearest) {
     vec2 scale = abs(parameters.p00_p11);
     vec2 least = gloam_ndc_from_pixel(tile.first, parameters.size) / scale;
     vec2 most = gloam_ndc_from_pixel(tile.last, parameters.size) / scale;
     vec2 image = vec2(parameters.size);
-    // Two pixels for rounding; beyond the image samples are compared at its edge.
+    // Two pixels for rounding; samples beyond the image are compared at its edge.
     vec2 first = (-furthest(-least, nearest) * scale * 0.5 + 0.5) * image - 2.0;
     vec2 last = (furthest(most, nearest) * scale * 0.5 + 0.5) * image + 2.0;
     overshoot = max(vec4(-first, last - image), vec4(0.0));
@@ -102,7 +104,7 @@ void find_reach(Block tile, float nearest) {
                                  abs(gloam_ndc_from_pixel(reach.last, parameters.size))) / scale;
 }
 
-// How far the planes of the tile may lie below that of its pixel anywhere in a block.
+// Largest distance of the tile's planes below that of its pixel anywhere in a block, 1 / world units.
 float lowered(Block block) {
     ivec2 pixel = pixels.plane.pixel;
     return pixels.below + dot(pixels.diverging, vec2(max(abs(block.first - pixel), abs(block.last - pixel))));
@@ -113,13 +115,13 @@ float sum_of_ray() {
     return dot(pixels.normal, vec3(steepest_ray, 1.0));
 }
 
-// What rounding adds to a sample's depth, relative to 1/t, where the planes' inverse depth is at least `lowest`.
+// Rounding of a sample's depth, relative to 1/t, where the planes' inverse depth is at least `lowest`.
 float rounded_depth(float lowest) {
     float of_point = 11.0 * dot(pixels.normal, pixels.position) + 64.0 * parameters.radius;
     return 1.02 * ROUNDING * ((of_point + 11.0 * sum_of_ray() / lowest) / pixels.height + 14.0);
 }
 
-// An inverse depth up to which a surface is further away than any point compared within `seen`; 0: none is known.
+// Inverse depth up to which a surface is further away than any point compared within `seen`; 0 if none is known.
 float beyond_points(Block seen, float lowest, float rounded) {
     if (parameters.points == 0u) return 0.0;
     vec4 steepest = pixels.steepest;
@@ -130,7 +132,7 @@ float beyond_points(Block seen, float lowest, float rounded) {
            ((pixels.position.z + 1.001 * parameters.radius) * (1.0 + 1.001 * risen / lowest) + rounded / lowest);
 }
 
-// Whether a surface of the block may rise above the tile's planes within reach.
+// Whether a surface of the block may rise above the tile's planes within reach. at: column and row of the block.
 bool rises(ivec2 at, int level) {
     vec4 bound = bounds[bound_index(at, level, parameters.size)];
     if (bound.w == 0.0) return false;
@@ -156,7 +158,7 @@ bool rises(ivec2 at, int level) {
     return !(m >= 0.0 && above + climbs.x + climbs.y <= 0.0);
 }
 
-// The blocks of a level that cover pixels.
+// The blocks of a level that cover these pixels.
 Block covering(Block covered, int level) {
     return Block(covered.first / block_side(level), covered.last / block_side(level));
 }
@@ -198,7 +200,7 @@ bool any_rises() {
     return false;
 }
 
-// The plane of a pixel with geometry; of height 0 where samples cannot be judged by it.
+// The tangent plane of a pixel with geometry; its height is 0 where it cannot be used.
 TangentPlane plane_at(ivec2 pixel, float depth) {
     GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, false);
     vec3 normal = imageLoad(normal_image, pixel).xyz;
@@ -209,7 +211,7 @@ TangentPlane plane_at(ivec2 pixel, float depth) {
     return plane;
 }
 
-// Takes another pixel's plane into what is known of all.
+// Merges another pixel's plane into the bounds of the tile.
 void include(TangentPlane plane) {
     ivec2 pixel = pixels.plane.pixel;
     pixels.below =
@@ -222,7 +224,7 @@ void include(TangentPlane plane) {
     pixels.steepest = max(pixels.steepest, vec4(-plane.slopes, plane.slopes));
 }
 
-// Takes all pixels of the tile into account. Returns false where one cannot be judged.
+// Merges the planes of all pixels of the tile. Returns false if one cannot be used.
 bool include_all(Block tile) {
     for (int y = tile.first.y; y <= tile.last.y; ++y) {
         for (int x = tile.first.x; x <= tile.last.x; ++x) {
@@ -236,7 +238,7 @@ bool include_all(Block tile) {
     return true;
 }
 
-// Refuses early: by the plane of one pixel, first against the tile itself, before all pixels are read.
+// Early out: tests the plane of one pixel, first against its own tile, before all pixels are read.
 bool is_open(ivec2 at) {
     Block tile = block_at(at, 0, parameters.size);
     vec4 bound = bounds[bound_index(at, 0, parameters.size)];
@@ -252,7 +254,7 @@ bool is_open(ivec2 at) {
     pixels = Pixels(plane, 0.0, vec2(0.0), plane.height, plane.normal, plane.position,
                     max(vec4(-plane.slopes, plane.slopes), vec4(0.0)));
     if (rises(at, 0) || any_rises() || !include_all(tile)) return false;
-    // The shared plane's own rounding, where it is compared with the others' and where it is with blocks.
+    // Rounding of the shared plane: once where it is compared with the others, once where it is compared with blocks.
     pixels.below += 2.0 * inverse_depth_error(plane, middle);
     pixels.diverging += (plane.rounded + 20.0 * ROUNDING) * abs(plane.slopes);
     return !any_rises();

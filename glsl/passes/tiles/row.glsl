@@ -2,9 +2,10 @@
 #ifndef GLOAM_PASSES_TILES_ROW_GLSL
 #define GLOAM_PASSES_TILES_ROW_GLSL
 
-// The row that an invocation of the filter reads: its PIXELS pixels, and REACH more on either side. A position in it
-// counts from its start. Define before: HOLDS_ROW, PIXELS, REACH, filter_axis(); the type Tap of what is kept of a
-// pixel, tap_at(pixel) of one inside the image, and weightless(tap), the same where it shall not count.
+// The row that an invocation of the filter reads: its PIXELS pixels, and REACH more on either side. A position in the
+// row counts from its start.
+// Define before: HOLDS_ROW, PIXELS, REACH and filter_axis(); the type Tap, the data of a pixel; tap_at(pixel), the data
+// of a pixel inside the image; and weightless(tap), the same data without weight.
 
 const int ROW_LENGTH = PIXELS + 2 * REACH;
 
@@ -14,19 +15,19 @@ Tap row[HOLDS_ROW ? ROW_LENGTH : 1];
 Tap read_tap(int position) {
     ivec2 pixel = row_start + position * filter_axis();
     bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < parameters.size.x && pixel.y < parameters.size.y;
-    // No branch: the edge of the image is not worth one at every tap.
+    // No branch: clamping costs less than a test at every tap.
     Tap tap = tap_at(clamp(pixel, ivec2(0), parameters.size - 1));
     return inside ? tap : weightless(tap);
 }
 
-// first: of the invocation's pixels.
+// Reads the row. first: the first pixel of the invocation.
 void read_row(ivec2 first) {
     row_start = first - REACH * filter_axis();
     if (!HOLDS_ROW) return;
     UNROLL for (int i = 0; i < ROW_LENGTH; ++i) row[i] = read_tap(i);
 }
 
-// What is kept of the pixel at a position, 0 to ROW_LENGTH - 1; weightless outside the image.
+// The data of the pixel at a position, 0 to ROW_LENGTH - 1; weightless outside the image.
 Tap row_tap(int position) {
     return HOLDS_ROW ? row[position] : read_tap(position);
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Says which tiles have to be shaded in this frame, and lists them: one invocation a tile. A tile is left out
-// - without any geometry, once the images show background all over it: nothing reads or writes it then;
-// - in a view that stands still, once none of its pixels has asked for a sample: both history images hold the same
-// then, and will.
+// Determines which tiles are shaded in this frame, and lists them. One invocation a tile. A tile is skipped
+// - if it has no geometry and all images already show background there: no pass reads or writes it then;
+// - if the view stands still and none of its pixels has asked for a sample: both history images then hold the same
+//   values and will keep them.
 //
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f    eye-linear depth, world units; background 0 or not finite
 //   1  buffer  the tiles' states after the last frame
-//   2  buffer  written: after this one, but for the counts of the tiles that are shaded, which become 0
-//   3  buffer  the lists, their counts 0 and their `layers` 1; all but those of filters are filled
+//   2  buffer  written: the states after this frame; the counts of shaded tiles become 0
+//   3  buffer  the lists, with counts of 0 and `layers` of 1; all lists are filled except those of the filter
 //   4  buffer  for each tile 1 where nothing can block any tap of its pixels, else 0; read when open_tiles is set
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -24,11 +24,11 @@ layout(binding = 4, std430) readonly buffer OpenTiles { uint open_tile[]; };
 
 layout(push_constant) uniform Parameters {
     ivec2 size;        // of the images, pixels
-    ivec2 band;        // on each side, that is not shaded, pixels
-    uint written;      // images that this frame writes, a bit each from 0 on
-    uint background;   // 1: leave out tiles without geometry
-    uint settled;      // 1: leave out tiles that have settled: the last frame's view was the same, and stood still
-    uint open_tiles;   // 1: list tiles that nothing can block apart
+    ivec2 band;        // guard band on each side that is not shaded, pixels
+    uint written;      // images that this frame writes: bit i is image i
+    uint background;   // 1: skip tiles without geometry
+    uint settled;      // 1: skip settled tiles: the view has not changed since the last frame, and stood still then
+    uint open_tiles;   // 1: put tiles in which nothing can block into a list of their own
 } parameters;
 
 #include "gloam/geometry/background.glsl"
@@ -54,7 +54,7 @@ void main() {
     uint blank_images = before.flags >> STATE_BLANK_SHIFT << STATE_BLANK_SHIFT;
     bool settled =
         parameters.settled != 0u && without_samples(before, pixels_of_tile(at, parameters.size, parameters.band));
-    // A settled tile is blank where it was blank before.
+    // A settled tile stays blank if it was blank before.
     bool blank = parameters.background != 0u && (settled ? blank_images != 0u : without_geometry(at));
     uint kept = blank ? blank_images : 0u;
     if (blank && (blank_images & written) == written) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Lists the tiles whose filtered occlusion has to be formed in this frame: along y those that the filter may change,
-// where it reads a tile that is shaded; and along x those whose result along x these read. Tiles that the filter
-// leaves as they are have been written with the samples. One invocation a tile.
+// Lists the tiles whose filtered occlusion has to be computed in this frame. Along y these are the tiles that the
+// filter may change and whose window contains a shaded tile. Along x they are the tiles whose result along x these
+// read. A tile that the filter does not change has been written with the samples. One invocation a tile.
 //
 // Dispatch ceil(tiles / 8) groups, after ambient_occlusion.comp. Descriptor set 0:
 //   0  buffer  the tiles' states of this frame
@@ -20,7 +20,7 @@ layout(push_constant) uniform Parameters {
     ivec2 reach;  // of the filter along x and y, pixels
 } parameters;
 
-// The tiles around one, itself included: first and last.
+// The tiles around a tile, itself included: first and last.
 ivec4 tiles_around(ivec2 at, ivec2 around, ivec2 tiles) {
     return ivec4(max(at - around, ivec2(0)), min(at + around, tiles - 1));
 }
@@ -35,7 +35,7 @@ bool any_shaded(ivec2 at, ivec2 around, ivec2 tiles) {
     return false;
 }
 
-// Whether the filter may change any of them.
+// Whether the filter may change any tile around this one.
 bool any_filtered(ivec2 at, ivec2 around, ivec2 tiles) {
     ivec4 region = tiles_around(at, around, tiles);
     for (int y = region.y; y <= region.w; ++y) {
@@ -55,7 +55,8 @@ void main() {
     if ((state.flags & STATE_BACKGROUND) != 0u) return;  // no filter changes background
     ivec2 side = ivec2(TILE_SIDE);
     ivec2 around = (parameters.reach + side - 1) / side;
-    // Along x wherever it may be read: what is there was formed in a frame whose list was another.
+    // Along x: every tile whose result may be read, because what is stored there is of an earlier frame with another
+    // list.
     if (any_filtered(at, ivec2(0, around.y), tiles) && any_shaded(at, ivec2(around.x, 2 * around.y), tiles)) {
         append(FILTERED_X_TILES, uvec2(at), uvec2(tiles));
     }

@@ -4,13 +4,13 @@
 
 #include "state.glsl"
 
-// Lets a pass count what its tiles take. Define GLOAM_STATE_BINDING as the binding of the tiles' states, whose counts
-// are 0 before the pass; they are touched when `counts` is set.
+// Lets a pass count the work of its tiles. Define GLOAM_STATE_BINDING as the binding of the tiles' states. Their counts
+// are 0 before the pass. The states are accessed only when `counts` is set.
 
 const uint COUNT_EACH = 1u;   // each invocation adds its own
-const uint COUNT_GROUP = 2u;  // the group adds its sum: what is far from the device is written once a tile
+const uint COUNT_GROUP = 2u;  // the group adds its sum: one write a tile, for memory that is slow to reach
 
-// COUNT_*; 0: nothing is counted. Where a group's barrier costs more than memory, as on a CPU, COUNT_EACH is faster.
+// COUNT_*; 0: nothing is counted. COUNT_EACH is faster where a group's barrier costs more than memory, as on a CPU.
 layout(constant_id = 0) const uint counts = 0u;
 
 layout(binding = GLOAM_STATE_BINDING, std430) buffer TileStates { TileState tile_states[]; };
@@ -18,8 +18,8 @@ layout(binding = GLOAM_STATE_BINDING, std430) buffer TileStates { TileState tile
 shared uint group_samples;
 shared uint group_pixels;
 
-// Adds what the invocation has taken; to be called by all of the group.
-// entry: of the tile (Column.entry). tiles: of the image, along x and y.
+// Adds the invocation's work to its tile. All invocations of the group must call it.
+// entry: of the tile (Column.entry). tiles: of the image, along x and y. samples: taken. pixels: sum of COUNT_*.
 void count_tile(uint entry, uvec2 tiles, uint samples, uint pixels) {
     uvec2 at = tile_of(entry);
     uint tile = at.y * tiles.x + at.x;

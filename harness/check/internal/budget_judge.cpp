@@ -15,7 +15,7 @@ namespace {
 using shader::Scalar;
 
 using numeric::infinity;
-constexpr std::size_t corner_words = 6;  // most float inputs whose corners are all tried
+constexpr std::size_t corner_words = 6;  // up to this many float inputs, all corners are tried
 
 double fraction_of(double error, double allowed) {
     if (error == 0.0) return 0.0;
@@ -94,8 +94,8 @@ Error BudgetJudge::float_error(double got, double want, double unit) const {
         std::min(fraction_of(ulp, question_.budget.ulp), fraction_of(absolute, question_.budget.absolute))};
 }
 
-// The error against the reference at the input itself; if that fails, against the nearest of the inputs
-// that the rules also allow: subnormals flushed to zero, and inputs within the backward budget.
+// The error against the reference at the input itself. If that fails, the least error over the inputs that
+// the budget also covers: subnormals flushed to zero, and inputs within the backward budget.
 Error BudgetJudge::best_error(const Sample& sample) {
     Error best = error_against(sample.got, sample.want);
     const auto try_at = [&](const std::vector<Word>& inputs) {

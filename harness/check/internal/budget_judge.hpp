@@ -8,14 +8,14 @@
 
 namespace gloam::check::internal {
 
-// How far the outputs of one input are from one candidate for the truth; the worst of them.
+// The largest error of the outputs of one input against one candidate for the exact result.
 struct Error {
     double ulp = 0.0;
     double absolute = 0.0;
     double fraction = 0.0;  // of the budget
 };
 
-// The numbers that every judge of a signature needs.
+// The scalar types of a signature's inputs and outputs, which every judge needs.
 struct Scalars {
     explicit Scalars(const Signature& signature)
         : inputs(signature.input_scalars()),
@@ -35,13 +35,13 @@ class BudgetJudge {
     BudgetJudge(const Question& question, const ImageSet& images, const Scalars& scalars)
         : question_(question), images_(images), scalars_(scalars) {}
 
-    // The error of the outputs of an input; all of it infinite outside the codomain.
+    // The error of the outputs of an input; infinite if one is outside the codomain.
     [[nodiscard]] Error measure(const Sample& sample);
 
     // The error of a value against another.
     [[nodiscard]] Error float_error(double got, double want, double unit) const;
 
-    // ULP of the largest component of each value when components are measured by it, else 0.
+    // ULP of the largest component of each value if the budget measures by it, otherwise 0.
     [[nodiscard]] double unit_of(std::span<const double> want) const;
 
   private:

@@ -11,7 +11,7 @@ namespace {
 
 using shader::Scalar;
 
-constexpr double largest_result = 1e30;  // beyond it a result is held inside the floats somehow
+constexpr double largest_result = 1e30;  // larger results are not compared
 constexpr double largest_usual = 1e4;
 constexpr double smallest_usual = 1e-4;
 constexpr double tolerance = 1.0 / 256.0;

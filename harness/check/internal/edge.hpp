@@ -10,14 +10,14 @@
 
 namespace gloam::check::internal {
 
-// Whether an input is one whose result a function documents by value: it holds a zero, an infinity or a NaN,
-// and nothing else that is not of usual size, so that neither over- nor underflow comes in.
+// Whether an input is an edge, for which functions document the result: it contains a zero, an infinity or a
+// NaN, and otherwise only values of usual size, so that neither overflow nor underflow occurs.
 [[nodiscard]] bool is_edge(const Sample& sample, const Scalars& scalars);
 
-// Whether the outputs at an edge are those of the reference, whatever accuracy is promised there: to 1/256 of
-// the largest of a value's components (0.01 at least) or within the budget, and an infinity, a NaN, an
-// integer and a truth value to the bit. A branch that rounding decides may go either way: the reference is
-// asked at inputs a few ULP away as well.
+// Whether the outputs at an edge equal those of the reference, independently of the promised accuracy. A
+// float must be within 1/256 of the largest component of its value (0.01 at least), or within the budget. An
+// infinity, a NaN, an integer and a bool must be exact. A branch that rounding decides may go either way, so
+// the reference is also evaluated at inputs a few ULP away.
 [[nodiscard]] bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
                                  const Sample& sample);
 

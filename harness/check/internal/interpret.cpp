@@ -13,14 +13,14 @@
 namespace gloam::check::internal {
 namespace {
 
-// Inputs of a run, one after the other, from `begin` to `end`.
+// The inputs of a run from `begin` to `end` (excluded), run one after another.
 class Part {
   public:
     Part(const interpreter::Program& program, const KernelModule& module, std::span<const Word> inputs,
          const std::string& name)
         : program_(program), module_(module), inputs_(inputs), name_(name) {}
 
-    // `outputs`: of all inputs. `images`: their words; stores change them.
+    // `outputs`: of all inputs. `images`: the words of the images; stores change them.
     std::optional<ImageFault> run(std::size_t begin, std::size_t end, std::vector<std::vector<Word>>& images,
                                   std::span<Word> outputs) {
         InterpretedKernel<float> kernel(program_, module_, images);

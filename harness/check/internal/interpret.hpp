@@ -9,8 +9,8 @@
 
 namespace gloam::check::internal {
 
-// What KernelCore::run() gives, from the interpreter in float32. Images that the shader stores to are those
-// of one invocation after the other. Throws KernelError for what the interpreter cannot run.
+// The result of KernelCore::run(), computed by the interpreter in float32. Images that the shader stores to
+// are those of sequential invocations. Throws KernelError for a module that the interpreter cannot run.
 [[nodiscard]] KernelCore::Result interpret(const std::shared_ptr<const KernelModule>& module,
                                            std::span<const Word> inputs, std::size_t count,
                                            const ImageSet& images, const std::string& name);

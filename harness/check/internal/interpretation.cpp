@@ -13,7 +13,7 @@ namespace {
 
 using shader::Scalar;
 
-// Of one input on all its paths. Beyond it anything counts as permitted.
+// Limit for one input, all paths together. Beyond it every result counts as permitted.
 constexpr std::uint64_t most_path_steps = 4'000'000;
 
 numeric::Bounds bounds_of(const numeric::Interval& x) {
@@ -23,7 +23,7 @@ numeric::Bounds bounds_of(const numeric::Rearranged& x) {
     return x.interval().bounds();
 }
 
-// One NaN is as good as another.
+// Equality of words; all NaNs are equal.
 bool is_same(Scalar scalar, Word a, Word b) {
     return a == b ||
            (scalar == Scalar::float_ && std::isnan(from_word<float>(a)) && std::isnan(from_word<float>(b)));
@@ -60,7 +60,7 @@ bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) 
     try {
         floats.run(input.words, at.index);
     } catch (const interpreter::Error&) {
-        return false;  // undefined: a device may do anything
+        return false;  // undefined: a device may return any value
     }
     for (std::size_t w = 0; w < got.size(); ++w)
         if (!is_same(outputs_[w], got[w], floats.output(w).bits())) return false;
@@ -85,7 +85,7 @@ bool Interpretation::holds(std::span<const numeric::Bounds> outcome, std::span<c
     return true;
 }
 
-// All paths, or those up to the first that gives `until`.
+// Explores all paths, or the paths up to the first one that yields `until`.
 template <class N>
 void Interpretation::explore(InterpretedKernel<N>& kernel, const InputRow& input, std::size_t index,
                              std::span<const Word> until, Permitted& permitted) {

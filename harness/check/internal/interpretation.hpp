@@ -11,10 +11,10 @@
 
 namespace gloam::check::internal {
 
-// The modules of a run, decoded once for all threads that judge it.
+// The modules of a run, decoded once for all threads.
 class Decoded {
   public:
-    // The modules and the images must live longer.
+    // The modules and the images must outlive this object.
     Decoded(const KernelModules& modules, const ImageSet& images);
 
     struct Part {
@@ -28,33 +28,33 @@ class Decoded {
     std::vector<Part> parts_;
 };
 
-// The input of a run, by its position and its words.
+// An input of a run: its position and its words.
 struct InputRow {
     std::size_t index = 0;
     std::span<const Word> words;
 };
 
-// What the modules of a run make of an input on each number type, for one thread.
+// Interprets the modules of a run for one input at a time, on each number type. For one thread.
 class Interpretation {
   public:
     Interpretation(const Decoded& decoded, const std::vector<shader::Scalar>& outputs)
         : decoded_(decoded), outputs_(outputs), parts_(decoded.parts().size()) {}
 
-    // Whether the outputs are, to the bit, what correctly rounded arithmetic gives (one NaN is as good as
-    // another). Vulkan permits that much whatever the module is.
+    // Whether the outputs equal, in every bit, those of correctly rounded arithmetic; all NaNs are equal.
+    // Vulkan permits these results for every module.
     [[nodiscard]] bool is_exact(const InputRow& input, std::span<const Word> got);
 
     // The outputs in double.
     void calculate(const InputRow& input, std::vector<double>& outputs);
 
-    // Whether some legal evaluation gives these outputs. Cheaper than all_permitted(): it ends with the first
-    // path that does, and asks for rearranged sums only where the order of the module does not.
+    // Whether some legal evaluation yields these outputs. It is faster than all_permitted(): it stops at the
+    // first path that does, and tries rearranged sums only if the order of the module does not yield them.
     [[nodiscard]] bool is_permitted(const InputRow& input, std::span<const Word> got);
 
-    // Everything that Vulkan permits.
+    // Calculates everything that Vulkan permits.
     void all_permitted(const InputRow& input, Permitted& permitted);
 
-    // Instructions that were interpreted on intervals.
+    // Number of instructions interpreted on intervals so far.
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
   private:

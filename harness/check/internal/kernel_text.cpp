@@ -46,7 +46,7 @@ void scalar_paths(const Type& type, const std::string& variable,
     }
 }
 
-// Statements that give a variable the values of the words from `offset` on; returns how many they are.
+// Appends statements that set a variable from the input words from `offset` on; returns the number of words.
 std::size_t append_read(std::string& code, const Type& type, const std::string& variable,
                         const InputText& input, std::size_t offset) {
     std::vector<std::pair<Scalar, std::string>> paths;
@@ -107,7 +107,7 @@ std::string image_interface(const ImagePrototype& image, std::size_t index) {
         KernelBinding::first_image + index, image.stores ? "" : "readonly ", index, index);
 }
 
-// The definition of a prototype: finds the pixel, or reports the fault.
+// The definition of a prototype: it finds the pixel or reports the fault.
 std::string image_definition(const ImagePrototype& image, std::size_t index) {
     const std::string buffer = fmt::format("gloam_kernel_image{}", index);
     const std::size_t scalars = scalars_of(image.element).size();
@@ -138,13 +138,13 @@ std::string image_definition(const ImagePrototype& image, std::size_t index) {
     return code + "}\n";
 }
 
-// Whether a macro can have this name at all.
+// Whether this word can be the name of a macro.
 bool can_be_macro(std::string_view word) {
     return !word.starts_with("GL_") && word.find("__") == std::string_view::npos && word != "defined";
 }
 
-// What undefines every name that a text uses: a macro that the user's file leaves behind must not reach into
-// it.
+// Directives that undefine every name that a text uses, so that macros of the user's file do not affect the
+// text.
 std::string without_macros(std::string_view text) {
     const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     std::set<std::string_view> words;

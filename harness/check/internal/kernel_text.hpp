@@ -7,21 +7,21 @@
 
 #include "check/kernel_code.hpp"
 
-// The parts that every generated compute shader is made of.
+// The parts of generated compute shaders.
 namespace gloam::check::internal {
 
-// The GLSL value of a scalar whose bits are in the uint expression `word`.
+// GLSL expression of a scalar, from a uint expression `word` that holds its bits.
 [[nodiscard]] std::string from_word(shader::Scalar scalar, const std::string& word);
 
 // The whole shader: the interface, the function's file, the definitions of its prototypes, then `rest`, which
-// has main(). Every name that is not the file's own begins with gloam_kernel_ or GloamKernel; no macro of the
-// file reaches beyond its end.
+// has main(). Every name that is not from the file begins with gloam_kernel_ or GloamKernel. Macros of the
+// file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
 
 // The GLSL expression of an input scalar, given its position among the words of one input.
 using InputText = std::function<std::string(shader::Scalar scalar, std::size_t word)>;
 
-// Statements that call the function once and write what it returns to the outputs, from
+// Statements that call the function once and write its results to the outputs, from index
 // gloam_kernel_output_at on.
 struct Evaluation {
     std::string code;
@@ -30,8 +30,8 @@ struct Evaluation {
 };
 [[nodiscard]] Evaluation evaluation(const shader::Function& function, const InputText& input);
 
-// The head of main(), which knows `gloam_kernel_index` and `gloam_kernel_output_at` from there on and leaves
-// invocations without an input, and its end, which writes the canary.
+// The beginning and the end of main(). The beginning declares `gloam_kernel_index` and
+// `gloam_kernel_output_at`, and returns from invocations without an input. The end writes the canary.
 [[nodiscard]] std::string main_begin(std::size_t output_words);
 [[nodiscard]] std::string main_end(std::size_t output_words);
 

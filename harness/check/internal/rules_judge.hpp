@@ -6,7 +6,7 @@
 
 namespace gloam::check::internal {
 
-// Holds outputs against what Vulkan's precision rules permit the modules that gave them.
+// Compares outputs with the results that Vulkan's precision rules permit for the modules that produced them.
 class RulesJudge {
   public:
     RulesJudge(const Decoded& decoded, const Scalars& scalars)
@@ -15,11 +15,11 @@ class RulesJudge {
     // Whether the outputs are permitted.
     [[nodiscard]] bool permits(const Sample& sample);
 
-    // Fills the sample's permitted bounds and its fraction of their width: more than 1 when no outcome holds
-    // the outputs. Returns whether the rules permit anything at all for some output.
+    // Sets the sample's permitted bounds and its fraction of their width; the fraction is above 1 if no
+    // outcome contains the outputs. Returns whether the rules permit every value for some output.
     bool measure(Sample& sample);
 
-    // The largest error, by the measure of the budget, that the rules permit for the sample measured last.
+    // The largest error, as the budget measures it, that the rules permit for the last measured sample.
     [[nodiscard]] Error largest_permitted(const Sample& sample, const BudgetJudge& budget) const;
 
     [[nodiscard]] Interpretation& interpretation() { return interpretation_; }

@@ -28,7 +28,7 @@ std::string explanation_of(const Lab& lab, const Question& question, const Sampl
                to_text(explain(lab.compile_options(), source, sample.inputs,
                                images_behind(question, sample, seed)),
                        most_lines);
-    } catch (const std::exception& error) {  // a shader that no interpreter runs has a story all the same
+    } catch (const std::exception& error) {  // a shader that the interpreter cannot run still gets a story
         return fmt::format("  the worst input cannot be explained: {}\n", error.what());
     }
 }

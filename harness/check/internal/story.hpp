@@ -9,8 +9,8 @@
 
 namespace gloam::check::internal {
 
-// Gives an answer that failed its story: what was found, and the worst input operation by operation. `seed`
-// is that of the run.
+// Adds the story to an answer that failed: what was found, and the worst input operation by operation.
+// `seed`: of the run.
 void tell_story(const Lab& lab, const Question& question, std::uint64_t seed, Answer& answer);
 
 }  // namespace gloam::check::internal

@@ -9,17 +9,18 @@
 
 namespace gloam::check::internal {
 
-// A question ready to evaluate inputs, over the images of one scenario. What it is made from must outlive it.
+// A question that is ready to evaluate inputs, with the images of one scenario. The objects that it is made
+// from must outlive it.
 class Trial {
   public:
     // `seed` makes the images.
     Trial(const Lab& lab, const Question& question, const KernelCore& kernel, const ImageScenario& scenario,
           std::uint64_t seed, Verdict verdict);
 
-    // Evaluates and judges the inputs, and adds what it found to the answer; see judge() for `fractions`.
+    // Evaluates and judges the inputs, and adds the results to the answer. `fractions`: as in judge().
     void evaluate(const Domain::Inputs& inputs, Answer& answer, std::span<double> fractions = {}) const;
 
-    // The same with the inputs as constants of the shader; counts the results that differ from those of this
+    // The same with the inputs as constants of the shader. Counts the results that differ from those of this
     // kernel.
     void compare_constants(const Domain::Inputs& inputs, const ConstantKernel& constants,
                            Answer& answer) const;
@@ -42,16 +43,16 @@ class Trial {
     JudgeOptions options_;
 };
 
-// Calls visit(scenario, share) for each scenario of a question with its share of `inputs`; once, with an
-// empty scenario, for a function without images.
+// Calls visit(scenario, share) for each scenario of a question with its share of `inputs`. A function without
+// images gets one call with an empty scenario.
 void for_each_scenario(const Question& question, std::size_t inputs,
                        const std::function<void(const ImageScenario& scenario, std::size_t share)>& visit);
 
-// The seed of a scenario's inputs in a run with that seed.
+// The seed of a scenario's inputs in a run with seed `seed`.
 [[nodiscard]] std::uint64_t input_seed_of(const Question& question, const ImageScenario& scenario,
                                           std::uint64_t seed);
 
-// The images of a scenario in a run with that seed; none for a scenario without.
+// The images of a scenario in a run with seed `seed`; empty for a scenario without images.
 [[nodiscard]] ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed);
 
 }  // namespace gloam::check::internal

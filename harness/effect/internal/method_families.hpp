@@ -3,7 +3,7 @@
 
 #include "effect/methods.hpp"
 
-// The methods by what they sample, one list a file of effect/methods.
+// The methods by what they sample: one list for each file of effect/methods.
 namespace gloam::effect {
 
 [[nodiscard]] std::vector<MethodInfo> point_methods();
@@ -13,17 +13,17 @@ namespace gloam::effect {
 [[nodiscard]] std::vector<MethodInfo> ray_methods();
 [[nodiscard]] std::vector<MethodInfo> surface_methods();
 
-// Settings of a published configuration, with as many samples before convergence as after.
+// Settings of a published configuration. The number of samples is the same before and after convergence.
 [[nodiscard]] Settings configuration(const MethodInfo& method, std::uint32_t samples);
 
-// The comparative study's (Aalund and Baerentzen 2013): each frame by itself, in its quality configuration
-// without a blur.
+// The comparative study's settings (Aalund and Baerentzen 2013), quality configuration: frames without
+// history, without a blur.
 [[nodiscard]] Settings studied(Settings settings);
 
-// In its performance configuration with its blur, one pixel wide at the least.
+// The study's performance configuration, with its blur. half_width: taps on each side, at least 1.
 [[nodiscard]] Settings blurred(Settings settings, int half_width = 2);
 
-// Rays or slices of so many steps.
+// `count` rays or slices of `steps` steps each.
 [[nodiscard]] Settings rays(const MethodInfo& method, std::uint32_t count, std::uint32_t steps);
 [[nodiscard]] Settings slices(const MethodInfo& method, std::uint32_t count, std::uint32_t steps);
 

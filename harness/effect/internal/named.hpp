@@ -8,7 +8,7 @@
 
 namespace gloam::effect {
 
-// The item of that name; throws std::invalid_argument that lists the names.
+// The item with this name. Throws std::invalid_argument that lists the names.
 template <class Item>
 const Item& named(const std::vector<Item>& items, std::string_view name, const char* what) {
     std::string names;

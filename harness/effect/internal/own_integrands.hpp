@@ -8,12 +8,12 @@
 // The integrands of own_values(), by family of methods. Lengths are in units of the radius.
 namespace gloam::effect::own {
 
-// Points of the ball or half ball, compared with the depth buffer.
+// Methods that compare points of the ball or half ball with the depth buffer.
 [[nodiscard]] Integrand hemisphere(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand filion(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand crytek(const SeenSurface& seen, const Settings& settings);
 
-// Surface points under a disc.
+// Methods that sample surface points under a disc.
 [[nodiscard]] Integrand disc(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand alchemy(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand sao(const SeenSurface& seen, const Settings& settings);
@@ -23,27 +23,27 @@ namespace gloam::effect::own {
 [[nodiscard]] Integrand aksoy_phaneuf(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand aksoy_phaneuf_two(const SeenSurface& seen, const Settings& settings);
 
-// Opposite pairs of them.
+// Methods that sample opposite pairs of surface points.
 [[nodiscard]] Integrand volumetric(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand volumetric_two(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand tangent_sphere(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand angle(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand depth_darkening(const SeenSurface& seen, const Settings& settings);
 
-// Slices through the eye, of so many steps to each side as the settings say.
+// Methods that sample slices through the eye. Settings::steps: steps to each side.
 [[nodiscard]] Integrand hbao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand hbao_study(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand gtao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand sweep(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand bitmask(const SeenSurface& seen, const Settings& settings);
 
-// Rays of so many steps as the settings say.
+// Methods that sample rays. Settings::steps: steps of a ray.
 [[nodiscard]] Integrand poisson(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand ssdo(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand hsao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand unreal(const SeenSurface& seen, const Settings& settings);
 
-// Pixels as pieces of surface, and the quadric through them.
+// Methods that treat pixels as pieces of surface, or fit a quadric through them.
 [[nodiscard]] Integrand sphere_proxy(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand disc_proxy(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand mixture(const SeenSurface& seen, const Settings& settings);

@@ -17,9 +17,9 @@
 namespace gloam::effect {
 
 constexpr std::uint32_t tile_side = 8;
-constexpr std::uint32_t filter_tiles = 8;  // that a group of the filter takes, as tiles/list.glsl has it
+constexpr std::uint32_t filter_tiles = 8;  // tiles of one group of the filter, as in tiles/list.glsl
 
-// Push constants, each laid out as its pass declares them.
+// Push constants, with the layout that each pass declares.
 struct NormalParameters {
     glm::vec2 p00_p11;
     glm::ivec2 size;
@@ -53,7 +53,7 @@ struct OcclusionParameters {
     float bias_depth;
 };
 
-// MethodValues, as the pass's buffer holds it.
+// The layout of MethodValues in the passes' buffer.
 struct MethodParameters {
     float range;
     float epsilon;
@@ -90,7 +90,7 @@ struct RemapParameters {
     float c;
 };
 
-// What stays the same from frame to frame of a view.
+// The part of a view that is the same in all of its frames.
 struct View {
     scene::CameraFrame camera;
     gpu::Extent extent;  // with the guard band
@@ -106,7 +106,7 @@ struct View {
 
 [[nodiscard]] RemapParameters remap_parameters(const View& view, const Settings& settings);
 
-// What a pipeline is compiled for.
+// What the pipeline of the occlusion pass is compiled for.
 struct Program {
     std::string method;
     HistoryPrecision precision = HistoryPrecision::float32;
@@ -115,10 +115,10 @@ struct Program {
     bool reject_taps = false;
     bool listed = false;  // runs over a list of tiles
     TileLists list = TileLists::shaded;
-    bool shows = false;  // a filter follows, over lists of tiles
+    bool shows = false;  // a filter over lists of tiles follows
     bool sample_table = false;
     std::uint32_t table_size = 0;
-    bool fewer_samples = false;  // with distance or projected radius
+    bool fewer_samples = false;  // with distance or with small projected radius
     bool caps_radius = false;
     bool smooths = false;
     bool skip_closed = false;
@@ -131,10 +131,10 @@ struct Program {
     friend auto operator<=>(const Program&, const Program&) = default;
 };
 
-// What the settings decide of it.
+// The members that the settings determine; the others keep their defaults.
 [[nodiscard]] Program program_for(const Settings& settings);
 
-// What the pass that moves the history is compiled for.
+// What the pipeline of the reprojection pass is compiled for.
 struct ReprojectionProgram {
     HistoryPrecision precision = HistoryPrecision::float32;
     bool moving_objects = false;
@@ -147,7 +147,7 @@ struct ReprojectionProgram {
     friend auto operator<=>(const ReprojectionProgram&, const ReprojectionProgram&) = default;
 };
 
-// What a filter's pass along one axis is compiled for.
+// What the pipeline of a filter's pass along one axis is compiled for.
 struct FilterProgram {
     Filter filter = Filter::convergence;
     HistoryPrecision precision = HistoryPrecision::float32;
@@ -159,19 +159,19 @@ struct FilterProgram {
     friend auto operator<=>(const FilterProgram&, const FilterProgram&) = default;
 };
 
-// What the settings decide of it.
+// The members that the settings determine, and `list`.
 [[nodiscard]] FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list);
 
-// What a pass that reads or writes a history is compiled with.
+// Preprocessor definitions of a pass that reads or writes a history.
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
-// And one that reads or writes a prepared image of that format.
+// The same for a pass that also reads or writes a prepared image of this format.
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision, gpu::Format prepared);
 
 // How passes count the work of their tiles (tiles/tally.glsl).
 enum class Counting : std::uint32_t { none, each_invocation, each_group };
 
-// What the passes are compiled from. `counts`: of the device that they run on. `open_tiles_each`: open tiles
-// that a group takes.
+// The shaders of the passes, with their definitions and constants. `counts`: how the passes count on their
+// device. `open_tiles_each`: open tiles of one group.
 [[nodiscard]] PassSource normals_source();
 [[nodiscard]] PassSource occlusion_source(const Program& program, Counting counts,
                                           std::uint32_t open_tiles_each);
@@ -181,7 +181,7 @@ enum class Counting : std::uint32_t { none, each_invocation, each_group };
 [[nodiscard]] PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list);
 [[nodiscard]] PassSource selection_source(std::uint32_t open_tiles_each);
 
-// A pipeline of it with these bindings.
+// Compiles a pass to a pipeline with these bindings.
 [[nodiscard]] gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
                                                const PassSource& source,
                                                std::vector<gpu::BindingKind> bindings,
@@ -195,18 +195,18 @@ enum class Counting : std::uint32_t { none, each_invocation, each_group };
                                                      const Program& program);  // counts its work
 [[nodiscard]] gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
                                              const ReprojectionProgram& program);
-// Throws std::invalid_argument for Filter::none.
+// `filter`: throws std::invalid_argument for Filter::none.
 [[nodiscard]] gpu::ComputePipeline spatial_filter(const gpu::Device& device,
                                                   const scene::PassLibrary& library,
                                                   const FilterProgram& program);
 
-// `history`: of the history that the pass reads; none: it reads the filter's result. `list`: of the tiles
-// that it runs on; none: the whole image.
+// `history`: precision of the history that the pass reads; none: it reads the filter's result. `list`: the
+// list of tiles on which it runs; none: the whole image.
 [[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
                                          std::optional<HistoryPrecision> history,
                                          std::optional<TileLists> list);
 
-// Which tiles the others run on.
+// Passes that select the tiles for the others.
 [[nodiscard]] gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library);
 [[nodiscard]] gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLibrary& library);
 [[nodiscard]] gpu::ComputePipeline merge_bounds(const gpu::Device& device, const scene::PassLibrary& library);

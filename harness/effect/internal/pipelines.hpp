@@ -11,13 +11,13 @@
 
 namespace gloam::effect {
 
-// The compute pipelines of the passes, each made when it is first asked for. A reference that was returned
-// stays good.
+// The compute pipelines of the passes. Each is compiled on first use. A returned reference stays valid as
+// long as this object.
 class Pipelines {
   public:
     Pipelines(const gpu::Device& device, const scene::PassLibrary& library);
 
-    // Each throws std::runtime_error where its shader does not compile.
+    // Each throws std::runtime_error when its shader does not compile.
     [[nodiscard]] const gpu::ComputePipeline& normals() const { return normals_; }
     [[nodiscard]] const gpu::ComputePipeline& occlusion(const Program& program);
     [[nodiscard]] const gpu::ComputePipeline& reprojection(const ReprojectionProgram& program);

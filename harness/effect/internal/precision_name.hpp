@@ -7,7 +7,7 @@
 
 namespace gloam::effect {
 
-// As the setting "precision" names it.
+// The name of a precision as the setting "precision" uses it.
 [[nodiscard]] std::string name_of(HistoryPrecision precision);
 
 }  // namespace gloam::effect

@@ -14,7 +14,7 @@
 
 namespace gloam::effect {
 
-// Push constants of the passes of glsl/passes/preparation, as pass.glsl declares them.
+// Push constants of the passes of glsl/passes/preparation, with the layout of pass.glsl.
 struct PreparationParameters {
     glm::vec2 p00_p11;
     glm::ivec2 size;
@@ -38,7 +38,7 @@ struct PreparationParameters {
 [[nodiscard]] PreparationParameters preparation_parameters(const View& view, const Settings& settings,
                                                            int level);
 
-// What a preparation pass is compiled for.
+// What the pipeline of a preparation pass is compiled for.
 struct PreparationProgram {
     HistoryPrecision precision = HistoryPrecision::float32;
     std::uint32_t layers = 1;
@@ -53,25 +53,25 @@ struct PreparationProgram {
 
 [[nodiscard]] PreparationProgram preparation_program_for(const Settings& settings);
 
-// Of a file of glsl/passes/preparation and the format of its image.
+// The shader of a preparation pass. file: in glsl/passes/preparation. format: of the prepared image.
 [[nodiscard]] PassSource preparation_source(const std::string& file, const PreparationProgram& program,
                                             gpu::Format format);
 
-// The image that a method's preparation passes write, with what they need. Nothing is allocated or compiled
-// for a method that prepares nothing.
+// The image that a method's preparation passes write, and what these passes need. Nothing is allocated or
+// compiled for a method without preparation passes.
 class PreparedImage {
   public:
     PreparedImage(const gpu::Device& device, const scene::PassLibrary& library);
 
-    // For the next frames of a view.
+    // Takes a view and its settings for the next frames.
     void take(const View& view, const Settings& settings);
 
-    // The other one where the method prepares nothing.
+    // The prepared image, or `other` if the method has no preparation passes.
     [[nodiscard]] const gpu::Image& image_or(const gpu::Image& other) const {
         return image_ ? *image_ : other;
     }
 
-    // What the passes read besides their own image.
+    // The inputs of the passes besides their own image.
     struct Sources {
         const gpu::Image& depth;
         const gpu::Image& normal;
@@ -80,7 +80,7 @@ class PreparedImage {
         const gpu::Image& layers;
     };
 
-    // Compiles what is missing. The steps hold until the next take().
+    // Appends the passes and compiles the missing ones. The steps are valid until the next take().
     void append_steps(const Sources& sources, std::vector<Step>& steps);
 
   private:

@@ -8,7 +8,8 @@
 
 namespace gloam::effect::internal {
 
-// Throws std::invalid_argument that names the image, how many pixels it has and how many were expected.
+// Throws std::invalid_argument if `found` is not `expected`; the message holds both counts of pixels and
+// `what`, the name of the image.
 inline void require_same_size(const char* what, std::size_t found, std::size_t expected) {
     if (found == expected) return;
     throw std::invalid_argument(fmt::format("{}: {} pixels, expected {}", what, found, expected));

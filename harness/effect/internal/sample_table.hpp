@@ -21,37 +21,38 @@ struct SampleTableParameters {
     std::uint32_t last;
 };
 
-constexpr std::uint32_t sample_table_group = 64;  // samples of a group of the pass
+constexpr std::uint32_t sample_table_group = 64;  // samples of one group of the pass
 
-// The last sample that a table of these settings has to hold, and the size of its image.
+// The last sample that a table for these settings holds, and the size of its image.
 [[nodiscard]] std::uint32_t last_tabulated(const Settings& settings);
 [[nodiscard]] gpu::Extent sample_table_extent(const Settings& settings);
 
-// Of a file of glsl/passes/samples.
+// The shader that fills the table. samples: name of the points, a file of glsl/passes/samples.
 [[nodiscard]] PassSource sample_table_source(const std::string& samples);
 
-// What all pixels share of their samples, computed once each, on the device, as far as the frames get.
-// Nothing is allocated or compiled before a method shares something.
+// A table of what all pixels share of their samples. The device computes each sample once, as far as the
+// frames need them. Nothing is allocated or compiled until a method shares something.
 class SampleTable {
   public:
     SampleTable(const gpu::Device& device, const scene::PassLibrary& library);
 
-    // For the next frames. What the table holds stays good as long as the method shares the same.
+    // Takes the settings of the next frames. The table stays valid as long as the method uses the same
+    // points.
     void take(const Settings& settings);
 
-    // No pixel has taken samples yet.
+    // Resets the count of taken samples: no pixel has taken one yet.
     void restart() { taken_ = 0; }
 
-    // The frame has run: its samples have been taken, and are in the table.
+    // Call it after each frame: its samples have been taken and are in the table.
     void advance();
 
-    // The other one where there is no table.
+    // The table, or `other` if there is none.
     [[nodiscard]] const gpu::Image& image_or(const gpu::Image& other) const {
         return used_ ? *image_ : other;
     }
 
-    // The pass that adds what the next frame may read and the table does not hold yet, if anything. The step
-    // holds until the next call of a member.
+    // Appends the pass that computes the samples that the next frame may read and the table lacks, if there
+    // are any. The step is valid until the next call of a member.
     void append_step(std::vector<Step>& steps);
 
   private:
@@ -61,20 +62,20 @@ class SampleTable {
     const gpu::Device* device_;
     scene::PassLibrary library_;
     bool used_ = false;
-    std::string samples_;  // what the table holds: a file of glsl/passes/samples
+    std::string samples_;  // the points in the table: a file of glsl/passes/samples
     std::optional<gpu::Image> image_;
     std::uint32_t most_ = 0;        // samples of a frame
     std::uint32_t table_size_ = 0;  // samples after which the sequence starts over
-    std::uint32_t taken_ = 0;       // by any pixel, at most
+    std::uint32_t taken_ = 0;       // by any pixel, largest number
     std::uint32_t filled_ = 0;      // samples in the table
     SampleTableParameters range_{};
     std::map<std::string, gpu::ComputePipeline> pipelines_;
 };
 
-// Whether the settings' frames read a table. A sequence of more than 131,072 samples has none.
+// Whether the settings' frames read a table. False for a sequence of more than 131,072 samples.
 [[nodiscard]] bool tabulates_samples(const Settings& settings);
 
-// What a shader that has the points of that name in a table, or writes it, is compiled with
+// Preprocessor definition of a shader that reads or writes a table of the points with this name
 // (samples/table.glsl).
 [[nodiscard]] std::string sample_point_of(std::string_view points);
 

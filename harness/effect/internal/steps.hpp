@@ -15,14 +15,14 @@
 
 namespace gloam::effect {
 
-// A pass, ready to be recorded. What it names must live until it has run.
+// A pass that is ready to be recorded. The objects that it refers to must live until it has run.
 struct Step {
     std::string name;
     const gpu::ComputePipeline* pipeline = nullptr;
     std::vector<gpu::Resource> resources;
     std::span<const std::byte> parameters;
     std::array<std::uint32_t, 3> groups{};  // 0: as many as the image takes
-    const gpu::Buffer* indirect = nullptr;  // where the device finds the groups instead, if anywhere
+    const gpu::Buffer* indirect = nullptr;  // buffer from which the device reads the groups instead
     std::size_t offset = 0;                 // bytes
 };
 
@@ -31,14 +31,15 @@ std::span<const std::byte> bytes_of(const Parameters& parameters) {
     return std::as_bytes(std::span(&parameters, 1));
 }
 
-// Runs the passes in order, `repeat` times, each time after `before_each`, each over its own groups or
-// `groups`; returns the median time of each, NaN with a watcher. Throws like gpu::Commands::submit().
+// Runs the passes in order, `repeat` times, and calls `before_each` before each time. A pass without groups
+// of its own gets `groups`. Returns the median time of each pass, NaN with a watcher. Throws like
+// gpu::Commands::submit().
 [[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                                         const std::array<std::uint32_t, 3>& groups, int repeat,
                                         const std::function<void()>& before_each = {},
                                         const PassWatcher& watcher = {});
 
-// Bytes of all images and buffers that the passes are given, each counted once.
+// Bytes of all images and buffers that the passes use, each counted once.
 [[nodiscard]] std::uint64_t memory_of(std::span<const Step> passes);
 
 }  // namespace gloam::effect

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-// Vectors as the texels of an image of four channels, and back.
+// Conversion of vectors to the texels of an image of four channels, and back.
 namespace gloam::effect {
 
-// (x, y, z, 0) of each.
+// Texels (x, y, z, 0).
 [[nodiscard]] inline std::vector<float> texels_of(std::span<const glm::vec3> vectors) {
     std::vector<float> texels;
     texels.reserve(4 * vectors.size());
@@ -16,7 +16,7 @@ namespace gloam::effect {
     return texels;
 }
 
-// The first three channels.
+// The first three channels of each texel.
 [[nodiscard]] inline std::vector<glm::vec3> vectors_of(const std::vector<float>& texels) {
     std::vector<glm::vec3> vectors(texels.size() / 4);
     for (std::size_t i = 0; i < vectors.size(); ++i)

@@ -13,7 +13,7 @@
 
 namespace gloam::effect {
 
-// A list of tiles in the buffer of them, as glsl/passes/tiles/list.glsl has it, and an indirect dispatch.
+// The header of a list of tiles, as in glsl/passes/tiles/list.glsl; also an indirect dispatch.
 struct TileList {
     std::uint32_t columns = 0;
     std::uint32_t rows = 0;
@@ -21,19 +21,19 @@ struct TileList {
     std::uint32_t tiles = 0;
 };
 
-// What is known of a tile after a frame, as glsl/passes/tiles/state.glsl has it.
+// What is known about a tile after a frame, as in glsl/passes/tiles/state.glsl.
 struct TileState {
     std::uint32_t flags = 0;
-    std::uint32_t samples = 0;  // and, from bit 24 on, pixels of which a march was ended
+    std::uint32_t samples = 0;  // and, from bit 24 on, pixels whose march was ended
     std::uint32_t pixels =
-        0;  // numbers of them in eight bits each: background, below the limit, frozen, filtered
+        0;  // counts of its pixels, eight bits each: background, below the limit, frozen, filtered
 };
 
 enum class TileLists : std::uint8_t { shaded, filtered_x, filtered_y, sampled, open };
 
 constexpr std::size_t tile_lists = 5;
 
-// Images whose tiles may be known to hold nothing but background: bits of SelectParameters::written.
+// Images that may hold nothing but background in a tile: bits of SelectParameters::written.
 enum TileImage : std::uint32_t {
     image_first_history = 1,
     image_second_history = 2,
@@ -53,18 +53,18 @@ struct SelectParameters {
     std::uint32_t open;
 };
 
-// Of tiles/bound.comp.
+// Push constants of tiles/bound.comp.
 struct BoundParameters {
     std::array<std::int32_t, 2> size;
 };
 
-// Of tiles/merge_bounds.comp.
+// Push constants of tiles/merge_bounds.comp.
 struct MergeParameters {
     std::array<std::int32_t, 2> size;
     std::int32_t level;
 };
 
-// Of tiles/open.comp.
+// Push constants of tiles/open.comp.
 struct OpenParameters {
     std::array<float, 2> p00_p11;
     std::array<std::int32_t, 2> size;
@@ -73,48 +73,48 @@ struct OpenParameters {
     std::uint32_t points;
 };
 
-// And of tiles/select_filtered.comp.
+// Push constants of tiles/select_filtered.comp.
 struct SelectFilteredParameters {
     std::array<std::int32_t, 2> size;
     std::array<std::int32_t, 2> reach;
 };
 
-// How many tiles a frame ran on, and why it left others out.
+// How many tiles a frame shaded, and how many it skipped for which reason.
 struct SelectedTiles {
     std::uint32_t shaded = 0;
     std::uint32_t filtered = 0;
     std::uint32_t background = 0;
     std::uint32_t settled = 0;
-    std::uint32_t open = 0;  // of those shaded: without a tap
+    std::uint32_t open = 0;  // shaded tiles without a tap
     std::uint32_t filtered_enough = 0;
 };
 
-// When a frame runs over lists of tiles. Where the last frames of a moving view had next to nothing to leave
-// out, lists cost more than they save: the next ones run over the whole image, to the same result. A view
-// that stands still is always listed: it settles.
+// Decides when a frame runs over lists of tiles. If the last frames of a moving view skipped next to nothing,
+// lists cost more than they save; then the next frames run over the whole image. The result is the same. A
+// view that stands still always uses lists, because it settles.
 class Listing {
   public:
     void restart() { quiet_ = rest_ = 0; }
 
     [[nodiscard]] bool due(bool moved) const { return !moved || rest_ == 0; }
 
-    // After a frame of `tiles` tiles, which was listed or not.
+    // Call it after each frame of `tiles` tiles. `listed`: whether it ran over lists. `found`: its counts.
     void advance(bool listed, const SelectedTiles& found, std::size_t tiles);
 
   private:
-    std::uint32_t quiet_ = 0;  // listed frames in a row that left out next to nothing
+    std::uint32_t quiet_ = 0;  // successive listed frames that skipped next to nothing
     std::uint32_t rest_ = 0;   // frames until the next list
 };
 
-// What is known of the tiles of an image from frame to frame, and the lists of those that passes run on.
+// What is known about an image's tiles from frame to frame, and the lists of tiles on which passes run.
 class Tiles {
   public:
     Tiles(const gpu::Device& device, gpu::Extent extent);
 
-    // Nothing is known any more.
+    // Forgets all that is known.
     void forget();
 
-    // Empties the lists and counts: before each run of the passes.
+    // Empties the lists and the counts. Call it before each run of the passes.
     void clear();
 
     // The states of this frame become those of the last.
@@ -136,22 +136,22 @@ class Tiles {
     gpu::Buffer bounds_;
 };
 
-// The beginning of the buffer of lists before a frame: every list empty.
+// The beginning of the buffer of lists before a frame: every list is empty.
 [[nodiscard]] std::vector<std::byte> empty_lists();
 
-// Levels of the pyramid of bounds, as glsl/passes/tiles/bounds.glsl has it: of tiles, and twice of 4 x 4.
+// Levels of the pyramid of bounds, as in glsl/passes/tiles/bounds.glsl: tiles, and two levels of 4 x 4.
 constexpr std::uint32_t bound_levels = 3;
 
 // Blocks of a level that cover an image, along x and y.
 [[nodiscard]] gpu::Extent blocks_of(gpu::Extent extent, std::uint32_t level);
 
-// Where a list is in the buffer, bytes.
+// Offset of a list's header in the buffer, bytes.
 [[nodiscard]] std::size_t offset_of(TileLists list);
 
-// Whether a frame runs over lists of tiles at all.
+// Whether frames with these settings run over lists of tiles.
 [[nodiscard]] bool selects_tiles(const Settings& settings);
 
-// Pixels that the settings' filter reads to each side, at most.
+// Largest number of pixels that the settings' filter reads to each side.
 [[nodiscard]] std::int32_t filter_reach(const Settings& settings);
 
 }  // namespace gloam::effect

@@ -9,14 +9,14 @@
 
 namespace gloam::effect {
 
-// Sums of all tiles of an image, by rows; Work::converged stays 0.
-// band: on each side, that is not shaded.
+// Sums over all tiles of an image, given by rows; Work::converged stays 0. band: guard band on each side that
+// is not shaded.
 [[nodiscard]] Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent band);
 
-// Of all passes. NaN where the device has no clock.
+// Sum of the times of all passes, milliseconds. NaN where the device has no clock.
 [[nodiscard]] double total_ms(const Frame& frame);
 
-// The median; the mean of the middle two of an even number. NaN for none.
+// The median; for an even number of values the mean of the middle two. NaN for no value.
 [[nodiscard]] double median(std::span<const double> values);
 
 }  // namespace gloam::effect

@@ -19,7 +19,7 @@ std::vector<Preset> two_balls_presets(const MethodInfo& method) {
     return {{"volumetric-two", "volumetric-performance at two radii", blurred(configuration(method, 24), 1)}};
 }
 
-// What the game has besides is not printed: 6 pairs, as many as volumetric-performance.
+// The game's other settings are not published. The number of pairs, 6, is that of volumetric-performance.
 std::vector<Preset> spiral_presets(const MethodInfo& method) {
     return {{"volumetric-spiral", "Toy Story 3's: pairs on a turned spiral, 6 here; a blur of one pixel",
              blurred(configuration(method, 12), 1)}};

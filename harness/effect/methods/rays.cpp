@@ -6,13 +6,13 @@ namespace {
 
 using enum Measure;
 
-// Those of hbao.
+// The values of hbao.
 void adapt_hsao(Settings& s) {
     s.angle_bias = 0.3F;
     s.steps = 6;
 }
 
-// The engine's: 0.8 of its unit, up to 3 steps on a side.
+// The engine's values: 0.8 of its unit, up to 3 steps on each side.
 void adapt_unreal(Settings& s) {
     s.epsilon = 0.8F;
     s.steps = 3;

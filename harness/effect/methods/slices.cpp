@@ -6,19 +6,20 @@ namespace {
 
 using enum Measure;
 
-// The study's: 6 steps, a bias of 0.3 radians.
+// The study's values: 6 steps, a bias of 0.3 radians.
 void adapt_hbao(Settings& s) {
     s.angle_bias = 0.3F;
     s.steps = 6;
 }
 
-// hbao at half the resolution, the result of every other pixel. A pixel looks at 3 x 3 of them.
+// hbao at half the resolution: every other pixel in x and y has a result. A pixel reads 3 x 3 of them.
 Preparation half_resolution(const Settings&, gpu::Extent view) {
     const gpu::Extent half{(view.width + 1) / 2, (view.height + 1) / 2};
     return {.image = half, .passes = {{"half_resolution", "half_resolution.comp", half}}, .spread = 3};
 }
 
-// Each pixel's occlusion along its first direction, which others take over from two standard deviations away.
+// Each pixel's occlusion along its first direction. Other pixels use it from up to two standard deviations
+// away.
 Preparation first_direction(const Settings& settings, gpu::Extent view) {
     return {.image = view,
             .format = gpu::Format::r32f,
@@ -39,8 +40,8 @@ std::vector<Preset> slice_presets(const MethodInfo& method) {
             {method.name + "-quality", "9 slices of 3 steps to each side", slices(method, 9, 3)}};
 }
 
-// Followed by a history, like the general presets: a mean over 128 samples, kernels rotated always, no
-// filter.
+// Settings with a history, like those of the general presets: a mean over 128 samples, kernels always
+// rotated, no filter.
 Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
     Settings settings = slices(method, count, steps);
     settings.weight_max = 128.0F;

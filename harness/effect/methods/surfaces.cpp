@@ -16,17 +16,17 @@ constexpr std::uint32_t most_resolutions = 9;
 // GLOAM_LAST_AREA_LEVEL of gloam/methods/volumetric_area.glsl.
 constexpr std::uint32_t last_area_level = 6;
 
-// From a texel of the coarsest level to the last that counts for it: its kernel's 6, 2 for each
-// interpolation, whose texels grow to it as 1 + 1/2 + 1/4 ..., and its own.
+// Distance in texels of the coarsest level from a pixel to the last texel that affects it: the kernel's 6; 2
+// for each interpolation, in texels that shrink by half from level to level (1 + 1/2 + 1/4 ...); and its own.
 constexpr int mssao_texels = 11;
 
-// Of a level, 1 being half the resolution.
+// Size of a level; level 1 has half the resolution.
 gpu::Extent level_size(gpu::Extent size, std::uint32_t level) {
     const std::uint32_t texel = 1U << level;
     return {(size.width + texel - 1) / texel, (size.height + texel - 1) / texel};
 }
 
-// As gloam/methods/mssao.glsl lays it out.
+// Size of the image with the layout of gloam/methods/mssao.glsl.
 gpu::Extent pyramid_size(gpu::Extent view, std::uint32_t coarsest) {
     gpu::Extent size = level_size(view, coarsest);
     for (std::uint32_t level = 1; level <= coarsest; ++level) {
@@ -36,7 +36,8 @@ gpu::Extent pyramid_size(gpu::Extent view, std::uint32_t coarsest) {
     return size;
 }
 
-// All coarser levels' surfaces, each from the one before, then their occlusion from the coarsest on.
+// Passes: the surfaces of all coarser levels, each from the level before, then their occlusion, coarsest
+// level first.
 Preparation resolutions(const Settings& settings, gpu::Extent view) {
     const std::uint32_t coarsest = std::clamp(settings.steps, 1U, most_resolutions) - 1;
     if (coarsest == 0) return {.image = {1, 1}};
@@ -53,7 +54,8 @@ Preparation resolutions(const Settings& settings, gpu::Extent view) {
     return all;
 }
 
-// Moments of blocks, each level from the one before. A sample reaches a block beyond the disc.
+// Passes: moments of blocks, each level from the level before. A sample reads up to one block beyond the
+// disc.
 Preparation area_moments(const Settings&, gpu::Extent view) {
     Preparation all{.image = pyramid_size(view, last_area_level)};
     for (std::uint32_t level = 1; level <= last_area_level; ++level) {
@@ -69,7 +71,7 @@ std::vector<Preset> area_presets(const MethodInfo& method) {
              blurred(configuration(method, 2), 1)}};
 }
 
-// Each pixel's visibility, by which its disc counts for others as far as the radius.
+// Pass: each pixel's visibility. It weights the pixel's disc for other pixels within the radius.
 Preparation disc_visibility(const Settings& settings, gpu::Extent view) {
     return {.image = view,
             .format = gpu::Format::r32f,

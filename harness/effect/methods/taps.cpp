@@ -9,14 +9,15 @@ namespace {
 
 using enum Measure;
 
-// An intensity that comes near the occlusion; the published values are presets.
+// An intensity with which the result is close to the occlusion; the published values are presets.
 void adapt_alchemy(Settings& s) {
     s.intensity = 0.4F;
     s.bias = 0.005F;
     s.epsilon = 3.2e-4F;
 }
 
-// The paper's lengths at its radius of 1 m, but for its intensity of 1, which is too dark for one radius.
+// The paper's lengths, at its radius of 1 m. Its intensity of 1 is too dark for one radius, so this one is
+// lower.
 void adapt_sao(Settings& s) {
     s.intensity = 0.3F;
     s.bias = 0.01F;
@@ -24,7 +25,7 @@ void adapt_sao(Settings& s) {
     s.mip_distance = 16.0F;
 }
 
-// The paper's figure 3: radius 1.75, phi 0.4, psi 0.022, lambda 1.06, sigma 0.00016.
+// The values of the paper's figure 3: radius 1.75, phi 0.4, psi 0.022, lambda 1.06, sigma 0.00016.
 void adapt_issao(Settings& s) {
     s.intensity = 1.06F * 0.4F / 1.75F;
     s.bias = 0.022F / 1.75F;
@@ -34,7 +35,7 @@ void adapt_issao(Settings& s) {
 // GLOAM_LAST_TAP_LEVEL of gloam/sampling/tap_pixel.glsl.
 constexpr std::uint32_t last_tap_level = 5;
 
-// As gloam/methods/sao_chain.glsl lays it out.
+// The image with the layout of gloam/methods/sao_chain.glsl.
 Preparation depth_chain(const Settings&, gpu::Extent view) {
     const auto level = [view](std::uint32_t l) {
         return gpu::Extent{std::max(view.width >> l, 1U), std::max(view.height >> l, 1U)};
@@ -46,7 +47,7 @@ Preparation depth_chain(const Settings&, gpu::Extent view) {
             .passes = {{"depth_chain", "depth_chain.comp", level(1)}}};
 }
 
-// With the SAO paper's blur, whose depth key reaches 300 m and falls to nothing in a 2000th of it.
+// Adds the SAO paper's blur. Its weight falls to 0 at a 2000th of the depth key's range of 300 m.
 Settings with_sao_blur(Settings settings) {
     settings.filter = Filter::sao;
     settings.filter_half_width = 4;
@@ -77,7 +78,7 @@ std::vector<Preset> alchemy_presets(const MethodInfo& method) {
              studied(study_alchemy(method, 64))}};
 }
 
-// Lengths of a figure of the ISSAO paper, with the radius they go with.
+// Lengths in a figure of the ISSAO paper, and the radius for which they are given.
 struct Figure {
     float radius;
     float phi;
@@ -92,7 +93,7 @@ Settings of_figure(const MethodInfo& method, const Figure& figure) {
     settings.bias = figure.psi / figure.radius;
     settings.epsilon = figure.sigma_root / figure.radius;
     settings.filter = Filter::bilateral;
-    // Radii are uniform: with more taps than the radius has pixels some read the same ones.
+    // Radii are uniform: if there are more taps than the radius has pixels, some taps read the same pixel.
     settings.samples_radius = 12.0F;
     return settings;
 }

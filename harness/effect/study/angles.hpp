@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-// Angles in radians that the estimators of our own are written with.
+// Angles in radians for the reference estimators.
 namespace gloam::effect::own {
 
 inline constexpr double turn = 2.0 * std::numbers::pi;

@@ -20,7 +20,8 @@ double gather_of(const Frame& frame) {
     return sum;
 }
 
-// The three, each with an effect of its own: the run's history must outlive the single frames.
+// The three configurations, each with an effect of its own: the single frames must not reset the run's
+// history.
 class Bars {
   public:
     Bars(const gpu::Device& device, const scene::PassLibrary& passes, BenchmarkViews& views,
@@ -36,7 +37,7 @@ class Bars {
         (void)single(fast_, settings_.fast, 0);
     }
 
-    // All frames once.
+    // Runs through all frames once.
     void go_through(bool judged) {
         start();
         for (int i = 1; i < views_->first_scored(); ++i) (void)advanced(i);
@@ -105,7 +106,7 @@ class Bars {
     AmbientOcclusion run_;
     AmbientOcclusion exact_;
     AmbientOcclusion fast_;
-    std::vector<float> before_;  // what the run showed last
+    std::vector<float> before_;  // the displayed image of the run's previous frame
     Bar sum_;
     int turn_ = 0;
     double counted_ = 0.0;

@@ -10,25 +10,25 @@
 
 namespace gloam::effect {
 
-// A temporal run, and the single frames that it is compared with; settings as for the scene's radius.
+// A temporal run, and the single frames with which it is compared; settings for the scene's radius.
 struct BarSettings {
     Settings temporal;
-    Settings exact;  // a single frame, whose error the run is not to exceed
-    Settings fast;   // a single frame, whose time the run is not to exceed
+    Settings exact;  // a single frame; the run's error must not exceed its error
+    Settings fast;   // a single frame; the run's time must not exceed its time
 };
 
 // RMSE against (G), means over the scored frames.
 struct BarError {
     double raw = 0.0;    // of the estimate
-    double shown = 0.0;  // of what is shown
+    double shown = 0.0;  // of the displayed image
 };
 
-// What one frame takes on the device, all passes, milliseconds; one after the other.
+// Times of one frame on the device, all passes, in milliseconds, measured one after another.
 struct BarReading {
     double temporal_ms = 0.0;
-    double temporal_gather_ms = 0.0;  // of it, the pass that takes samples
+    double temporal_gather_ms = 0.0;  // the part of the sampling pass
     double fast_ms = 0.0;
-    double fast_gather_ms = 0.0;  // likewise
+    double fast_gather_ms = 0.0;  // the part of the sampling pass
 };
 
 struct Bar {
@@ -41,9 +41,9 @@ struct Bar {
 };
 
 // Runs through the frames `rounds` times (>= 1). In every scored frame, the run is advanced by one and the
-// fast single frame is taken, in turn first and last, so that the machine's load affects both alike. The
-// exact one is taken only in the first round. A few frames run before the first one timed, because drivers
-// compile at the first dispatch. Throws std::invalid_argument for no round, and like AmbientOcclusion.
+// fast single frame is computed, in alternating order, so that the machine's load affects both alike. The
+// exact frame is computed in the first round only. A few untimed frames run first, because drivers compile at
+// the first dispatch. Throws std::invalid_argument if rounds < 1, and like AmbientOcclusion.
 [[nodiscard]] Bar study_bar(const gpu::Device& device, const scene::PassLibrary& passes,
                             BenchmarkViews& views, const BarSettings& settings, int rounds,
                             const std::function<void(double)>& progress = {});

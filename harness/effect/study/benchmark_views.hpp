@@ -15,26 +15,26 @@
 
 namespace gloam::effect {
 
-// How much of a scene the benchmark shows, and how well the truth is known.
+// The frames of a scene that the benchmark uses, and the number of rays of their truth.
 struct BenchmarkFrames {
     gpu::Extent extent;
     int frames = 16;  // of a temporal run
-    int scored = 8;   // of them, the last ones: 1 to frames
+    int scored = 8;   // the last ones of these: 1 to frames
     int rays = 256;   // of the truth, for each pixel
 };
 
-// What a scored frame is held against.
+// The truth of a scored frame, and what else its score needs.
 struct ScoredFrame {
     Truth geometry;  // (G)
     Truth depth;     // (D)
     std::optional<HistoryMap> history;
 };
 
-// The first frames of a scene with the truth of the scored ones. They are drawn and traced once, for all
-// configurations that are compared on them.
+// The first frames of a scene with the truth of the scored ones. They are rendered and traced once for all
+// configurations.
 class BenchmarkViews {
   public:
-    // The device must outlive this. Throws std::invalid_argument for frames out of range, and like
+    // The device must outlive this object. Throws std::invalid_argument for frames out of range, and like
     // scene::rasterize() and scene::trace_geometry().
     BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes, scene::Scene scene,
                    const BenchmarkFrames& frames, const scene::TruthCache& cache,
@@ -44,7 +44,7 @@ class BenchmarkViews {
     [[nodiscard]] const BenchmarkFrames& frames() const { return frames_; }
     [[nodiscard]] int first_scored() const { return frames_.frames - frames_.scored; }
 
-    // A frame, with the guard band and the layers of depth that the settings ask for.
+    // A frame with the guard band and the depth layers that the settings ask for.
     [[nodiscard]] const scene::GBuffer& view(int frame, const Settings& settings);
     [[nodiscard]] const ScoredFrame& scored(int frame) const;
 

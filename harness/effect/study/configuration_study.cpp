@@ -10,7 +10,7 @@
 namespace gloam::effect {
 namespace {
 
-// Adds up what scored frames are worth.
+// Adds up the errors and counts of scored frames.
 class Judge {
   public:
     explicit Judge(const BenchmarkViews& views) : views_(&views) {}

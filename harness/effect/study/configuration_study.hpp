@@ -13,26 +13,26 @@
 
 namespace gloam::effect {
 
-// The settings in which a method is measured, lengths for a radius of 1: those of the preset `paper` for
-// single frames, of `moving` for temporal runs (where the mean holds at least two frames), with `samples` for
-// every pixel in every frame. Throws like with_method() and validate().
+// The settings with which a method is measured; lengths are for a radius of 1. Single frames use the preset
+// `paper`, temporal runs use `moving`, with a mean over at least two frames. Every pixel takes `samples`
+// samples in every frame. Throws like with_method() and validate().
 [[nodiscard]] Settings measured_settings(const std::string& method, std::uint32_t samples, bool temporal);
 
-// A frame's time on the device, and a copy's at the same moment; milliseconds.
+// Times on the device at the same moment, in milliseconds: of a frame, and of a copy.
 struct FrameReading {
     std::vector<PassTime> passes;
     double copy_ms = 0.0;
 };
 
-// How near a configuration comes to the truth: RMSE, means over the scored frames.
+// Errors of a configuration: RMSE, means over the scored frames.
 struct FrameQuality {
     double raw_geometry = 0.0;  // of the estimate against (G)
-    double raw_depth = 0.0;     // against (D)
-    double geometry = 0.0;      // of what is shown
+    double raw_depth = 0.0;     // of the estimate against (D)
+    double geometry = 0.0;      // of the displayed image against (G)
     double depth = 0.0;
-    double similarity = 0.0;  // SSIM of what is shown and (G), in the last scored frame
+    double similarity = 0.0;  // SSIM of the displayed image and (G), in the last scored frame
     std::optional<double> flicker;
-    double samples = 0.0;  // taken for each pixel with geometry
+    double samples = 0.0;  // taken for each pixel with geometry, mean
     std::uint64_t memory_bytes = 0;
 };
 
@@ -41,20 +41,20 @@ struct ConfigurationVisit {
     std::vector<FrameReading> readings;
 };
 
-// Measures configurations of the effect in rounds. In each round every configuration is visited once, so
-// that the machine's load affects all of them alike.
+// Measures configurations of the effect in rounds. Each round visits every configuration once, so that the
+// machine's load affects all of them alike.
 class ConfigurationStudy {
   public:
-    // The device must outlive this. Throws like CopyClock.
+    // The device must outlive this object. Throws like CopyClock.
     ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
 
-    // Whether a configuration is to be visited in a round. A temporal run gives as many readings at once as
-    // frames are scored, and is visited again after as many rounds.
+    // Whether a configuration is visited in a round. One visit of a temporal run yields a reading for each
+    // scored frame, so its next visit is that number of rounds later.
     [[nodiscard]] static bool due(bool temporal, int round, int scored);
 
-    // Round 0 judges all scored frames and warms up: a single frame is not timed in it. In each round from 1
-    // on one of the scored frames is timed, in turn. A temporal run goes through all frames each time and is
-    // timed in the scored ones. Settings as for the scene's radius. Throws like AmbientOcclusion.
+    // Round 0 judges all scored frames and warms up; it does not time single frames. Each later round times a
+    // single frame at one of the scored frames, in turn. A temporal run goes through all frames each time and
+    // is timed in the scored ones. Settings are for the scene's radius. Throws like AmbientOcclusion.
     [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, const Settings& settings, bool temporal,
                                            int round);
 

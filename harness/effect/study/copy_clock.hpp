@@ -9,23 +9,25 @@
 
 namespace gloam::effect {
 
-// Throws std::runtime_error that names the device where it has no timestamps: nothing can be timed on it.
+// Throws std::runtime_error with the device's name if it has no timestamps, so that nothing can be timed on
+// it.
 void require_timestamps(const gpu::DeviceInfo& device);
 
-// How long a copy takes: a pass that reads one texel and writes one, for each pixel of images of one size.
-// Times stated in copies of r32f can be compared across machines, and cancel a machine's drift.
+// The time of a copy: a pass that reads one texel and writes one, for each pixel of images of one size. Times
+// in copies of r32f can be compared across machines, and the drift of a machine cancels out.
 class CopyClock {
   public:
-    // The device must outlive this. Throws std::invalid_argument for depth32f, std::runtime_error without
-    // timestamps, and like gpu::Image.
+    // The device must outlive this object. Throws std::invalid_argument for depth32f, std::runtime_error
+    // without timestamps, and like gpu::Image.
     CopyClock(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
               gpu::Format format = gpu::Format::r32f);
 
-    // Copies a few times; returns the median of the last readings, in milliseconds: a single one of so short
-    // a pass says little.
+    // Copies a few times. Returns the median of the last readings, in milliseconds; a single reading of so
+    // short a pass is too noisy.
     double measure();
 
-    // Copies a few times; returns the median of these alone, in milliseconds: for what is timed beside them.
+    // Copies a few times. Returns the median of these readings alone, in milliseconds, for a pass timed
+    // beside them.
     double measure_now();
 
   private:

@@ -12,11 +12,11 @@ constexpr std::size_t shifts = 8;
 constexpr std::uint32_t fewest = 1U << 11U;
 constexpr std::uint32_t most = 1U << 17U;
 
-// Powers of 1 / 1.2207440846, the root of x^4 = x + 1: the lattice that spreads most evenly over three
-// dimensions.
+// Powers of 1 / 1.2207440846, the root of x^4 = x + 1: the additive recurrence with the most even
+// distribution in three dimensions.
 constexpr std::array<double, 3> generator{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
 
-// Shifts that spread evenly themselves, by the golden ratio and its like; as good as random ones.
+// Evenly distributed shifts, by the golden ratio and related numbers; as good as random ones.
 std::array<double, 3> shift_of(std::size_t number) {
     const double n = static_cast<double>(number) + 0.5;
     return {n * 0.6180339887498949, n * 0.7548776662466927, n * 0.4142135623730951};
@@ -26,7 +26,7 @@ double fraction(double x) {
     return x - std::floor(x);
 }
 
-// The points `from` to `to` of a shifted lattice.
+// The sum over the points `from` to `to` (excluded) of a shifted lattice.
 glm::dvec2 sum_of(const Integrand& integrand, const std::array<double, 3>& shift, std::uint32_t from,
                   std::uint32_t to) {
     glm::dvec2 sum(0.0);

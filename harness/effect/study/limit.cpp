@@ -7,7 +7,7 @@ Limit::Limit(const gpu::Device& device, const scene::PassLibrary& passes, gpu::E
     : effect_(device, passes, extent) {}
 
 std::vector<float> Limit::of(const scene::GBuffer& view, const Settings& settings) {
-    // k_1 samples in the first frame, k_2 in each that follows.
+    // k_1 samples in the first frame, k_2 in each later frame.
     constexpr float weight_max = 8'192.0F;
     static_assert(limit_first + limit_samples < 8'192 && limit_samples % most_samples == 0);
     Settings many = settings;

@@ -5,19 +5,19 @@
 
 namespace gloam::effect {
 
-// Samples of a sequence that the limit leaves to those who are compared with it, and takes itself.
+// The limit skips the first `limit_first` samples of a sequence and takes the next `limit_samples`.
 constexpr std::uint32_t limit_first = 1'024;
 constexpr std::uint32_t limit_samples = 4'096;
 
-// What an estimator converges to on one view: the mean of its samples 1025 to 5120, unrotated. It shares no
-// sample with an effect that has taken up to 1024, so that the difference of the two holds the errors of
-// both.
+// The value to which an estimator converges on one view: the mean of its samples 1025 to 5120, without
+// rotation. It shares no sample with an effect that has taken at most 1024. The difference between both
+// therefore contains the errors of both.
 class Limit {
   public:
-    // The device must outlive this. Throws like AmbientOcclusion.
+    // The device must outlive this object. Throws like AmbientOcclusion.
     Limit(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
 
-    // Throws like AmbientOcclusion.
+    // The limit for each pixel of a view. Throws like AmbientOcclusion.
     [[nodiscard]] std::vector<float> of(const scene::GBuffer& view, const Settings& settings);
 
   private:

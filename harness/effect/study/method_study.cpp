@@ -75,7 +75,7 @@ Truth SceneStudy::traced(const Measured& measured) const {
     return truth_from(view_, cache_->geometry(scene_, 0, view_, settings).occlusion);
 }
 
-// nullptr for a method that estimates no occlusion by rays, or with a falloff of its own.
+// nullptr for a method that does not estimate occlusion by rays, or that has a falloff of its own.
 const Truth* SceneStudy::own_truth(const MethodInfo& method) {
     const bool step = method.falloff == "none up to the radius";
     const auto falloff = step ? scene::Falloff::step : scene::falloff_named(method.falloff);
@@ -86,7 +86,7 @@ const Truth* SceneStudy::own_truth(const MethodInfo& method) {
     return &own_.at(measured);
 }
 
-// One frame of many samples that are not rotated by pixel: a low-discrepancy sequence, the same for all.
+// One frame of many samples without rotation: the same low-discrepancy sequence for all pixels.
 std::vector<float> SceneStudy::limit_of(const Settings& settings) {
     Settings many = settings;
     many.samples = options_.limit_samples;

@@ -17,41 +17,42 @@
 
 namespace gloam::effect {
 
-// One way to run a method. Lengths are for a radius of 1.
+// A method with settings. Lengths are for a radius of 1.
 struct MethodConfiguration {
     std::string name;  // the method's, or a preset's
     Settings settings;
 };
 
-// Every method as it is by default, each followed by its preset NAME-quality where there is one.
+// Every method with its defaults, each followed by its preset NAME-quality if there is one.
 [[nodiscard]] std::vector<MethodConfiguration> method_configurations();
 
-// Whether two configurations differ in nothing but how many samples they take and how they are filtered, and
-// so tend to the same.
+// Whether two configurations differ in nothing but the number of samples and the filter, so that they
+// converge to the same values.
 [[nodiscard]] bool same_estimate(const Settings& a, const Settings& b);
 
-// A configuration on a view in closed form. Occlusion before the remap but for `shown`.
+// Result of a configuration on a closed-form view: occlusion before the remap, except `shown`.
 struct ViewResult {
     std::string view;
     double truth = 0.0;  // cosine-weighted, linear falloff
     Estimate measured;
-    // What the method's mean tends to on ever finer images, or on this one where it grows with them.
-    std::optional<Estimate> own;  // nullopt: not known
-    double shown = 0.0;           // what is measured, after the remap
+    // The value to which the method converges on ever finer images, or on this image if it grows with
+    // resolution.
+    std::optional<Estimate> own;  // nullopt: unknown
+    double shown = 0.0;           // the measured value after the remap
 };
 
-// The perspective views. Throws like ClosedFormStudy::measure().
+// Results on all perspective views. Throws like ClosedFormStudy::measure().
 [[nodiscard]] std::vector<ViewResult> study_views(ClosedFormStudy& study,
                                                   const MethodConfiguration& configuration,
                                                   const ClosedFormOptions& options);
 
-// A configuration on a scene.
+// Result of a configuration on a scene.
 struct SceneResult {
-    std::vector<float> limit;   // the mean of many samples, after the remap: what the method tends to
-    Metrics geometry;           // of it, against the truth of the geometry (cosine-weighted, linear falloff)
-    Errors depth;               // of it, against that of the depth buffer
-    std::optional<Errors> own;  // of it, against the geometry's by the method's own weighting and falloff
-    Errors frame;               // of one frame with filter and remap, against the truth of the geometry
+    std::vector<float> limit;   // after the remap: the mean of many samples
+    Metrics geometry;           // of `limit`, against the geometry truth (cosine-weighted, linear falloff)
+    Errors depth;               // of `limit`, against the depth truth
+    std::optional<Errors> own;  // of `limit`, against (G) with the method's weighting and falloff
+    Errors frame;               // of one frame with filter and remap, against the geometry truth
     std::uint64_t samples = 0;  // of a pixel in that frame
     double gather_ms = 0.0;     // on the device: the occlusion pass
     double frame_ms = 0.0;      // all passes
@@ -61,18 +62,19 @@ struct SceneOptions {
     gpu::Extent extent{192, 108};
     int rays = 256;  // of the truth, for each pixel
     std::uint32_t limit_samples = 1'024;
-    int repeat = 3;                          // runs that are timed
-    std::function<void(double)> progress{};  // of the truth
+    int repeat = 3;                          // number of timed runs
+    std::function<void(double)> progress{};  // of the truth, in [0, 1]
 };
 
 // Compares methods on a built-in scene's first frame.
 class SceneStudy {
   public:
-    // The device and the cache must outlive this. Throws like scene::rasterize() and scene::trace_geometry().
+    // The device and the cache must outlive this object. Throws like scene::rasterize() and
+    // scene::trace_geometry().
     SceneStudy(const gpu::Device& device, const scene::PassLibrary& passes, const scene::TruthCache& cache,
                scene::Scene scene, SceneOptions options);
 
-    // Throws like AmbientOcclusion.
+    // Measures a configuration. Throws like AmbientOcclusion.
     [[nodiscard]] SceneResult run(const MethodConfiguration& configuration);
 
     [[nodiscard]] const std::string& name() const { return scene_.name; }

@@ -9,7 +9,7 @@
 namespace gloam::effect {
 namespace {
 
-// One variant on its way through the sequence.
+// Runs one variant through the sequence.
 class Runner {
   public:
     Runner(const gpu::Device& device, const scene::PassLibrary& passes, const SequenceFrame& first,

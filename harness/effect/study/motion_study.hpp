@@ -12,44 +12,44 @@
 namespace gloam::effect {
 
 struct MotionOptions {
-    int every = 1;  // frames from one that is scored to the next, the first of them included
+    int every = 1;                           // every how many frames one is scored; the first frame is scored
     std::function<void(double)> progress{};  // called with the part done, in [0, 1]
 };
 
-// The references of a frame.
+// A function that returns the references of a frame.
 using ReferencesOf = std::function<References(int frame, const SequenceFrame&)>;
 
-// A run over the frames of a sequence.
+// The results of one variant over the frames of a sequence.
 struct MotionRun {
     Variant variant;
-    std::vector<Score> scores;  // of the frames that are scored
-    // Mean change of the filtered image since the frame before at the same points, over the classes, the mean
-    // over the second half of the frames.
+    std::vector<Score> scores;  // of the scored frames
+    // Flicker of the filtered image for each class of pixels: mean change since the previous frame at the
+    // same points, over the second half of the frames.
     std::array<double, pixel_classes> flicker{};
     std::vector<double> times_ms;  // on the device, of each frame
-    Frame last;                    // of those that are scored
+    Frame last;                    // the last scored frame
 };
 
 struct MotionStudy {
-    std::vector<int> frames;      // that are scored
+    std::vector<int> frames;      // numbers of the scored frames
     std::vector<MotionRun> runs;  // of the variants, in their order
-    References last;              // of the last frame that is scored
-    std::vector<Score>
-        single;  // a frame of its own each time, of k_1 samples: what an effect without history shows
-    std::vector<Score> still;  // as many frames as the sequence has had, all of the view of that frame
+    References last;              // of the last scored frame
+    std::vector<Score> single;  // an independent frame each time, with k_1 samples: an effect without history
+    std::vector<Score> still;   // as many frames as the sequence has had so far, all of that frame's view
 };
 
-// Runs all variants over a sequence, frame by frame in turn, so that their times are those of the same
-// moments. The first variant's settings are those of `single` and `still`. Throws like AmbientOcclusion.
+// Runs all variants through a sequence. Each frame runs all variants in turn, so that their times are
+// measured at the same moments. `single` and `still` use the first variant's settings. Throws like
+// AmbientOcclusion.
 [[nodiscard]] MotionStudy study_motion(const gpu::Device& device, const scene::PassLibrary& passes,
                                        const std::vector<SequenceFrame>& sequence,
                                        const std::vector<Variant>& variants,
                                        const ReferencesOf& references_of, const MotionOptions& options);
 
-// The median over the frames of one run's time divided by another's in the same frame. NaN for none.
+// The median over the frames of the ratio of two runs' times in the same frame. NaN without frames.
 [[nodiscard]] double time_ratio(const MotionRun& run, const MotionRun& base);
 
-// All frames from `first` on together.
+// The sum of the scores of all frames from `first` on.
 [[nodiscard]] Score total(const std::vector<Score>& scores, std::size_t first = 0);
 
 }  // namespace gloam::effect

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double background = 1e4;  // radii behind the shaded point
 
-// Of two opposite taps: where the disc parallel to the image was aimed at, and how high the surface stands
-// there over that disc, towards the eye. The surface seen is taken to be as high over the tangent plane there
-// as where it was seen.
+// Two opposite taps: the aimed position on the disc parallel to the image, and the height of the surface over
+// that disc towards the eye. The surface is assumed to have the same height over the tangent plane there as
+// at the pixel that was read.
 struct Pair {
-    glm::dvec3 aim{0};   // of the first tap; the second's is opposite
+    glm::dvec3 aim{0};   // of the first tap; that of the second is opposite
     double first = 0.0;  // height
     double second = 0.0;
 };
@@ -30,7 +30,7 @@ double height_over(const SeenSurface& seen, const glm::dvec2& place, const glm::
     return glm::dot(offset - aim, seen.normal()) / std::max(seen.normal().z, 1e-4);
 }
 
-// Taps alike over the area of a disc of that share of the radius.
+// A pair of taps, uniform over the area of a disc. share: the disc's radius in units of the radius.
 Pair pair_at(const SeenSurface& seen, const std::array<double, 3>& u, double share = 1.0) {
     const glm::dvec2 point =
         share * std::sqrt(u[0]) * glm::dvec2(std::cos(turn * u[1]), std::sin(turn * u[1]));
@@ -39,22 +39,23 @@ Pair pair_at(const SeenSurface& seen, const std::array<double, 3>& u, double sha
             height_over(seen, -seen.reach() * point, -aim)};
 }
 
-// Where the surface crosses a chord: 0 at its far end, 1 at its near end, outside both where it misses it.
+// Position at which the surface crosses a chord: 0 at its far end, 1 at its near end, outside [0, 1] if it
+// misses the chord.
 double place_on_chord(double height, double half_chord) {
     return 0.5 + 0.5 * height / half_chord;
 }
 
-// Shares of both chords of a pair, added.
+// Sum of the solid shares of both chords of a pair.
 double solid_of(const Pair& pair, double half_chord) {
     const double first = place_on_chord(pair.first, half_chord);
     const double second = place_on_chord(pair.second, half_chord);
     const auto own = [](double place) { return place >= 0.35 && place <= 1.0; };
-    // One alone and its complement make 1, and so do two halves.
+    // A single share and its complement add up to 1, and so do two halves.
     return own(first) && own(second) ? first + second : 1.0;
 }
 
-// What the tangent sphere's chord at the tap holds (CS-I, last paragraph): the sphere of half the radius on
-// the surface.
+// (solid length, half length) of the tangent sphere's chord at a tap (CS-I, last paragraph): the sphere on
+// the surface with half the radius.
 glm::dvec2 tangent_chord(const SeenSurface& seen, const glm::dvec3& offset) {
     const glm::dvec3 center = 0.5 * seen.normal();
     const glm::dvec2 aside = glm::dvec2(offset) - glm::dvec2(center);
@@ -65,7 +66,8 @@ glm::dvec2 tangent_chord(const SeenSurface& seen, const glm::dvec3& offset) {
            glm::dvec2(std::clamp(place_on_chord(offset.z - center.z, half_chord), 0.0, 1.0), 1.0);
 }
 
-// The angle between the eye and a sample, lifted to the tangent plane; the eye is on the axis.
+// Cosine of the angle between the eye, which is on the axis, and a sample; samples below the tangent plane
+// are lifted onto it.
 double cosine_to_eye(const glm::dvec3& offset, const glm::dvec3& normal) {
     const double length = glm::length(offset);
     if (length == 0.0) return 0.0;
@@ -76,8 +78,9 @@ double cosine_to_eye(const glm::dvec3& offset, const glm::dvec3& normal) {
 
 }  // namespace
 
-// CS-3.5: solid shares of chords weighted by the chords. A surface that crosses a chord below 0.35 of it, or
-// lies in front of the ball, is another object's; its partner's complement stands for it.
+// CS-3.5: solid shares of chords, weighted by the chords' lengths. If a surface crosses a chord below 0.35 of
+// its length or is in front of the ball, it belongs to another object. The complement of its partner then
+// replaces it.
 Integrand volumetric(const SeenSurface& seen, const Settings&) {
     return [seen](const std::array<double, 3>& u) {
         const double half_chord = std::sqrt(1.0 - std::min(u[0], 1.0));
@@ -86,7 +89,7 @@ Integrand volumetric(const SeenSurface& seen, const Settings&) {
     };
 }
 
-// The same ball and one of a quarter of the radius: what both hold beyond a half, added.
+// The same ball and a ball of a quarter of the radius: the sum of the solid shares above one half in both.
 Integrand volumetric_two(const SeenSurface& seen, const Settings&) {
     return [seen](const std::array<double, 3>& u) {
         const double half_chord = std::sqrt(1.0 - std::min(u[0], 1.0));

@@ -8,8 +8,8 @@
 namespace gloam::effect::own {
 namespace {
 
-// A point of the half ball over the tangent plane, from the shaded point. cosine: of its direction to the
-// normal.
+// A point of the half ball over the tangent plane, relative to the shaded point. cosine: of the angle between
+// its direction and the normal.
 glm::dvec3 half_ball_point(const glm::dvec3& normal, double azimuth, double length, double cosine) {
     const glm::dvec3 helper = std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     const glm::dvec3 tangent = glm::normalize(glm::cross(helper, normal));
@@ -18,8 +18,8 @@ glm::dvec3 half_ball_point(const glm::dvec3& normal, double azimuth, double leng
     return length * (sine * (std::cos(azimuth) * tangent + std::sin(azimuth) * bitangent) + cosine * normal);
 }
 
-// The mean over points, of which `contribution` says what they count by how far the surface lies in front of
-// them.
+// (contribution, 1) of one point; zeros behind the eye. `contribution`: a function of how far the surface
+// lies in front of the point, in radii; negative behind it.
 template <class Contribution>
 glm::dvec2 at_point(const SeenSurface& seen, const glm::dvec3& offset, const Contribution& contribution) {
     const SeenSurface::Compared compared = seen.compared(seen.view().point + offset);
@@ -38,7 +38,8 @@ Integrand hemisphere(const SeenSurface& seen, const Settings& s) {
     };
 }
 
-// CS-B: uniform radii and directions; beyond the radius open again as its inverse.
+// CS-B: uniform radii and directions. A surface up to a radius in front of a point blocks fully; further away
+// it blocks by the inverse of the distance.
 Integrand filion(const SeenSurface& seen, const Settings& s) {
     return [seen, bias = double{s.bias}](const std::array<double, 3>& u) {
         const auto offset = half_ball_point(seen.normal(), turn * u[0], u[1], u[2]);

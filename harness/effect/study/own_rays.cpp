@@ -22,7 +22,7 @@ glm::dvec2 place_of(const SeenSurface& seen, const glm::dvec3& point) {
     return glm::dvec2(point) / (seen.orthographic() ? 1.0 : -point.z);
 }
 
-// Whether one of the steps lies behind what the eye sees, by more than the bias and at most the range.
+// Whether one of the steps is behind the visible surface, by more than the bias and by at most the range.
 bool blocked(const SeenSurface& seen, const Settings& s, const glm::dvec3& direction, double jitter) {
     for (std::uint32_t i = 0; i < s.steps; ++i) {
         const glm::dvec3 at = seen.view().point + (i + jitter) / s.steps * direction;
@@ -34,8 +34,8 @@ bool blocked(const SeenSurface& seen, const Settings& s, const glm::dvec3& direc
     return false;
 }
 
-// What is seen where the steps of a ray parallel to the image are projected, as far as it stands out of the
-// tangent plane.
+// Visits the surfaces at the projected steps of a ray parallel to the image, if they rise above the tangent
+// plane.
 template <class Visit>
 void along_the_image(const SeenSurface& seen, const Settings& s, const glm::dvec3& direction, double jitter,
                      const Visit& visit) {
@@ -49,7 +49,7 @@ void along_the_image(const SeenSurface& seen, const Settings& s, const glm::dvec
 
 }  // namespace
 
-// CS-J: rays in cosine-weighted directions, of which the disc has 64 radii.
+// CS-J: rays in cosine-weighted directions. The points of their disc have 64 different radii.
 Integrand poisson(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const double radius_squared = (std::floor(64.0 * u[0]) + 0.5) / 64.0;
@@ -58,7 +58,7 @@ Integrand poisson(const SeenSurface& seen, const Settings& s) {
     };
 }
 
-// CS-D under constant light: uniform directions that count twice their cosine.
+// CS-D under constant light: uniform directions with a weight of twice their cosine.
 Integrand ssdo(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const auto direction = direction_over(seen.normal(), turn * u[0], u[1]);
@@ -66,7 +66,7 @@ Integrand ssdo(const SeenSurface& seen, const Settings& s) {
     };
 }
 
-// CS-C2: HBAO's sum along one ray, what was seen beside it moved into its slice along the tangent plane.
+// CS-C2: HBAO's sum along one ray. A surface seen beside the slice is moved into it along the tangent plane.
 Integrand hsao(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const glm::dvec3 along(std::cos(turn * u[0]), std::sin(turn * u[0]), 0.0);
@@ -89,7 +89,8 @@ Integrand hsao(const SeenSurface& seen, const Settings& s) {
     };
 }
 
-// CS-P, the later shader: the largest sat(epsilon (v . n) / (v . v)) of a side, of which (1 - occ)^2 is open.
+// CS-P, the later shader: occ is the largest sat(epsilon (v . n) / (v . v)) of a side; the visibility is (1 -
+// occ)^2.
 Integrand unreal(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const glm::dvec3 along(std::cos(turn * u[0]), std::sin(turn * u[0]), 0.0);

@@ -14,12 +14,12 @@ namespace {
 
 using std::numbers::pi;
 
-// A slice of the image plane's direction (cos a, sin a); the eye is on the axis, so the slice holds the z
-// axis.
+// A slice along the image plane's direction (cos a, sin a). The eye is on the axis, so the slice contains the
+// z axis.
 struct Slice {
     glm::dvec3 along{1, 0, 0};  // unit, in the image plane
-    double normal_angle = 0.0;  // of the normal's projection from the axis, towards `along`
-    double weight = 0.0;        // its length
+    double normal_angle = 0.0;  // angle of the projected normal from the axis, towards `along`
+    double weight = 0.0;        // length of the projected normal
 };
 
 Slice slice_at(const SeenSurface& seen, double angle) {
@@ -30,7 +30,7 @@ Slice slice_at(const SeenSurface& seen, double angle) {
     return slice;
 }
 
-// A sample within the slice: how far it is along the slice and towards the eye.
+// A sample within the slice: its distance along the slice and towards the eye.
 struct Step {
     double along = 0.0;
     double up = 0.0;
@@ -40,8 +40,8 @@ struct Step {
     [[nodiscard]] double angle() const { return std::atan2(along, up); }  // from the axis
 };
 
-// What the taps of one side (+1 or -1) see. What was seen beside the slice is moved into it without changing
-// its height over the tangent plane.
+// The samples of one side (+1 or -1). A surface seen beside the slice is moved into it without changing its
+// height over the tangent plane.
 std::vector<Step> taps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
                           double jitter, bool even) {
     const glm::dvec3& n = seen.normal();
@@ -61,7 +61,7 @@ std::vector<Step> taps_of(const SeenSurface& seen, const Settings& settings, con
     return found;
 }
 
-// Those that rise above the tangent plane by more than the bias.
+// The samples that rise above the tangent plane by more than the bias.
 std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
                            double jitter, bool even = false) {
     std::vector<Step> found = taps_of(seen, settings, slice, side, jitter, even);
@@ -79,7 +79,7 @@ double cosine_arc(double a, double b, double n) {
     return a + b < 0.0 ? -integral : integral;
 }
 
-// The same over what of the half plane around n lies between a and b.
+// The same integral over the part of the half plane around n between a and b.
 double cosine_measure(double a, double b, double n) {
     const double low = std::max(a, n - right_angle);
     const double high = std::min(b, n + right_angle);
@@ -91,7 +91,8 @@ double cosine_whole(double n) {
     return cosine_measure(n - right_angle, n + right_angle, n);
 }
 
-// HBAO's sum over one side from an elevation on: each rise of the horizon's sine weighted by 1 - |v|^2.
+// HBAO's sum over one side: each increase of the horizon's sine, weighted by 1 - |v|^2. start: first
+// elevation.
 double hbao_side(const std::vector<Step>& steps, double start) {
     double horizon = std::sin(start);
     double occlusion = 0.0;
@@ -105,7 +106,7 @@ double hbao_side(const std::vector<Step>& steps, double start) {
     return occlusion;
 }
 
-// GTAO's horizon: cosine from the axis, each sample drawn towards the tangent plane by the linear falloff.
+// GTAO's horizon as a cosine from the axis. The linear falloff moves each sample towards the tangent plane.
 double gtao_horizon(const std::vector<Step>& steps, double lowest) {
     double horizon = -1.0;
     for (const Step& step : steps) {
@@ -115,8 +116,9 @@ double gtao_horizon(const std::vector<Step>& steps, double lowest) {
     return horizon;
 }
 
-// What one side of a sweep blocks: between the angle of a tap and the lowest of those before, with the linear
-// falloff half-way between its distance and that of the last one, which is at most the radius.
+// The part of one side that a sweep counts as blocked. Each tap blocks from its angle to the lowest angle of
+// the taps before, with the linear falloff at the mean of its distance and the previous tap's. The previous
+// distance is at most the radius.
 double sweep_side(const std::vector<Step>& taps, double side, double n) {
     double lowest = n + side * right_angle;
     double before = 0.0;
@@ -135,8 +137,7 @@ double sweep_side(const std::vector<Step>& taps, double side, double n) {
 
 constexpr std::size_t sectors = 32;
 
-// Borders between sectors of equal cosine-weighted share lie where the centre rule asks: whether the share
-// below the centre of a sector lies in [low, high).
+// Marks the sectors of equal cosine-weighted share whose centre is in [low, high): this is the centre rule.
 void cover(std::bitset<sectors>& covered, double low, double high) {
     for (std::size_t i = 0; i < sectors; ++i) {
         const double center = (static_cast<double>(i) + 0.5) / sectors;
@@ -144,14 +145,15 @@ void cover(std::bitset<sectors>& covered, double low, double high) {
     }
 }
 
-// Angles from -pi to pi that pass behind the half plane belong to its nearer end.
+// Share of the half plane below an angle. An angle of [-pi, pi] behind the half plane is moved to its nearer
+// end.
 double share_below(double angle, double n) {
     return cosine_measure(n - right_angle, std::max(angle, n - right_angle), n) / cosine_whole(n);
 }
 
 }  // namespace
 
-// CS-3.4: horizons over the image plane, what the bias takes off given back.
+// CS-3.4: horizons over the image plane; the sum is divided by 1 - sin(bias) to compensate the bias.
 Integrand hbao(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const Slice slice = slice_at(seen, pi * u[0]);
@@ -167,7 +169,8 @@ Integrand hbao(const SeenSurface& seen, const Settings& s) {
     };
 }
 
-// CS-C as the study prints it: tangents added at the start, even steps, nothing given back.
+// CS-C as the study prints it: the tangents are added at the start, steps are even, the bias is not
+// compensated.
 Integrand hbao_study(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const Slice slice = slice_at(seen, pi * u[0]);
@@ -181,7 +184,7 @@ Integrand hbao_study(const SeenSurface& seen, const Settings& s) {
     };
 }
 
-// Jimenez et al. 2016, each slice weighted by what its half plane holds.
+// Jimenez et al. 2016: each slice is weighted by the measure of its half plane.
 Integrand gtao(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const Slice slice = slice_at(seen, pi * u[0]);
@@ -194,7 +197,7 @@ Integrand gtao(const SeenSurface& seen, const Settings& s) {
     };
 }
 
-// Each direction with the falloff at its distance.
+// Sweep: each direction has the falloff at its distance.
 Integrand sweep(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const Slice slice = slice_at(seen, pi * u[0]);
@@ -205,8 +208,8 @@ Integrand sweep(const SeenSurface& seen, const Settings& s) {
     };
 }
 
-// Therrien et al. 2023: the sectors between the front and the back of each sample, of those nearer than a
-// random distance.
+// Therrien et al. 2023: the sectors between the front and the back of each sample nearer than a random
+// distance.
 Integrand bitmask(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const Slice slice = slice_at(seen, pi * u[0]);

@@ -11,14 +11,14 @@ namespace {
 
 using std::numbers::pi;
 
-// The piece of surface in a pixel, per area of the pixel at its depth, so that there is a limit of small
-// pixels.
+// The piece of surface in a pixel. Contributions are divided by the pixel's area at its depth, so that they
+// converge for small pixels.
 struct Piece {
-    double distance = 0.0;  // of the shaded point
-    double cosine = 0.0;    // of the offset to its normal
-    double pixel = 0.0;     // width in the scene; 0 in the limit
-    double facing = 0.0;    // cosine of the piece's normal to the offset back
-    double seen_at = 0.0;   // the piece's normal times the view ray, whose part along the axis is 1
+    double distance = 0.0;  // from the shaded point
+    double cosine = 0.0;    // of the angle between the offset and the shaded point's normal
+    double pixel = 0.0;     // width in the scene, radii; 0 in the limit
+    double facing = 0.0;    // cosine between the piece's normal and the direction back to the point
+    double seen_at = 0.0;   // the piece's normal times the view ray, whose component along the axis is 1
 };
 
 // The sum over the pixels within the disc, as an integral over its radius and angle.
@@ -41,13 +41,15 @@ Integrand pieces(const SeenSurface& seen, const Settings& s, const Contribution&
                           .pixel = seen.pitch() * scale,
                           .facing = std::max(-glm::dot(v, surface.normal) / distance, 0.0),
                           .seen_at = -glm::dot(surface.normal, ray)};
-        const double disc = pi * seen.reach() * seen.reach() * 2.0 * u[0];  // of places, per radius
+        const double disc =
+            pi * seen.reach() * seen.reach() * 2.0 * u[0];  // area on the image plane, per radius
         const double occlusion = disc * scale * scale * contribution(piece, s, seen.normal(), v);
         return glm::dvec2(double{s.intensity} * occlusion, 1.0);
     };
 }
 
-// A ball's (r / D)^2 and its share of the half space, r half the pixel's width, per area of the pixel.
+// (r / D)^2 of a ball with r half the pixel's width, and its share of the half space, both divided by the
+// pixel's area.
 double ball(const Piece& piece) {
     return 0.25 / (piece.distance * piece.distance);
 }
@@ -56,7 +58,8 @@ double ball_fraction(const Piece& piece) {
     return ball(piece) / (1.0 + std::sqrt(1.0 - x * x));
 }
 
-// The surface at an end of a cross, as it differs from the shaded point; nothing for another surface.
+// The differences of position and normal between an end of a cross and the shaded point; 0 for another
+// surface.
 struct End {
     glm::dvec3 offset{0};
     glm::dvec3 turn{0};
@@ -68,8 +71,8 @@ End end_at(const SeenSurface& seen, const glm::dvec2& place, double range) {
     return {surface.offset, surface.normal - seen.normal()};
 }
 
-// The curvature of the surface in the direction at an angle from the first arm, of the quadratic form that
-// the changes of position and normal along both arms give.
+// The curvature of the surface in the direction at an angle from the first arm. The changes of position and
+// normal along both arms determine its quadratic form.
 double curvature_at(const End& first, const End& second, double angle) {
     const double length = glm::length(first.offset);
     if (length < 1e-9) return 0.0;
@@ -102,7 +105,7 @@ Integrand disc_proxy(const SeenSurface& seen, const Settings& s) {
     });
 }
 
-// CS-H: balls by their solid angle, above the biased tangent plane, linear falloff.
+// CS-H: balls, weighted by their solid angle, above the biased tangent plane, with linear falloff.
 Integrand mixture(const SeenSurface& seen, const Settings& s) {
     return pieces(
         seen, s, [](const Piece& piece, const Settings& settings, const glm::dvec3& n, const glm::dvec3& v) {
@@ -114,12 +117,12 @@ Integrand mixture(const SeenSurface& seen, const Settings& s) {
         });
 }
 
-// CS-K: the mean over directions of sin^2 of the quadric's horizon, from crosses of half the radius to all of
-// it.
+// CS-K: the mean over directions of sin^2 of the quadric's horizon. The crosses have half the radius to the
+// whole radius.
 Integrand curvature(const SeenSurface& seen, const Settings& s) {
     return [seen, range = double{s.range}](const std::array<double, 3>& u) {
         const double share = (0.5 + 0.5 * u[0]) * seen.reach();
-        // The image's y points down, and so do its crosses.
+        // The image's y axis points down, and so does that of the crosses.
         const glm::dvec2 arm =
             share * glm::dvec2(std::cos(0.25 * turn * u[1]), -std::sin(0.25 * turn * u[1]));
         const glm::dvec2 other(arm.y, -arm.x);

@@ -9,10 +9,10 @@
 namespace gloam::effect::own {
 namespace {
 
-enum class Radii { area, uniform };  // taps alike over the disc's area, or over its radius
+enum class Radii { area, uniform };  // taps uniform over the disc's area, or over its radius
 
-// Taps under the disc, integrated over the radius whatever their density is: contributions grow towards the
-// middle as the inverse of the distance, which the density over the area takes away.
+// Taps under the disc, integrated over the radius. Contributions grow towards the middle as the inverse of
+// the distance; the factor of the area density cancels this.
 template <class Contribution>
 Integrand taps(const SeenSurface& seen, Radii radii, const Contribution& contribution) {
     return [seen, radii, contribution](const std::array<double, 3>& u) {
@@ -59,7 +59,7 @@ Integrand sao(const SeenSurface& seen, const Settings& s) {
                 });
 }
 
-// ISSAO-6; on the optical axis the covering circle is the disc itself.
+// ISSAO-6. On the optical axis the covering circle is the disc itself.
 Integrand issao(const SeenSurface& seen, const Settings& s) {
     return taps(seen, Radii::uniform,
                 [phi = double{s.intensity}, psi = double{s.bias}, epsilon = double{s.epsilon}](
@@ -86,14 +86,14 @@ Integrand issao_basic(const SeenSurface& seen, const Settings& s) {
     });
 }
 
-// CS-J: 1 - |v| in front of the tangent plane.
+// CS-J: 1 - |v| for surfaces in front of the tangent plane.
 Integrand aksoy_phaneuf(const SeenSurface& seen, const Settings& s) {
     return taps(seen, Radii::area, [bias = double{s.bias}](double distance, double height) {
         return height > bias ? std::max(1.0 - distance, 0.0) : 0.0;
     });
 }
 
-// The same at a quarter of the radius as well, both added.
+// The same with taps at a quarter of the radius as well; the sum of both.
 Integrand aksoy_phaneuf_two(const SeenSurface& seen, const Settings& s) {
     return [broad = aksoy_phaneuf(seen, s), seen, bias = double{s.bias}](const std::array<double, 3>& u) {
         const glm::dvec2 place =

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int wide = 8;  // taps on each side
 
-// One frame's samples are all that a mean holds.
+// The mean holds the samples of one frame only.
 Settings at_once(Settings settings) {
     settings.weight_max = static_cast<float>(settings.samples);
     return settings;
@@ -65,7 +65,7 @@ Settings frozen() {
     return settings;
 }
 
-// Frames of one case; the last is timed.
+// Runs the frames of one case; the last one is timed.
 class Runner {
   public:
     Runner(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent)
@@ -81,7 +81,7 @@ class Runner {
         effect.begin(views_[0], with_radius(what.settings, static_cast<float>(scene_.ao_radius)));
         for (int i = 0; i < what.warm; ++i) (void)effect.next();
         if (what.moves) effect.advance(views_[1]);
-        // The first run of them may be that which touches an image's memory first.
+        // Several runs, because the first one may be the first to access an image's memory.
         return effect.next(3);
     }
 
@@ -92,7 +92,7 @@ class Runner {
     AmbientOcclusion unhoisted_;
 };
 
-// What is collected of a pass, round by round.
+// The readings of a pass, one for each round.
 struct Readings {
     std::string pass;
     std::vector<double> ms;

@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::uint32_t usual_samples = 16;
 
-// What is timed: a value of what grows.
+// One timed configuration: a value of the quantity that grows.
 struct Case {
     double value = 0.0;
     scene::Scene scene;
     gpu::Extent extent;
     Settings settings;     // for the scene's radius
-    bool history = false;  // the second frame of a moving view; else a single one
+    bool history = false;  // the second frame of a moving view; otherwise a single frame
 };
 
 struct Sweep {
@@ -35,7 +35,7 @@ double pixels_of(gpu::Extent extent) {
     return static_cast<double>(extent.width) * static_cast<double>(extent.height);
 }
 
-// Copies of the objects that there are, each a little aside.
+// The scene with `count` objects: copies of its objects, each slightly displaced.
 scene::Scene with_objects(const scene::Scene& base, std::size_t count) {
     scene::Scene scene = base;
     scene.objects.clear();
@@ -133,13 +133,13 @@ class Sweeps {
     gpu::Extent base_;
 };
 
-// The views of a case, drawn once.
+// The views of a case, rendered once.
 struct Views {
     scene::GBuffer first;
     std::optional<scene::GBuffer> second;
 };
 
-// What a frame of a case took, and the part of its tiles that were found open.
+// The time of a frame of a case, and the share of its tiles that were found open.
 struct Timing {
     double ms = 0.0;
     double open = 0.0;
@@ -155,7 +155,7 @@ class Timer {
         return views;
     }
 
-    // One effect at a time: the largest takes a gigabyte.
+    // One effect at a time, because the largest takes a gigabyte.
     [[nodiscard]] Timing time(const Case& what, const Views& views) {
         if (!effect_ || extent_ != what.extent) {
             effect_.reset();

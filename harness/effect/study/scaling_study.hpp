@@ -17,20 +17,21 @@ namespace gloam::effect {
 struct ScalingOptions {
     std::string method;
     std::vector<gpu::Extent> sizes{{320, 180}, {640, 360}, {1280, 720}, {1920, 1080}, {3840, 2160}};
-    int repeat = 3;                          // rounds over the values of a thing
-    std::function<void(double)> progress{};  // called with the part done, in [0, 1]
+    int repeat = 3;                          // rounds over the values of a quantity
+    std::function<void(double)> progress{};  // called with the completed part, in [0, 1]
 };
 
-// How long a frame takes while one thing grows.
+// The time of a frame while one quantity grows.
 struct ScalingRun {
     std::string of;                                 // "pixels", "samples", "radius in pixels", ...
     std::vector<std::pair<double, double>> points;  // value; all passes, median, milliseconds
-    std::vector<double> open;  // part of the tiles found open at each point, in [0, 1]; empty: not counted
+    std::vector<double> open;  // share of tiles found open at each point, in [0, 1]; empty: not counted
 };
 
-// Times the scene `moving` in the smallest of the sizes, with 16 samples for each pixel, while one number
-// grows: pixels (at the same radius in pixels), samples, the radius (in pixels at the point the camera looks
-// at), the filter's taps on each side, moving objects (a frame with a history). Values are visited in rounds.
+// Times the scene `moving` at the smallest of the sizes, with 16 samples for each pixel, while one quantity
+// grows: pixels, samples, the radius, the filter's taps on each side, moving objects. The pixels grow with
+// the same radius in pixels. The radius is in pixels at the point that the camera looks at. The frames of
+// moving objects have a history. Values are visited in rounds.
 //
 // The number of pixels grows twice. In "pixels" every tile is sampled, so each pixel is the same work. In
 // "pixels, open tiles left out" open tiles are skipped, as users have it, where the method knows them. How

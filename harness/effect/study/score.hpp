@@ -12,13 +12,13 @@
 
 namespace gloam::effect {
 
-// What an image is compared with: the limit of its own estimator, the truth of the depth buffer (D), the
-// truth of the geometry (G). An image without a pixel is not known.
+// The references of an image: the limit of its own estimator, the depth truth (D) and the geometry truth (G).
+// An empty image is an unknown reference.
 enum class Against { limit, depth, geometry };
 constexpr std::size_t references = 3;
 using References = std::array<Truth, references>;
 
-// The classes of PixelClasses. `young`: those in none of them, whose history is still short.
+// The classes of PixelClasses. `young`: the pixels in no other class, whose history is still short.
 enum class PixelClass { all, settled, young, disoccluded, near_moving };
 constexpr std::size_t pixel_classes = 5;
 inline constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, PixelClass::settled,
@@ -30,16 +30,16 @@ inline constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::a
 // The mask of a class in a frame; `all` is an empty mask.
 [[nodiscard]] Mask mask_of(const PixelClasses& classes, PixelClass which);
 
-// Errors as sums of squares, so that those of frames add up.
+// Errors as sums of squares, so that the errors of frames can be added.
 struct SquaredErrors {
     double sum = 0.0;
     std::size_t count = 0;
 
     SquaredErrors& operator+=(const SquaredErrors& other);
-    [[nodiscard]] double rmse() const;  // NaN for none
+    [[nodiscard]] double rmse() const;  // NaN without pixels
 };
 
-// Errors of a frame, or of several together, by reference and class of pixel.
+// Errors of one or more frames, by reference and class of pixel.
 struct Score {
     using Table = std::array<std::array<SquaredErrors, pixel_classes>, references>;
     Table raw{};
@@ -50,7 +50,7 @@ struct Score {
     [[nodiscard]] double rmse_filtered(Against reference, PixelClass which) const;
 };
 
-// Throws std::invalid_argument when a reference that is known is of another size.
+// The errors of a frame. Throws std::invalid_argument when a known reference has another size.
 [[nodiscard]] Score score_of(const Frame& frame, const References& references, const PixelClasses& classes);
 
 }  // namespace gloam::effect

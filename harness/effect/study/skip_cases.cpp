@@ -11,8 +11,8 @@ namespace {
 
 constexpr int case_frames = 8;
 
-// A mean of few samples, so that a view settles in few frames; what a settled view costs is not theirs to
-// say.
+// A mean of few samples, so that a view settles in few frames. The cost of a settled view does not depend on
+// it.
 constexpr float few_samples = 64.0F;
 constexpr int settled_after = 64;
 

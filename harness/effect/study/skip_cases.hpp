@@ -8,8 +8,8 @@
 
 namespace gloam::effect {
 
-// A mostly empty sky, a wide floor, a view that stands still and has settled, and one with nothing to skip;
-// each with the part of the time that is its target. Throws like scene::rasterize().
+// Cases: a mostly empty sky, a wide floor, a view that stands still and has settled, and a view with nothing
+// to skip. Each has its target time. Throws like scene::rasterize().
 [[nodiscard]] std::vector<SkipCase> skip_cases(const gpu::Device& device, const scene::PassLibrary& passes,
                                                gpu::Extent extent);
 

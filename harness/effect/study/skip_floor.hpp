@@ -5,7 +5,7 @@
 
 namespace gloam::effect {
 
-// A bare floor that fills the view of a camera that walks over it.
+// A bare floor that fills the view of a walking camera.
 [[nodiscard]] scene::Scene skip_floor();
 
 }  // namespace gloam::effect

@@ -17,13 +17,13 @@ namespace {
 constexpr int share_frames = 8;
 constexpr double roughness = 0.01;  // of the depth
 
-// Targets.
+// Targets: the time with all skips divided by that without.
 constexpr double nothing_to_skip = 1.03;
 constexpr double mostly_sky = 0.25;
 constexpr double open_floor = 0.35;
 constexpr double all_settled = 0.1;
 
-// A number of [-1, 1) that looks random.
+// A pseudorandom number in [-1, 1).
 double noise(std::uint32_t x, std::uint32_t y) {
     std::uint32_t bits = x * 0x9E3779B1U ^ y * 0x85EBCA77U;
     bits = (bits ^ bits >> 15U) * 0x2C1B3C6DU;
@@ -31,7 +31,7 @@ double noise(std::uint32_t x, std::uint32_t y) {
     return static_cast<double>(bits >> 8U) / 8388608.0 - 1.0;
 }
 
-// Roughens the columns from that part of the width on.
+// Roughens the columns from this share of the width on.
 void roughen(scene::GBuffer& view, double from) {
     const auto first = static_cast<std::uint32_t>(std::lround(from * view.extent.width));
     for (std::uint32_t y = 0; y < view.extent.height; ++y) {
@@ -41,7 +41,7 @@ void roughen(scene::GBuffer& view, double from) {
     }
 }
 
-// Leaves nothing in the columns up to that part of the width.
+// Removes all geometry from the columns up to this share of the width.
 void clear(scene::GBuffer& view, double until) {
     const auto end = static_cast<std::uint32_t>(std::lround(until * view.extent.width));
     for (std::uint32_t y = 0; y < view.extent.height; ++y) {
@@ -64,7 +64,7 @@ class Shares {
             floor_.push_back(scene::rasterize(device, passes, floor, extent, {.frame = i}));
     }
 
-    // Not even the filter has enough.
+    // Nothing can be skipped, not even by the filter.
     [[nodiscard]] SkipShare nothing() const {
         SkipShare made = background(0.0);
         made.skip_case.name = "nothing";
@@ -89,7 +89,8 @@ class Shares {
         return made;
     }
 
-    // The rest comes into view where there was nothing, when what is there has settled.
+    // First a part of the image is empty. When the other part has settled, the first part gets geometry as
+    // well.
     [[nodiscard]] SkipShare settled(double share) const {
         scene::GBuffer whole = floor_.front();
         roughen(whole, 0.0);

@@ -8,14 +8,14 @@
 
 namespace gloam::effect {
 
-// Views of which a part can be skipped for one reason. They show a rough floor, on which nothing else can
-// be skipped; that part of the image is background, smooth, or has settled.
+// Views of which a share can be skipped for one reason. They show a rough floor, which gives no other reason
+// to skip. The given share of the image is background, is smooth, or has settled.
 struct SkipShare {
     double share = 0.0;  // of the image, 0 to 1
     SkipCase skip_case;
 };
 
-// For each reason shares up to 0.9 or 1. Throws like scene::rasterize().
+// Cases for each reason, with shares up to 0.95 or 1. Throws like scene::rasterize().
 [[nodiscard]] std::vector<SkipShare> skip_shares(const gpu::Device& device, const scene::PassLibrary& passes,
                                                  gpu::Extent extent);
 

@@ -12,7 +12,7 @@
 namespace gloam::effect {
 namespace {
 
-// One way to run a case, and how long its frames took.
+// One way to run a case, and the times of its frames.
 struct Contestant {
     Settings settings;
     std::vector<double> times;
@@ -21,7 +21,7 @@ struct Contestant {
     std::vector<PassTime> passes;  // of the last frame
 };
 
-// The frames of a round: those of the views, or one after the others of a view that stands still.
+// Runs the frames of a round: those of the views, or successive frames of a view that stands still.
 void run_round(AmbientOcclusion& effect, const SkipCase& skip_case, Contestant& contestant) {
     const auto show = [&](bool timed) {
         const Frame frame = effect.next();
@@ -35,7 +35,7 @@ void run_round(AmbientOcclusion& effect, const SkipCase& skip_case, Contestant& 
     const bool still = skip_case.views.size() == 1 || skip_case.after > 0;
     for (std::size_t i = 1; i < skip_case.views.size(); ++i) {
         effect.advance(skip_case.views[i]);
-        // What the images hold is known after a few frames.
+        // After a few frames it is known which images hold background.
         show(!still && 2 * i >= skip_case.views.size());
     }
     for (int i = 1; i < skip_case.after; ++i) (void)effect.next();
@@ -65,7 +65,7 @@ Contestant fresh(const Settings& settings) {
     return {settings, {}, {}, {}, {}};
 }
 
-// Runs them in turns, so that the machine's drift falls on all alike. Returns the time of a copy.
+// Runs the ways in turns, so that the machine's drift affects all alike. Returns the time of a copy.
 double compete(AmbientOcclusion& effect, CopyClock& clock, const SkipCase& skip_case,
                std::vector<Contestant>& contestants, int rounds) {
     if (skip_case.views.empty()) throw std::invalid_argument("a case of skips without a view");

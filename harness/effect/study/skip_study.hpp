@@ -9,24 +9,23 @@
 
 namespace gloam::effect {
 
-// Views of one size, and what is measured of them.
+// Views of one size, and what is measured on them.
 struct SkipCase {
     std::string name;
     std::string what;                   // in a few words
-    std::vector<scene::GBuffer> views;  // one: of a camera that stands still
-    int warm = 0;                       // frames before the first that is timed, of the first view
-    int after = 0;        // frames of the last view before the one that is timed; 0: of two or more views the
-                          // second half is
+    std::vector<scene::GBuffer> views;  // one: the camera stands still
+    int warm = 0;                       // frames of the first view before the first timed one
+    int after = 0;  // frames of the last view before the timed one; 0: the second half of the views is timed
     Settings settings;    // with all skips
-    double target = 0.0;  // of the time with all skips, as a part of that without; 0: none
+    double target = 0.0;  // largest ratio of the time with all skips to that without; 0: none
 };
 
-// Median times of all passes of a frame, in milliseconds, interleaved so that the machine's drift falls on
-// all alike.
+// Median times of all passes of a frame, in milliseconds. The measurements alternate, so that the machine's
+// drift affects all alike.
 struct SkipTimes {
     double without = 0.0;     // every skip off
     double with = 0.0;        // every skip on
-    double background = 0.0;  // only this one on
+    double background = 0.0;  // only this skip on
     double open = 0.0;
     double closed = 0.0;
     double settled = 0.0;
@@ -36,7 +35,7 @@ struct SkipTimes {
     std::vector<PassTime> passes;  // of that frame
 };
 
-// Median times as above, of all skips and of none.
+// Median times of a frame with all skips and with none.
 struct SkipPair {
     double without = 0.0;
     double with = 0.0;
@@ -44,21 +43,21 @@ struct SkipPair {
     Work work;  // of the last frame, every skip on
 };
 
-// Every skip off.
+// The settings with every skip off.
 [[nodiscard]] Settings without_skips(Settings settings);
 
-// Runs cases of views of one size; what they share of the passes is compiled once.
+// Runs cases with views of one size. Shared pipelines are compiled once.
 class SkipStudy {
   public:
-    // The device must outlive this. Throws std::runtime_error for a device without timestamps, and like
-    // AmbientOcclusion.
+    // The device must outlive this object. Throws std::runtime_error for a device without timestamps, and
+    // like AmbientOcclusion.
     SkipStudy(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
 
-    // Times `rounds` runs of each way. Throws std::invalid_argument for a case without views, or with views
-    // of another size, and for rounds below 1.
+    // Times `rounds` runs of each way. Throws std::invalid_argument for a case without views, for views of
+    // another size, and for rounds below 1.
     [[nodiscard]] SkipTimes times(const SkipCase& skip_case, int rounds);
 
-    // The same of two ways alone.
+    // The same for all skips and for none only.
     [[nodiscard]] SkipPair pair(const SkipCase& skip_case, int rounds);
 
   private:

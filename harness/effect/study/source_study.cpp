@@ -26,7 +26,7 @@ constexpr std::array quality_presets{"crytek-quality", "filion-quality",     "hb
                                      "angle-quality",  "volumetric-quality", "alchemy-quality",
                                      "unreal-quality"};
 
-// What an experiment runs on: a scene and the truth for one radius.
+// The frames of an experiment: a scene with the truth for one radius.
 BenchmarkViews views_of(const gpu::Device& device, const scene::PassLibrary& passes,
                         const scene::TruthCache& cache, const std::string& name, double radius,
                         const SourceOptions& options) {
@@ -43,7 +43,7 @@ bool of_filter(const std::string& pass) {
     return pass.starts_with("filter_");
 }
 
-// Of a reading, into the row's least times.
+// Updates the row's least times with a reading.
 void take_times(SourceRow& row, const FrameReading& reading) {
     double occlusion = 0.0;
     double filter = 0.0;
@@ -52,13 +52,13 @@ void take_times(SourceRow& row, const FrameReading& reading) {
     row.filter_ms = std::min(row.filter_ms, filter);
 }
 
-// Rows on the views of one radius each, visited in turn.
+// Rows for the views of one radius each, visited in turn.
 class Experiment {
   public:
     Experiment(const gpu::Device& device, const scene::PassLibrary& passes, const SourceOptions& options)
         : options_(options), study_(device, passes, options.extent) {}
 
-    // before: the views for the scene's own radius.
+    // views: for the row's radius. before: the views for the scene's own radius.
     void add(SourceRow row, BenchmarkViews& views, BenchmarkViews& before) {
         row.occlusion_ms = row.filter_ms = std::numeric_limits<double>::infinity();
         row.scene = before.scene().name;
@@ -102,7 +102,7 @@ class Experiment {
     std::vector<Visited> all_;
 };
 
-// The lengths of the paper's figure 3 are the method's own.
+// The method's defaults are the lengths of the paper's figure 3.
 Settings of_table(const std::string& method, Filter filter) {
     Settings settings = measured_settings(method, table_taps, false);
     if (method == "issao_distinct")

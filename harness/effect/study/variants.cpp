@@ -6,10 +6,10 @@
 namespace gloam::effect {
 namespace {
 
-constexpr float never = 2.0F;    // a convergence that nothing reaches
-constexpr float without = 1e6F;  // samples: a cap that nothing reaches
+constexpr float never = 2.0F;    // a convergence that is never reached
+constexpr float without = 1e6F;  // samples: a cap that is never reached
 
-// The cap is the unit of convergence, so the thresholds are kept at the same numbers of samples.
+// The cap is the unit of convergence, so the thresholds are scaled to the same numbers of samples.
 Settings uncapped(Settings settings) {
     const float part = settings.weight_max / without;
     settings.weight_max = without;

@@ -5,7 +5,7 @@
 
 namespace gloam::gpu {
 
-// Everything after sees the writes of everything before, on the device.
+// On the device, all later commands see the writes of all earlier ones.
 inline void device_barrier(const vk::raii::CommandBuffer& commands) {
     using Access = vk::AccessFlagBits;
     constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
@@ -15,7 +15,7 @@ inline void device_barrier(const vk::raii::CommandBuffer& commands) {
                              nullptr, nullptr);
 }
 
-// The host, once it has waited, sees the writes of everything before.
+// The host, after waiting, sees the writes of all earlier commands.
 inline void host_barrier(const vk::raii::CommandBuffer& commands) {
     commands.pipelineBarrier(vk::PipelineStageFlagBits::eAllCommands, vk::PipelineStageFlagBits::eHost, {},
                              vk::MemoryBarrier{.srcAccessMask = vk::AccessFlagBits::eMemoryWrite,

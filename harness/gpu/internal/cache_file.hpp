@@ -8,14 +8,14 @@
 
 namespace gloam::gpu {
 
-// A blob on disk behind a header with its length and checksum.
+// A file with a header that contains its length and checksum.
 
-// The content; empty when the file is missing, unreadable, cut short, longer than it says, or changed in any
+// The content; empty if the file is missing, unreadable, of another length than it states, or changed in any
 // bit.
 [[nodiscard]] std::vector<std::byte> read_cache_file(const std::filesystem::path& file);
 
-// Replaces the file, whole or not at all, making its folder where needed. False when that failed; nothing is
-// left behind then.
+// Replaces the file completely or not at all; creates its folder if needed. Returns false on failure and then
+// leaves nothing behind.
 bool write_cache_file(const std::filesystem::path& file, std::span<const std::byte> content);
 
 }  // namespace gloam::gpu

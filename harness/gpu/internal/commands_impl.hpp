@@ -8,7 +8,7 @@
 
 namespace gloam::gpu {
 
-// Everything that must outlive the execution of a recording.
+// The objects that must outlive the execution of a recording.
 struct Recording {
     vk::raii::CommandBuffers buffers;
     DescriptorAllocator descriptors;
@@ -22,10 +22,10 @@ struct Commands::Impl {
     // The command buffer. Throws std::runtime_error after submit().
     [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
 
-    // Throws as dispatch() does where the arguments do not fit the pipeline.
+    // Throws like dispatch() if the arguments do not match the pipeline.
     void check(const ComputePipeline& pipeline, std::span<const Resource> resources,
                std::span<const std::byte> push_constants) const;
-    // Records the pipeline and what it is given.
+    // Records the pipeline, its resources and its push constants.
     void bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
               std::span<const std::byte> push_constants);
 

@@ -16,7 +16,7 @@
 
 namespace gloam::gpu {
 
-// The physical device that a selector means, and what is asked of it again and again.
+// The physical device of a selector, and its frequently used properties.
 struct Physical {
     Physical(vk::raii::PhysicalDevice device, DeviceInfo description);
 
@@ -28,7 +28,7 @@ struct Physical {
     std::uint64_t timestamp_mask = 0;  // the valid bits of a reading; 0: no timestamps
 };
 
-// The open device: what every other object of this room borrows.
+// The open device, which every other object of this room uses.
 struct Device::Impl {
     explicit Impl(const DeviceOptions& options);
     ~Impl();
@@ -42,13 +42,13 @@ struct Device::Impl {
     // submission that timed out still runs.
     void run(const vk::raii::CommandBuffer& commands);
 
-    // False while a submission that timed out still runs: nothing may be destroyed then.
+    // False while a submission that timed out still runs; nothing may be destroyed then.
     [[nodiscard]] bool idle() noexcept;
 
-    // Takes over what must not be destroyed until the device is idle.
+    // Keeps objects that must not be destroyed until the device is idle.
     void keep(std::shared_ptr<void> handles) { kept_.push_back(std::move(handles)); }
 
-    // Declared so that destruction goes from the last to the first.
+    // The order of declaration matters: destruction runs from last to first.
     MessageLog log;
     vk::raii::Context loader;
     vk::raii::Instance instance;

@@ -8,10 +8,10 @@
 
 namespace gloam::gpu {
 
-// Descriptor sets for one recording, from pools that are added as they run out.
+// Descriptor sets for one recording, from pools that are added on demand.
 class DescriptorAllocator {
   public:
-    // A set of that layout, which has so many bindings of each kind.
+    // A set with this layout, which has the given number of bindings of each kind.
     [[nodiscard]] const vk::raii::DescriptorSet& allocate(const Context& context,
                                                           const vk::raii::DescriptorSetLayout& layout,
                                                           std::uint32_t buffers, std::uint32_t images);
@@ -24,10 +24,10 @@ class DescriptorAllocator {
     std::uint32_t buffers_left_ = 0;
     std::uint32_t images_left_ = 0;
     std::vector<vk::raii::DescriptorPool> pools_;
-    std::vector<vk::raii::DescriptorSet> sets_;  // after the pools: they go back first
+    std::vector<vk::raii::DescriptorSet> sets_;  // declared after the pools, so that they are destroyed first
 };
 
-// Points binding i of the set to resources[i], whose kinds are those of the set's layout.
+// Binds resources[i] to binding i of the set. Their kinds must be those of the set's layout.
 void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
                        std::span<const Resource> resources);
 

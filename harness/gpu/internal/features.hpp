@@ -6,8 +6,8 @@
 
 namespace gloam::gpu {
 
-// What is asked of the device beyond the core: robustBufferAccess, which every device has, unless it is
-// switched off. A shader under test that reads past its buffer must not take the process with it.
+// The requested device features besides the core: robustBufferAccess, which every device has, unless the
+// options switch it off. With it, a shader under test that reads beyond its buffer cannot crash the process.
 [[nodiscard]] inline vk::PhysicalDeviceFeatures features_of(const DeviceOptions& options) {
     return {.robustBufferAccess = options.robust_buffer_access ? VK_TRUE : VK_FALSE};
 }

@@ -8,7 +8,7 @@
 
 namespace gloam::gpu {
 
-// What Vulkan and the copies need to know of a Format.
+// Properties of a Format for Vulkan and for copies.
 struct FormatTraits {
     const char* name;
     vk::Format format;

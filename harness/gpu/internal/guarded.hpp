@@ -9,7 +9,7 @@
 namespace gloam::gpu {
 
 // Owns Vulkan handles that a submission may use. Vulkan forbids destroying them while it runs, and after a
-// timeout nobody knows for how long: in that case, and only then, they are deliberately leaked.
+// timeout its end is unknown. Only in that case they are leaked on purpose.
 template <class Handles>
 class Guarded {
   public:

@@ -14,8 +14,8 @@ namespace gloam::gpu {
     return quotient + (rest > tie || (rest == tie && (quotient & 1u) != 0) ? 1u : 0u);
 }
 
-// float32 to binary16, to nearest even: 65520 and above become infinite, 2^-25 and below zero; a NaN stays
-// one, made quiet.
+// float32 to binary16, to nearest even: 65520 and above become infinity, 2^-25 and below become zero. A NaN
+// becomes a quiet NaN.
 [[nodiscard]] constexpr std::uint16_t to_half(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     const std::uint32_t sign = bits >> 16 & 0x8000u;
@@ -27,7 +27,7 @@ namespace gloam::gpu {
         half = 0x7c00u;
     } else if (magnitude >= 0x38800000u) {  // 2^-14: the smallest normal half
         half = shift_right_to_even(magnitude - 0x38000000u, 13);
-    } else if (magnitude > 0x33000000u) {  // counts of 2^-24
+    } else if (magnitude > 0x33000000u) {  // multiples of 2^-24
         half = shift_right_to_even((magnitude & 0x7fffffu) | 0x800000u, 126u - (magnitude >> 23));
     }
     return static_cast<std::uint16_t>(sign | half);

@@ -11,7 +11,7 @@
 
 namespace gloam::gpu {
 
-// Keeps what the validation layers say. Layers may call from any thread.
+// Collects the messages of the validation layers. Layers may call it from any thread.
 class MessageLog {
   public:
     explicit MessageLog(std::function<void(const std::string&)> listener = {})
@@ -29,17 +29,17 @@ class MessageLog {
 // The loader. Throws std::runtime_error when libvulkan is not installed.
 [[nodiscard]] vk::raii::Context open_loader();
 
-// A Vulkan 1.2 instance. With a log, validation is on, and messages of creating and destroying the instance
-// itself go to the log, which must live longer. Throws std::runtime_error: no driver, or the validation layer
-// is not installed.
+// A Vulkan 1.2 instance. With a log, validation is on; the messages of the instance's own creation and
+// destruction go to the log, which must outlive the instance. Throws std::runtime_error if there is no
+// driver, or the validation layer is not installed.
 [[nodiscard]] vk::raii::Instance create_instance(const vk::raii::Context& loader, MessageLog* log);
 
-// Sends the messages of everything between creating and destroying the instance to the log.
+// Sends all messages between the instance's creation and destruction to the log.
 [[nodiscard]] vk::raii::DebugUtilsMessengerEXT create_messenger(const vk::raii::Instance& instance,
                                                                 MessageLog& log);
 
-// Vulkan 1.2 devices: hardware first, then lavapipe, then other software, SwiftShader last, and within these
-// in the loader's order. DeviceInfo::index counts through them.
+// The Vulkan 1.2 devices: hardware, then lavapipe, then other software, SwiftShader last; devices of one kind
+// in the loader's order. DeviceInfo::index is an index into them.
 [[nodiscard]] std::vector<vk::raii::PhysicalDevice> physical_devices(const vk::raii::Instance& instance);
 
 }  // namespace gloam::gpu

@@ -7,8 +7,8 @@
 
 namespace gloam::gpu {
 
-// Memory of the first wish in `wishes` that the device has a fitting type for. Throws std::runtime_error when
-// there is none or not enough of it; the message says what it was for.
+// Memory with the first properties in `wishes` for which the device has a suitable type. Throws
+// std::runtime_error with the purpose if there is no such type or not enough memory.
 [[nodiscard]] vk::raii::DeviceMemory allocate(const Context& context, const vk::MemoryRequirements& needs,
                                               std::initializer_list<vk::MemoryPropertyFlags> wishes,
                                               const std::string& purpose);

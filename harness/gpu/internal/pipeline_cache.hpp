@@ -11,17 +11,18 @@
 namespace gloam::gpu {
 
 // The driver's compiled pipelines, one file for each device identity. A damaged file, or one of another
-// driver, never reaches the driver: it counts as empty and is replaced.
+// driver, is never passed to the driver: it counts as empty and is replaced.
 class PipelineCache {
   public:
-    // An empty directory keeps nothing.
+    // directory: empty: no cache.
     PipelineCache(const vk::raii::Device& device, const vk::PhysicalDeviceProperties& properties,
                   const std::filesystem::path& directory, const std::string& identity);
 
     // For pipeline creation.
     [[nodiscard]] const vk::raii::PipelineCache& handle() const { return cache_; }
 
-    // Writes the file when it would tell more than what was loaded. Failure costs only speed the next time.
+    // Writes the file if it would contain more than the loaded one. A failure only costs time in the next
+    // run.
     void save() const noexcept;
 
   private:

@@ -8,7 +8,7 @@
 
 namespace gloam::gpu {
 
-// One subpass: colour attachments in order, then depth; all cleared first and left in
+// One subpass: colour attachments in order, then depth. All are cleared first and end in
 // VK_IMAGE_LAYOUT_GENERAL.
 [[nodiscard]] vk::raii::RenderPass make_render_pass(const Context& context,
                                                     std::span<const Format> color_formats);

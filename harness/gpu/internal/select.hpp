@@ -9,12 +9,12 @@
 
 namespace gloam::gpu {
 
-// The one line that every caller without a usable driver reads.
+// The message if there is no usable driver, in one line.
 inline constexpr const char* no_device_message =
     "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers";
 
-// The position in `devices` that a DeviceOptions::device text means. Throws std::runtime_error when there is
-// no device, or none that matches (the line lists those there are).
+// The index in `devices` of the device that DeviceOptions::device selects. Throws std::runtime_error if there
+// is no device, or if none matches (the message lists the existing ones).
 [[nodiscard]] std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view selector);
 
 }  // namespace gloam::gpu

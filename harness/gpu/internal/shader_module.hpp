@@ -8,12 +8,12 @@
 
 namespace gloam::gpu {
 
-// Drivers may crash on words that are no module: throws std::invalid_argument unless these at least begin as
-// one.
+// Drivers can crash on words that are not a module, so it throws std::invalid_argument unless these at least
+// begin like one.
 [[nodiscard]] vk::raii::ShaderModule make_module(const Context& context,
                                                  std::span<const std::uint32_t> spirv);
 
-// Throws std::invalid_argument unless a multiple of 4 within the device's limit.
+// Throws std::invalid_argument unless the size is a multiple of 4 within the device's limit.
 void check_push_constant_size(const Context& context, std::uint32_t bytes);
 
 }  // namespace gloam::gpu

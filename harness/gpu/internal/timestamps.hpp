@@ -11,7 +11,7 @@ namespace gloam::gpu {
 // Readings of the device's clock in one recording.
 class Timestamps {
   public:
-    // Outside a render pass only. Returns the position of the reading.
+    // Records a reading; only outside a render pass. Returns its index.
     std::size_t record(const Context& context, const vk::raii::CommandBuffer& commands);
 
     // After the recording has run: milliseconds since the first reading; NaN on a device without timestamps.

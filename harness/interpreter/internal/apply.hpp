@@ -9,7 +9,8 @@
 
 namespace gloam::interpreter::internal {
 
-// A number of any of the types as one that the functions take: what may be rearranged as a whole.
+// Converts a number of any type to one that the functions take; an expression that may be rearranged becomes
+// its interval.
 template <class N>
 [[nodiscard]] const N& settled(const N& x) {
     return x;
@@ -18,13 +19,14 @@ template <class N>
     return x.interval();
 }
 
-// apply(f, x...): a function object that takes any of float, double and Interval, on a number type.
+// apply(f, x...): calls the function object f, which takes any of float, double and Interval, on a number
+// type.
 template <class F, class N, class... More>
 [[nodiscard]] auto apply(const F& f, const N& x, const More&... more) {
     return f(x, more...);
 }
 
-// What a function gives whose result is a number, on all that is known of its operands.
+// On Explained: calls f on every number type. If the result is a number, it also gets the local error.
 template <class F, class... More>
 [[nodiscard]] auto apply(const F& f, const Explained& x, const More&... more) {
     using Result = decltype(f(x.value, more.value...));
@@ -51,7 +53,7 @@ template <class F, class... More>
     }
 }
 
-// A number that the module holds.
+// A constant as a number.
 template <class N>
 [[nodiscard]] N constant(double x) {
     return N(x);
@@ -65,7 +67,7 @@ template <>
     return {.value = static_cast<float>(x), .exact = x, .local = 0.0, .permitted = numeric::Interval(x)};
 }
 
-// What a half-precision operation may make of a number: on intervals it may have the precision of float16.
+// The result of a half-precision operation: on intervals it may have the precision of float16.
 template <class N>
 [[nodiscard]] N relaxed(const N& x) {
     return x;

@@ -8,7 +8,7 @@
 #include "interpreter/internal/functions.hpp"
 #include "interpreter/internal/state.hpp"
 
-// Floats: operations on each component alone.
+// Operations on floats, component by component.
 namespace gloam::interpreter::internal {
 
 template <class N, class F>
@@ -28,7 +28,8 @@ void ternary(State<N>& s, const Instruction& i) {
         s.set(i, i.result + k, apply(F{}, s.number(i, i.a + k), s.number(i, i.b + k), s.number(i, i.c + k)));
 }
 
-// An operation that NoContraction is about: without it, it may be rearranged together with others.
+// An operation to which NoContraction applies. Without it, the operation may be rearranged together with
+// others.
 template <class F, class N, class... More>
 [[nodiscard]] N contracted(const Instruction& i, const N& x, const More&... more) {
     if constexpr (std::is_same_v<N, numeric::Rearranged>) {

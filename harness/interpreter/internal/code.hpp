@@ -8,39 +8,39 @@
 
 #include "interpreter/error.hpp"
 
-// What a module is decoded to: a flat list of instructions on numbered slots. Every scalar has a slot;
-// vectors, matrices, arrays and structures have as many in a row as they have scalars. Since SPIR-V has no
-// recursion, every value and variable has its slots for good: a call is replaced by a copy of the function.
+// A decoded module: a flat list of instructions on numbered slots. Every scalar has a slot; vectors,
+// matrices, arrays and structures have consecutive slots for their scalars. SPIR-V has no recursion, so every
+// value and variable has fixed slots, and a call is replaced by a copy of the function.
 namespace gloam::interpreter::internal {
 
 using Slot = std::uint32_t;
 
-// Operations of SPIR-V on scalars (OpFAdd ...) keep their opcodes; the functions of GLSL.std.450 begin here.
+// Scalar operations of SPIR-V (OpFAdd ...) keep their opcodes; the functions of GLSL.std.450 begin here.
 inline constexpr std::uint16_t extended = 0x4000;
 
-// What an Instruction does else.
+// The other operations of an Instruction.
 enum Operation : std::uint16_t {
     copy = 0x8000,    // count slots from a
     to_float,         // count slots from a, whose bits become floats
     gather,           // count slots, from those of the list at `extra`
     undefine,         // count slots
-    select,           // b or c as a says; `stride`: 0 where one bool stands for all components
-    extract_dynamic,  // of the count components at a, that of index b
-    insert_dynamic,   // the count components at a, that of index c replaced by b
+    select,           // b or c, selected by a; `stride`: 0 if one bool is for all components
+    extract_dynamic,  // component b of the count components at a
+    insert_dynamic,   // the count components at a, with component c replaced by b
     jump,             // edge `extra`
     branch,           // edge `extra` if a, else edge b
     switch_on,        // switch `extra` on a
     finish,           // ends the run
     unreachable,      //
     chain,            // pointer `result` by chain `extra`
-    load_slots,       // count slots from where pointer a points
-    store_slots,      // count slots at b to where pointer a points
-    load_memory,    // count slots; their offsets from pointer a, as append_offsets() has them, are at `extra`
-    store_memory,   // the same from the slots at b
-    array_length,   // elements behind pointer a; `extra`: bytes of one
-    load_resource,  // which image stands behind pointer a
-    image_load,   // count components of image a at b, whose components are c; `extra`: slot of the level + 1
-    image_store,  // the count components at c to image a at b, whose components are `extra`
+    load_slots,       // count slots, from the target of pointer a
+    store_slots,      // count slots at b, to the target of pointer a
+    load_memory,      // count slots; `extra`: their offsets from pointer a, as append_offsets() lists them
+    store_memory,     // the same from the slots at b
+    array_length,     // number of elements behind pointer a; `extra`: bytes of an element
+    load_resource,    // the image to which pointer a points
+    image_load,   // count components of image a at b, which has c components; `extra`: slot of the level + 1
+    image_store,  // the count components at c, to image a at b, which has `extra` components
     image_size,   // of image a; `extra`: slot of the level + 1
     atomic,       // c: the SPIR-V opcode; on pointer a with b (and `extra`, for a comparison)
 };
@@ -65,7 +65,7 @@ struct Instruction {
     std::uint32_t place = 0;  // index into Code::places
 };
 
-// From one block to another: what the phi instructions there take, all at once.
+// A transition between blocks, with the copies for the phi instructions of the target, all at once.
 struct Edge {
     struct Copy {
         Slot to;
@@ -73,7 +73,7 @@ struct Edge {
         std::uint32_t count;
     };
     std::uint32_t target = 0;     // instruction
-    bool through_memory = false;  // a copy overwrites what another takes
+    bool through_memory = false;  // a copy overwrites the source of another
     std::vector<Copy> copies;
 };
 
@@ -82,13 +82,13 @@ struct Switch {
     std::uint32_t otherwise = 0;                                 // edge
 };
 
-// Where a pointer points: slots, or bytes of a resource.
+// Target of a pointer: slots, or bytes of a resource.
 struct Pointer {
     std::uint32_t resource = 0;
     std::uint32_t offset = 0;  // slot, or byte
 };
 
-// An access chain with indices that are known when it runs only.
+// An access chain with indices that are known only at run time.
 struct Chain {
     struct Step {
         Slot index;
@@ -96,7 +96,7 @@ struct Chain {
         std::uint32_t stride;  // slots or bytes
         std::uint32_t length;  // of the array; 0: as long as its buffer
     };
-    bool from_static = true;  // from `base`, else from a pointer plus base.offset
+    bool from_static = true;  // from `base`; otherwise from a pointer plus base.offset
     std::uint32_t from = 0;
     Pointer base;
     std::vector<Step> steps;
@@ -119,7 +119,7 @@ struct Resource {
     std::string name;
 };
 
-// A variable that the pipeline gives a value.
+// A variable whose value the pipeline sets.
 struct BuiltIn {
     std::uint32_t built_in;  // SpvBuiltIn...
     Slot slot;
@@ -128,18 +128,18 @@ struct BuiltIn {
 
 struct Code {
     std::vector<Instruction> instructions;
-    std::vector<std::uint32_t> origins;  // of each instruction: the word of the module that it was made of
+    std::vector<std::uint32_t> origins;  // of each instruction: its word in the module
     std::vector<Edge> edges;
     std::vector<Switch> switches;
     std::vector<Chain> chains;
-    std::vector<Pointer> pointers;  // as they are before the run
+    std::vector<Pointer> pointers;  // initial values
     std::vector<std::uint32_t> lists;
     std::vector<ConstantSlot> constants;
     std::vector<Resource> resources;
     std::vector<BuiltIn> built_ins;
     std::vector<Place> places;  // one for each line, or each instruction of a module without lines
     std::uint32_t slots = 0;
-    std::uint32_t most_copies = 0;  // slots that the copies of one edge take
+    std::uint32_t most_copies = 0;  // largest number of slots that the copies of one edge need
     bool may_be_rearranged = false;
 };
 

@@ -9,7 +9,7 @@
 // Copies, branches, memory and images.
 namespace gloam::interpreter::internal {
 
-// Copies are numbers too where they are relaxed: a load may drop precision.
+// Relaxed copies are numeric operations: a load may reduce precision.
 template <class N>
 void copy_slots(State<N>& s, const Instruction& i, Slot from) {
     if ((i.flags & flags::relaxed) == 0) {
@@ -150,7 +150,7 @@ void do_store_slots(State<N>& s, const Instruction& i) {
     std::copy_n(s.slots.begin() + i.b, i.count, s.slots.begin() + s.pointers[i.a].offset);
 }
 
-// A scalar behind a pointer; an odd offset is that of a float of 16 bits.
+// A scalar behind a pointer. An odd offset means a 16-bit float.
 template <class N>
 [[nodiscard]] Value<N> load_scalar(const State<N>& s, const Pointer& pointer, std::uint32_t offset) {
     const Value<N> word = s.read(pointer, offset);
@@ -221,7 +221,7 @@ void do_array_length(State<N>& s, const Instruction& i) {
     }
 }
 
-// On a resource where count is 1, else on a variable.
+// On a resource if count is 1, otherwise on a variable.
 template <class N>
 void do_atomic(State<N>& s, const Instruction& i) {
     const Pointer& pointer = s.pointers[i.a];
@@ -248,7 +248,7 @@ void do_load_resource(State<N>& s, const Instruction& i) {
     s.set(i, i.result, static_cast<Word>(s.pointers[i.a].resource));
 }
 
-// The texel that coordinates name, as the index of its first word.
+// Index of the first word of the texel at the coordinates.
 template <class N>
 [[nodiscard]] Pointer texel(State<N>& s, Word resource, Slot coordinates, std::uint32_t dimensions) {
     const Backing<N>& backing = s.backings.at(resource);

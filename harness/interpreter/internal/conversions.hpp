@@ -7,10 +7,10 @@
 #include "interpreter/internal/vectors.hpp"
 #include "numeric/paths.hpp"
 
-// Between floats and integers, floats and their parts, and what is packed into a word.
+// Conversions between floats and integers, between floats and their parts, and to and from packed words.
 namespace gloam::interpreter::internal {
 
-// An integer as a number: correctly rounded.
+// An integer as a number, correctly rounded.
 template <class N>
 [[nodiscard]] N from_integer(std::int64_t x) {
     return static_cast<N>(x);
@@ -55,7 +55,7 @@ void load_exponent(State<N>& s, const Instruction& i) {
         s.set(i, i.result + k, apply(Scale{as_int(s.bits(i.b + k))}, s.number(i, i.a + k)));
 }
 
-// Fractions, then whole numbers; both have the sign of the argument.
+// modf(): fractions, then integral parts; both have the sign of the argument.
 template <class N>
 void modf(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
@@ -66,7 +66,7 @@ void modf(State<N>& s, const Instruction& i) {
     }
 }
 
-// The exponent that frexp() gives: |x| in [2^(e-1), 2^e). On intervals each exponent in reach is explored.
+// The exponent of frexp(): |x| in [2^(e-1), 2^e). On intervals each possible exponent is explored.
 struct ExponentOf {
     template <class N>
     int operator()(const N& x) const {
@@ -85,7 +85,7 @@ struct ExponentOf {
     }
 };
 
-// Significands, then exponents.
+// frexp(): significands, then exponents.
 template <class N>
 void frexp(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
@@ -96,7 +96,7 @@ void frexp(State<N>& s, const Instruction& i) {
     }
 }
 
-// round(clamp(x, low, 1) * scale) as one of the fields of a word.
+// Packs round(clamp(x, low, 1) * scale) into the fields of a word.
 template <class N, int Fields, bool Signed>
 void pack(State<N>& s, const Instruction& i) {
     constexpr Word width = word_bits / Fields;
@@ -124,7 +124,7 @@ void unpack(State<N>& s, const Instruction& i) {
     }
 }
 
-// The bits of a half.
+// Conversion between a half's bits and its value.
 [[nodiscard]] Word half_bits(float x);
 [[nodiscard]] float half_value(Word bits);
 

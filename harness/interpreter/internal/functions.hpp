@@ -136,7 +136,8 @@ struct Equal {
         return x == y;
     }
 };
-// The operands of a comparison exchanged, or its answer reversed: a > b, and what is also true of NaN.
+// A comparison with its operands exchanged (a > b from a < b), or with its result negated, which is true for
+// NaN.
 template <class F>
 struct Exchanged {
     template <class N>
@@ -151,7 +152,7 @@ struct Reversed {
         return !F{}(x, y);
     }
 };
-// Two comparisons, either of which may hold: not equal and no NaN is less or greater, for example.
+// True if either comparison is. For example, "not equal and not NaN" is "less or greater".
 template <class F, class G>
 struct Either {
     template <class N>

@@ -7,8 +7,8 @@
 
 #include <bit>
 
-// Integers and bools, two's complement. What SPIR-V leaves undefined (a division by zero, a shift by 32 and
-// more) has one result here.
+// Integers and bools, two's complement. Operations that SPIR-V leaves undefined (division by zero, a shift by
+// 32 and others) have one fixed result here.
 namespace gloam::interpreter::internal {
 
 inline constexpr Word word_bits = 32;
@@ -32,7 +32,7 @@ inline constexpr Word word_bits = 32;
 [[nodiscard]] constexpr Word signed_remainder(Word x, Word y) {
     return y == 0 ? ~Word{0} : static_cast<Word>(std::int64_t{as_int(x)} % as_int(y));
 }
-// With the sign of the divisor.
+// The remainder with the sign of the divisor.
 [[nodiscard]] constexpr Word signed_modulo(Word x, Word y) {
     if (y == 0) return ~Word{0};
     const std::int64_t rest = std::int64_t{as_int(x)} % as_int(y);
@@ -54,7 +54,7 @@ inline constexpr Word word_bits = 32;
     const Word mask = mask_of(width) << offset;
     return (base & ~mask) | (field << offset & mask);
 }
-// The position of the most significant bit that is set; -1 for none.
+// Position of the most significant set bit; -1 for none.
 [[nodiscard]] constexpr Word highest_bit(Word x) {
     return word_bits - 1U - static_cast<Word>(std::countl_zero(x));
 }
@@ -74,7 +74,7 @@ void on_three(State<N>& s, const Instruction& i) {
         s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k), s.bits(i.b + k), s.bits(i.c + k))));
 }
 
-// Offset and width are one for all components.
+// Offset and width are the same for all components.
 template <class N, bool Signed>
 void bit_field_extract(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
@@ -96,7 +96,7 @@ void to_two(State<N>& s, const Instruction& i) {
     }
 }
 
-// The sign of a float is known where its other bits are not.
+// The sign bit of a float can be known when its other bits are not.
 template <class N>
 void shift_right(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {

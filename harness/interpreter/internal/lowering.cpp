@@ -9,7 +9,7 @@
 namespace gloam::interpreter::internal {
 namespace {
 
-// A shader whose calls unfold to more than this is meant to.
+// Limit of instructions. Only a hostile shader expands to more.
 constexpr std::size_t most_instructions = 1U << 21;
 constexpr std::uint32_t most_slots = 1U << 24;
 
@@ -161,7 +161,8 @@ void Lowering::place_globals() {
     Function none;
     scope.function = &none;
     for (const shader::Instruction& i : module_.computed_constants) {
-        // [length | OpSpecConstantOp, type, result, opcode, operands...] as an instruction of that opcode.
+        // [length | OpSpecConstantOp, type, result, opcode, operands...] rewritten as an instruction with
+        // that opcode.
         computed_.emplace_back(i.words.begin(), i.words.end());
         std::vector<std::uint32_t>& words = computed_.back();
         std::uint32_t opcode = SpvOpCompositeConstruct;
@@ -191,7 +192,8 @@ Code Lowering::run(const std::string& entry_point) {
     return std::move(code_);
 }
 
-// Every result of the function gets its slots before its first use: a phi may name what comes later.
+// Allocates slots for every result of the function before its first use, because a phi can refer to a later
+// result.
 void Lowering::allocate_results(const Function& function, Scope& scope) {
     for (const shader::Instruction& i : function.body) {
         bool has_result = false;
@@ -221,8 +223,8 @@ void Lowering::lower_function(const Function& function, Scope& scope) {
         place_.file = module_.string_of(line.word(1));
         place_.line = line.word(2);
     };
-    // What comes before a line of its own belongs to the first statement: a condition is evaluated before the
-    // front end names the line of what it decides.
+    // Instructions before the first line of their own belong to the first statement: the front end evaluates
+    // a condition before it states the line of the branch.
     for (const shader::Instruction& i : function.body) {
         if (i.opcode != SpvOpLine) continue;
         enter_line(i);
@@ -268,7 +270,7 @@ void Lowering::lower(const shader::Instruction& i, Scope& scope) {
         case SpvOpSelectionMerge:
         case SpvOpLoopMerge:
         case SpvOpFunctionParameter:
-        case SpvOpControlBarrier:  // one invocation waits for nobody
+        case SpvOpControlBarrier:  // there is one invocation only
         case SpvOpMemoryBarrier:
             return;
         default:

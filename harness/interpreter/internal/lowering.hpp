@@ -10,19 +10,19 @@
 
 namespace gloam::interpreter::internal {
 
-// Where an ID of pointer type points, as far as that is known before the run.
+// The target of an ID of pointer type, as far as it is known before the run.
 struct PointerInfo {
     enum class Space { slots, memory, resource };
     Space space = Space::slots;
     bool is_static = true;
-    Pointer target;                   // when static
-    std::uint32_t index = 0;          // of the machine's pointer, when not
+    Pointer target;                   // if static
+    std::uint32_t index = 0;          // of the machine's pointer, if not static
     Id pointee = 0;                   // type
     MatrixLayout matrix;              // in memory
-    std::uint32_t scalar_stride = 0;  // of a column of a row-major matrix; 0: none of its own
+    std::uint32_t scalar_stride = 0;  // of a column of a row-major matrix; 0: consecutive
 };
 
-// Turns an entry point and all it calls into Code. Every call becomes a copy of the function.
+// Converts an entry point and all that it calls to Code. Every call becomes a copy of the function.
 class Lowering {
   public:
     explicit Lowering(const Module& module) : module_(module) {}
@@ -30,7 +30,7 @@ class Lowering {
     [[nodiscard]] Code run(const std::string& entry_point);
 
   private:
-    // A copy of a function: its IDs, and the edges whose targets are not known yet.
+    // A copy of a function: its IDs, and the edges with unknown targets.
     struct Scope {
         const Function* function = nullptr;
         std::unordered_map<Id, Slot> slots;
@@ -39,7 +39,7 @@ class Lowering {
         struct Phi {
             Slot result;
             std::uint32_t count;
-            std::vector<std::pair<Id, Id>> values;  // value, block before
+            std::vector<std::pair<Id, Id>> values;  // value, preceding block
         };
         std::unordered_map<Id, std::uint32_t> blocks;  // first instruction
         std::unordered_map<Id, std::vector<Phi>> phis;
@@ -49,7 +49,7 @@ class Lowering {
             Id to;
         };
         std::vector<OpenEdge> open_edges;
-        std::vector<std::uint32_t> returns;  // edges to behind the end
+        std::vector<std::uint32_t> returns;  // edges to the end of the function
         Slot result = 0;
         Id block = 0;
     };

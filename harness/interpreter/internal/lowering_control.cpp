@@ -70,7 +70,8 @@ void Lowering::lower_switch(const shader::Instruction& i, Scope& scope) {
         static_cast<std::uint32_t>(code_.switches.size() - 1);
 }
 
-// Values do not change, so a parameter is its argument; a pointer parameter points where its argument does.
+// Values do not change, so a parameter shares the slots of its argument. A pointer parameter has its
+// argument's target.
 void Lowering::lower_call(const shader::Instruction& i, Scope& scope) {
     const Function& callee = module_.function(i.word(3));
     if (callee.parameters.size() + 4 != i.words.size())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images: fetches, loads, stores and sizes. Nothing is filtered.
+// Images: fetches, loads, stores and sizes, without filtering.
 #include "interpreter/internal/lowering.hpp"
 #include "interpreter/internal/opcodes.hpp"
 
@@ -27,7 +27,7 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
                 emit(image_load, module_.types.slots(i.word(1)), operand(2), operand(3), operand(4));
             instruction.c = components(4);
             instruction.flags = flags_of(i.word(2), i.word(1));
-            // Without a level of its own it reads level 0.
+            // Without a level operand it reads level 0.
             instruction.extra = operands == SpvImageOperandsLodMask ? operand(6) + 1 : 0;
             return true;
         }

@@ -10,7 +10,7 @@ namespace {
 
 using Space = PointerInfo::Space;
 
-// An access chain on its way: where it stands, and the steps that only a run can take.
+// A partly resolved access chain: the target so far, and the steps that depend on run-time indices.
 struct Walk {
     const Types& types;
     PointerInfo at;
@@ -18,7 +18,7 @@ struct Walk {
 
     [[nodiscard]] bool in_slots() const { return at.space == Space::slots; }
 
-    // The distance of two elements of what it points to, and how many there are (0: nobody knows).
+    // The distance between elements of the pointee, and their number (0: unknown).
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> element() const {
         const Type& type = types.at(at.pointee);
         if (in_slots()) return {types.slots(type.element), type.count};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Composites, matrices and everything that works on each component alone.
+// Composites, matrices and all operations on single components.
 #include <fmt/format.h>
 #include "interpreter/internal/opcodes.hpp"
 
@@ -9,7 +9,7 @@
 namespace gloam::interpreter::internal {
 namespace {
 
-// The scalar, and its type, that literal indices lead to.
+// Slot and type of the part that literal indices select.
 std::pair<Slot, Id> part_of(const Types& types, Slot slot, Id type_id,
                             std::span<const std::uint32_t> indices) {
     for (const std::uint32_t index : indices) {
@@ -116,8 +116,8 @@ void Lowering::lower_shuffle(const shader::Instruction& i, Scope& scope) {
     instruction.extra = new_list(from);
 }
 
-// Matrices: `count` rows of the result's columns, `extra` the number of products that a sum has, c how many
-// columns there are.
+// Matrices: `count` is the number of rows of a result column, `extra` the number of products in a sum, c the
+// number of columns.
 bool Lowering::lower_matrix(const shader::Instruction& i, Scope& scope) {
     const Types& types = module_.types;
     const auto shape = [&](std::size_t word) -> std::pair<std::uint32_t, std::uint32_t> {

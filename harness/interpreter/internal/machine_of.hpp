@@ -6,7 +6,7 @@
 #include "interpreter/internal/matrices.hpp"
 #include "interpreter/internal/operations.hpp"
 
-// The machine, for each number type in a source of its own.
+// The implementation of the machine; each number type is instantiated in a source of its own.
 namespace gloam::interpreter {
 namespace internal {
 
@@ -161,7 +161,7 @@ void Machine<N>::run() {
 template <class N>
 void Machine<N>::run(const std::function<void(const Step<N>&)>& tell) {
     execute([&](const internal::Instruction& i) {
-        if (i.op >= internal::copy) return;  // moves what is there
+        if (i.op >= internal::copy) return;  // moves existing values
         const std::uint32_t count = i.op == SpvOpDot ? 1 : i.count;
         tell({.place = state_->code.places[i.place],
               .opcode = i.op,

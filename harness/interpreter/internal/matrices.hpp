@@ -6,8 +6,8 @@
 
 #include "interpreter/internal/vectors.hpp"
 
-// Determinants and inverses: Vulkan leaves their precision to the implementation, so anything is permitted,
-// and float is rounded from double.
+// Determinants and inverses. Vulkan leaves their precision to the implementation, so every result is
+// permitted; float is rounded from double.
 namespace gloam::interpreter::internal {
 
 [[nodiscard]] inline double as_double(float x) {

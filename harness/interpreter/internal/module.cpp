@@ -28,7 +28,7 @@ std::vector<shader::Instruction> split(const shader::Spirv& words) {
     }
 }
 
-// "blend" of "blend(f1;f1;": the front end adds the types of the parameters.
+// "blend" from "blend(f1;f1;": the front end appends the types of the parameters.
 std::string without_types(const std::string& name) {
     return name.substr(0, name.find('('));
 }

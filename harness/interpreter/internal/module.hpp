@@ -13,7 +13,7 @@
 
 namespace gloam::interpreter::internal {
 
-// What is said of an ID outside of functions.
+// The names and decorations of an ID outside of functions.
 struct Decorations {
     bool no_contraction = false;
     bool relaxed = false;
@@ -33,10 +33,10 @@ struct Function {
     Id id = 0;
     Id result_type = 0;
     std::vector<Id> parameters;
-    std::vector<shader::Instruction> body;  // labels and line instructions included, that before it too
+    std::vector<shader::Instruction> body;  // labels and line instructions included, also the line before it
 };
 
-// A module in order: what its declarations say, and its functions as they stand. `words` must live longer.
+// A parsed module: its declarations, and its functions in order. `words` must outlive this object.
 class Module {
   public:
     Module(const shader::Spirv& words, std::span<const Constant> constants);
@@ -51,7 +51,7 @@ class Module {
 
     Types types;
     std::map<Id, ConstantValue> constants;
-    std::vector<shader::Instruction> computed_constants;  // OpSpecConstantOp, and what is composed of those
+    std::vector<shader::Instruction> computed_constants;  // OpSpecConstantOp, and composites of those
     std::vector<shader::Instruction> variables;           // outside of functions
     std::map<Id, Id> undefined;                           // OpUndef outside of functions: its type
     std::set<Id> extended_sets;                           // GLSL.std.450
@@ -70,7 +70,7 @@ class Module {
     std::map<std::string, Id> entry_points_;
     std::map<Id, Function> functions_;
     Function* open_ = nullptr;
-    std::optional<shader::Instruction> line_;  // the last outside of functions
+    std::optional<shader::Instruction> line_;  // the last line instruction outside of functions
 };
 
 }  // namespace gloam::interpreter::internal

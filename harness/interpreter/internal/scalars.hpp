@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
-// The functions of GLSL on float and double, under the names that numeric::Interval has them by, so that one
-// template serves every number type. On float each is computed in double and rounded once.
+// The functions of GLSL on float and double, with the names that they have for numeric::Interval, so that one
+// template serves every number type. A float result is computed in double and rounded once.
 namespace gloam::interpreter::internal::scalars {
 
 template <class T>
@@ -118,7 +118,8 @@ template <Real T>
 bool is_infinite(T x) {
     return std::isinf(x);
 }
-// Towards zero; what does not fit is undefined, and becomes the nearest that does, NaN zero.
+// Rounds towards zero. A value out of range is undefined in SPIR-V; it becomes the nearest representable one,
+// and NaN becomes zero.
 template <Real T>
 int to_int(T x) {
     if (std::isnan(x)) return 0;
@@ -131,7 +132,7 @@ unsigned to_uint(T x) {
     if (std::isnan(x)) return 0;
     return static_cast<unsigned>(std::clamp<double>(x, 0.0, std::numeric_limits<unsigned>::max()));
 }
-// The nearest half, to even.
+// The nearest half, ties to even.
 template <Real T>
 T quantize_to_half(T x) {
     const auto value = static_cast<double>(x);

@@ -14,7 +14,7 @@
 
 namespace gloam::interpreter::internal {
 
-// A fault of the running shader; the machine adds the place.
+// A fault of the running shader. The machine adds the place.
 struct Fault {
     Error::Kind kind;
     std::string message;
@@ -26,12 +26,12 @@ struct State;
 template <class N>
 using Handler = void (*)(State<N>&, const Instruction&);
 
-// What stands behind one resource during runs.
+// The contents of one resource during runs.
 template <class N>
 struct Backing {
     std::span<const Word> words;       // as the caller bound it
-    std::vector<Value<N>> values;      // the same where the shader may write
-    std::vector<std::uint32_t> dirty;  // what it wrote, to be put back before the next run
+    std::vector<Value<N>> values;      // the same, if the shader may write to it
+    std::vector<std::uint32_t> dirty;  // indices of written words, restored before the next run
     std::optional<ImageView> image;
 };
 
@@ -42,13 +42,13 @@ struct State {
     std::vector<Pointer> pointers;
     std::vector<Backing<N>> backings;
     std::vector<Handler<N>> handlers;
-    std::vector<Value<N>> moving;  // what the copies of an edge take, while they are made
+    std::vector<Value<N>> moving;  // sources of an edge's copies, while these are made
     std::uint32_t next = 0;        // instruction
     bool running = false;
 
     [[nodiscard]] Word bits(Slot slot) const { return slots[slot].bits(); }
 
-    // A float operand, with as much precision as the instruction asks for.
+    // A float operand with the precision that the instruction asks for.
     [[nodiscard]] N number(const Instruction& i, Slot slot) const {
         const N x = slots[slot].number();
         if ((i.flags & flags::relaxed) != 0) return relaxed(x);
@@ -61,7 +61,7 @@ struct State {
     void set(const Instruction&, Slot slot, int x) { slots[slot] = Value<N>::of_bits(static_cast<Word>(x)); }
     void set(const Instruction&, Slot slot, bool x) { slots[slot] = Value<N>::of_bits(x ? 1U : 0U); }
 
-    // The index of a word of a resource. Throws Fault outside.
+    // The index of a word in a resource. Throws Fault if it is outside.
     [[nodiscard]] std::size_t word_of(const Pointer& pointer, std::uint32_t offset) const {
         const std::size_t index = (std::size_t{pointer.offset} + offset) / sizeof(Word);
         const Backing<N>& backing = backings[pointer.resource];
@@ -92,7 +92,7 @@ struct State {
     static N halved(const N& x);
 };
 
-// A number that is kept in 16 bits. Intervals are rounded by their operations, which have that format.
+// A number stored in 16 bits. Intervals are not rounded here: their operations have that format.
 template <class N>
 N State<N>::halved(const N& x) {
     if constexpr (std::is_same_v<N, float>) {
@@ -106,7 +106,7 @@ N State<N>::halved(const N& x) {
     }
 }
 
-// The handler of an instruction; null for one that is not known.
+// The handler of an instruction; null for an unknown one.
 template <class N>
 [[nodiscard]] Handler<N> handler_of(const Instruction& instruction);
 

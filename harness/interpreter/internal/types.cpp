@@ -9,7 +9,7 @@
 namespace gloam::interpreter::internal {
 namespace {
 
-// A variable that holds more scalars than this is no shader's.
+// Limit of scalars in a variable; no real shader has more.
 constexpr std::uint64_t most_scalars = 1U << 22;
 
 std::uint32_t bounded(std::uint64_t slots) {

@@ -11,7 +11,7 @@ namespace gloam::interpreter::internal {
 
 using Id = std::uint32_t;
 
-// How a matrix lies in memory.
+// The memory layout of a matrix.
 struct MatrixLayout {
     std::uint32_t stride = 0;
     bool row_major = false;
@@ -38,7 +38,7 @@ struct Type {
     Kind kind = Kind::void_;
     std::uint32_t width = 0;  // bits of a number
     bool is_signed = false;
-    Id element = 0;             // of a vector, matrix (its column) or array; what a pointer points to
+    Id element = 0;             // of a vector, matrix (its column) or array; the pointee of a pointer
     std::uint32_t count = 0;    // elements
     std::uint32_t storage = 0;  // of a pointer
     std::uint32_t slots = 0;
@@ -55,26 +55,26 @@ struct Type {
 // The types of a module, by their IDs.
 class Types {
   public:
-    // Reads an OpType instruction; nothing for any other. `length_of` gives the value of a constant.
+    // Reads an OpType instruction; ignores others. `length_of`: returns the value of a constant.
     template <class LengthOf>
     void read(const shader::Instruction& instruction, LengthOf&& length_of);
 
     void decorate(Id type, std::uint32_t array_stride) { strides_[type] = array_stride; }
-    // What is said of a member before its type is read.
+    // A member of a structure; decorations can precede its type.
     Type::Member& member(Id type, std::uint32_t index) { return members_[{type, index}]; }
 
-    // Throws Error (malformed) for an ID that is no type.
+    // Throws Error (malformed) for an ID that is not a type.
     [[nodiscard]] const Type& at(Id id) const;
     [[nodiscard]] std::uint32_t slots(Id id) const { return at(id).slots; }
 
-    // The type of every scalar in it: floats, integers or bools.
+    // The type of all scalars in it: float, integer or bool.
     [[nodiscard]] const Type& scalar_of(Id id) const;
 
-    // Bytes in memory of the scalars that a type is made of.
+    // Bytes of each scalar of a type in memory.
     [[nodiscard]] std::uint32_t scalar_bytes(Id id) const { return scalar_of(id).width == 16 ? 2 : 4; }
 
-    // Appends the byte offset of every scalar of a type that lies at `base` in memory; plus 1 for one of 16
-    // bits. `scalar_stride`: of the components of a vector; 0: one behind the other.
+    // Appends the byte offset of every scalar of a type at offset `base`, plus 1 for a 16-bit scalar.
+    // `scalar_stride`: between the components of a vector; 0: consecutive.
     void append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scalar_stride, std::uint32_t base,
                         std::vector<std::uint32_t>& offsets) const;
 

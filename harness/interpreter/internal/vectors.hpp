@@ -6,12 +6,12 @@
 #include "interpreter/internal/arithmetic.hpp"
 #include "numeric/interval_vector.hpp"
 
-// Floats: sums of products, and the functions of GLSL on vectors and matrices.
+// Floats: sums of products, and the GLSL functions on vectors and matrices.
 namespace gloam::interpreter::internal {
 
 inline constexpr std::size_t most_components = 4;
 
-// The sum of up to four products. Numbers that may be rearranged have every order anyway.
+// The sum of up to four products. If it may be rearranged, every order is included.
 template <class N>
 [[nodiscard]] N sum(const std::array<N, most_components>& products, std::uint32_t count) {
     N all = products[0];
@@ -49,7 +49,7 @@ template <class N>
     return result;
 }
 
-// A product as a part of such a sum: its own error counts as the sum's.
+// A product as a part of such a sum; its own error is a part of the sum's error.
 template <class N>
 [[nodiscard]] N product(const Instruction& i, const N& x, const N& y) {
     return contracted<Multiply>(i, x, y);

@@ -5,21 +5,21 @@
 
 namespace gloam::numeric::internal {
 
-// Exact bounds of a function computed in double are off by this part at most (the C library's are within an
-// ULP of double; sums of a few of them within this).
+// Relative error of exact bounds that are computed in double, at most. (The C library's functions are within
+// an ULP of double; sums of a few of them are within this error.)
 inline constexpr double double_error = 0x1p-50;
 
-// Bounds moved outwards by that part.
+// Bounds widened by that error.
 [[nodiscard]] Bounds inflated(const Bounds& computed);
 
-// What the exact bounds came from: one argument whose result is known without error; one argument; or
-// several, so that every result between the bounds has its own ULP.
+// The arguments of exact bounds: one argument whose result is known without error; one argument; or several,
+// so that every result between the bounds has its own ULP.
 enum class Arguments { exact, point, range };
 
 // enclose(exact widened by `ulps` units in the last place).
 [[nodiscard]] Interval within_ulps(const Bounds& exact, double ulps, Arguments arguments);
 
-// Whether these arguments are one value each.
+// Whether each of these arguments is a single value.
 template <class... B>
 [[nodiscard]] Arguments arguments_of(const B&... bounds) {
     return (bounds.is_point() && ...) ? Arguments::point : Arguments::range;
@@ -28,7 +28,7 @@ template <class... B>
 // enclose(exact widened by an absolute error).
 [[nodiscard]] Interval within_absolute(const Bounds& exact, double error);
 
-// The bounds of f over x where f is monotonic, rising or falling, NaN kept apart.
+// The bounds of a monotonic f over x, rising or falling; NaN is handled separately.
 template <class F>
 [[nodiscard]] Bounds monotonic(const Bounds& x, F&& f) {
     const double a = f(x.low);

@@ -7,7 +7,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t most_samples = 1'000'000;  // of a pixel: far more than anybody takes
+constexpr std::size_t most_samples = 1'000'000;  // of a pixel: far more than is used
 
 }  // namespace
 

@@ -30,7 +30,7 @@ ordered_json growth_json(const Growth& growth) {
     return json;
 }
 
-// A file in which no tiles were counted has none.
+// A file in which no tiles were counted has no such array.
 std::vector<double> open_from(const JsonReader& json, std::size_t points) {
     if (!json.has("open")) return {};
     const JsonReader member = json.member("open");

@@ -17,10 +17,10 @@ namespace gloam::report {
 // that are not known are "nan".
 [[nodiscard]] std::string to_json(const Benchmark& benchmark);
 
-// Back. Throws std::runtime_error that says where in the text something else stands and what was expected.
+// Reads it. Throws std::runtime_error with the place in the text, what was found and what was expected.
 [[nodiscard]] Benchmark benchmark_from_json(std::string_view text);
 
-// A line for each configuration, titles first; numbers that are not known are empty.
+// A title line, then a line for each configuration; unknown numbers are empty.
 [[nodiscard]] std::string to_csv(const Benchmark& benchmark);
 
 }  // namespace gloam::report

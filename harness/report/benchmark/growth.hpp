@@ -7,11 +7,11 @@
 
 namespace gloam::report {
 
-// The exponent e of y ~ x^e that fits points best: least squares on logarithmic axes. Points without two
-// positive, finite numbers are left out; NaN for fewer than two different x.
+// The exponent e of y ~ x^e with the best fit: least squares on logarithmic axes. Points without two
+// positive, finite numbers are skipped; NaN for fewer than two different x.
 [[nodiscard]] double exponent_of(std::span<const std::pair<double, double>> points);
 
-// The name of the plot of what grows, for a file: "scaling-radius-in-pixels".
+// The file name of the plot of a quantity: "scaling-radius-in-pixels".
 [[nodiscard]] std::string growth_plot_name(const std::string& of);
 
 }  // namespace gloam::report

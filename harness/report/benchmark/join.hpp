@@ -7,9 +7,9 @@
 
 namespace gloam::report {
 
-// Parts of a benchmark as one: the rows of one or more runs, scaling and framework of others. Throws
-// std::invalid_argument for no part, for parts of different devices, for rows measured under different
-// circumstances, and for a configuration that is in two parts.
+// Joins parts of a benchmark: the rows of one or more runs, scaling and framework of others. Throws
+// std::invalid_argument if there is no part, if parts are of different devices, if their rows were measured
+// with different settings, and if a configuration is in two parts.
 [[nodiscard]] Benchmark joined(std::span<const Benchmark> parts);
 
 }  // namespace gloam::report

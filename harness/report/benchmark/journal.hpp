@@ -12,7 +12,7 @@
 
 namespace gloam::report {
 
-// What one visit to a configuration brought.
+// The result of one visit to a configuration.
 struct Visit {
     Configuration configuration;
     int round = 0;
@@ -20,7 +20,7 @@ struct Visit {
     std::vector<Reading> readings;
 };
 
-// Under which circumstances visits may be counted together.
+// The conditions that must be equal for visits to be combined.
 struct JournalSetup {
     std::string device;
     std::string driver;
@@ -33,21 +33,22 @@ struct JournalSetup {
     friend bool operator==(const JournalSetup&, const JournalSetup&) = default;
 };
 
-// The visits of a benchmark, kept in a file as they come, a line each: what was measured before an
-// interruption is not lost.
+// The visits of a benchmark, written to a file as they come, one a line, so that an interruption does not
+// lose them.
 class Journal {
   public:
-    // An empty path keeps nothing. `resume`: the visits of the file are taken over, where there is one; a
-    // last line without its end was being written, and is dropped. Otherwise the file starts empty. Throws
-    // std::runtime_error for a file that cannot be read or written, that is no journal, or of another setup.
+    // An empty path: no file. `resume`: takes over the visits of the file if it exists; a last line without
+    // its end was being written, and is dropped. Without `resume` the file starts empty. Throws
+    // std::runtime_error for a file that cannot be read or written, that is not a journal, or that has
+    // another setup.
     Journal(std::filesystem::path path, const JournalSetup& setup, bool resume);
 
     [[nodiscard]] bool has(const Configuration& configuration, int round) const;
 
-    // Keeps a visit; on return it is in the file. Throws std::runtime_error when it cannot be written.
+    // Adds a visit; on return it is in the file. Throws std::runtime_error if it cannot be written.
     void add(Visit visit);
 
-    // The row of a configuration: the quality of its first visit that has one, the readings of all.
+    // The row of a configuration: the quality of its first visit with one, and the readings of all visits.
     [[nodiscard]] Row row_of(const Configuration& configuration) const;
 
     // Median of the copies of all readings.

@@ -12,7 +12,7 @@ namespace {
 
 using numeric::infinity;
 
-// Sums of what a choice has in its scenes so far; geometric means are sums of logarithms.
+// Sums over a choice's scenes so far; geometric means are sums of logarithms.
 struct Tally {
     Overall sums;
     std::size_t scenes = 0;

@@ -13,7 +13,7 @@
 namespace gloam::report {
 namespace {
 
-// A point of a plot, and the family that it is coloured as: a method or a preset, single or temporal.
+// A point of a plot, and its family, which determines its colour: a method or a preset, single or temporal.
 struct Entry {
     Configuration choice;
     double copies = 0.0;
@@ -30,7 +30,7 @@ std::string time_axis(const Benchmark& benchmark, const char* more) {
                        benchmark.copy_ms.median, more);
 }
 
-// Presets that are not on the front, by name.
+// Presets that are not on the front, with their names.
 Curve presets_of(const std::vector<Entry>& entries, const std::vector<std::size_t>& front) {
     Curve curve{.name = "presets behind it", .style = CurveStyle::points};
     for (std::size_t i = 0; i < entries.size(); ++i) {

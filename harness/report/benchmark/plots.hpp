@@ -10,18 +10,18 @@
 
 namespace gloam::report {
 
-// Error against time: RMSE of what is shown and (G) against the copies of all passes, both logarithmic. The
-// front is a staircase whose points are named; methods that have a part in it are coloured, all others grey.
+// Error against time: RMSE of the displayed image and (G) against the copies of all passes, both logarithmic.
+// The front is a staircase with named points. Methods with a point on it are coloured, all others are grey.
 // Throws std::invalid_argument for a scene without a row.
 [[nodiscard]] Plot error_against_time(const Benchmark& benchmark, const std::string& scene);
 
-// The same over all scenes: geometric means, the error over the least of each scene.
+// The same over all scenes: geometric means; the error is relative to the least of each scene.
 [[nodiscard]] Plot error_against_time(const Benchmark& benchmark);
 
-// Time against what grows, a curve for each scaling run of that name.
+// Time against a quantity, a curve for each scaling run with this name.
 [[nodiscard]] Plot growth_plot(const Benchmark& benchmark, const std::string& of);
 
-// Every plot of a benchmark, with the name of its file, without the suffix: "columns", "overall",
+// Every plot of a benchmark, with the name of its file without suffix: "columns", "overall",
 // "scaling-pixels".
 [[nodiscard]] std::vector<std::pair<std::string, Plot>> plots_of(const Benchmark& benchmark);
 

@@ -10,51 +10,51 @@
 
 namespace gloam::report {
 
-// One thing that is measured. Two are the same when all members are.
+// A measured configuration. Two are equal if all members are.
 struct Configuration {
     std::string scene;
     std::string method;
     std::string preset;         // empty: the method with its own settings
     std::uint32_t samples = 0;  // asked for, for each pixel in each frame
-    bool temporal = false;      // over the frames of a moving camera; else single frames
+    bool temporal = false;      // over the frames of a moving camera; otherwise single frames
 
     friend auto operator<=>(const Configuration&, const Configuration&) = default;
 };
 
-// "columns/gtao/16/single": the preset in place of the method where there is one. Names it among all others.
+// "columns/gtao/16/single"; a preset replaces the method. Unique among all configurations.
 [[nodiscard]] std::string key_of(const Configuration& configuration);
 
-// The same without the scene: what one would choose.
+// The same without the scene.
 [[nodiscard]] std::string choice_of(const Configuration& configuration);
 
-// What a frame took on the device, in milliseconds, and what a copy took at that moment.
+// Times on the device at the same moment, in milliseconds: of a frame, and of a copy.
 struct Reading {
     std::vector<std::pair<std::string, double>> passes;  // in their order
     double copy_ms = 0.0;
 };
 
-// How near a configuration comes to the truth: means over the scored frames. NaN: not known.
+// The quality of a configuration: means over the scored frames. NaN: unknown.
 struct Quality {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     double raw_geometry = unknown;  // RMSE of the estimate against (G), the geometry
-    double raw_depth = unknown;     // against (D), the depth buffer
-    double geometry = unknown;      // RMSE of what is shown, the filtered image
+    double raw_depth = unknown;     // RMSE of the estimate against (D), the depth buffer
+    double geometry = unknown;      // RMSE of the displayed, filtered image
     double depth = unknown;
-    double similarity = unknown;     // SSIM of what is shown and (G), in the last scored frame
-    double flicker = unknown;        // mean change of what is shown from frame to frame; of temporal ones
-    double samples = unknown;        // really taken, for each pixel with geometry
+    double similarity = unknown;     // SSIM of the displayed image and (G), in the last scored frame
+    double flicker = unknown;        // mean change of the displayed image between frames; temporal only
+    double samples = unknown;        // taken for each pixel with geometry, mean
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes use
 };
 
-// A median with the quartiles around it. NaN of nothing.
+// A median with its quartiles. NaN without values.
 struct Spread {
     double median = std::numeric_limits<double>::quiet_NaN();
     double low = std::numeric_limits<double>::quiet_NaN();   // lower quartile
     double high = std::numeric_limits<double>::quiet_NaN();  // upper quartile
 };
 
-// What is known of a configuration.
+// All results of a configuration.
 struct Row {
     Configuration configuration;
     Quality quality;
@@ -66,13 +66,13 @@ struct Row {
     std::size_t readings = 0;
 };
 
-// How a time grows with something: time ~ value^exponent.
+// Growth of a time with a quantity: time ~ value^exponent.
 struct Growth {
     std::string of;  // "pixels", "samples", ...
     std::string method;
-    std::vector<std::pair<double, double>> points;               // value, milliseconds of all passes
+    std::vector<std::pair<double, double>> points;               // value; milliseconds of all passes
     double exponent = std::numeric_limits<double>::quiet_NaN();  // least squares on logarithmic axes
-    std::vector<double> open;  // part of the tiles found open at each point, in [0, 1]; empty: not counted
+    std::vector<double> open;  // share of tiles found open at each point, in [0, 1]; empty: not counted
 };
 
 // A figure of the framework itself.
@@ -82,21 +82,21 @@ struct Figure {
     double value = 0.0;
 };
 
-// A run of the benchmark: under which circumstances, and what it found.
+// A run of the benchmark: its conditions and its results.
 struct Benchmark {
     std::string device;
     std::string driver;
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     int frames = 0;  // of a temporal run
-    int scored = 0;  // of them, the last ones
+    int scored = 0;  // the last ones of these
     int repeat = 0;  // rounds
     int rays = 0;    // of the truth, for each pixel
     Spread copy_ms;
     std::vector<Row> rows;
     std::vector<Growth> scaling;
     std::vector<Figure> framework;
-    std::string versions{};  // of gloam and of the compilers; empty: not known
+    std::string versions{};  // of gloam and of the compilers; empty: unknown
 };
 
 }  // namespace gloam::report

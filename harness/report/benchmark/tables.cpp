@@ -33,7 +33,7 @@ std::string line_of(const Row& row, bool bold) {
                        static_cast<double>(q.memory_bytes) / (1024.0 * 1024.0));
 }
 
-// Of each method or preset, single and temporal, the row with the least error.
+// The row with the least error of each method or preset, single and temporal.
 std::vector<const Row*> best_of(const Benchmark& benchmark, const std::string& scene) {
     std::vector<const Row*> best;
     for (const Row& row : benchmark.rows) {
@@ -60,7 +60,7 @@ std::string overall_cells(const Overall& choice) {
                        number(choice.worst_error, 4));
 }
 
-// Where a choice lies: on the front, or behind the most exact point of it that is no slower.
+// The place of a choice: on the front, or behind the most exact point of it that is no slower.
 std::string place_of(const Overall& choice, const std::vector<Overall>& front) {
     const Overall* ahead = nullptr;
     for (const Overall& point : front) {
@@ -70,7 +70,7 @@ std::string place_of(const Overall& choice, const std::vector<Overall>& front) {
     return ahead == nullptr ? "" : "behind " + choice_of(ahead->choice);
 }
 
-// The point at a value; none: it was not measured.
+// The index of the point with this value; nullopt if it was not measured.
 std::optional<std::size_t> point_at(const Growth& growth, double value) {
     const auto found = std::ranges::find_if(
         growth.points, [&](const auto& point) { return std::abs(point.first - value) <= 1e-6 * value; });
@@ -78,7 +78,7 @@ std::optional<std::size_t> point_at(const Growth& growth, double value) {
     return static_cast<std::size_t>(found - growth.points.begin());
 }
 
-// How many times as long it takes for `to` as for `from`; nothing where one was not measured.
+// Ratio of the time for `to` to that for `from`; nullopt if one was not measured.
 std::optional<double> growth_between(const Growth& growth, double from, double to) {
     const auto first = point_at(growth, from);
     const auto last = point_at(growth, to);
@@ -96,7 +96,7 @@ std::string criterion(const std::string& what, double measured, double allowed) 
                        measured <= allowed ? "met" : "**not met**");
 }
 
-// Judged where it is known that every tile was sampled: else pixels are not the same work at both sizes.
+// Judged only if every tile is known to be sampled; otherwise pixels are not the same work at both sizes.
 std::string pixels_criterion_of(const Growth& growth) {
     constexpr double hd = 1280.0 * 720.0;
     constexpr double uhd = 3840.0 * 2160.0;

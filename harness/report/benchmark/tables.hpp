@@ -14,28 +14,27 @@ namespace gloam::report {
 // SSIM, flicker, memory.
 [[nodiscard]] std::string scene_front_table(const Benchmark& benchmark, const std::string& scene);
 
-// The row with the least RMSE (G) of each method and preset, single and temporal, in the same columns; those
+// The row with the least RMSE (G) of each method and preset, single and temporal, in the same columns; rows
 // on the front are bold.
 [[nodiscard]] std::string best_table(const Benchmark& benchmark, const std::string& scene);
 
 // The front over all scenes: choice, copies, milliseconds, error relative to each scene's best, mean error.
 [[nodiscard]] std::string overall_table(const Benchmark& benchmark);
 
-// The presets over all scenes, and for each the point of the front that it lies behind: as fast and as near
-// to the truth, and better in one of the two. Empty without any.
+// The presets over all scenes, and for each the point of the front that dominates it. Empty without presets.
 [[nodiscard]] std::string presets_table(const Benchmark& benchmark);
 
-// Exponents and times of the scaling runs, with the part of the tiles found open where any was; empty without
-// any.
+// Exponents and times of the scaling runs, with the share of tiles found open if there are any; empty without
+// runs.
 [[nodiscard]] std::string scaling_table(const Benchmark& benchmark);
 
-// What the scaling runs are to meet: per pixel 3840 x 2160 takes at most 1.15 times as long as 1280 x 720,
-// and ten times the radius at most 1.5 times as long. The first is judged where every tile is known to have
-// been sampled; else it is told without a verdict, with the parts found open. Empty where no run has both
-// values.
+// The criteria of the scaling runs: for each pixel, 3840 x 2160 takes at most 1.15 times as long as 1280 x
+// 720; and ten times the radius takes at most 1.5 times as long. The first is judged only if every tile is
+// known to have been sampled; otherwise it is reported without a verdict, with the shares found open. Empty
+// if no run has both values.
 [[nodiscard]] std::string scaling_criteria_table(const Benchmark& benchmark);
 
-// Figures of the framework; empty without any.
+// Figures of the framework; empty without figures.
 [[nodiscard]] std::string framework_table(const Benchmark& benchmark);
 
 }  // namespace gloam::report

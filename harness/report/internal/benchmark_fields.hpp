@@ -6,7 +6,7 @@
 
 namespace gloam::report::internal {
 
-// What a journal of a benchmark and its result file have in common, as JSON and back. Reading throws like
+// The common parts of a benchmark's journal and result file, as JSON and back. Reading throws like
 // JsonReader.
 [[nodiscard]] nlohmann::ordered_json to_json(const Configuration& configuration);
 [[nodiscard]] Configuration configuration_from(const JsonReader& json);

@@ -9,28 +9,28 @@
 
 namespace gloam::report::internal {
 
-// JSON has no infinity and no NaN: they are the strings "inf", "-inf" and "nan".
+// JSON has no infinity and no NaN; they become the strings "inf", "-inf" and "nan".
 [[nodiscard]] nlohmann::ordered_json number_json(double value);
 [[nodiscard]] nlohmann::ordered_json numbers_json(const std::vector<double>& values);
 
-// Reads JSON whose shape is known. Every reader throws std::runtime_error that says where in the document
-// something else was found and what was expected: "results[3].inputs: expected a count, found "many"".
+// Reads JSON of a known structure. Every reader throws std::runtime_error with the place in the document,
+// what was found and what was expected: "results[3].inputs: expected a count, found "many"".
 class JsonReader {
   public:
     JsonReader(const nlohmann::ordered_json& json, std::string where)
         : json_(&json), where_(std::move(where)) {}
 
-    // A member of an object; it must be there, whatever it holds.
+    // A member of an object; it must exist.
     [[nodiscard]] JsonReader member(const char* name) const;
     [[nodiscard]] bool has(const char* name) const;
-    // The elements of an array, the values of an object with their names.
+    // The elements of an array, or the values of an object with their names.
     [[nodiscard]] std::vector<JsonReader> elements() const;
     [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;
 
     [[nodiscard]] bool is_null() const { return json_->is_null(); }
     [[nodiscard]] bool is_array() const { return json_->is_array(); }
     [[nodiscard]] std::string text() const;
-    // A text that may stand in tables, titles and messages: one line; or nothing.
+    // A text for tables, titles and messages: one line, or empty.
     [[nodiscard]] std::string name() const;
     [[nodiscard]] double number() const;
     [[nodiscard]] std::size_t count() const;
@@ -46,8 +46,8 @@ class JsonReader {
     std::string where_;
 };
 
-// Parses a text; throws std::runtime_error with the line and column of what is no JSON, or that says which of
-// base::JsonBounds it exceeds.
+// Parses a text. Throws std::runtime_error with the line and column of invalid JSON, or with the bound of
+// base::JsonBounds that the text exceeds.
 [[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
 
 }  // namespace gloam::report::internal

@@ -9,30 +9,30 @@
 
 namespace gloam::report::internal {
 
-// Part of a logarithmic axis; both positive.
+// A range of a logarithmic axis; both ends are positive.
 struct LogRange {
     double low = 1.0;
     double high = 10.0;
 
-    // 0 at low, 1 at high.
+    // Position of a value: 0 at low, 1 at high.
     [[nodiscard]] double at(double value) const;
 };
 
-// Around the values that are finite and positive, and a little beyond; a decade where there are none.
+// A range around the finite, positive values with a margin; a decade if there are none.
 [[nodiscard]] LogRange range_around(const std::vector<double>& values);
 
-// Values to write beside an axis: 1, 2 and 5 of each decade, and more of them where the range is short.
+// Values for an axis' labels: 1, 2 and 5 of each decade, and more if the range is short.
 [[nodiscard]] std::vector<double> tics_of(const LogRange& range);
 
-// A text beside its point; both as parts of the plot's width and height, from the lower left.
+// A text beside its point; positions are parts of the plot's width and height, from the lower left.
 struct PlacedLabel {
     std::string text;
     std::pair<double, double> point;
     std::pair<double, double> at;  // of the text's left middle
 };
 
-// The labels of all curves, beside their points, where none covers another or reaches beyond the plot, as far
-// as there is room. Points that are not positive have none.
+// Positions for the labels of all curves, beside their points, so that no label covers another or extends
+// beyond the plot. Labels without room, and those of points that are not positive, are skipped.
 [[nodiscard]] std::vector<PlacedLabel> placed_labels(const Plot& plot, const LogRange& x, const LogRange& y);
 
 }  // namespace gloam::report::internal

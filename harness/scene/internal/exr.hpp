@@ -7,9 +7,9 @@
 
 namespace gloam::scene {
 
-// Reads the first part of an OpenEXR file, float, half or integer channels, all of its data window. One
-// channel wanted: Y, Z, R, depth, or the only one there is; three: R G B, or X Y Z. Throws std::runtime_error
-// that names the file and what was expected.
+// Reads the first part of an OpenEXR file: float, half or integer channels, the whole data window. For one
+// channel it takes Y, Z, R, depth, or the only one; for three R G B, or X Y Z. Throws std::runtime_error with
+// the file's name and what was expected.
 [[nodiscard]] FloatImage read_exr(const std::filesystem::path& file, int channels);
 
 }  // namespace gloam::scene

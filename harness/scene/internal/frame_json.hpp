@@ -9,7 +9,7 @@
 
 namespace gloam::scene {
 
-// What fNNNN.json says.
+// The content of fNNNN.json.
 struct FrameDescription {
     gpu::Extent extent;
     CameraFrame camera;
@@ -17,7 +17,7 @@ struct FrameDescription {
     gpu::Extent border;
 };
 
-// Throws std::runtime_error that names the file, the key and what was expected.
+// Reads it. Throws std::runtime_error with the file's name, the key and what was expected.
 [[nodiscard]] FrameDescription read_frame_json(const std::filesystem::path& file);
 
 }  // namespace gloam::scene

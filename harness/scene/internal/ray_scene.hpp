@@ -15,12 +15,11 @@ struct RayHit {
     float distance = 0.0F;
 };
 
-// Triangles that rays are traced against: the only user of Embree. Every triangle blocks on both sides. May
-// be used by several threads at once.
+// Triangles for ray tracing; the only user of Embree. Every triangle blocks on both sides. Thread-safe.
 class RayScene {
   public:
-    // Throws std::invalid_argument for no triangles, indices that do not fit or a position that is not
-    // finite, std::runtime_error when Embree cannot.
+    // Throws std::invalid_argument if there are no triangles, an index is out of range or a position is not
+    // finite; std::runtime_error if Embree fails.
     RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices);
     ~RayScene();
     RayScene(RayScene&&) noexcept;
@@ -29,8 +28,8 @@ class RayScene {
     [[nodiscard]] const std::vector<glm::vec3>& positions() const { return positions_; }
     [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return indices_; }
 
-    // The first triangle between the distances `near` and `far` along a unit direction. One ray at a time: on
-    // rays that spread from a point it is half as fast again as packets of 16.
+    // The first triangle between the distances `near` and `far` along a unit direction. It traces one ray at
+    // a time; for rays that diverge from a point this is 1.5 times as fast as packets of 16.
     [[nodiscard]] std::optional<RayHit> first_hit(const glm::vec3& origin, const glm::vec3& direction,
                                                   float near, float far) const;
 

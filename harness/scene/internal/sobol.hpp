@@ -15,16 +15,16 @@ namespace gloam::scene {
     return x ^ (x >> 31);
 }
 
-// The first points of the two-dimensional Sobol' sequence, to be scrambled anew for each use.
+// The first points of the two-dimensional Sobol' sequence, with a new scrambling for each use.
 class SobolPoints {
   public:
     explicit SobolPoints(std::size_t count);
 
     [[nodiscard]] std::size_t size() const { return reversed_.size(); }
 
-    // Point `index` in (0, 1)^2 under the scrambling `seed`. Scramblings of different seeds are independent,
-    // each point is uniform, and the points of one seed keep the sequence's strata: nested uniform scrambling
-    // (Owen), by the hash of Laine and Karras.
+    // Point `index` in (0, 1)^2 with the scrambling `seed`. Scramblings of different seeds are independent,
+    // each point is uniform, and the points of one seed keep the strata of the sequence: nested uniform
+    // scrambling (Owen), with the hash of Laine and Karras.
     [[nodiscard]] glm::dvec2 scrambled(std::size_t index, std::uint64_t seed) const;
 
   private:

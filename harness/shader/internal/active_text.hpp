@@ -12,15 +12,15 @@
 
 namespace gloam::shader::internal {
 
-// A file that a text is made of, in lines that point into it.
+// A file of a text, divided into lines that point into it.
 struct TextFile {
     std::string name;
     std::string text;
     std::vector<Line> lines;
 };
 
-// The lines that the compiler reads of some files and all that they include: every condition is decided,
-// every include in its place, macros as they stand.
+// The lines that the compiler reads of some files and their includes: conditions are evaluated and includes
+// inserted, but macros are not replaced.
 struct ActiveText {
     struct Place {
         std::size_t file;
@@ -34,9 +34,9 @@ struct ActiveText {
     [[nodiscard]] const Line& at(const Place& place) const { return files[place.file].lines[place.line]; }
 };
 
-// Reads the texts one after the other, as the compiler of that language and stage does: its own preprocessor
-// decides what is active. Throws CompileError (an include that is missing or includes itself, #error), and
-// for a #version that is none.
+// Reads the texts in order, as the compiler for this language and stage does: its own preprocessor determines
+// the active lines. Throws CompileError, for example for an include that is missing or includes itself, for
+// #error, and for an invalid #version.
 [[nodiscard]] ActiveText active_text(std::vector<Source> given, Language language, Stage stage,
                                      const std::vector<std::filesystem::path>& roots);
 

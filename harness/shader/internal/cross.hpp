@@ -10,7 +10,7 @@
 
 namespace gloam::shader::internal {
 
-// SPIRV-Cross on one module; what it hands out lives as long as this.
+// SPIRV-Cross on one module. Pointers from it are valid as long as this object.
 class Cross {
   public:
     // `purpose`, for messages: "write the module as GLSL". Throws std::runtime_error.

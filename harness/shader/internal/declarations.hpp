@@ -9,7 +9,7 @@
 
 namespace gloam::shader::internal {
 
-// A parameter as it is written: what SPIR-V does not keep of it.
+// A parameter as it is written, with the parts that SPIR-V does not keep.
 struct DeclaredParameter {
     Direction direction = Direction::in;
     std::string type;  // without qualifiers, with every array size: "float[2][3]"
@@ -25,10 +25,10 @@ struct Declaration {
 };
 
 // The functions that a GLSL text defines and declares, in the order of the text. The text is preprocessed: no
-// comments, no macros; lines that begin with # are passed over. It must be valid GLSL.
+// comments, no macros; lines that begin with # are ignored. It must be valid GLSL.
 [[nodiscard]] std::vector<Declaration> declarations(std::string_view preprocessed);
 
-// Same name and same parameter types: they declare one function.
+// Whether both have the same name and parameter types, and so declare one function.
 [[nodiscard]] bool declare_the_same(const Declaration& a, const Declaration& b);
 
 }  // namespace gloam::shader::internal

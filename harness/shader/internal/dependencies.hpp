@@ -5,9 +5,9 @@
 
 namespace gloam::shader::internal {
 
-/// Adds the absolute path of a file that was read to the list that the environment variable
-/// GLOAM_DEPENDENCIES_OUTPUT names, one path a line, unless it stands there already. Does nothing where the
-/// variable is not set or the list cannot be written: a list of dependencies must not stop a compilation.
+// Appends the absolute path of a read file to the list in the file that the environment variable
+// GLOAM_DEPENDENCIES_OUTPUT names, one path a line, unless it is listed already. Does nothing if the variable
+// is not set or the list cannot be written: a list of dependencies must not stop a compilation.
 void note_dependency(const std::filesystem::path& file);
 
 }  // namespace gloam::shader::internal

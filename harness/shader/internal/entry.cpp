@@ -58,7 +58,7 @@ std::optional<std::string> read_entry(const std::filesystem::path& file, const H
     std::array<char, sizeof(Header)> bytes{};
     if (!stream.read(bytes.data(), bytes.size())) return std::nullopt;
     const auto header = std::bit_cast<Header>(bytes);
-    // Before the payload is read: a foreign file may be of any size.
+    // Tested before the payload is read, because a foreign file may have any size.
     if (header.magic != Header{}.magic || header.length != size - sizeof(Header)) return std::nullopt;
 
     std::string payload(header.length, '\0');
@@ -74,7 +74,7 @@ void write_entry(const std::filesystem::path& file, const Hash& key, std::string
     bool written = write_file(temporary, header_of(key, payload), payload);
     if (written) {
         std::filesystem::rename(temporary, file, error);
-        // An empty folder can be in the way; a full one is somebody's, and stays.
+        // An empty folder of this name is removed; a folder with content is not.
         if (error && std::filesystem::is_directory(file, error) && std::filesystem::remove(file, error))
             std::filesystem::rename(temporary, file, error);
         written = !error;

@@ -42,8 +42,7 @@ std::uint32_t entry_point_of(const std::vector<Instruction>& instructions) {
     return found->word(2);
 }
 
-// The instructions of `original` that are float controls, their entry point replaced, and not yet in
-// `present`.
+// The float controls of `original` that are missing in `present`, with their entry point replaced.
 Spirv missing(const std::vector<Instruction>& original, const std::vector<Instruction>& present,
               std::uint32_t entry_point, const std::function<bool(const Instruction&)>& wanted) {
     Spirv result;
@@ -58,7 +57,7 @@ Spirv missing(const std::vector<Instruction>& original, const std::vector<Instru
     return result;
 }
 
-// Behind the last instruction of one of these kinds.
+// Index behind the last instruction of one of these kinds.
 std::size_t behind(const std::vector<Instruction>& instructions, std::initializer_list<SpvOp> kinds) {
     std::size_t at = 0;
     for (const Instruction& i : instructions)
@@ -78,7 +77,7 @@ Spirv with_float_controls_of(const Spirv& original, const Spirv& module) {
         result.insert(result.begin() + static_cast<std::ptrdiff_t>(behind(to, kinds)), words.begin(),
                       words.end());
     };
-    // From the last section to the first: what is still to come keeps its place.
+    // Inserts from the last section to the first, so that earlier indices stay valid.
     insert({SpvOpEntryPoint, SpvOpExecutionMode, SpvOpExecutionModeId}, is_mode);
     insert({SpvOpCapability, SpvOpExtension}, is_extension);
     insert({SpvOpCapability}, is_capability);

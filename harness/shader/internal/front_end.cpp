@@ -15,7 +15,7 @@ namespace {
 constexpr const char* preamble = "#extension GL_GOOGLE_include_directive : enable\n";
 constexpr int version_when_missing = 110;
 
-// glslang's process-wide tables, from first use to the end of the program.
+// glslang's process-wide tables, from the first use to the end of the program.
 class Process {
   public:
     Process() { glslang::InitializeProcess(); }
@@ -24,7 +24,7 @@ class Process {
     Process& operator=(const Process&) = delete;
 };
 
-// Called before a shader is constructed, so that the process exists before any shader does.
+// Called before a shader is constructed, so that Process exists before any shader.
 EShLanguage language_of(Stage stage) {
     static const Process process;
     switch (stage) {
@@ -38,7 +38,7 @@ EShLanguage language_of(Stage stage) {
     return EShLangCompute;
 }
 
-// Without cascading errors, glslang ends with a made-up syntax error wherever the first error leaves it.
+// With this flag glslang does not add a spurious syntax error after the first real one.
 EShMessages messages_of(Client client) {
     unsigned rules = EShMsgCascadingErrors;
     if (client == Client::vulkan) rules |= unsigned{EShMsgSpvRules} | unsigned{EShMsgVulkanRules};
@@ -108,7 +108,7 @@ std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client 
     if (!shader.preprocess(GetDefaultResources(), version_when_missing, ENoProfile, false, false,
                            messages_of(client), &result, includer))
         throw CompileError(error_lines(shader.getInfoLog(), pieces.front().name));
-    // The preamble is printed, too, before the line that must be the first.
+    // The preprocessor also prints the preamble, before the line that must be the first.
     return result.substr(std::min(result.find("#version"), result.size()));
 }
 

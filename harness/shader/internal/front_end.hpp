@@ -12,14 +12,14 @@
 
 namespace gloam::shader::internal {
 
-// The rules of which client the text is held to: SPIR-V for Vulkan 1.2, or those of the language alone.
+// The rules that apply to the text: those of SPIR-V for Vulkan 1.2, or those of the language alone.
 enum class Client { vulkan, none };
 [[nodiscard]] Client client_of(Language language);
 
-// What becomes of functions that main does not reach.
+// What happens to functions that main does not call.
 enum class Unreached { dropped, kept };
 
-// Texts as glslang takes them, which must outlive it.
+// Texts in glslang's form. The texts must outlive it.
 class Strings {
   public:
     explicit Strings(const std::vector<Source>& pieces);
@@ -31,18 +31,18 @@ class Strings {
     std::vector<const char*> names_;
 };
 
-// A text parsed by glslang; several pieces are read as one, each with its own name and line numbers.
-// The syntax tree lives as long as this object.
+// A text parsed by glslang. Several pieces are read as one text, each with its own name and line numbers. The
+// syntax tree lives as long as this object.
 class Parse {
   public:
-    // `name` is for messages without a place. Throws CompileError.
+    // `name`: for messages without a place. Throws CompileError.
     Parse(Stage stage, Client client, std::string name, std::vector<Source> pieces,
           const std::vector<std::filesystem::path>& roots);
     Parse(const Parse&) = delete;
     Parse& operator=(const Parse&) = delete;
 
-    // Checks what concerns the whole program (bodies of called functions, recursion) and drops the functions
-    // of `unreached` if asked to. Throws CompileError.
+    // Checks the whole program (bodies of called functions, recursion), and drops unreached functions if
+    // `unreached` requires it. Throws CompileError.
     [[nodiscard]] const glslang::TIntermediate& link(Unreached unreached);
 
   private:
@@ -55,11 +55,11 @@ class Parse {
     glslang::TProgram program_;  // after the shader: must be destroyed first
 };
 
-// The text with its includes and macros replaced and its comments gone. Throws CompileError.
+// The preprocessed text: includes and macros replaced, comments removed. Throws CompileError.
 [[nodiscard]] std::string preprocessed(const Source& source, Stage stage,
                                        const std::vector<std::filesystem::path>& roots);
 
-// The same of several texts that are read as one, held to the rules of the client.
+// The same for several texts that are read as one, by the rules of the client.
 [[nodiscard]] std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client client,
                                        glslang::TShader::Includer& includer);
 
@@ -68,7 +68,7 @@ struct Translation {
     bool lines = false;  // see CompileOptions
 };
 
-// The text for Vulkan as glslang translates it: no optimisation, not validated. Throws CompileError.
+// The text translated to SPIR-V by glslang, neither optimised nor validated. Throws CompileError.
 [[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
                              const std::vector<std::filesystem::path>& roots, const Translation& how = {});
 

@@ -10,7 +10,7 @@
 
 namespace gloam::shader::internal {
 
-// Function descriptions as bytes, and back; nothing when the bytes are not what encode() makes.
+// Function descriptions as bytes, and back; nullopt for bytes that encode() did not make.
 [[nodiscard]] std::string encode(const std::vector<Function>& functions);
 [[nodiscard]] std::optional<std::vector<Function>> decode(std::string_view bytes);
 

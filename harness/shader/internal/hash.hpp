@@ -11,7 +11,7 @@ namespace gloam::shader::internal {
 // A 128-bit XXH3 hash.
 using Hash = std::array<std::uint64_t, 2>;
 
-// What a hash is taken of: fields that cannot run into each other.
+// The hashed data: fields with their lengths, so that adjacent fields cannot be confused.
 class Fingerprint {
   public:
     void add(std::string_view field);

@@ -14,7 +14,7 @@ using Result = glslang::TShader::Includer::IncludeResult;
 Result* Includer::includeLocal(const char* name, const char* includer, std::size_t) {
     Result* result = open(name, Path(includer).parent_path());
     if (!result->headerName.empty()) return result;
-    // glslang asks includeSystem next, whose message it then prints.
+    // glslang calls includeSystem next and prints its message.
     local_failure_ = std::string(result->headerData, result->headerLength);
     return result;
 }

@@ -12,9 +12,9 @@
 
 namespace gloam::shader::internal {
 
-// Serves #include from files. The name that it gives an include is its path, which error messages then carry;
-// what the compiler is to read of the file may be another text.
-// glslang is built without exceptions: nothing may be thrown through it, so failures become messages.
+// Serves #include from files. An include's name is its path, which error messages then contain. The text
+// passed to the compiler can differ from the file's.
+// glslang is built without exceptions, so nothing may be thrown through it: failures become messages.
 class Includer final : public glslang::TShader::Includer {
   public:
     using Reading = std::function<std::string(const std::filesystem::path&, std::string text)>;

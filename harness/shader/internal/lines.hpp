@@ -8,7 +8,7 @@
 
 namespace gloam::shader::internal {
 
-// A line as the preprocessor sees it: with the lines that a trailing backslash continues.
+// A logical line of the preprocessor, with the lines that a trailing backslash continues.
 struct Line {
     std::string_view text;  // as written, with its newline
     std::string code;       // same length as text: comments are blanks, continuations are NUL
@@ -29,7 +29,7 @@ struct Directive {
 };
 [[nodiscard]] std::optional<Directive> directive_of(const Line& line);
 
-// What an #include names; `system` for the <name> form, which the includer's own folder does not serve.
+// The name in an #include. `system`: the <name> form, for which the includer's own folder is not searched.
 struct IncludeName {
     std::string name;
     bool system = false;

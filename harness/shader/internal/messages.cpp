@@ -10,20 +10,20 @@
 namespace gloam::shader::internal {
 namespace {
 
-// What follows the mark of an error; nothing for another line.
+// The text behind the mark of an error; nullopt for another line.
 std::optional<std::string> error_of(const std::string& line) {
     for (const std::string_view mark : {"ERROR: ", "INTERNAL ERROR: ", "UNIMPLEMENTED: "})
         if (line.starts_with(mark)) return line.substr(mark.size());
     return std::nullopt;
 }
 
-// Says only that there were others.
+// Whether the message only counts the errors.
 bool is_summary(const std::string& message) {
     return message.find("No code generated.") != std::string::npos ||
            message.find("compilation terminated") != std::string::npos;
 }
 
-// "'#include' : reason for header name: x" as its reason.
+// Replaces "'#include' : reason for header name: x" by its reason.
 std::string without_include_token(std::string message) {
     constexpr std::string_view token = "'#include' : ";
     const auto begin = message.find(token);
@@ -32,7 +32,7 @@ std::string without_include_token(std::string message) {
     return message.erase(end).erase(begin, token.size());
 }
 
-// The compiler's key of an overload, "f(vi2;f1;" or "g(", as "f()".
+// Replaces the compiler's key of an overload, "f(vi2;f1;" or "g(", by "f()".
 std::string without_keys(std::string message) {
     constexpr std::string_view key_letters =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-[];";

@@ -5,8 +5,7 @@
 
 namespace gloam::shader::internal {
 
-// glslang's log as "file:line: message" lines, errors only; a message without a place gets `file` as its
-// file.
+// The errors of glslang's log as "file:line: message" lines. `file`: for messages without a place.
 [[nodiscard]] std::string error_lines(const std::string& log, const std::string& file);
 
 }  // namespace gloam::shader::internal

@@ -38,7 +38,7 @@ struct Outline {
     std::vector<Piece> pieces;            // in the order of the text
 };
 
-// What a text declares. It need not be valid: what is no declaration is a piece of kind `other`.
+// The declarations of a text. The text need not be valid: anything else becomes a piece of kind `other`.
 [[nodiscard]] Outline outline(const ActiveText& text);
 
 }  // namespace gloam::shader::internal

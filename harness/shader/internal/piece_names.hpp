@@ -10,7 +10,7 @@ namespace gloam::shader::internal {
 // Kind, names and mentions of a declaration, from its code without comments and directives.
 [[nodiscard]] Piece piece_of(std::string_view code);
 
-// Of #define and #undef; another directive is a piece without a name.
+// The piece of a #define or #undef; any other directive becomes a piece without a name.
 [[nodiscard]] Piece macro_of(const Directive& directive);
 
 }  // namespace gloam::shader::internal

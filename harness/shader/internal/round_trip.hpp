@@ -11,9 +11,9 @@ namespace gloam::shader::internal {
 // with SPIRV-Cross's message.
 [[nodiscard]] std::string to_glsl(const Spirv& module);
 
-// The module turned into GLSL and compiled again. Float controls are put back: SPIRV-Cross drops them.
-// `name` is for messages. Throws CompileError when SPIRV-Cross cannot write the module or glslang rejects
-// what it wrote.
+// The module translated to GLSL and compiled again. Float controls, which SPIRV-Cross drops, are added again.
+// `name`: for messages. Throws CompileError if SPIRV-Cross cannot translate the module or glslang rejects the
+// result.
 [[nodiscard]] Spirv round_trip(const Spirv& module, Stage stage, const std::string& name);
 
 // Name and version of SPIRV-Cross.

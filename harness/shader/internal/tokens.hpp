@@ -16,7 +16,7 @@ using Tokens = std::span<const std::string>;
 // comments; lines that begin with # are passed over.
 [[nodiscard]] std::vector<std::string> tokens_of(std::string_view text);
 
-// The index behind the bracket that closes the one at `open`; the end where none does.
+// The index behind the bracket that closes the one at `open`; the end if there is none.
 [[nodiscard]] std::size_t behind_bracket(Tokens tokens, std::size_t open);
 
 [[nodiscard]] bool contains(Tokens tokens, std::string_view word);

@@ -5,8 +5,8 @@
 
 namespace gloam::shader::internal {
 
-// Throws CompileError unless the first line of code is a #version that Vulkan compiles in every stage.
-// glslang must not see another one: for some it prints its tables on the standard output.
+// Throws CompileError unless the first line of code is a #version that Vulkan supports in every stage.
+// glslang must not see another version: for some it prints its tables to standard output.
 void require_vulkan_version(const Source& source);
 
 }  // namespace gloam::shader::internal

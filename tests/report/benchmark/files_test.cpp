@@ -65,7 +65,7 @@ TEST(BenchmarkJson, HoldsThePartOfOpenTilesWhereItWasCounted) {
     }
 }
 
-// A results file is anybody's: whatever it names is one line, and leads nowhere.
+// A results file is untrusted: each name in it becomes one line, and no name becomes a path.
 TEST(BenchmarkJson, NamesAreOneLine) {
     const auto refusal = [](auto&& change, const char* named) {
         Benchmark benchmark = everything();

@@ -6,8 +6,8 @@
 
 namespace gloam::cli {
 
-// Prints the best configuration for --budget and for --error, where they were given. False when there is none
-// for one of them; the nearest is named then.
+// Prints the best configuration for --budget and for --error, if given. Returns false if there is none for
+// one of them; then it prints the nearest.
 [[nodiscard]] bool answer(const report::Benchmark& benchmark, const BenchmarkOptions& options);
 
 }  // namespace gloam::cli

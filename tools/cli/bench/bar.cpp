@@ -52,7 +52,7 @@ effect::BarSettings settings_of(const BenchBarOptions& options, double radius) {
             single(options.fast)};
 }
 
-// The work of one call. What may be wrong with the options is found out before any of it.
+// The work of one call. The options are checked before any of it.
 class BarBench {
   public:
     explicit BarBench(const BenchBarOptions& options)

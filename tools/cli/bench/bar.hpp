@@ -13,7 +13,7 @@ class App;
 
 namespace gloam::cli {
 
-// What `gloam bench bar` was asked.
+// The options of `gloam bench bar`.
 struct BenchBarOptions {
     std::vector<std::string> scenes;  // empty: all built-in ones whose camera moves
     std::string preset = "fast";      // of the temporal run
@@ -21,7 +21,7 @@ struct BenchBarOptions {
     std::optional<std::uint32_t> samples;
     std::vector<std::string> set;           // NAME=VALUE
     std::string exact = "gtao-quality";     // preset of the single frame that bounds the error
-    std::string fast = "gtao-performance";  // and of the one that bounds the time
+    std::string fast = "gtao-performance";  // preset of the single frame that bounds the time
     std::string size = "192x108";
     int frames = 16;  // half of them, at most 8, are scored
     int rounds = 5;
@@ -30,12 +30,12 @@ struct BenchBarOptions {
     std::string device;
     bool validation = false;
     std::filesystem::path json;  // empty: not written
-    std::filesystem::path page;  // empty: none
+    std::filesystem::path page;  // page that gets the table; empty: none
 };
 
-// Holds a temporal run against single frames: at most the error of one, at no more than the time of another.
-// Prints what was found for each scene. Returns the exit status: 0; 1 when the validation layers had
-// something to say, or where a scene misses the bar and --fail-if-missed asks for it.
+// Compares a temporal run with single frames: its error must not exceed that of one, its time not that of
+// another. Prints a row for each scene. Returns the exit status: 0; 1 if the validation layers reported
+// messages, or if a scene misses the bar and --fail-if-missed is given.
 [[nodiscard]] int run_bench_bar(const BenchBarOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

@@ -59,7 +59,7 @@ ordered_json json_of(const BarRow& row) {
             {"met", row.met()}};
 }
 
-// What the temporal run is: the preset, and what was changed of it.
+// The name of the temporal run: the preset and the changed settings.
 std::string candidate_of(const BenchBarOptions& options) {
     std::string name = options.preset;
     if (!options.method.empty()) name += ", " + options.method;

@@ -12,21 +12,22 @@
 
 namespace gloam::cli {
 
-// What was found in a scene.
+// The result of a scene.
 struct BarRow {
     std::string scene;
     effect::Bar bar;
 
-    // Of the error of what the run shows to that of the exact single frame.
+    // Error of the run's displayed image, divided by that of the exact single frame.
     [[nodiscard]] double error_ratio() const;
 
-    // Of the run's time to the fast single frame's beside it.
+    // Time of the run, divided by that of the fast single frame measured beside it.
     [[nodiscard]] report::Spread time_ratio() const;
 
-    // Of the run's whole time to what the fast single frame takes for its samples alone, without its filter.
+    // Total time of the run, divided by the fast single frame's time for its samples alone, without its
+    // filter.
     [[nodiscard]] report::Spread time_ratio_to_gather() const;
 
-    // The ratios of error and time at most 1, the time by its median.
+    // Whether the ratio of error and the median ratio of time are at most 1.
     [[nodiscard]] bool met() const;
 };
 
@@ -36,7 +37,7 @@ struct BarReport {
     std::vector<BarRow> rows;
 };
 
-// A sentence of circumstances and a row for each scene, Markdown.
+// A sentence with the conditions, and a row for each scene, in Markdown.
 [[nodiscard]] std::string to_text(const BarReport& report, const BenchBarOptions& options);
 
 [[nodiscard]] std::string to_json(const BarReport& report, const BenchBarOptions& options);

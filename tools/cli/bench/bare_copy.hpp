@@ -12,9 +12,9 @@
 
 namespace gloam::cli {
 
-// A dispatch that does nothing but copy words from buffer to buffer: what evaluating a function costs at the
-// least. `words_in` words of every input go to `words_out` words of its output, over and over where there are
-// fewer.
+// A dispatch that only copies words from buffer to buffer: the minimal cost of evaluating a function. Each
+// invocation copies the `words_in` words of its input to `words_out` words of output, repeating them if there
+// are fewer.
 class BareCopy {
   public:
     // Throws like gpu::Buffer and gpu::ComputePipeline.

@@ -26,7 +26,7 @@
 namespace gloam::cli {
 namespace {
 
-// Scaling and framework, where they are asked for, are all that is measured.
+// With --scaling or --framework only these are measured.
 bool asks_for_time_against_error(const BenchmarkOptions& options) {
     return !options.scaling && !options.framework;
 }

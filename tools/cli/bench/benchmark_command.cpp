@@ -59,7 +59,7 @@ void add_answers(CLI::App& bench, BenchmarkOptions& options) {
                   "with --compare: status 1 when something got worse beyond its spread")
         ->needs(compare);
     compare->excludes(from);
-    // Of what is measured: nothing is, with results at hand.
+    // Options of a measurement; they cannot be combined with result files.
     for (const char* measured : {"--scene", "--method", "--preset", "--samples", "--size", "--temporal",
                                  "--single", "--frames", "--repeat", "--rays", "--scaling", "--framework"}) {
         from->excludes(bench.get_option(measured));

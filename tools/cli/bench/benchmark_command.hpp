@@ -7,8 +7,7 @@ class App;
 
 namespace gloam::cli {
 
-// Adds the options of `gloam bench` itself: what it does without a subcommand. `status` receives what it
-// returns.
+// Adds the options of `gloam bench` without a subcommand. `status` receives the exit status.
 void add_benchmark(CLI::App& bench, int& status);
 
 }  // namespace gloam::cli

@@ -11,22 +11,22 @@
 
 namespace gloam::cli {
 
-// A result file. Throws std::runtime_error that names it and what in it is not as `gloam bench --json` writes
-// it.
+// Reads a result file. Throws std::runtime_error with its name and the part that `gloam bench --json` would
+// not have written.
 [[nodiscard]] report::Benchmark benchmark_from(const std::filesystem::path& file);
 
-// The files that a run was asked for. Whether they can be written is found out before the work.
+// The requested output files. The constructor finds out whether they can be written, before the work.
 class BenchmarkFiles {
   public:
-    // Throws std::runtime_error for what cannot be written.
+    // Throws std::runtime_error for a file that cannot be written.
     explicit BenchmarkFiles(const BenchmarkOptions& options);
 
-    // The folder of --out stays from now on, whatever becomes of the run: its journal is worth it.
+    // Keeps the folder of --out even if the run fails, because of its journal.
     void keep_folder();
 
-    // Everything: --json, --csv, --report with its plots in images/benchmark beside it, and in --out
-    // results.json, results.csv and every plot as SVG and PNG. Throws std::runtime_error for what cannot be
-    // written, and where gnuplot is missing.
+    // Writes all files: --json, --csv, --report with its plots in images/benchmark beside it, and in --out
+    // results.json, results.csv and every plot as SVG and PNG. Throws std::runtime_error for a file that
+    // cannot be written, and if gnuplot is missing.
     void write(const report::Benchmark& benchmark);
 
   private:

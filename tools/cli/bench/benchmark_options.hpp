@@ -8,7 +8,7 @@
 
 namespace gloam::cli {
 
-// What `gloam bench` was asked.
+// The options of `gloam bench`.
 struct BenchmarkOptions {
     std::vector<std::string> scenes{"columns", "corner", "moving"};
     std::vector<std::string> methods;  // empty: all
@@ -25,7 +25,7 @@ struct BenchmarkOptions {
     std::vector<std::string> scaling_sizes{"320x180", "640x360", "1280x720", "1920x1080", "3840x2160"};
     bool framework = false;
     std::string budget;  // "1ms", "40copies"; empty: not asked
-    double error = 0.0;  // 0: not asked
+    double error = 0.0;  // 0: not given
     bool fail_if_worse = false;
     std::vector<std::filesystem::path> compare;  // two result files, or none
     std::vector<std::filesystem::path> from;     // result files in place of a run

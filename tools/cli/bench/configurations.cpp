@@ -12,7 +12,7 @@
 namespace gloam::cli {
 namespace {
 
-// A method without a count, or a preset: what is measured in each scene and mode.
+// The methods with sample counts or presets that are measured in each scene and mode.
 std::vector<std::string> methods_asked(const BenchmarkOptions& options) {
     const bool all = std::ranges::find(options.methods, "all") != options.methods.end();
     if (!options.methods.empty() && !all) {
@@ -33,7 +33,7 @@ std::vector<effect::Preset> presets_asked(const BenchmarkOptions& options) {
 
 void append_scene(std::vector<MeasuredConfiguration>& all, const std::string& scene, bool temporal,
                   const BenchmarkOptions& options) {
-    // Presets alone, where only presets were named.
+    // Only presets were named: only they are measured.
     if (options.presets.empty() || !options.methods.empty()) {
         for (const std::string& method : methods_asked(options)) {
             for (const std::uint32_t samples : options.samples) {

@@ -15,9 +15,9 @@ struct MeasuredConfiguration {
     effect::Settings settings;
 };
 
-// Everything that the options ask for: each scene with each method at each count of samples, then each
-// preset; single frames and temporal runs. Throws std::invalid_argument for names that there are not, counts
-// out of range, and when nothing is left.
+// All configurations that the options select: each scene with each method at each count of samples, then each
+// preset; single frames and temporal runs. Throws std::invalid_argument for unknown names, counts out of
+// range, and if nothing is selected.
 [[nodiscard]] std::vector<MeasuredConfiguration> configurations_of(const BenchmarkOptions& options);
 
 }  // namespace gloam::cli

@@ -37,7 +37,7 @@ check::Question question_of(const std::string& equation) {
     return catalogue::select(catalogue::all_entries(), {equation}).front().question;
 }
 
-// Framework and copy in turn, so that the machine's moods fall on both.
+// Framework and copy alternate, so that the machine's drift affects both.
 void add_rate(std::vector<report::Figure>& figures, const check::Lab& lab, const std::string& equation,
               int repeat) {
     const check::Question what = question_of(equation);

@@ -9,10 +9,10 @@
 
 namespace gloam::cli {
 
-// What the framework itself costs on a device: evaluations per second of a cheap and a costly equation, also
-// as a fraction of the rate of a bare dispatch that copies the same bytes, timed in turn; opening the device;
-// a kernel and its first result with nothing kept and from the caches. Medians of `repeat` rounds. Throws
-// like check::Lab.
+// Costs of the framework itself on a device: evaluations per second of a cheap and an expensive equation,
+// also as a fraction of the rate of a bare dispatch that copies the same bytes, timed in turn; opening the
+// device; and a kernel and its first result, without and with caches. Medians of `repeat` rounds. Throws like
+// check::Lab.
 [[nodiscard]] std::vector<report::Figure> framework_figures(const std::string& device, int repeat,
                                                             const std::function<void(double)>& progress);
 

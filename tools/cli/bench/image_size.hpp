@@ -7,8 +7,8 @@
 
 namespace gloam::cli {
 
-// The value of --size: WIDTHxHEIGHT in pixels, each 16 to 4096, so that a kernel, a window and a pixel's
-// neighbours fit. Throws std::invalid_argument that says so.
+// Parses --size: WIDTHxHEIGHT in pixels, each 16 to 4096, so that a kernel, a window and a pixel's neighbours
+// fit. Throws std::invalid_argument otherwise.
 [[nodiscard]] gpu::Extent image_size(const std::string& text);
 
 }  // namespace gloam::cli

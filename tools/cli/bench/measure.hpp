@@ -8,9 +8,9 @@
 
 namespace gloam::cli {
 
-// Measures every configuration that the options ask for, in rounds over all of them, and keeps what was
-// measured in OUT/journal.jsonl as it comes, where there is such a folder. With --resume only what is not
-// there yet is measured. Throws for bad options, a device without timestamps, and what cannot be written.
+// Measures every selected configuration in rounds, and writes the results to OUT/journal.jsonl as they come,
+// if --out is given. With --resume only what the journal lacks is measured. Throws for invalid options, a
+// device without timestamps, and files that cannot be written.
 [[nodiscard]] report::Benchmark measured_benchmark(const BenchmarkOptions& options, const gpu::Device& device,
                                                    const scene::PassLibrary& passes);
 

@@ -39,7 +39,7 @@ std::vector<scene::Scene> scenes_named(const std::vector<std::string>& names) {
     return scenes;
 }
 
-// The work of one call. What may be wrong with the options is found out before any of it.
+// The work of one call. The options are checked before any of it.
 class MethodsBench {
   public:
     explicit MethodsBench(const BenchMethodsOptions& options)

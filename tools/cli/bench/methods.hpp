@@ -11,7 +11,7 @@ class App;
 
 namespace gloam::cli {
 
-// What `gloam bench methods` was asked.
+// The options of `gloam bench methods`.
 struct BenchMethodsOptions {
     std::vector<std::string> scenes{"columns", "corner", "knot"};
     std::vector<std::string> methods;  // empty: all
@@ -23,11 +23,11 @@ struct BenchMethodsOptions {
     bool validation = false;
     std::filesystem::path json;  // empty: not written
     std::filesystem::path out;   // empty: no pictures
-    std::filesystem::path page;  // empty: no page gets new tables
+    std::filesystem::path page;  // page whose tables are replaced; empty: none
 };
 
-// Compares all methods on views in closed form and on scenes, and prints the tables. Returns the exit status:
-// 0, or 1 when the validation layers had something to say.
+// Compares all methods on closed-form views and on scenes, and prints the tables. Returns the exit status: 0,
+// or 1 if the validation layers reported messages.
 [[nodiscard]] int run_bench_methods(const BenchMethodsOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

@@ -27,12 +27,12 @@ std::string header(const std::vector<std::string>& titles) {
     return text + "\n" + rule + "\n";
 }
 
-// Of one method, without its presets.
+// Whether the row is that of a method, not of a preset.
 bool is_default(const MethodRow& row) {
     return row.configuration.name == row.configuration.settings.method;
 }
 
-// One that differs from its method's default in more than the number of samples.
+// Whether the row differs from its method's default in more than the number of samples.
 bool has_views_of_its_own(const MethodRow& row) {
     const Settings& settings = row.configuration.settings;
     return is_default(row) || !same_estimate(settings, with_method(Settings{}, settings.method));
@@ -49,12 +49,12 @@ std::string estimates_table(const MethodsReport& report) {
     return text;
 }
 
-// Every method reads bare planes alike: they have one column together.
+// A method has nearly the same value on all bare planes, so these share one column.
 bool is_plane(const ViewResult& view) {
     return view.view.starts_with("plane");
 }
 
-// All rows have the same.
+// The views, which are the same in all rows.
 std::vector<ViewResult> views_of(const MethodsReport& report) {
     return report.rows.empty() ? std::vector<ViewResult>{} : report.rows.front().views;
 }
@@ -74,7 +74,7 @@ std::string truth_row(const MethodsReport& report) {
     return text + " |\n";
 }
 
-// Of the planes, the value furthest from 0.
+// The value furthest from 0 on the planes.
 double widest_plane(const MethodRow& row, double ViewResult::*value) {
     double widest = 0.0;
     for (const ViewResult& view : row.views)

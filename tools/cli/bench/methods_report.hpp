@@ -10,7 +10,7 @@
 
 namespace gloam::cli {
 
-// What was measured of one configuration: views, and scenes in the order of MethodsReport::scenes.
+// The results of one configuration: on views, and on scenes in the order of MethodsReport::scenes.
 struct MethodRow {
     effect::MethodConfiguration configuration;
     std::vector<effect::ViewResult> views;
@@ -27,12 +27,11 @@ struct MethodsReport {
     std::vector<MethodRow> rows;
 };
 
-// Tables as Markdown, by the names of the blocks of docs/data/methods.md: what methods estimate, what they
-// make of views in closed form, how far that is from the truth, how far they are on scenes, and where their
-// pictures are.
+// Tables as Markdown, for the blocks of docs/data/methods.md: what methods estimate, their results on
+// closed-form views, the differences from the truth, their errors on scenes, and the paths of their pictures.
 [[nodiscard]] std::vector<PageBlock> to_blocks(const MethodsReport& report);
 
-// All numbers.
+// All numbers as JSON.
 [[nodiscard]] std::string to_json(const MethodsReport& report);
 
 // The file of a picture; what: a method's name, "truth" or "depth".

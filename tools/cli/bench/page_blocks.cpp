@@ -10,7 +10,7 @@
 namespace gloam::cli {
 namespace {
 
-// Where a line stands that must be there once.
+// The position of a line that must occur exactly once.
 std::size_t line_in(const std::string& page, const std::string& line) {
     const std::size_t at = page.find(line);
     if (at == std::string::npos || page.find(line, at + 1) != std::string::npos)

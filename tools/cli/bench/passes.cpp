@@ -35,7 +35,7 @@ std::string pass_table(const effect::PassStudy& study) {
     return text;
 }
 
-// `named`: what the passes' names are in the file.
+// `named`: the key of the passes' names in the file.
 ordered_json costs_json(const std::vector<effect::PassCost>& costs, const char* named) {
     ordered_json passes = ordered_json::array();
     for (const effect::PassCost& cost : costs)

@@ -10,7 +10,7 @@ class App;
 
 namespace gloam::cli {
 
-// What `gloam bench passes` was asked.
+// The options of `gloam bench passes`.
 struct BenchPassesOptions {
     std::string size = "1280x720";
     int rounds = 5;  // over all cases
@@ -19,8 +19,8 @@ struct BenchPassesOptions {
     std::filesystem::path json;  // empty: not written
 };
 
-// Times every pass of a frame, in copies, and prints the table. Returns the exit status: 0, or 1 when the
-// validation layers had something to say.
+// Times every pass of a frame, in copies, and prints the table. Returns the exit status: 0, or 1 if the
+// validation layers reported messages.
 [[nodiscard]] int run_bench_passes(const BenchPassesOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

@@ -10,13 +10,13 @@
 
 namespace gloam::cli {
 
-// How the time of the methods asked for (the first of all where none is) grows with pixels, samples, radius,
-// filter and objects, with its exponents. Throws like effect::study_scaling().
+// Growth of the selected methods' times (default: the first method) with pixels, samples, radius, filter and
+// objects, with exponents. Throws like effect::study_scaling().
 [[nodiscard]] std::vector<report::Growth> measured_scaling(const BenchmarkOptions& options,
                                                            const gpu::Device& device,
                                                            const scene::PassLibrary& passes);
 
-// Throws std::invalid_argument for sizes of --scaling-sizes that are none.
+// Throws std::invalid_argument for invalid sizes in --scaling-sizes.
 void check_scaling(const BenchmarkOptions& options);
 
 }  // namespace gloam::cli

@@ -42,13 +42,13 @@ double percent(std::uint64_t tiles, const effect::Work& work) {
     return 100.0 * static_cast<double>(tiles) / static_cast<double>(work.tiles);
 }
 
-// Pixels of which a march was ended, as a part of those with a surface, in per cent.
+// Pixels with a march that was ended, as a share of those with a surface, in per cent.
 double ended_early(const effect::Work& work) {
     const auto pixels = static_cast<double>(std::max<std::uint64_t>(work.pixels - work.background, 1));
     return 100.0 * static_cast<double>(work.ended_early) / pixels;
 }
 
-// A target of the time without, and whether it is met; nothing for none.
+// The target as a share of the time without skips, and whether it is met; "" without a target.
 std::string verdict(double ratio, double target) {
     return target > 0.0 ? fmt::format("{:.2f}, {}", target, ratio <= target ? "met" : "missed")
                         : std::string();

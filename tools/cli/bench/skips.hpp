@@ -10,7 +10,7 @@ class App;
 
 namespace gloam::cli {
 
-// What `gloam bench skips` was asked.
+// The options of `gloam bench skips`.
 struct BenchSkipsOptions {
     std::string size = "320x180";
     int rounds = 3;  // over all ways to run a case
@@ -19,8 +19,8 @@ struct BenchSkipsOptions {
     std::filesystem::path json;  // empty: not written
 };
 
-// Measures what each skip saves, and prints the table. Returns the exit status: 0, or 1 when the validation
-// layers had something to say.
+// Measures the saving by each skip, and prints the table. Returns the exit status: 0, or 1 if the validation
+// layers reported messages.
 [[nodiscard]] int run_bench_skips(const BenchSkipsOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

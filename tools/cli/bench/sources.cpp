@@ -25,7 +25,7 @@ namespace {
 using effect::SourceRow;
 using nlohmann::ordered_json;
 
-// Two rows make one of the table: without the filter and with it.
+// Two rows give one row of the table: without the filter and with it.
 std::string issao_table(const std::vector<SourceRow>& rows) {
     std::string text =
         "| method | samples taken | no filter, ms | bilateral, ms | difference | error | error, bilateral |\n"

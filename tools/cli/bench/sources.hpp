@@ -11,7 +11,7 @@ class App;
 
 namespace gloam::cli {
 
-// What `gloam bench sources` was asked.
+// The options of `gloam bench sources`.
 struct BenchSourcesOptions {
     std::string table_scene = "knot";                      // of ISSAO's table 1
     std::vector<std::string> scenes{"columns", "relief"};  // of the study: a hall, and close up
@@ -24,8 +24,8 @@ struct BenchSourcesOptions {
     std::filesystem::path page;  // empty: no page gets new tables
 };
 
-// Repeats experiments that the sources print and prints the tables. Returns the exit status: 0, or 1 when the
-// validation layers had something to say.
+// Repeats published experiments and prints the tables. Returns the exit status: 0, or 1 if the validation
+// layers reported messages.
 [[nodiscard]] int run_bench_sources(const BenchSourcesOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

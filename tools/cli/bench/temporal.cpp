@@ -25,7 +25,7 @@ namespace {
 
 using namespace effect;
 
-// Half a minute instead of minutes.
+// Settings for half a minute instead of minutes.
 BenchTemporalOptions quickened(BenchTemporalOptions options) {
     if (!options.quick) return options;
     options.size = "96x54";

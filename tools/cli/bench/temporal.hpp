@@ -11,14 +11,14 @@ class App;
 
 namespace gloam::cli {
 
-// What `gloam bench temporal` was asked.
+// The options of `gloam bench temporal`.
 struct BenchTemporalOptions {
     std::vector<std::string> scenes{"moving", "columns"};
     std::string preset = "paper";
     std::string size = "192x108";
     int frames = 48;        // of the moving scene
     int still_frames = 32;  // of its first view alone
-    int every = 4;          // frames from one that is scored to the next
+    int every = 4;          // every how many frames one is scored
     int rays = 256;         // of the truth, for each pixel
     bool quick = false;
     std::string device;
@@ -27,8 +27,8 @@ struct BenchTemporalOptions {
     std::filesystem::path out;   // empty: no pictures
 };
 
-// Measures the temporal effect on moving scenes and on still ones, and prints what it found. Returns the exit
-// status: 0, or 1 when the validation layers had something to say.
+// Measures the temporal effect on moving and still scenes, and prints the results. Returns the exit status:
+// 0, or 1 if the validation layers reported messages.
 [[nodiscard]] int run_bench_temporal(BenchTemporalOptions options);
 
 // Adds the subcommand; `status` receives what it returns.

@@ -20,7 +20,7 @@ constexpr std::array<PixelClass, pixel_classes> all_classes{PixelClass::all, Pix
                                                             PixelClass::near_moving};
 constexpr std::array<Against, references> all_references{Against::limit, Against::depth, Against::geometry};
 
-// The first frames, in which every history is short, do not count in the tables.
+// Number of first frames, with short histories, that the tables skip.
 std::size_t warm(const MotionStudy& study) {
     return study.frames.size() / 4;
 }

@@ -10,7 +10,7 @@
 
 namespace gloam::cli {
 
-// What was measured on one scene.
+// The results of one scene.
 struct TemporalReport {
     std::string scene;
     std::string preset;
@@ -21,7 +21,7 @@ struct TemporalReport {
     effect::MotionStudy motion;
 };
 
-// A requirement, and what was measured for it.
+// A requirement, and the measured value.
 struct Criterion {
     std::string what;
     double measured = 0.0;  // NaN where the scene has no such pixels

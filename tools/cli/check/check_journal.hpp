@@ -13,7 +13,7 @@
 
 namespace gloam::cli {
 
-// Under which circumstances results may be counted together.
+// The conditions under which results of several runs may be combined.
 struct CheckJournalSetup {
     std::string versions;  // of gloam and of the compilers
     std::size_t inputs = 0;
@@ -21,19 +21,20 @@ struct CheckJournalSetup {
     bool validation = false;
 };
 
-// The rows of a check, kept in a file as they come: a run that was killed leaves them, and --resume goes on
-// from there.
+// The rows of a check, written to a file as they come, so that --resume can continue a run that was killed.
 class CheckJournal {
   public:
-    // See report::LineJournal. Throws std::runtime_error that names the line that is no result, too.
+    // See report::LineJournal. Also throws std::runtime_error for a line that is not a result, with its
+    // number.
     CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume);
 
-    // The row that an earlier run brought for a task on a device. None where that run got no result: a hang
-    // or a crash may have had other reasons than the driver, and is tried again.
+    // The row of a task on a device from an earlier run. nullopt if that run got no result: a hang or a crash
+    // can have other causes than the driver, so the task is tried again.
     [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& device,
                                                      const CheckTask& task) const;
 
-    // Keeps a row, unless it is known: true then. Throws std::runtime_error when it cannot be written.
+    // Adds a row. Returns true if it was known already; then it is not added. Throws std::runtime_error if it
+    // cannot be written.
     bool add(const report::DeviceSummary& device, const check::Answer& row) const;
 
   private:

@@ -42,7 +42,7 @@ Checker::Checker(CheckerOptions options) : options_(std::move(options)), entries
 
 const check::Lab& Checker::lab(const std::string& variant, const std::filesystem::path& folder) {
     if (!lab_ || variant != variant_ || folder != folder_) {
-        lab_.reset();  // before the next is made: two at once may be more than a device has memory for
+        lab_.reset();  // destroyed before the next is made: a device may lack memory for two
         lab_ = make_lab(options_, select_variants(variant).front(), folder);
         variant_ = variant;
         folder_ = folder;
@@ -101,7 +101,7 @@ HandOver Checker::hand_over(const HandOverRequest& request) {
 check::Reason reason_of(const std::exception& error) {
     using check::Reason;
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return Reason::out_of_memory;
-    // The rooms' own messages, and Vulkan's names of results.
+    // Message texts of the rooms, and Vulkan's names of results, with their reasons.
     constexpr std::array<std::pair<std::string_view, Reason>, 10> signs{{
         {"was lost while", Reason::device_lost},
         {"ErrorDeviceLost", Reason::device_lost},

@@ -15,29 +15,29 @@
 
 namespace gloam::cli {
 
-// The device on which checks run, and how.
+// The device for checks, and its options.
 struct CheckerOptions {
     std::string device;  // name or index; empty: the default
     bool validation = false;
     std::chrono::milliseconds timeout{60'000};  // longest wait for one submission
 };
 
-// A device as reports show it.
+// A device in the form of reports.
 [[nodiscard]] report::DeviceSummary summary_of(const gpu::DeviceInfo& info);
 
 // Runs checks in this process.
 class Checker {
   public:
-    // Opens the device. Throws as gpu::Device does.
+    // Opens the device. Throws like gpu::Device.
     explicit Checker(CheckerOptions options);
 
     [[nodiscard]] report::DeviceSummary device() const;
 
-    // Never throws for what goes wrong in a check: the row tells it. After Reason::device_lost and
-    // Reason::hang the device is of no more use.
+    // Runs a check. It does not throw for errors of the check; the row reports them. After
+    // Reason::device_lost and Reason::hang the device cannot be used any more.
     [[nodiscard]] check::Answer run(const CheckTask& task);
 
-    // Never throws for what goes wrong: HandOver::error tells it.
+    // Prepares a failure for a report. It does not throw for errors; HandOver::error reports them.
     [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
 
   private:
@@ -48,11 +48,11 @@ class Checker {
     CheckerOptions options_;
     catalogue::Entries entries_;
     std::string variant_;           // that lab_ compiles
-    std::filesystem::path folder_;  // of somebody's own files
+    std::filesystem::path folder_;  // of a user's files
     std::unique_ptr<check::Lab> lab_;
 };
 
-// What kind of thing went wrong, from an exception of the rooms.
+// The kind of an error, from an exception of the rooms.
 [[nodiscard]] check::Reason reason_of(const std::exception& error);
 
 // The answer of a check that did not run.

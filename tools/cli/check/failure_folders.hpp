@@ -11,17 +11,18 @@
 
 namespace gloam::cli {
 
-// A folder with one folder for each failure: DEVICE/EQUATION-VARIANT/{report.txt, shader.comp, shader.spvasm,
-// shader.spv, repro.amber}. Whether it can be written to is found out before the work; without a failure
-// nothing of it stays.
+// A folder with a subfolder for each failure: DEVICE/EQUATION-VARIANT/{report.txt, shader.comp,
+// shader.spvasm, shader.spv, repro.amber}. The constructor finds out whether it can be written to, before the
+// work. Without a failure nothing remains.
 class FailureFolders {
   public:
-    // An empty path keeps nothing. Throws std::runtime_error that names what cannot be written.
+    // An empty path: no folder. Throws std::runtime_error with the path that cannot be written.
     explicit FailureFolders(std::filesystem::path folder);
 
     [[nodiscard]] bool wanted() const { return folder_.has_value(); }
 
-    // Returns the folder that was written; what cannot be had (see HandOver::error) is said in report.txt.
+    // Writes a failure and returns its folder. report.txt states which parts are missing and why (see
+    // HandOver::error).
     std::filesystem::path write(const report::DeviceSummary& device, const check::Answer& row,
                                 const HandOver& hand_over, const report::RunAgain& again);
 

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-// An input travels as the worst of an answer that says nothing else.
+// An input is sent as the worst of an otherwise empty answer.
 std::string worst_text(const std::optional<check::Sample>& worst) {
     check::Answer row;
     row.worst = worst;

@@ -12,21 +12,21 @@
 
 namespace gloam::cli {
 
-// What a worker is asked of a check that failed.
+// A request to a worker about a failed check.
 struct HandOverRequest {
     CheckTask task;
-    bool ran = false;                    // else nothing is run: that cost a worker already
-    std::optional<check::Sample> worst;  // an input that fails; none: an access outside an image did
+    bool ran = false;  // false: nothing is run, because running it has already cost a worker
+    std::optional<check::Sample> worst;  // a failing input; none: an input accessed a pixel outside an image
 };
 
-// A failure, ready to report.
+// A failure, prepared for a report.
 struct HandOver {
     std::string glsl;  // self-contained compute shader
     std::string assembly;
     std::vector<std::uint32_t> spirv;
     std::string amber;
     std::optional<check::Sample> smallest;  // the simplest input found to fail
-    std::string error;                      // why there is nothing of this; empty: there is
+    std::string error;                      // why the other members are empty; empty: no error
 };
 
 // Each in one line of JSON. Reading throws std::runtime_error.
@@ -36,10 +36,10 @@ struct HandOver {
 [[nodiscard]] std::string to_line(const HandOver& hand_over);
 [[nodiscard]] HandOver hand_over_from(std::string_view line);
 
-// What to ask about a failing row.
+// The request for a failing row.
 [[nodiscard]] HandOverRequest request_for(const CheckTask& task, const check::Answer& row);
 
-// Makes one, with the lab's variant. Throws what compiling and running throw.
+// Prepares it, with the lab's variant. Throws what compiling and running throw.
 [[nodiscard]] HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                                       const HandOverRequest& request, const check::RunOptions& options);
 

@@ -8,20 +8,20 @@
 #include "check/question.hpp"
 #include "cli/check/task.hpp"
 
-// The check of somebody's shader file: no reference, no C++.
+// The check of a user's shader file: no reference, no C++.
 namespace gloam::cli {
 
-// Whether a word of the command line means a shader file, not an equation.
+// Whether a word of the command line is a shader file, not an equation.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
-// The functions of these names that a file defines, or all that a check can draw inputs for when there are
-// none. Throws std::invalid_argument for a function that the file does not define, or a range that is none or
-// that no parameter has; std::runtime_error for a file that is not there; shader::CompileError.
+// The functions of a file with these names; without names all for which a check can draw inputs. Throws
+// std::invalid_argument for a function that the file does not define, an invalid range, or a range without a
+// parameter of its name; std::runtime_error for a missing file; shader::CompileError.
 [[nodiscard]] std::vector<std::string> own_functions(const std::string& file,
                                                      const std::vector<std::string>& names,
                                                      const std::vector<std::string>& ranges);
 
-// What a task asks of a function of its file.
+// The question of a task about a function of its file.
 [[nodiscard]] check::Question own_question(const check::Lab& lab, const CheckTask& task);
 
 }  // namespace gloam::cli

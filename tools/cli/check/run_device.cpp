@@ -26,7 +26,7 @@ bool is_unusable_after(Reason reason) {
     return reason == Reason::device_lost || reason == Reason::hang || reason == Reason::out_of_memory;
 }
 
-// Tasks to be taken and rows to be given back by several threads; rows are told of in the order of the tasks.
+// Distributes tasks to several threads and collects their rows; rows are reported in the order of the tasks.
 class Board {
   public:
     Board(const DeviceRun& run, const report::DeviceSummary& device)
@@ -62,13 +62,13 @@ class Board {
         }
     }
 
-    // No more tasks are taken.
+    // Ends the distribution of tasks.
     void give_up(Reason reason, const std::string& error) {
         const std::scoped_lock lock(mutex_);
         if (!given_up_) given_up_ = {.line = {}, .reason = reason, .error = error};
     }
 
-    // All rows, once nobody works any more. Throws what on_row and on_failure threw.
+    // Returns all rows after all threads have ended. Throws what on_row and on_failure threw.
     std::vector<Answer> finish() {
         if (trouble_) std::rethrow_exception(trouble_);
         std::vector<Answer> all;
@@ -93,7 +93,7 @@ class Board {
         while (told_ < rows_.size() && rows_[told_]) tell(*rows_[told_++]);
     }
 
-    // For finish() to throw again: here may be another thread.
+    // Keeps the current exception, so that finish() throws it on its own thread.
     void keep_trouble() {
         if (!trouble_) trouble_ = std::current_exception();
     }
@@ -128,7 +128,7 @@ Answer ask(WorkerSession& session, const CheckTask& task, const catalogue::Entri
     return row;
 }
 
-// Asks a worker to make a failure ready to report. Throws NoWorker.
+// Asks a worker to prepare a failure for a report. Throws NoWorker.
 HandOver ask_more(WorkerSession& session, const CheckTask& task, const Answer& row) {
     const Reply reply = session.ask(to_line(request_for(task, row)));
     if (!reply.error.empty()) return {.error = reply.error};

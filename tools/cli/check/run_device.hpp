@@ -15,30 +15,30 @@
 
 namespace gloam::cli {
 
-// What one device is asked, and how.
+// The tasks of one device, and how they run.
 struct DeviceRun {
     CheckerOptions checker;
     std::vector<CheckTask> tasks;
     std::chrono::milliseconds timeout{120'000};  // for each check
     std::size_t jobs = 1;                        // worker processes
-    bool in_process = false;                     // no workers: a driver that crashes takes all with it
-    // The row of a task that need not run again; empty: every task runs.
+    bool in_process = false;                     // without workers: a crash of a driver ends the whole run
+    // The known row of a task, which is not run then; empty: every task runs.
     std::function<std::optional<check::Answer>(const report::DeviceSummary&, const CheckTask&)> known;
     // Called in the order of the tasks, never from two threads at once.
     std::function<void(const report::DeviceSummary&)> on_device;
     std::function<void(const report::DeviceSummary&, const check::Answer&)> on_row;
-    // Called for each row that failed, in any order, never from two threads at once; empty: not wanted.
+    // Called for each failed row, in any order, never from two threads at once; empty: not needed.
     std::function<void(const report::DeviceSummary&, const check::Answer&, const HandOver&)> on_failure;
 };
 
-// The device cannot be opened, and says so itself: there is none of that name, say.
+// The device refuses to open, for example because no device has this name.
 class DeviceRefused : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Runs every task in worker processes; what a driver does to one of them costs that task alone. A device that
-// cannot be opened any more ends its run with one more row, named "device", that says why and how many
-// checks were not run. Throws DeviceRefused before the first task only.
+// Runs every task in worker processes, so that a crash or hang of a driver affects only its task. If a device
+// cannot be opened any more, its run ends with an additional row, named "device", with the reason and the
+// number of checks that were not run. Throws DeviceRefused before the first task only.
 [[nodiscard]] report::CheckReport run_on_device(const DeviceRun& run);
 
 // The row of a device that cannot be opened.

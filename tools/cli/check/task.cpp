@@ -15,7 +15,7 @@ using nlohmann::json;
 
 constexpr auto replace = json::error_handler_t::replace;  // of bytes that are no UTF-8
 
-// The line as an object with these members.
+// Parses a line as an object with these members.
 json object_from(std::string_view line, std::initializer_list<const char*> members) {
     constexpr std::size_t longest_quote = 200;
     const std::string quote = base::shortened(line, longest_quote);
@@ -29,7 +29,7 @@ json object_from(std::string_view line, std::initializer_list<const char*> membe
     return object;
 }
 
-// Conversions of the library take any number for any other, out of range too.
+// The library converts any number to any type, even out of range.
 std::uint64_t count_in(const json& object, const char* member) {
     const json& value = object[member];
     if (!value.is_number_unsigned())

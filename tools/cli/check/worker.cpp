@@ -22,7 +22,8 @@ constexpr const char* this_program = "/proc/self/exe";
 constexpr const char* subcommand = "check-worker";
 constexpr std::chrono::seconds time_to_count{120};
 
-// Lines to the parent. Standard output itself is turned over to standard error: a driver may print.
+// Sends lines to the parent. Standard output itself is redirected to standard error, because a driver may
+// print.
 class Replies {
   public:
     Replies() : file_(fdopen(dup(STDOUT_FILENO), "w")) {
@@ -43,7 +44,7 @@ class Replies {
     std::FILE* file_;
 };
 
-// Greets with the number of devices, and that is all.
+// Greets with the number of devices and ends.
 void count_and_tell() {
     Replies replies;
     Greeting greeting;

@@ -14,19 +14,19 @@ class App;
 
 namespace gloam::cli {
 
-// The command line of a worker: this program, which runs the checks that it reads, one a line, from standard
-// input.
+// The command line of a worker: this program, which reads checks from standard input, one a line, and runs
+// them.
 [[nodiscard]] std::vector<std::string> worker_command(const CheckerOptions& options);
 
-// The command line that greets with the number of devices: of this driver alone (the path of its manifest),
-// or of all.
+// The command line of a process that greets with the number of devices: of one driver (the path of its
+// manifest), or of all.
 [[nodiscard]] std::vector<std::string> counting_command(const std::filesystem::path& driver);
 
-// How many devices there are, counted by a process of its own: drivers crash there too. Throws
+// The number of devices, counted by another process, because drivers can crash in doing so. Throws
 // std::runtime_error.
 [[nodiscard]] std::size_t count_devices();
 
-// Adds the subcommand behind it, which no help shows.
+// Adds the hidden subcommand that runs a worker.
 void add_check_worker(CLI::App& app);
 
 }  // namespace gloam::cli

@@ -31,7 +31,7 @@ const std::string& WorkerSession::greeting() {
 
 Reply WorkerSession::ask(const std::string& question) {
     greeting();
-    process_->send(question);  // a worker that no longer listens has ended, as will be heard
+    process_->send(question);  // a worker that cannot receive has ended, which listen() will find
     return listen();
 }
 

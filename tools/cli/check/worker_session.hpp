@@ -13,44 +13,44 @@
 
 namespace gloam::cli {
 
-// What became of a question: the answer, or why there is none.
+// The result of a question: the answer, or why there is none.
 struct Reply {
     std::string line;
     check::Reason reason = check::Reason::none;
     std::string error;  // empty: there is an answer
 };
 
-// There is no worker to be had: twice in a row it came to nothing before it could greet, or its greeting was
-// a refusal (Reason::error).
+// No worker is available: twice in succession it failed before its greeting, or its greeting was a refusal
+// (Reason::error).
 class NoWorker : public std::runtime_error {
   public:
     NoWorker(check::Reason why, const std::string& message) : std::runtime_error(message), reason(why) {}
     check::Reason reason;
 };
 
-// A worker that answers lines with lines, in a process of its own: one that crashes or stays silent costs
-// the question that it was asked, and the next question goes to a new one. A worker greets with a line before
-// it is asked anything. For use from one thread.
+// A worker that answers lines with lines, in a process of its own. If it crashes or stays silent, that
+// question fails and the next one goes to a new worker. A worker greets with a line before the first
+// question. For one thread.
 class WorkerSession {
   public:
-    // `timeout`: longest wait for the greeting and for each answer; more where the worker computes and others
-    // keep the processor from it (base::Patience). `refusal` says why a greeting is one;
-    // empty for a welcome.
+    // `timeout`: longest wait for the greeting and for each answer; longer if the worker computes and others
+    // use the processor (base::Patience). `refusal`: returns the reason if a greeting is a refusal, "" if
+    // not.
     WorkerSession(std::vector<std::string> command, std::chrono::milliseconds timeout,
                   std::function<std::string(const std::string& greeting)> refusal = {})
         : command_(std::move(command)), timeout_(timeout), refusal_(std::move(refusal)) {}
 
-    // The greeting of the worker, which is started if there is none. Throws NoWorker.
+    // The greeting of the worker; starts one if there is none. Throws NoWorker.
     const std::string& greeting();
 
     // Asks one question. Throws NoWorker.
     [[nodiscard]] Reply ask(const std::string& question);
 
-    // The next question goes to a new worker: this one's device is lost, say.
+    // Sends the next question to a new worker, for example because this one's device is lost.
     void dismiss() { process_.reset(); }
 
   private:
-    // The next line of the worker; without one it is dismissed and the reason told.
+    // The next line of the worker. Without one the worker is dismissed, and the reply has the reason.
     Reply listen();
 
     std::vector<std::string> command_;

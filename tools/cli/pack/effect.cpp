@@ -29,7 +29,7 @@ PackedPass packed_pass(const effect::PlannedPass& planned, const scene::PassLibr
     return pass;
 }
 
-// Of an image that is bound where nothing is read.
+// Format of an image that is bound where nothing is read.
 gpu::Format format_named(const std::string& name) {
     static const std::map<std::string, gpu::Format> formats{
         {"r32f", gpu::Format::r32f}, {"rgba16f", gpu::Format::rgba16f}, {"rgba16ui", gpu::Format::rgba16ui}};
@@ -37,11 +37,11 @@ gpu::Format format_named(const std::string& name) {
     return found == formats.end() ? gpu::Format::rgba32f : found->second;
 }
 
-// Bindings that the settings do not read get an image of one texel in the format that they declare.
+// Binds an image of one texel, in the declared format, where the settings need no image.
 void bind_nothing(PackedPass& pass, std::vector<effect::PlannedImage>& images) {
     for (const shader::Binding& binding : pass.interface.bindings) {
         if (resource_at(pass, binding) != effect::nothing_image) continue;
-        // What is sampled may have any format.
+        // A sampled image may have any format.
         const std::string wanted = binding.format.empty() ? "rgba32f" : binding.format;
         const std::string name = std::string(effect::nothing_image) + "_" + wanted;
         pass.plan.resources[binding.number] = name;
@@ -100,8 +100,8 @@ std::string comment_of(const std::string& text, const std::string& block, const 
 }
 
 std::vector<Hazard> hazards_before(const PackedEffect& effect, std::size_t pass) {
-    std::map<std::string, std::string> written;  // and by which pass, last
-    std::map<std::string, std::string> read;     // since then
+    std::map<std::string, std::string> written;  // resource, and the last pass that wrote it
+    std::map<std::string, std::string> read;     // the same for reads since then
     std::vector<Hazard> hazards;
     for (std::size_t i = 0; i <= pass; ++i) {
         const PackedPass& each = effect.passes[i];

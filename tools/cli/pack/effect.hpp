@@ -12,7 +12,7 @@
 
 namespace gloam::cli {
 
-// A pass of the effect as one text, and what its module asks for.
+// A pass of the effect as one text, and the interface of its module.
 struct PackedPass {
     effect::PlannedPass plan;
     std::string file;  // of the text: NAME.comp
@@ -20,7 +20,7 @@ struct PackedPass {
     shader::ModuleInterface interface;
 };
 
-// What is written of the effect.
+// The effect in the form in which it is written.
 struct PackedEffect {
     std::string preset;
     std::string version;  // of gloam
@@ -30,28 +30,28 @@ struct PackedEffect {
     std::vector<PackedPass> passes;  // of the plan, in its order
 };
 
-// The passes of the settings' plan, packed and compiled, and the images and buffers that they have bindings
-// for. Throws like plan_of() and shader::pack().
+// The passes of the settings' plan, packed and compiled, with the images and buffers of their bindings.
+// Throws like plan_of() and shader::pack().
 [[nodiscard]] PackedEffect packed_effect(const effect::Settings& settings, const effect::PlanOptions& options,
                                          const scene::PassLibrary& library);
 
-// The image or buffer at a binding of a pass. Throws std::logic_error for one that the plan does not have.
+// The image or buffer at a binding of a pass. Throws std::logic_error if the plan does not have it.
 [[nodiscard]] const std::string& resource_at(const PackedPass& pass, const shader::Binding& binding);
 
-// Whether it stands at bindings that the settings do not read.
+// Whether this resource is bound where the settings need none.
 [[nodiscard]] bool is_nothing(const std::string& resource);
 
-// Whether the member of the pass's push constants is the view's or the frame's.
+// Whether a member of the pass's push constants depends on the view or the frame.
 [[nodiscard]] bool is_of_view(const PackedPass& pass, const shader::LaidOut& member);
 
-// The comment behind a member's declaration in the text; empty where there is none.
+// The comment behind a member's declaration in the text; empty if there is none.
 [[nodiscard]] std::string comment_of(const std::string& text, const std::string& block,
                                      const std::string& member);
 
-// A barrier that a pass needs: what it reads or writes was written, or read, by earlier ones of the frame.
+// A barrier that a pass needs, because earlier passes of the frame write or read its resources.
 struct Hazard {
     std::string resource;
-    std::string after;  // the last pass that has written it, or that has read it where this one writes
+    std::string after;  // the last pass that wrote the resource, or that read it before this one writes it
     bool written = true;
 };
 [[nodiscard]] std::vector<Hazard> hazards_before(const PackedEffect& effect, std::size_t pass);

@@ -21,8 +21,8 @@ struct EffectPackOptions {
 };
 
 // Writes all passes of the effect, gloam_effect.h, effect.json and README.md into a folder, all or none.
-// Throws std::invalid_argument for options that go wrong, std::runtime_error for a folder that cannot be
-// written to.
+// Throws std::invalid_argument for invalid options, std::runtime_error for a folder that cannot be written
+// to.
 void pack_effect(const EffectPackOptions& options);
 
 }  // namespace gloam::cli

@@ -25,7 +25,7 @@ std::string upper(std::string text) {
     return text;
 }
 
-// What C calls the components of a member.
+// The C type of a member's components.
 std::string c_type(const std::string& type) {
     if (type == "float") return "float";
     if (type == "int") return "int32_t";
@@ -48,7 +48,7 @@ std::size_t components_of(const LaidOut& member) {
     return member.size / 4;
 }
 
-// "float p00_p11[2]"; padding between columns and elements is part of it.
+// "float p00_p11[2]"; includes padding between columns and elements.
 std::string declaration_of(const LaidOut& member) {
     const std::size_t count = components_of(member);
     std::string text = c_type(member.type) + " " + member.name;
@@ -107,7 +107,7 @@ class HeaderWriter {
             "#else\n#define GLOAM_CHECK(condition) _Static_assert(condition, #condition)\n#endif\n\n";
     }
 
-    // A structure as it lies in memory, with padding where members leave any, checked.
+    // A structure with its memory layout, with explicit padding and static assertions.
     void structure(const std::string& name, const std::vector<LaidOut>& members, std::size_t size,
                    const std::string& text, const std::string& block, const PackedPass* pass) {
         put("typedef struct {} {{\n", name);
@@ -127,7 +127,7 @@ class HeaderWriter {
         put("GLOAM_CHECK(sizeof({}) == {});\n\n", name, std::max(size, end));
     }
 
-    // The structures that stand in buffers, each once.
+    // The structures in buffers, each once.
     void buffer_structures(const PackedPass& pass) {
         for (const shader::Binding& binding : pass.interface.bindings) {
             if (!binding.block || is_nothing(resource_at(pass, binding))) continue;
@@ -303,7 +303,7 @@ class HeaderWriter {
         return turn == effect::Turn::moved ? "GLOAM_MOVED" : "GLOAM_ALWAYS";
     }
 
-    // Of set 0.
+    // The bindings of descriptor set 0.
     void bindings(const PackedPass& pass) {
         if (std::exchange(tables_declared_, true) == false) {
             text_ +=

@@ -30,7 +30,7 @@ std::string of_files(const fs::path& glsl, const std::vector<std::string>& files
     return text;
 }
 
-// Of the passes that a method's frame takes with its usual settings.
+// Lines of the passes of a method's frame with its usual settings.
 std::size_t pass_lines(const fs::path& glsl, const std::string& method) {
     const effect::Settings settings = effect::with_method(effect::Settings{}, method);
     std::size_t lines = 0;

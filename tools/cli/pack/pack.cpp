@@ -35,14 +35,14 @@ struct PackOptions {
     EffectPackOptions of_effect;
 };
 
-// A file as given, or by its name inside the library.
+// A file by its path, or by its name inside the library.
 fs::path find_file(const std::string& name, const std::vector<fs::path>& roots) {
     std::error_code none;
     if (fs::is_regular_file(name, none)) return name;
     return shader::resolve_include(name, {}, roots);
 }
 
-// That of a file named after its stage.
+// The stage from the suffix of a file's name.
 std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
     for (const fs::path& file : files) {
         if (file.extension() == ".comp") return shader::Stage::compute;
@@ -52,7 +52,8 @@ std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
     return std::nullopt;
 }
 
-// Files may be anybody's, and so is what their macros do to a compiler: within limits of time and memory.
+// Runs work within limits of time and memory, because files can be untrusted, and their macros can exhaust a
+// compiler.
 std::string within_limits(const std::function<std::string()>& work, const std::string& name) {
     const base::ProcessLimits limits{.memory_bytes = std::uint64_t{2} << 30,
                                      .cpu = std::chrono::seconds(30),

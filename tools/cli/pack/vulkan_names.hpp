@@ -8,14 +8,14 @@
 
 namespace gloam::cli {
 
-// As Vulkan's headers name them.
+// The format's name in Vulkan's headers.
 [[nodiscard]] std::string vulkan_format(gpu::Format format);
 [[nodiscard]] std::string vulkan_descriptor(shader::BindingType type);
 
 // "engine", "kept", "once", "frame".
 [[nodiscard]] std::string to_string(effect::PlannedImage::Origin origin);
 
-// What an image is used for, by the bindings of the passes: VK_IMAGE_USAGE_STORAGE_BIT and others.
+// The uses of an image, from the bindings of the passes: VK_IMAGE_USAGE_STORAGE_BIT and others.
 [[nodiscard]] std::vector<std::string> vulkan_usage(const PackedEffect& effect,
                                                     const effect::PlannedImage& image);
 
