@@ -153,16 +153,17 @@ class Planner {
             plan_.buffers.push_back(
                 {.name = name, .meaning = meaning, .bytes = bytes * tiles, .bytes_a_tile = bytes});
         };
-        of_tiles("tile_states_before", "what is known of the tiles after the frame before",
+        of_tiles("tile_states_before", "what is known about the tiles after the previous frame",
                  sizeof(TileState));
-        of_tiles("tile_states_after", "and after this one", sizeof(TileState));
+        of_tiles("tile_states_after", "the same after this frame", sizeof(TileState));
         plan_.buffers.back().refilled = true;
         of_tiles("tile_lists", "which tiles the passes run on, and their indirect dispatches",
                  tile_lists * sizeof(std::uint32_t));
         plan_.buffers.back().contents = empty_lists();
         plan_.buffers.back().bytes += plan_.buffers.back().contents.size();
         plan_.buffers.back().refilled = true;
-        of_tiles("open_tiles", "tiles that nothing can block; none is looked for", sizeof(std::uint32_t));
+        of_tiles("open_tiles", "tiles in which nothing can block; the plan does not search for them",
+                 sizeof(std::uint32_t));
     }
 
     void pass(const char* name, PassSource source, std::vector<std::string> resources,

@@ -7,12 +7,12 @@ namespace {
 using enum Measure;
 
 std::vector<Preset> volumetric_presets(const MethodInfo& method) {
-    return {
-        {"volumetric-performance",
-         "the study's: pairs of lines, a blur of one pixel, no history; how many it does not print, 6 here",
-         blurred(configuration(method, 12), 1)},
-        {"volumetric-quality", "the study's: 32 pairs of lines, no blur, no history",
-         studied(configuration(method, 64))}};
+    return {{"volumetric-performance",
+             "the study's: pairs of lines, a blur of one pixel, no history; 6 pairs, because it does not "
+             "print a number",
+             blurred(configuration(method, 12), 1)},
+            {"volumetric-quality", "the study's: 32 pairs of lines, no blur, no history",
+             studied(configuration(method, 64))}};
 }
 
 std::vector<Preset> two_balls_presets(const MethodInfo& method) {

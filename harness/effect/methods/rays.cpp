@@ -20,7 +20,7 @@ void adapt_unreal(Settings& s) {
 
 std::vector<Preset> poisson_presets(const MethodInfo& method) {
     return {{"poisson-performance", "Sourimant's least: 8 rays of 4 steps", rays(method, 8, 4)},
-            {"poisson-quality", "and most: 24 rays, of 8 steps", rays(method, 24, 8)}};
+            {"poisson-quality", "Sourimant's most: 24 rays of 8 steps", rays(method, 24, 8)}};
 }
 
 std::vector<Preset> unreal_presets(const MethodInfo& method) {

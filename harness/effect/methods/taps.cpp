@@ -70,12 +70,13 @@ Settings study_alchemy(const MethodInfo& method, std::uint32_t samples) {
 }
 
 std::vector<Preset> alchemy_presets(const MethodInfo& method) {
-    return {{"alchemy-performance",
-             "the study's lengths and blur, no history; how many samples it does not print, 12 as in the "
-             "Alchemy paper",
-             blurred(study_alchemy(method, 12))},
-            {"alchemy-quality", "the study's: 64 samples, no blur, no history",
-             studied(study_alchemy(method, 64))}};
+    return {
+        {"alchemy-performance",
+         "the study's lengths and blur, no history; 12 samples as in the Alchemy paper, because the study "
+         "does not print a number",
+         blurred(study_alchemy(method, 12))},
+        {"alchemy-quality", "the study's: 64 samples, no blur, no history",
+         studied(study_alchemy(method, 64))}};
 }
 
 // Lengths in a figure of the ISSAO paper, and the radius for which they are given.

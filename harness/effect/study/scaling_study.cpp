@@ -77,7 +77,7 @@ class Sweeps {
     }
 
     [[nodiscard]] Sweep pixels(bool skip_open) const {
-        Sweep sweep{.of = skip_open ? "pixels, open tiles left out" : "pixels", .counts_open = true};
+        Sweep sweep{.of = skip_open ? "pixels, open tiles skipped" : "pixels", .counts_open = true};
         for (const gpu::Extent size : options_.sizes) {
             const double radius = scene_.ao_radius * base_.height / size.height;
             sweep.cases.push_back(usual(pixels_of(size), settings(usual_samples, radius)));

@@ -34,7 +34,7 @@ struct ScalingRun {
 // moving objects have a history. Values are visited in rounds.
 //
 // The number of pixels grows twice. In "pixels" every tile is sampled, so each pixel is the same work. In
-// "pixels, open tiles left out" open tiles are skipped, as users have it, where the method knows them. How
+// "pixels, open tiles skipped" open tiles are skipped, as users have it, where the method knows them. How
 // many tiles are open depends on the radius in the world, which shrinks as the number of pixels grows. Only
 // these two runs count `open`.
 //

@@ -44,7 +44,7 @@ constexpr const char* scaling_introduction = R"(
 
 Time of all passes of a single frame while one thing grows: time ~ value^exponent, least squares on logarithmic axes.
 *Pixels* grow at the same radius in pixels and with every tile sampled, so that a pixel is the same work at every
-size: this is what the criterion judges. *Pixels, open tiles left out* is the same with the settings as they are by
+size: this is what the criterion judges. *Pixels, open tiles skipped* is the same with the settings as they are by
 default. The radius then shrinks in the world as pixels grow, so that less lies within reach, and the bias with it,
 down to what depths are rounded to. So another part of the tiles, listed with the times, can be proven open and takes
 no samples.

@@ -199,7 +199,7 @@ TEST(BenchmarkPage, SaysWhetherTimeGrowsAsItShould) {
 
 TEST(BenchmarkPage, JudgesNoTimeOfPixelsThatAreOtherWork) {
     Benchmark benchmark = everything();
-    benchmark.scaling = {{.of = "pixels, open tiles left out",
+    benchmark.scaling = {{.of = "pixels, open tiles skipped",
                           .method = "m",
                           .points = {{57'600, 1}, {921'600, 10}, {8'294'400, 117}},
                           .open = {0, 0.544, 0.365}},
