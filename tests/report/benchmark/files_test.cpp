@@ -211,8 +211,8 @@ TEST(BenchmarkPage, JudgesNoTimeOfPixelsThatAreOtherWork) {
     EXPECT_THAT(page, HasSubstr("| old" + criterion + "open tiles not counted | 1.100 | - | not judged |"));
     EXPECT_THAT(page, HasSubstr("5.76e+04: 1.000 (0 % open), 9.216e+05: 10.000 (54 % open)"));
     EXPECT_THAT(page, HasSubstr("9.216e+05: 10.000, 8.294e+06: 99.000 |"));
-    EXPECT_THAT(page, HasSubstr("images/scaling-pixels-open-tiles-left-out.svg"));
-    EXPECT_EQ(plots_of(benchmark)[2].first, "scaling-pixels-open-tiles-left-out");
+    EXPECT_THAT(page, HasSubstr("images/scaling-pixels-open-tiles-skipped.svg"));
+    EXPECT_EQ(plots_of(benchmark)[2].first, "scaling-pixels-open-tiles-skipped");
 }
 
 TEST(BenchmarkPlots, NamePresetsThatLieBehindTheFront) {
