@@ -33,6 +33,8 @@ std::string_view name_of(Reason reason) {
             return "error";
         case Reason::fault:
             return "fault";
+        case Reason::unsupported:
+            return "unsupported";
         case Reason::none:
             break;
     }

@@ -71,13 +71,14 @@ enum class Reason {
     device_lost,    // the device was lost
     out_of_memory,  // of the host or of the device
     error,          // any other error, for example a shader that does not compile
-    fault           // the shader accessed a pixel outside an image
+    fault,          // the shader accessed a pixel outside an image
+    unsupported     // the function is no text of the device's version of GLSL; not a failure
 };
 inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,         Reason::hang,
                                          Reason::device_lost, Reason::out_of_memory, Reason::error,
-                                         Reason::fault};
+                                         Reason::fault,       Reason::unsupported};
 
-// "", "crash", "hang", "device lost", "out of memory", "error", "fault".
+// "", "crash", "hang", "device lost", "out of memory", "error", "fault", "unsupported".
 [[nodiscard]] std::string_view name_of(Reason reason);
 
 // The result of one question in one variant on one device, or the reason why there is none. Tables, pages and
@@ -120,7 +121,11 @@ struct Answer {
         return verdict == Verdict::rules ? fraction : budget_fraction;
     }
     [[nodiscard]] bool ran() const { return error.empty(); }
-    [[nodiscard]] bool passed() const { return ran() && outside() == 0 && fault.empty(); }
+    [[nodiscard]] bool passed() const {
+        return reason == Reason::unsupported || (ran() && outside() == 0 && fault.empty());
+    }
+    // It ran, and the device promises nothing for any of its inputs.
+    [[nodiscard]] bool recorded_only() const { return ran() && inputs() > 0 && recorded() == inputs(); }
 
     // Adds a judged sample; `outside` when it failed.
     void add(const Sample& sample, bool is_outside);

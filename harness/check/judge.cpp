@@ -103,6 +103,10 @@ class Judge {
 
     void add(Answer& answer, Sample& sample, bool branch) {
         sample.input_class = class_of(sample.inputs, scalars_.inputs, branch);
+        if (options_.recorded_only) {
+            answer.add_recorded(sample.input_class);
+            return;
+        }
         find_want(sample);
         if (!options_.nan && holds_special(sample)) {
             answer.add_recorded(sample.input_class);
@@ -222,14 +226,15 @@ Answer empty_answer(const Question& question, Verdict verdict) {
 Answer judge(const Question& question, const JudgeOptions& options, const Domain::Inputs& inputs,
              std::span<const Word> outputs, const ImageSet& images, const std::string& scenario,
              std::span<double> fractions) {
-    const bool needs_modules = options.verdict == Verdict::rules || !question.reference;
+    const bool needs_modules =
+        !options.recorded_only && (options.verdict == Verdict::rules || !question.reference);
     if (needs_modules && options.modules.empty())
         throw std::invalid_argument(
             "cannot be judged by Vulkan's rules without the modules that gave the outputs");
     const std::optional<internal::Decoded> decoded = decoded_modules(options.modules, images, needs_modules);
     const internal::Decoded* const modules = decoded ? &*decoded : nullptr;
     Plan plan(options.verdict, inputs.count(), !fractions.empty());
-    if (plan.needs_cost()) {
+    if (plan.needs_cost() && !options.recorded_only) {
         Judge probe(question, options, images, modules, plan);
         plan.set_cost(mean_cost(probe, inputs), inputs.count());
     }

@@ -24,6 +24,8 @@ struct JudgeOptions {
     // The modules that produced the outputs. Whatever the verdict, an output that the rules do not permit for
     // these modules fails. Without modules the rules are not asked.
     KernelModules modules;
+    // What gave the outputs has no rules, and the verdict needs them: inputs are only recorded.
+    bool recorded_only = false;
 };
 
 // An answer to a question, without any inputs.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "check/kernel_core.hpp"
 
+#include "check/internal/gl_kernel.hpp"
 #include "check/internal/interpret.hpp"
+#include "check/internal/kernel_rows.hpp"
 #include "check/interpreted_kernel.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <random>
 
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
@@ -40,11 +41,6 @@ gpu::Buffer upload(const gpu::Device& device, const std::vector<Word>& words) {
     return buffer;
 }
 
-Word new_canary() {
-    std::random_device entropy;
-    return entropy();
-}
-
 }  // namespace
 
 std::string to_text(const ImageFault& fault) {
@@ -70,6 +66,11 @@ KernelCore::KernelCore(const gpu::Device& device, KernelModule module, std::stri
 KernelCore::KernelCore(KernelModule module, std::string name)
     : module_(std::make_shared<const KernelModule>(std::move(module))), name_(std::move(name)) {}
 
+KernelCore::KernelCore(const gl::Device& device, KernelModule module, std::string name)
+    : module_(std::make_shared<const KernelModule>(std::move(module))),
+      gl_(std::make_shared<const internal::GlKernel>(device, module_, name)),
+      name_(std::move(name)) {}
+
 KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t count,
                                    const ImageSet& images) const {
     if (inputs.size() != count * module_->input_words) {
@@ -77,6 +78,7 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
                                                 count, module_->input_words, count * module_->input_words,
                                                 inputs.size()));
     }
+    if (gl_) return gl_->run(inputs, count, images);
     if (device_ == nullptr) return internal::interpret(module_, inputs, count, images, name_);
     Result result;
     result.modules = {module_};
@@ -120,7 +122,7 @@ void KernelCore::run_batch(Batch& batch) const {
     const std::size_t rows = (groups + columns - 1) / columns;
     const KernelRun run{.count = static_cast<Word>(batch.count),
                         .row_length = static_cast<Word>(columns * kernel_group_size),
-                        .canary = new_canary()};
+                        .canary = internal::new_canary()};
     std::vector<gpu::Resource> resources{std::cref(inputs), std::cref(outputs), std::cref(fault_buffer)};
     for (const gpu::Buffer& image : batch.images) resources.emplace_back(std::cref(image));
     gpu::Commands commands(*device_);
@@ -128,46 +130,17 @@ void KernelCore::run_batch(Batch& batch) const {
                       std::as_bytes(std::span(&run, 1)));
     commands.submit();
 
-    collect_outputs(batch, run, outputs.as<Word>());
-    collect_fault(batch, fault_buffer.as<Word>());
-}
-
-// Copies the outputs of every input, after checking its canary and the guard words behind the outputs.
-void KernelCore::collect_outputs(Batch& batch, const KernelRun& run, std::span<const Word> words) const {
-    const std::size_t row = module_->output_words + 1;
-    std::vector<Word>& outputs = batch.result.outputs;
-    const std::size_t first = outputs.size();
-    outputs.resize(first + batch.count * module_->output_words);
-    for (std::size_t i = 0; i < batch.count; ++i) {
-        const auto values = words.subspan(i * row, module_->output_words);
-        const Word canary = words[i * row + module_->output_words];
-        const Word expected = run.canary ^ static_cast<Word>(i);
-        if (canary != expected) {
-            throw KernelError(
-                fmt::format("{}: the kernel did not finish for input {} of {}: expected the canary 0x{:08x}, "
-                            "found 0x{:08x}",
-                            name_, batch.first + i, batch.first + batch.count, expected, canary));
-        }
-        std::ranges::copy(values,
-                          outputs.begin() + static_cast<std::ptrdiff_t>(first + i * module_->output_words));
-    }
+    const std::span<const Word> words = outputs.as<Word>();
+    const internal::KernelRows kernel_rows{words, row, batch.count, batch.first, run.canary};
+    internal::add_outputs(kernel_rows, *module_, name_, batch.result);
     const auto guard = words.subspan(batch.count * row);
     if (std::ranges::any_of(guard, [](Word word) { return word != guard_pattern; })) {
         throw KernelError(fmt::format("{}: the kernel wrote outside its outputs, behind input {}", name_,
                                       batch.first + batch.count - 1));
     }
-}
-
-void KernelCore::collect_fault(Batch& batch, std::span<const Word> words) const {
-    const KernelFaults faults{words[0], words[1], words[2], words[3], words[4]};
-    if (faults.count == 0) return;
-    const ImagePrototype& image = module_->images.at(faults.image);
-    const std::size_t earlier = batch.result.fault ? batch.result.fault->count : 0;
-    batch.result.fault = ImageFault{.image = image.name,
-                                    .pixel = {static_cast<int>(faults.x), static_cast<int>(faults.y)},
-                                    .size = batch.image_set.at(image.name).size,
-                                    .count = earlier + faults.count,
-                                    .input = batch.first + faults.input};
+    const std::span<const Word> fault = fault_buffer.as<Word>();
+    internal::add_faults({fault[0], fault[1], fault[2], fault[3], fault[4]}, batch.first + fault[4], *module_,
+                         batch.image_set, batch.result);
 }
 
 }  // namespace gloam::check

@@ -9,11 +9,16 @@
 #include <vector>
 
 #include "check/kernel_module.hpp"
+#include "gl/device.hpp"
 #include "gpu/compute.hpp"
 #include "gpu/device.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam::check {
+
+namespace internal {
+class GlKernel;
+}
 
 // An access outside an image behind one of the shader's prototypes.
 struct ImageFault {
@@ -40,17 +45,19 @@ class KernelCore {
     KernelCore(const gpu::Device& device, KernelModule module, std::string name);
     // For the interpreter: correctly rounded, without a device.
     KernelCore(KernelModule module, std::string name);
+    // Its KernelModule::glsl run by an OpenGL device. Throws gl::Error.
+    KernelCore(const gl::Device& device, KernelModule module, std::string name);
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words
         ImageSet stored;            // images that the shader may have stored to
         std::optional<ImageFault> fault;
-        KernelModules modules;  // the modules that produced the outputs
+        KernelModules modules;  // the modules that produced the outputs; none where no rules hold for them
     };
 
     // Evaluates `count` inputs (count x input_words words) in one dispatch, or in as few as the device's
     // limits allow. Throws std::invalid_argument if a prototype has no image or one of another type;
-    // KernelError, also for a module that the interpreter cannot run; gpu errors.
+    // KernelError, also for a module that the interpreter cannot run; gpu and gl errors.
     [[nodiscard]] Result run(std::span<const Word> inputs, std::size_t count,
                              const ImageSet& images = {}) const;
 
@@ -61,12 +68,11 @@ class KernelCore {
   private:
     struct Batch;
     void run_batch(Batch& batch) const;
-    void collect_outputs(Batch& batch, const KernelRun& run, std::span<const Word> words) const;
-    void collect_fault(Batch& batch, std::span<const Word> words) const;
 
-    const gpu::Device* device_ = nullptr;  // none: the interpreter
+    const gpu::Device* device_ = nullptr;  // none: the interpreter, or OpenGL
     std::shared_ptr<const KernelModule> module_;
     std::optional<gpu::ComputePipeline> pipeline_;
+    std::shared_ptr<const internal::GlKernel> gl_;
     std::string name_;
 };
 

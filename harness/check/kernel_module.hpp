@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "check/kernel_code.hpp"
@@ -19,6 +20,8 @@ struct KernelModule {
     std::size_t output_words = 0;
     std::vector<ImagePrototype> images;
     std::size_t fixed_inputs = 0;  // inputs that are constants in it; 0: they come from memory
+    std::string glsl;              // the same kernel as text, for an OpenGL device; else empty
+    bool judged_by_rules = true;   // off where the version of GLSL has no precision rules to ask
 };
 
 // The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;

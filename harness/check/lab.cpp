@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "check/internal/gl_kernel.hpp"
+#include "check/internal/gl_rules.hpp"
 #include "shader/resources.hpp"
 
 namespace gloam::check {
@@ -41,6 +43,26 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
     return images;
 }
 
+// None where another kind of device is asked for.
+std::shared_ptr<gpu::Device> vulkan_device(const LabOptions& options) {
+    if (options.device == interpreter_name || gl::is_device_name(options.device)) return nullptr;
+    return std::make_shared<gpu::Device>(
+        gpu::DeviceOptions{.device = options.device,
+                           .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                           .cache_directory = options.cache_directory,
+                           .timeout = options.timeout});
+}
+
+// The other variants are ways to make a SPIR-V module, and an OpenGL driver is given text.
+void require_opengl_options(const LabOptions& options) {
+    if (options.variant.changes_the_module()) {
+        throw std::invalid_argument(fmt::format("{}: OpenGL devices have the variant shipped only, not {}",
+                                                options.device, options.variant.name));
+    }
+    if (options.validation)
+        throw std::invalid_argument(options.device + ": the validation layers are of Vulkan");
+}
+
 }  // namespace
 
 gpu::DeviceInfo interpreter_info() {
@@ -51,14 +73,21 @@ gpu::DeviceInfo interpreter_info() {
                 .preserves_signed_zero_inf_nan = true, .preserves_denormals = true, .rounds_to_even = true}};
 }
 
-Lab::Lab(LabOptions options)
-    : Lab(options, options.device == interpreter_name
-                       ? nullptr
-                       : std::make_shared<gpu::Device>(gpu::DeviceOptions{
-                             .device = options.device,
-                             .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                             .cache_directory = options.cache_directory,
-                             .timeout = options.timeout})) {}
+gpu::DeviceInfo opengl_info(const gl::DeviceInfo& info) {
+    return {.name = to_string(info.name),
+            .type = info.name.version.api == gl::Api::gl ? "opengl" : "opengl es",
+            .driver = info.vendor + " " + info.renderer + ", " + info.version,
+            .api_version = to_string(info.name.version),
+            .max_image_size = info.max_texture_size,
+            .max_buffer_bytes = info.max_storage_bytes};
+}
+
+Lab::Lab(LabOptions options) : Lab(options, vulkan_device(options)) {
+    if (!gl::is_device_name(options_.device)) return;
+    require_opengl_options(options_);
+    gl_ = std::make_shared<gl::Device>(options_.device);
+    info_ = opengl_info(gl_->info());
+}
 
 Lab::Lab(LabOptions options, std::shared_ptr<gpu::Device> device)
     : options_(std::move(options)),
@@ -69,11 +98,12 @@ Lab::Lab(LabOptions options, std::shared_ptr<gpu::Device> device)
 
 const gpu::Device& Lab::device() const {
     if (!device_)
-        throw std::runtime_error("the interpreter runs functions, not passes: expected a Vulkan device");
+        throw std::runtime_error(info_.name + " runs functions, not passes: expected a Vulkan device");
     return *device_;
 }
 
 KernelCore Lab::core(KernelModule module, const std::string& name) const {
+    if (gl_) return {*gl_, std::move(module), name};
     return device_ ? KernelCore(*device_, std::move(module), name) : KernelCore(std::move(module), name);
 }
 
@@ -123,13 +153,24 @@ std::string Lab::code(const std::string& file, const std::string& function,
 
 KernelCore Lab::kernel(const std::string& file, const std::string& function,
                        const Signature& signature) const {
-    KernelSource made_of = source(file, function, signature);
+    const KernelSource made_of = source(file, function, signature);
     const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
-    return core({.spirv = compile_kernel(text),
-                 .input_words = signature.input_words(),
-                 .output_words = signature.output_words(),
-                 .images = std::move(made_of.images)},
-                function);
+    KernelModule module{.spirv = compile_kernel(text),
+                        .input_words = signature.input_words(),
+                        .output_words = signature.output_words(),
+                        .images = made_of.images};
+    if (gl_) {
+        module.glsl = opengl_code(made_of);
+        module.judged_by_rules =
+            internal::has_precision_rules(internal::language_of(gl_->info().name.version)) &&
+            !internal::calls_undefined_precision(module.spirv);
+    }
+    return core(std::move(module), function);
+}
+
+std::string Lab::opengl_code(const KernelSource& source) const {
+    if (!gl_) throw std::runtime_error(info_.name + " is no OpenGL device");
+    return internal::gl_kernel_code(gl_->info().name.version, source, options_.include_roots);
 }
 
 shader::Spirv Lab::compile(const shader::Source& text) const {

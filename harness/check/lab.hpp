@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,14 +16,23 @@
 
 namespace gloam::check {
 
+// The function is no text of the GLSL version of an OpenGL device.
+class Unsupported : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 // The device name of the interpreter: correctly rounded, and available on every machine.
 inline constexpr std::string_view interpreter_name = "interpreter";
 
 // Its properties: float32 rounded to nearest even; NaN, infinity, -0 and subnormals preserved.
 [[nodiscard]] gpu::DeviceInfo interpreter_info();
 
+// An OpenGL device in the same terms. OpenGL says nothing of NaN, infinity, -0 and subnormals.
+[[nodiscard]] gpu::DeviceInfo opengl_info(const gl::DeviceInfo& info);
+
 struct LabOptions {
-    std::string device;                                // see gpu::DeviceOptions; or interpreter_name
+    std::string device;                                // see gpu::DeviceOptions; or interpreter_name;
+                                                       // or an OpenGL device (gl/device_name.hpp)
     bool validation = false;                           // Vulkan validation layers on; any message is an error
     std::vector<std::filesystem::path> include_roots;  // folders searched for GLSL files, in order
     std::filesystem::path cache_directory;             // of compiled shaders and pipelines; empty: no cache
@@ -39,7 +49,8 @@ class Lab {
 
     // The function with this name and signature in `file`, ready to run. Each run supplies images for the
     // prototypes that the file declares. Throws std::invalid_argument if the file has no such function (with
-    // a list of its functions) or its signature differs (with both signatures); shader::CompileError.
+    // a list of its functions) or its signature differs (with both signatures); shader::CompileError;
+    // Unsupported; gl::Error.
     [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
                                     const Signature& signature) const;
 
@@ -65,6 +76,10 @@ class Lab {
     [[nodiscard]] std::string code(const std::string& file, const std::string& function,
                                    const Signature& signature) const;
 
+    // The same of such a kernel as an OpenGL device is given it: one text without includes. Throws
+    // std::runtime_error where there is no such device; Unsupported.
+    [[nodiscard]] std::string opengl_code(const KernelSource& source) const;
+
     // Throws std::runtime_error with the validation messages since the last call, if there are any.
     void require_silent_validation() const;
 
@@ -72,7 +87,9 @@ class Lab {
     [[nodiscard]] KernelCore core(KernelModule module, const std::string& name) const;
 
     [[nodiscard]] const gpu::DeviceInfo& info() const { return info_; }
-    // The device. Throws std::runtime_error if the interpreter is used instead.
+    // Whether it runs on an OpenGL device.
+    [[nodiscard]] bool is_opengl() const { return gl_ != nullptr; }
+    // The Vulkan device. Throws std::runtime_error if there is none.
     [[nodiscard]] const gpu::Device& device() const;
     [[nodiscard]] const LabOptions& options() const { return options_; }
 
@@ -81,7 +98,8 @@ class Lab {
 
   private:
     LabOptions options_;
-    std::shared_ptr<gpu::Device> device_;  // none: the interpreter
+    std::shared_ptr<gpu::Device> device_;  // none: the interpreter, or OpenGL
+    std::shared_ptr<gl::Device> gl_;
     gpu::DeviceInfo info_;
     shader::SpirvCache cache_;
 };

@@ -49,6 +49,10 @@ std::string name_of(const DeviceSummary& device) {
     return device.driver.empty() ? device.name : device.name + " (" + device.driver + ")";
 }
 
+std::string api_of(const DeviceSummary& device) {
+    return device.type.starts_with("opengl") ? device.api_version : "Vulkan " + device.api_version;
+}
+
 std::string to_json(const DeviceSummary& device) {
     return device_json(device).dump(-1, ' ', false, replace);
 }

@@ -68,7 +68,7 @@ std::vector<PageCell> cells_of(const check::Answer& row) {
 
 PageTable device_table(const std::vector<CheckReport>& reports) {
     PageTable table{.columns = {{.title = "device"},
-                                {.title = "Vulkan"},
+                                {.title = "interface"},
                                 {.title = "checks", .numeric = true},
                                 {.title = "failed", .numeric = true},
                                 {.title = "made by", .meaning = "versions of gloam and of the compilers"}},
@@ -79,7 +79,7 @@ PageTable device_table(const std::vector<CheckReport>& reports) {
         failed.tone = failures == 0 ? Tone::good : Tone::bad;
         table.rows.push_back(
             {{name_of(report.device)},
-             {report.device.api_version},
+             {api_of(report.device)},
              number_cell(static_cast<double>(report.rows.size()), fmt::format("{}", report.rows.size())),
              failed,
              {report.versions}});

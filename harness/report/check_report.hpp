@@ -26,6 +26,9 @@ struct DeviceSummary {
 // "NAME (DRIVER)", which identifies a driver in a report.
 [[nodiscard]] std::string name_of(const DeviceSummary& device);
 
+// "Vulkan 1.3.230", "OpenGL ES 3.1".
+[[nodiscard]] std::string api_of(const DeviceSummary& device);
+
 // One line of JSON, and back. Reading throws std::runtime_error with the field's name and what was expected.
 [[nodiscard]] std::string to_json(const DeviceSummary& device);
 [[nodiscard]] DeviceSummary device_from_json(std::string_view text);
@@ -39,8 +42,8 @@ struct CheckReport {
     [[nodiscard]] std::size_t failures() const;
 };
 
-// "ok", the number of inputs outside what is allowed ("3 outside"), or the reason why the check did not run
-// ("hang").
+// "ok", the number of inputs outside what is allowed ("3 outside"), "not judged" if the device promises
+// nothing for any input, or the reason why the check did not run ("hang").
 [[nodiscard]] std::string verdict_of(const check::Answer& row);
 
 // Column titles, and one line for each row: ID, function, variant, inputs, worst ULP, worst absolute error as

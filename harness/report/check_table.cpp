@@ -34,6 +34,7 @@ std::string table_legend() {
 std::string verdict_of(const check::Answer& row) {
     if (!row.ran())
         return row.reason == check::Reason::error ? "could not run" : std::string(name_of(row.reason));
+    if (row.recorded_only() && row.passed()) return "not judged";
     std::string verdict = row.passed() ? "ok" : fmt::format("{} outside", row.outside());
     if (!row.fault.empty()) verdict += ", reads outside its image";
     if (row.differs > 0) verdict += fmt::format(", {} differ from run time", row.differs);

@@ -60,12 +60,12 @@ std::string failure_text(const DeviceSummary& device, const check::Answer& row,
     if (row.worst) text += input_text("The input with the largest error:", *row.worst);
     text += fmt::format(
         "Judged by: {}; documented accuracy: {}\n\n"
-        "Device: {}\n  driver {}, Vulkan {}, type {}\n"
+        "Device: {}\n  driver {}, {}, type {}\n"
         "  float32: keeps signed zero, infinity and NaN: {}; keeps subnormals: {}; flushes them: {}; "
         "rounds to even: {}\n\n",
         row.verdict == check::Verdict::rules ? "what Vulkan's precision rules permit"
                                              : "the documented accuracy",
-        to_text(row.budget), device.name, device.driver, device.api_version, device.type,
+        to_text(row.budget), device.name, device.driver, api_of(device), device.type,
         yes_no(device.preserves_signed_zero_inf_nan), yes_no(device.preserves_denormals),
         yes_no(device.flushes_denormals), yes_no(device.rounds_to_even));
     if (!again.versions.empty()) text += "Versions: " + again.versions + "\n\n";

@@ -19,6 +19,7 @@ std::string cell(const check::Answer& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "FAULT";
     if (row.outside() > 0) return fmt::format("FAIL {}/{}", row.outside(), row.inputs());
+    if (row.recorded_only()) return "not judged";
     return "ok " + numeric::to_short_text(row.fraction_of_allowed());
 }
 

@@ -24,13 +24,14 @@ constexpr std::array entries{
     Entry{Language::gl330, "330", "330 core", false, Stage::fragment, internal::Client::none},
     Entry{Language::es300, "300es", "300 es", true, Stage::fragment, internal::Client::none},
     Entry{Language::es310, "310es", "310 es", true, Stage::compute, internal::Client::none},
+    Entry{Language::es320, "320es", "320 es", true, Stage::compute, internal::Client::none},
 };
 
 const Entry& entry_of(Language language) {
     for (const Entry& entry : entries)
         if (entry.language == language) return entry;
     throw std::invalid_argument("language " + std::to_string(static_cast<int>(language)) +
-                                ": not one of 450, 330, 300es, 310es");
+                                ": not one of 450, 330, 300es, 310es, 320es");
 }
 
 // The pieces keep their own line numbers; the last may end without a newline, in a comment.

@@ -12,9 +12,9 @@
 namespace gloam::shader {
 
 // The GLSL versions that the library promises to compile as.
-enum class Language { vulkan450, gl330, es300, es310 };
+enum class Language { vulkan450, gl330, es300, es310, es320 };
 
-// "450", "330", "300es", "310es"; nullopt for other text.
+// "450", "330", "300es", "310es", "320es"; nullopt for other text.
 [[nodiscard]] std::optional<Language> language_from(std::string_view name);
 [[nodiscard]] std::string to_string(Language language);
 

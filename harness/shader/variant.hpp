@@ -28,6 +28,12 @@ struct Variant {
     bool relaxed = false;     // every float result has RelaxedPrecision, as if all were `mediump`
     bool round_trip = false;  // translated to GLSL by SPIRV-Cross, and compiled again
     Constants constants = Constants::none;
+
+    // Whether a module of it may differ from that of the front end as it is.
+    [[nodiscard]] bool changes_the_module() const {
+        return optimization != Optimization::none || strict || relaxed || round_trip ||
+               constants != Constants::none;
+    }
 };
 
 // All variants: shipped, strict, optimized, small, round_trip, relaxed, literals, specialization.

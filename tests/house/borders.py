@@ -14,22 +14,24 @@ import papers
 MAY_INCLUDE = {
     "base": set(),
     "gpu": {"base"},
+    "gl": {"base"},
     "shader": {"base"},
     "numeric": {"base"},
     "interpreter": {"base", "shader", "numeric"},
-    "check": {"base", "gpu", "shader", "numeric", "interpreter"},
+    "check": {"base", "gpu", "gl", "shader", "numeric", "interpreter"},
     "reference": {"numeric"},
     "catalogue": {"check", "reference", "numeric"},
     "scene": {"base", "gpu", "shader", "numeric"},
     "effect": {"base", "scene", "shader", "gpu", "numeric"},
     "report": {"base", "check", "numeric"},
-    "tools": {"base", "report", "effect", "scene", "catalogue", "check", "interpreter", "gpu", "shader",
-              "numeric"},
+    "tools": {"base", "report", "effect", "scene", "catalogue", "check", "interpreter", "gpu", "gl",
+              "shader", "numeric"},
 }
 
 # Libraries that belong to one room, by what their headers are called.
 LIBRARY_HOME = {
     "vulkan": (re.compile(r"(vulkan|vk_\w+\.h)"), "gpu"),
+    "opengl": (re.compile(r"(EGL|GLES\d?|GL|KHR|epoxy)/"), "gl"),
     "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_]|StandAlone)"), "shader"),
     "assimp": (re.compile(r"assimp/"), "scene"),
     "embree": (re.compile(r"embree"), "scene"),

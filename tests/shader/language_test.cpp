@@ -14,7 +14,8 @@ using test::message_of;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr Language all[] = {Language::vulkan450, Language::gl330, Language::es300, Language::es310};
+constexpr Language all[] = {Language::vulkan450, Language::gl330, Language::es300, Language::es310,
+                            Language::es320};
 
 std::string error_of(const std::string& body, Language language) {
     return message_of<CompileError>([&] { check_compiles({"body", body}, language, {FIXTURES}); });
@@ -44,15 +45,16 @@ TEST(Language, PreambleStartsWithTheVersion) {
 
 TEST(Language, IncludesAndUndefinedPrototypesCompileEverywhere) {
     for (const char* name : {"math/hypot.glsl", "math/neighbour.glsl", "fetch.glsl"})
-        EXPECT_EQ(accepted_by("#include \"" + std::string(name) + "\"\n"), "450 330 300es 310es ") << name;
+        EXPECT_EQ(accepted_by("#include \"" + std::string(name) + "\"\n"), "450 330 300es 310es 320es ")
+            << name;
 }
 
 TEST(Language, AnEmptyBodyCompiles) {
-    EXPECT_EQ(accepted_by(""), "450 330 300es 310es ");
+    EXPECT_EQ(accepted_by(""), "450 330 300es 310es 320es ");
 }
 
 TEST(Language, ABodyMayEndInAComment) {
-    EXPECT_EQ(accepted_by("float f(float x) { return x; } // no newline"), "450 330 300es 310es ");
+    EXPECT_EQ(accepted_by("float f(float x) { return x; } // no newline"), "450 330 300es 310es 320es ");
 }
 
 TEST(Language, ImplicitConversionIsNotForEs) {
@@ -60,7 +62,7 @@ TEST(Language, ImplicitConversionIsNotForEs) {
 }
 
 TEST(Language, BitfieldFunctionsAreNewer) {
-    EXPECT_EQ(accepted_by("uint f(uint x) { return bitfieldReverse(x); }"), "450 310es ");
+    EXPECT_EQ(accepted_by("uint f(uint x) { return bitfieldReverse(x); }"), "450 310es 320es ");
 }
 
 TEST(Language, DoublesAreForDesktop) {
@@ -68,7 +70,7 @@ TEST(Language, DoublesAreForDesktop) {
 }
 
 TEST(Language, VulkanAloneRefusesFreeUniforms) {
-    EXPECT_EQ(accepted_by("uniform float x;\nfloat f() { return x; }"), "330 300es 310es ");
+    EXPECT_EQ(accepted_by("uniform float x;\nfloat f() { return x; }"), "330 300es 310es 320es ");
 }
 
 TEST(Language, RecursionCompilesNowhere) {

@@ -97,6 +97,16 @@ TEST(Pack, DecidesConditionsAndKeepsComments) {
               "}\n");
 }
 
+// The preprocessor's output holds the names of the texts, too: none may be taken for a mark of a line.
+TEST(Pack, ATextMayHaveAnyName) {
+    const Source text{
+        .name = "kernel of gloam_line_occlusion",
+        .text =
+            "uniform float fx_scale;\n#include \"pack/conditional.glsl\"\nfloat f() { return fx_scale; }\n"};
+    const std::string all = pack({text}, {.language = Language::es300}, {FIXTURES});
+    EXPECT_EQ(count_of(all, "uniform float fx_scale;"), 1U);
+}
+
 TEST(Pack, AConditionMayHideOrHoldAnInclude) {
     EXPECT_THAT(
         packed("#define FX_FAST\n#include \"pack/conditional.glsl\"\nfloat f() { return fx_square(2.0); }\n"),

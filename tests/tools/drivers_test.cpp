@@ -13,15 +13,20 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-// Of Vulkan: the interpreter, which comes last, is left out.
+json vulkan_devices(const std::string& list) {
+    json vulkan = json::array();
+    for (const json& device : json::parse(list))
+        if (!device.at("index").is_null()) vulkan.push_back(device);
+    return vulkan;
+}
+
+// Of Vulkan: the others, which have no index, are left out.
 json devices(std::vector<std::string> arguments = {}, const CommandOptions& options = {}) {
     arguments.insert(arguments.begin(), {"devices", "--json"});
     const CommandResult result = run_command(arguments, options);
     expect_success(result);
-    json all = json::parse(result.out);
-    EXPECT_EQ(all.back().at("name"), "interpreter");
-    all.erase(all.end() - 1);
-    return all;
+    EXPECT_EQ(json::parse(result.out).back().at("name"), "interpreter");
+    return vulkan_devices(result.out);
 }
 
 std::size_t swiftshaders(const json& devices) {
@@ -105,8 +110,8 @@ TEST(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
         EXPECT_THAT(check.out, HasSubstr(crashing));
         EXPECT_THAT(check.out, HasSubstr("1 failed"));
         std::ifstream stream(file);
-        // The driver that crashed has a report, the interpreter, which is listed too, has none.
-        EXPECT_EQ(json::parse(stream).size(), json::parse(run({"devices", "--json"}).out).size());
+        // The driver that crashed has a report as the others of Vulkan have.
+        EXPECT_EQ(json::parse(stream).size(), vulkan_devices(run({"devices", "--json"}).out).size() + 1);
     }
 }
 

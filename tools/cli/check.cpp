@@ -21,10 +21,12 @@
 #include "cli/check/worker.hpp"
 #include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
+#include "cli/gl_devices.hpp"
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
 #include "cli/variant.hpp"
 #include "cli/versions.hpp"
+#include "gl/device_name.hpp"
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
 #include "report/output_file.hpp"
@@ -32,7 +34,14 @@
 namespace gloam::cli {
 namespace {
 
+constexpr const char* every_opengl = "gl";
+
+bool is_opengl(const std::string& device) {
+    return device == every_opengl || gl::is_device_name(device);
+}
+
 std::vector<std::string> devices_to_check(const std::string& device) {
+    if (device == every_opengl) return gl_device_names();
     if (device != "all") return {device};
     std::vector<std::string> all;
     const std::size_t count = count_devices();
@@ -56,6 +65,16 @@ std::vector<std::string> names_of(const CheckOptions& options) {
     return names;
 }
 
+// OpenGL devices have one variant: the others are ways to make a SPIR-V module.
+std::vector<shader::Variant> variants_of(const CheckOptions& options) {
+    std::vector<shader::Variant> variants = select_variants(options.variant);
+    if (!is_opengl(options.device)) return variants;
+    std::erase_if(variants, [](const shader::Variant& variant) { return variant.changes_the_module(); });
+    if (variants.empty())
+        throw std::invalid_argument("OpenGL devices have the variant shipped only, not " + options.variant);
+    return variants;
+}
+
 // The selected equations in every selected variant; only this shard's share.
 std::vector<CheckTask> tasks_of(const CheckOptions& options) {
     const Shard shard = shard_from(options.shard);
@@ -64,7 +83,7 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options) {
         is_of_file(options) ? std::filesystem::absolute(options.equations.front()).string() : "";
     std::vector<CheckTask> tasks;
     std::size_t position = 0;
-    for (const shader::Variant& variant : select_variants(options.variant)) {
+    for (const shader::Variant& variant : variants_of(options)) {
         for (const std::string& name : names) {
             if (!shard.holds(position++)) continue;
             tasks.push_back({.equation = name,
@@ -170,7 +189,7 @@ class CheckRun {
         try {
             return run_on_device(run);
         } catch (const DeviceRefused& refused) {
-            if (options_.device != "all") throw;
+            if (options_.device != "all" && options_.device != every_opengl) throw;
             report::CheckReport report{
                 .device = {.name = "device " + device},
                 .rows = {device_row(check::Reason::error, refused.what(), tasks_.size())}};
@@ -237,7 +256,8 @@ std::vector<report::CheckReport> reports_of(const CheckOptions& options) {
         throw std::invalid_argument("--range is for the functions of a shader file");
     std::vector<CheckTask> tasks = tasks_of(options);
     std::vector<report::CheckReport> reports;
-    if (options.device != check::interpreter_name) reports = reports_of_bad_drivers(options, tasks.size());
+    if (options.device != check::interpreter_name && !is_opengl(options.device))
+        reports = reports_of_bad_drivers(options, tasks.size());
     const std::vector<std::string> devices = devices_to_check(options.device);
     CheckRun run(options, std::move(tasks), devices.size());
     for (const std::string& device : devices) reports.push_back(run.on_device(device));
@@ -304,15 +324,16 @@ void add_file_options(CLI::App& command, CheckOptions& options) {
 void add_check(CLI::App& app, int& status) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* command =
-        app.add_subcommand("check", "run equations on a Vulkan device and judge every result");
+        app.add_subcommand("check", "run equations on a Vulkan or OpenGL device and judge every result");
     command->add_option(
         "equation", options->equations,
         "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions");
     command->add_option("--range", options->ranges,
                         "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
-    command->add_option(
-        "--device", options->device,
-        "name or index of the device, or all; interpreter: no driver, every operation correctly rounded");
+    command->add_option("--device", options->device,
+                        "name or index of the device, or all: every Vulkan device; gl: every OpenGL and "
+                        "OpenGL ES device, or one's "
+                        "name; interpreter: no driver, every operation correctly rounded");
     command
         ->add_option("--variant", options->variant,
                      "how the shaders are compiled (gloam list variants), or all")

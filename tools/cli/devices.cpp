@@ -11,6 +11,7 @@
 #include "check/lab.hpp"
 #include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
+#include "cli/gl_devices.hpp"
 #include "gpu/device.hpp"
 
 namespace gloam::cli {
@@ -55,6 +56,23 @@ nlohmann::ordered_json to_json(const gpu::DeviceInfo& device) {
               {"rounding_mode_rtz", device.float32.rounds_to_zero}}}};
 }
 
+nlohmann::ordered_json opengl_json(const report::DeviceSummary& device) {
+    return {{"index", nullptr},
+            {"name", device.name},
+            {"type", device.type},
+            {"driver", device.driver},
+            {"api_version", device.api_version}};
+}
+
+// One line for each: what it is called, and who executes it.
+void print_opengl(const std::vector<GlExecutor>& executors) {
+    for (const GlExecutor& executor : executors) {
+        for (const report::DeviceSummary& device : executor.devices)
+            fmt::print("{}: {}, {}\n", device.name, device.api_version, device.driver);
+        if (!executor.error.empty()) fmt::print("OpenGL on {}: {}\n", executor.name, executor.error);
+    }
+}
+
 void run_devices(bool json) {
     require_good_drivers();
     const auto devices = gpu::list_devices();
@@ -71,11 +89,15 @@ void run_devices(bool json) {
             print_device(device);
         }
     }
+    const std::vector<GlExecutor> opengl = list_gl_executors();
     if (json) {
+        for (const GlExecutor& executor : opengl)
+            for (const report::DeviceSummary& device : executor.devices) all.push_back(opengl_json(device));
         all.push_back(to_json(check::interpreter_info()));
         all.back()["index"] = nullptr;
         fmt::print("{}\n", all.dump(2));
     } else {
+        print_opengl(opengl);
         fmt::print("interpreter: for `gloam check --device interpreter`\n");
         print_float_controls(check::interpreter_info().float32);
     }
@@ -86,7 +108,8 @@ void run_devices(bool json) {
 void add_devices(CLI::App& app) {
     auto json = std::make_shared<bool>(false);
     CLI::App* command = app.add_subcommand(
-        "devices", "the Vulkan devices here and the interpreter, and what their float controls report");
+        "devices",
+        "the Vulkan and OpenGL devices here and the interpreter, and what their float controls report");
     command->add_flag("--json", *json, "as JSON");
     add_driver_option(*command);
     command->callback([json] { run_devices(*json); });

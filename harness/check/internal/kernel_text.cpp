@@ -108,8 +108,9 @@ std::string image_interface(const ImagePrototype& image, std::size_t index) {
 }
 
 // The definition of a prototype: it finds the pixel or reports the fault.
-std::string image_definition(const ImagePrototype& image, std::size_t index) {
+std::string image_definition(const ImagePrototype& image, std::size_t index, const ImageWordText& read) {
     const std::string buffer = fmt::format("gloam_kernel_image{}", index);
+    const auto read_word = [&](const std::string& at) { return read(index, at); };
     const std::size_t scalars = scalars_of(image.element).size();
     const std::string type = type_name(image.element);
     std::string code =
@@ -117,20 +118,20 @@ std::string image_definition(const ImagePrototype& image, std::size_t index) {
             ? fmt::format("void {}(ivec2 gloam_kernel_pixel, {} gloam_kernel_value) {{\n", image.name, type)
             : fmt::format("{} {}(ivec2 gloam_kernel_pixel) {{\n", type, image.name);
     code += fmt::format(
-        "    ivec2 gloam_kernel_size = ivec2({0}[0], {0}[1]);\n"
+        "    ivec2 gloam_kernel_size = ivec2({}, {});\n"
         "    ivec2 gloam_kernel_inside = clamp(gloam_kernel_pixel, ivec2(0), gloam_kernel_size - 1);\n"
-        "    if (gloam_kernel_inside != gloam_kernel_pixel && {0}[2] == 0u)\n"
-        "        gloam_kernel_fault({1}u, gloam_kernel_pixel);\n"
-        "    uint gloam_kernel_at = {2}u + uint(gloam_kernel_inside.y * gloam_kernel_size.x +\n"
-        "                                       gloam_kernel_inside.x) * {3}u;\n",
-        buffer, index, image_header_words, scalars);
+        "    if (gloam_kernel_inside != gloam_kernel_pixel && {} == 0u)\n"
+        "        gloam_kernel_fault({}u, gloam_kernel_pixel);\n"
+        "    uint gloam_kernel_at = {}u + uint(gloam_kernel_inside.y * gloam_kernel_size.x +\n"
+        "                                       gloam_kernel_inside.x) * {}u;\n",
+        read_word("0"), read_word("1"), read_word("2"), index, image_header_words, scalars);
     if (image.stores) {
         code += "    if (gloam_kernel_inside != gloam_kernel_pixel) return;\n";
         append_write(code, image.element, "gloam_kernel_value", buffer, "gloam_kernel_at", 0);
     } else {
         code += fmt::format("    {} gloam_kernel_value;\n", type);
-        const InputText word = [&buffer](Scalar scalar, std::size_t offset) {
-            return from_word(scalar, fmt::format("{}[gloam_kernel_at + {}u]", buffer, offset));
+        const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
+            return from_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
         };
         append_read(code, image.element, "gloam_kernel_value", word, 0);
         code += "    return gloam_kernel_value;\n";
@@ -181,11 +182,19 @@ std::string kernel_text(const KernelSource& source, const std::string& rest) {
     if (source.preserve_nan) code += preserve;
     code += interface;
     for (std::size_t i = 0; i < source.images.size(); ++i) code += image_interface(source.images[i], i);
-    code += fmt::format("#include \"{}\"\n", source.file);
+    return code + file_and_rest(source, word_of_buffer, rest);
+}
+
+std::string file_and_rest(const KernelSource& source, const ImageWordText& read, const std::string& rest) {
     std::string ours;
-    for (std::size_t i = 0; i < source.images.size(); ++i) ours += image_definition(source.images[i], i);
+    for (std::size_t i = 0; i < source.images.size(); ++i)
+        ours += image_definition(source.images[i], i, read);
     ours += rest;
-    return code + without_macros(ours) + ours;
+    return fmt::format("#include \"{}\"\n", source.file) + without_macros(ours) + ours;
+}
+
+std::string word_of_buffer(std::size_t image, const std::string& at) {
+    return fmt::format("gloam_kernel_image{}[{}]", image, at);
 }
 
 Evaluation evaluation(const shader::Function& function, const InputText& input) {

@@ -18,6 +18,18 @@ namespace gloam::check::internal {
 // file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
 
+// The GLSL expression of a word of an image, given the image's position and the GLSL expression of the
+// word's.
+using ImageWordText = std::function<std::string(std::size_t image, const std::string& at)>;
+
+// The same of an image in a storage buffer.
+[[nodiscard]] std::string word_of_buffer(std::size_t image, const std::string& at);
+
+// What stands behind the interface of a kernel, whatever that is: the function's file, the definitions of its
+// prototypes, `rest`. The interface defines void gloam_kernel_fault(uint image, ivec2 pixel).
+[[nodiscard]] std::string file_and_rest(const KernelSource& source, const ImageWordText& read,
+                                        const std::string& rest);
+
 // The GLSL expression of an input scalar, given its position among the words of one input.
 using InputText = std::function<std::string(shader::Scalar scalar, std::size_t word)>;
 

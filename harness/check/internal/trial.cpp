@@ -50,6 +50,8 @@ void Trial::evaluate(const Domain::Inputs& inputs, Answer& answer, std::span<dou
     const KernelCore::Result outputs = run(inputs, answer);
     JudgeOptions options = options_;
     options.modules = outputs.modules;
+    options.recorded_only =
+        outputs.modules.empty() && (options.verdict == Verdict::rules || !question_.reference);
     answer.merge(judge(question_, options, inputs, outputs.outputs, images_, scenario_.name, fractions));
 }
 

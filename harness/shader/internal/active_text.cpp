@@ -14,8 +14,9 @@
 namespace gloam::shader::internal {
 namespace {
 
-// Stands for a line of code while the compiler's preprocessor runs: gloam_line_FILE_LINE_.
-constexpr std::string_view mark = "gloam_line_";
+// Stands for a line of code while the compiler's preprocessor runs: gloam_active_text_at_FILE_LINE_. Its
+// output also holds the names of the texts, which are no such marks.
+constexpr std::string_view mark = "gloam_active_text_at_";
 
 std::string mark_of(std::size_t file, std::size_t line) {
     return std::string(mark) + std::to_string(file) + "_" + std::to_string(line) + "_";

@@ -12,6 +12,7 @@
 #include "cli/check/own_file.hpp"
 #include "cli/environment.hpp"
 #include "cli/variant.hpp"
+#include "gl/errors.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -101,6 +102,8 @@ HandOver Checker::hand_over(const HandOverRequest& request) {
 check::Reason reason_of(const std::exception& error) {
     using check::Reason;
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return Reason::out_of_memory;
+    if (dynamic_cast<const gl::OutOfMemory*>(&error) != nullptr) return Reason::out_of_memory;
+    if (dynamic_cast<const check::Unsupported*>(&error) != nullptr) return Reason::unsupported;
     // Message texts of the rooms, and Vulkan's names of results, with their reasons.
     constexpr std::array<std::pair<std::string_view, Reason>, 10> signs{{
         {"was lost while", Reason::device_lost},

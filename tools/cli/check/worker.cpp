@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "cli/check/worker_session.hpp"
+#include "cli/gl_devices.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -90,6 +91,10 @@ std::vector<std::string> counting_command(const std::filesystem::path& driver) {
     return command;
 }
 
+std::vector<std::string> gl_listing_command(const std::string& executor) {
+    return {this_program, subcommand, "--opengl=" + executor};
+}
+
 std::size_t count_devices() {
     WorkerSession session(counting_command({}), time_to_count,
                           [](const std::string& line) { return greeting_from(line).error; });
@@ -113,7 +118,13 @@ void add_check_worker(CLI::App& app) {
     command->add_flag("--count", *count, "only count the devices");
     auto driver = std::make_shared<std::string>();
     command->add_option("--driver-alone", *driver, "manifest of the only driver to load");
-    command->callback([options, timeout, count, driver] {
+    auto executor = std::make_shared<std::string>();
+    command->add_option("--opengl", *executor, "only list the OpenGL devices of this executor");
+    command->callback([options, timeout, count, driver, executor] {
+        if (!executor->empty()) {
+            Replies().send(gl_devices_line(*executor));
+            return;
+        }
         if (!driver->empty()) {
             ::setenv("VK_DRIVER_FILES", driver->c_str(), 1);
             ::setenv("VK_ICD_FILENAMES", driver->c_str(), 1);

@@ -22,6 +22,9 @@ namespace gloam::cli {
 // manifest), or of all.
 [[nodiscard]] std::vector<std::string> counting_command(const std::filesystem::path& driver);
 
+// The command line that prints the OpenGL devices of an executor: see gl_devices_line().
+[[nodiscard]] std::vector<std::string> gl_listing_command(const std::string& executor);
+
 // The number of devices, counted by another process, because drivers can crash in doing so. Throws
 // std::runtime_error.
 [[nodiscard]] std::size_t count_devices();

@@ -71,7 +71,7 @@ void pack_files(const PackOptions& options) {
     const auto language = shader::language_from(options.version);
     if (!language) {
         throw std::invalid_argument("unknown GLSL version \"" + options.version +
-                                    "\": expected 450, 330, 300es or 310es");
+                                    "\": expected 450, 330, 300es, 310es or 320es");
     }
     const std::vector<fs::path> roots{glsl_directory()};
     std::vector<fs::path> files;
@@ -139,7 +139,8 @@ void add_pack(CLI::App& app) {
                      "only this function and what it uses (default: main, else every function of the files); "
                      "may be repeated")
         ->allow_extra_args(false);
-    command->add_option("--version", options->version, "450, 330, 300es or 310es")->capture_default_str();
+    command->add_option("--version", options->version, "450, 330, 300es, 310es or 320es")
+        ->capture_default_str();
     command->add_option("--out", options->out,
                         "file to write (standard output when not given); with --effect the folder");
     command->add_flag(

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "check/internal/gl_kernel_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/internal/kernel_text.hpp"
+#include "check/lab.hpp"
+
+namespace gloam::check::internal {
+namespace {
+
+using shader::Scalar;
+
+constexpr std::size_t row_fault_words = sizeof(KernelFaults) / sizeof(Word) - 1;  // all but the input
+
+std::string compute_interface(const KernelSource& source) {
+    std::string code = fmt::format(
+        "layout(local_size_x = {}) in;\n"
+        "layout(std140, binding = {}) uniform GloamKernelRun {{\n"
+        "    uint gloam_kernel_count;\n    uint gloam_kernel_row_length;\n    uint "
+        "gloam_kernel_canary;\n}};\n",
+        kernel_group_size, gl_run_binding);
+    code += R"(layout(std430, binding = 0) readonly buffer GloamKernelInputs { uint gloam_kernel_inputs[]; };
+layout(std430, binding = 1) writeonly buffer GloamKernelOutputs { uint gloam_kernel_outputs[]; };
+layout(std430, binding = 2) buffer GloamKernelFaults { uint gloam_kernel_faults[]; };
+)";
+    for (std::size_t i = 0; i < source.images.size(); ++i) {
+        code += fmt::format(
+            "layout(std430, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; }};\n",
+            KernelBinding::first_image + i, source.images[i].stores ? "" : "readonly ", i, i);
+    }
+    return code + R"(uint gloam_kernel_input() {
+    return gl_GlobalInvocationID.y * gloam_kernel_row_length + gl_GlobalInvocationID.x;
+}
+void gloam_kernel_fault(uint image, ivec2 pixel) {
+    if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {
+        gloam_kernel_faults[1] = image;
+        gloam_kernel_faults[2] = uint(pixel.x);
+        gloam_kernel_faults[3] = uint(pixel.y);
+        gloam_kernel_faults[4] = gloam_kernel_input();
+    }
+}
+)";
+}
+
+// Textures have rows of 2048 words.
+std::string word_of_texture(const std::string& texture, const std::string& at) {
+    return fmt::format("gloam_kernel_word({}, uint({}))", texture, at);
+}
+
+std::string fragment_interface(const KernelSource& source, std::size_t row, std::size_t targets) {
+    std::string code =
+        "uniform uint gloam_kernel_count;\nuniform uint gloam_kernel_canary;\n"
+        "uniform uint gloam_kernel_pass;\nuniform highp usampler2D gloam_kernel_inputs;\n";
+    for (std::size_t i = 0; i < source.images.size(); ++i)
+        code += fmt::format("uniform highp usampler2D gloam_kernel_image{};\n", i);
+    for (std::size_t i = 0; i < targets; ++i)
+        code += fmt::format("layout(location = {}) out highp uvec4 gloam_kernel_target{};\n", i, i);
+    code +=
+        fmt::format("uint gloam_kernel_outputs[{}];\nuint gloam_kernel_faults[{}];\n", row, row_fault_words);
+    return code + R"(uint gloam_kernel_word(highp usampler2D words, uint at) {
+    return texelFetch(words, ivec2(int(at & 2047u), int(at >> 11u)), 0).x;
+}
+void gloam_kernel_fault(uint image, ivec2 pixel) {
+    if (gloam_kernel_faults[0] == 0u) {
+        gloam_kernel_faults[1] = image;
+        gloam_kernel_faults[2] = uint(pixel.x);
+        gloam_kernel_faults[3] = uint(pixel.y);
+    }
+    gloam_kernel_faults[0] += 1u;
+}
+)";
+}
+
+// Statements that write the words of one pass to the targets.
+std::string write_pass(std::size_t first, std::size_t row, std::size_t targets) {
+    std::string code;
+    for (std::size_t target = 0; target < targets; ++target) {
+        std::string words;
+        for (std::size_t k = 0; k < gl_target_words; ++k) {
+            const std::size_t at = first + target * gl_target_words + k;
+            words += (k > 0 ? ", " : "") + (at < row ? fmt::format("gloam_kernel_outputs[{}]", at) : "0u");
+        }
+        code += fmt::format("        gloam_kernel_target{} = uvec4({});\n", target, words);
+    }
+    return code;
+}
+
+std::string fragment_end(std::size_t output_words, std::size_t images, std::size_t targets) {
+    std::string code = fmt::format(
+        "    gloam_kernel_outputs[{}] = gloam_kernel_canary ^ gloam_kernel_index;\n", output_words);
+    for (std::size_t k = 0; images > 0 && k < row_fault_words; ++k)
+        code +=
+            fmt::format("    gloam_kernel_outputs[{}] = gloam_kernel_faults[{}];\n", output_words + 1 + k, k);
+    const std::size_t row = gl_fragment_row(output_words, images);
+    const std::size_t words = targets * gl_target_words;
+    for (std::size_t pass = 0; pass * words < row; ++pass) {
+        code += fmt::format("    if (gloam_kernel_pass == {}u) {{\n{}    }}\n", pass,
+                            write_pass(pass * words, row, targets));
+    }
+    return code + "}\n";
+}
+
+}  // namespace
+
+std::string gl_compute_text(const KernelSource& source) {
+    const auto input = [](Scalar scalar, std::size_t word) {
+        return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
+    };
+    const Evaluation calls = evaluation(source.function, input);
+    const std::string rest =
+        main_begin(calls.output_words) +
+        fmt::format("    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n", calls.input_words) +
+        calls.code + main_end(calls.output_words);
+    return compute_interface(source) + file_and_rest(source, word_of_buffer, rest);
+}
+
+std::size_t gl_fragment_row(std::size_t output_words, std::size_t images) {
+    return output_words + 1 + (images > 0 ? row_fault_words : 0);
+}
+
+std::string gl_fragment_text(const KernelSource& source) {
+    if (std::ranges::any_of(source.images, &ImagePrototype::stores)) {
+        throw Unsupported(source.function.name +
+                          ": stores to images, which needs OpenGL 4.3 or OpenGL ES 3.1");
+    }
+    const auto input = [](Scalar scalar, std::size_t word) {
+        const std::string at = fmt::format("gloam_kernel_input_at + {}u", word);
+        return from_word(scalar, word_of_texture("gloam_kernel_inputs", at));
+    };
+    const auto image = [](std::size_t index, const std::string& at) {
+        return word_of_texture(fmt::format("gloam_kernel_image{}", index), at);
+    };
+    const Evaluation calls = evaluation(source.function, input);
+    const std::size_t row = gl_fragment_row(calls.output_words, source.images.size());
+    const std::size_t targets = std::min((row + gl_target_words - 1) / gl_target_words, gl_most_targets);
+    const std::string begin = fmt::format(
+        "void main() {{\n"
+        "    uint gloam_kernel_index =\n"
+        "        min(uint(gl_FragCoord.y) * {}u + uint(gl_FragCoord.x), gloam_kernel_count - 1u);\n"
+        "    uint gloam_kernel_output_at = 0u;\n"
+        "    gloam_kernel_faults[0] = 0u;\n"
+        "    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n",
+        gl_target_width, calls.input_words);
+    return fragment_interface(source, row, targets) +
+           file_and_rest(
+               source, image,
+               begin + calls.code + fragment_end(calls.output_words, source.images.size(), targets));
+}
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// OpenGL devices: whole checks, through compute shaders and through fragment shaders.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "check/internal/gl_rules.hpp"
+#include "check/reproduction.hpp"
+#include "support/lab.hpp"
+
+namespace gloam::check {
+namespace opengl_device_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class OpenGlDevice : public testing::TestWithParam<const char*> {
+  protected:
+    // The device of the test, or of that name; nothing, and the reason, where this machine has none.
+    std::optional<Lab> lab_of(const std::string& name = GetParam()) {
+        try {
+            return Lab({.device = name, .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
+        } catch (const gl::Unavailable& error) {
+            skipped_ = error.what();
+        } catch (const gl::VersionRefused& error) {
+            skipped_ = error.what();
+        }
+        return std::nullopt;
+    }
+    std::string skipped_;
+};
+
+#define GLOAM_LAB_OR_SKIP(lab)               \
+    const std::optional<Lab> lab = lab_of(); \
+    if (!lab) GTEST_SKIP() << skipped_
+
+TEST_P(OpenGlDevice, SaysWhoItIs) {
+    GLOAM_LAB_OR_SKIP(lab);
+    EXPECT_EQ(lab->info().name, GetParam());
+    EXPECT_THAT(lab->info().api_version, HasSubstr("OpenGL"));
+    EXPECT_FALSE(lab->info().float32.preserves_signed_zero_inf_nan);
+    EXPECT_THROW((void)lab->device(), std::runtime_error);
+}
+
+TEST_P(OpenGlDevice, JudgesARightAndAWrongFunction) {
+    GLOAM_LAB_OR_SKIP(lab);
+    const Domain domain{signed_log_uniform(1e-3, 10), uniform(0.5, 8)};
+    const auto exact = [](double distance, double radius) {
+        const double x = distance / radius;
+        return std::abs(distance) < radius ? 1.0 - x * x : 0.0;
+    };
+    const Budget budget{.ulp = 2, .absolute = 4e-7};
+    // More inputs than a row of the targets holds.
+    const Answer right =
+        compare<float(float, float)>(*lab, "wrong.glsl", "weight", exact, domain, budget, {.inputs = 3000});
+    EXPECT_TRUE(right.passed()) << right;
+    EXPECT_GT(right.max_absolute, 0.0);
+    const Answer wrong = compare<float(float, float)>(*lab, "wrong.glsl", "weight_wrong_constant", exact,
+                                                      domain, budget, {.inputs = 3000});
+    EXPECT_FALSE(wrong.passed());
+    EXPECT_THAT(wrong.story, HasSubstr("wrong.glsl"));
+}
+
+// Of structures, matrices and out parameters: rows that no single draw can write.
+TEST_P(OpenGlDevice, EveryTypeArrivesBitByBit) {
+    GLOAM_LAB_OR_SKIP(lab);
+    const Kernel<glm::mat4(glm::mat4, Out<glm::mat3>, Out<glm::ivec4>)> mirrored(*lab, "opengl.glsl",
+                                                                                 "mirrored");
+    std::vector<std::tuple<glm::mat4>> inputs;
+    for (int i = 0; i < 1500; ++i) {
+        glm::mat4 m;
+        for (int k = 0; k < 16; ++k) m[k / 4][k % 4] = std::ldexp(1.0F + float(i) / 4096.0F, k - 8);
+        inputs.emplace_back(m);
+    }
+    const auto outputs = mirrored(inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const glm::mat4& m = std::get<0>(inputs[i]);
+        const auto& [transposed, corner, signs] = outputs[i];
+        EXPECT_EQ(transposed, glm::transpose(m));
+        EXPECT_EQ(corner, glm::mat3(m));
+        EXPECT_EQ(signs, glm::ivec4(-1, 2, -3, 4)) << i;
+    }
+}
+
+TEST_P(OpenGlDevice, ServesImagesAndReportsAnAccessOutside) {
+    GLOAM_LAB_OR_SKIP(lab);
+    const KernelCore kernel =
+        lab->kernel("two_pixels.glsl", "two_pixels", SignatureOf<float(glm::ivec2)>::describe());
+    const std::vector<Word> inputs{0, 0, 2, 1, 2, 0};
+    const auto value = [](glm::ivec2 p) { return float(1 + p.x + 10 * p.y); };
+    const ImageSet inside{{"fetch", make_image<float>({3, 2}, value, Border::clamp)}};
+    const Lab interpreter({.device = std::string(interpreter_name), .include_roots = {FIXTURES}});
+    const KernelCore same =
+        interpreter.kernel("two_pixels.glsl", "two_pixels", SignatureOf<float(glm::ivec2)>::describe());
+    EXPECT_EQ(kernel.run(inputs, 3, inside).outputs, same.run(inputs, 3, inside).outputs);
+    const KernelCore::Result result = kernel.run(inputs, 3, {{"fetch", make_image<float>({3, 2}, value)}});
+    ASSERT_TRUE(result.fault);
+    EXPECT_EQ(result.fault->count, 2U);
+    EXPECT_EQ(result.fault->image, "fetch");
+    EXPECT_EQ(result.fault->pixel.x, 3);
+    EXPECT_THAT(result.fault->input, testing::AnyOf(1U, 2U));
+}
+
+TEST_P(OpenGlDevice, StoresToImagesWhereThereAreComputeShaders) {
+    GLOAM_LAB_OR_SKIP(lab);
+    const auto store = [&] { return Kernel<float(glm::ivec2, glm::ivec2)>(*lab, "stores.glsl", "store_at"); };
+    if (!gl::has_compute(gl::device_name_from(GetParam())->version)) {
+        EXPECT_THAT(store, ThrowsMessage<Unsupported>(HasSubstr("stores to images")));
+        return;
+    }
+    const ImageSet images{
+        {"store_value", make_image<glm::vec2>({3, 2}, [](glm::ivec2) { return glm::vec2(-1); })}};
+    const std::vector<std::tuple<glm::ivec2, glm::ivec2>> inputs{{{0, 0}, {1, 0}}, {{2, 1}, {0, 0}}};
+    ImageSet stored;
+    (void)store()(inputs, images, stored);
+    EXPECT_EQ(stored.at("store_value").at<glm::vec2>({2, 1}), glm::vec2(2, 1));
+    EXPECT_EQ(stored.at("store_value").at<glm::vec2>({0, 0}), glm::vec2(-1));
+}
+
+// Section 4.7.1 of GLSL 4.60 and of GLSL ES 3.20 has precisions, and none for sin().
+TEST_P(OpenGlDevice, AsksTheRulesWhereTheLanguageHasThem) {
+    GLOAM_LAB_OR_SKIP(lab);
+    const gl::Version version = gl::device_name_from(GetParam())->version;
+    const bool rules = version == gl::Version{gl::Api::gl, 4, 5} || version == gl::Version{gl::Api::es, 3, 2};
+    const Answer quotient =
+        check_rules<float(float)>(*lab, "rules.glsl", "reciprocal", {uniform(1, 2)}, {.inputs = 600});
+    EXPECT_TRUE(quotient.passed()) << quotient;
+    EXPECT_EQ(quotient.by_rules, rules ? quotient.inputs() : 0U);
+    EXPECT_EQ(quotient.recorded_only(), !rules);
+    const Answer sine =
+        check_rules<float(float)>(*lab, "opengl.glsl", "sine", {uniform(-3, 3)}, {.inputs = 600});
+    EXPECT_TRUE(sine.recorded_only());
+    EXPECT_TRUE(sine.passed());
+}
+
+TEST_P(OpenGlDevice, SpecialInputsAreRecordedOnly) {
+    GLOAM_LAB_OR_SKIP(lab);
+    const auto same = [](double x) { return x; };
+    const Answer answer = compare<float(float)>(*lab, "opengl.glsl", "same", same,
+                                                {uniform(1, 2).and_special()}, {}, {.inputs = 600});
+    EXPECT_TRUE(answer.passed()) << answer;
+    EXPECT_GT(answer.recorded(), 0U);
+    EXPECT_LT(answer.recorded(), answer.inputs());
+}
+
+TEST_P(OpenGlDevice, WhatTheVersionLacksIsUnsupported) {
+    GLOAM_LAB_OR_SKIP(lab);
+    const auto kernel = [&] { return Kernel<unsigned(unsigned)>(*lab, "opengl.glsl", "reversed_bits"); };
+    if (gl::has_compute(gl::device_name_from(GetParam())->version)) {
+        EXPECT_EQ(kernel()(1U), 0x80000000U);
+    } else {
+        EXPECT_THAT(kernel, ThrowsMessage<Unsupported>(AllOf(HasSubstr("reversed_bits is no GLSL 3"),
+                                                             HasSubstr("bitfieldReverse"))));
+    }
+}
+
+TEST_P(OpenGlDevice, HasTheVariantShippedOnly) {
+    EXPECT_THAT([] { const Lab lab({.device = GetParam(), .variant = shader::variant("strict")}); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("have the variant shipped only, not strict")));
+    EXPECT_THAT([] { const Lab lab({.device = GetParam(), .validation = true}); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("validation layers")));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OpenGlDevice,
+                         testing::Values("gl:llvmpipe-4.5", "gl:llvmpipe-3.3", "es:llvmpipe-3.2",
+                                         "es:llvmpipe-3.1", "es:llvmpipe-3.0", "gl:softpipe-3.3",
+                                         "es:softpipe-3.1", "es:softpipe-3.0"),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             for (char& c : name)
+                                 if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+                             return name;
+                         });
+
+TEST(OpenGlRules, ACallWithoutPrecisionIsFound) {
+    const Lab lab({.device = std::string(interpreter_name), .include_roots = {FIXTURES}});
+    const auto module = [&](const char* function) {
+        return lab.kernel("opengl.glsl", function, SignatureOf<float(float)>::describe()).module().spirv;
+    };
+    EXPECT_TRUE(internal::calls_undefined_precision(module("sine")));
+    EXPECT_FALSE(internal::calls_undefined_precision(module("same")));
+    EXPECT_FALSE(internal::calls_undefined_precision(module("root")));
+}
+
+}  // namespace opengl_device_test
+}  // namespace gloam::check
