@@ -16,7 +16,7 @@ namespace {
 constexpr const char* benchmark_introduction = R"(# Time against error
 
 Which method, with how many samples, takes how long and comes how near to the truth. `gloam bench --report FILE` wrote
-this page. How to measure on your device, and how to ask the results, is in docs/benchmark.md; other devices rank
+this page. docs/benchmark.md says how to measure on your device and how to query the results; other devices rank
 methods otherwise.
 
 )";
