@@ -102,6 +102,11 @@ const gpu::Device& Lab::device() const {
     return *device_;
 }
 
+const gl::Device& Lab::opengl() const {
+    if (!gl_) throw std::runtime_error(info_.name + " is no OpenGL device");
+    return *gl_;
+}
+
 KernelCore Lab::core(KernelModule module, const std::string& name) const {
     if (gl_) return {*gl_, std::move(module), name};
     return device_ ? KernelCore(*device_, std::move(module), name) : KernelCore(std::move(module), name);
@@ -169,8 +174,7 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
 }
 
 std::string Lab::opengl_code(const KernelSource& source) const {
-    if (!gl_) throw std::runtime_error(info_.name + " is no OpenGL device");
-    return internal::gl_kernel_code(gl_->info().name.version, source, options_.include_roots);
+    return internal::gl_kernel_code(opengl().info().name.version, source, options_.include_roots);
 }
 
 shader::Spirv Lab::compile(const shader::Source& text) const {

@@ -89,6 +89,8 @@ class Lab {
     [[nodiscard]] const gpu::DeviceInfo& info() const { return info_; }
     // Whether it runs on an OpenGL device.
     [[nodiscard]] bool is_opengl() const { return gl_ != nullptr; }
+    // The OpenGL device. Throws std::runtime_error if there is none.
+    [[nodiscard]] const gl::Device& opengl() const;
     // The Vulkan device. Throws std::runtime_error if there is none.
     [[nodiscard]] const gpu::Device& device() const;
     [[nodiscard]] const LabOptions& options() const { return options_; }

@@ -8,6 +8,7 @@
 
 #include "check/constant_code.hpp"
 #include "check/constant_kernel.hpp"
+#include "check/internal/gl_kernel.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/shrink.hpp"
@@ -74,6 +75,18 @@ std::string code_of(KernelSource source, Constants constants, const std::vector<
     return literal_kernel_code(source, inputs, 1);
 }
 
+// The texts for an OpenGL device, once what is allowed is known.
+void add_opengl(const Lab& lab, const KernelSource& source, Reproduction& all) {
+    if (!lab.is_opengl()) return;
+    const gl::Version version = lab.opengl().info().name.version;
+    all.opengl = all.opengl_replay = lab.opengl_code(source);
+    if (gl::has_compute(version)) return;
+    internal::GlReplay replay{.image_words = {}, .outputs = all.outputs, .allowed = all.allowed};
+    for (const Reproduction::ImageBuffer& image : all.images)
+        replay.image_words.push_back(image.words.size());
+    all.opengl_replay = internal::gl_replay_code(version, source, replay, lab.options().include_roots);
+}
+
 Reproduction without_verdict(const Lab& lab, const Question& question, const std::string& scenario,
                              const ImageSet& images, std::vector<Word> inputs) {
     const KernelSource source = lab.source(question.file, question.function, question.signature);
@@ -90,6 +103,7 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
     std::vector<std::vector<Word>> words = image_words(source.images, images, question.function);
     for (std::size_t i = 0; i < words.size(); ++i)
         all.images.push_back({.name = source.images[i].name, .words = std::move(words[i])});
+    add_opengl(lab, source, all);
     return all;
 }
 
@@ -113,6 +127,7 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
     const Sample smallest = shrink(scope, failing);
     Reproduction all = without_verdict(lab, question, failing.scenario, stage.images(), smallest.inputs);
     all.allowed = allowed_outputs(question, stage.images(), smallest);
+    add_opengl(lab, lab.source(question.file, question.function, question.signature), all);
     all.failure = smallest;
     return all;
 }

@@ -2,11 +2,14 @@
 // OpenGL devices on the command line.
 #include <nlohmann/json.hpp>
 
+#include "gl/device_name.hpp"
 #include "tools/expect.hpp"
+#include "tools/installation.hpp"
 
 namespace gloam::test {
 namespace opengl_test {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
@@ -58,6 +61,35 @@ TEST_F(OpenGlCommands, ResultsSayWhichInterfaceItWas) {
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr(names_.front()));
     EXPECT_THAT(result.out, HasSubstr("1 checks, 0 failed"));
+}
+
+// A compute shader is probed, a fragment shader draws green.
+TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
+    const Installation installation;
+    installation.replace("gloam/sampling/radical_inverse.glsl", "5.9604644775390625e-8", "5.9604652e-8");
+    for (const std::string& name : names_) {
+        const bool compute = gl::has_compute(gl::device_name_from(name)->version);
+        if (name != "es:llvmpipe-3.0" && name != "es:llvmpipe-3.1") continue;
+        const fs::path failures = installation.file("failures" + std::to_string(compute));
+        const CommandResult result = run_program(
+            installation.program(),
+            {"check", "HALTON-base2", "--inputs", "64", "--device", name, "--failures", failures.string()});
+        EXPECT_EQ(result.status, 1) << result.err;
+        ASSERT_TRUE(fs::exists(failures));
+        const fs::path device = fs::directory_iterator(failures)->path();
+        const fs::path folder = fs::directory_iterator(device)->path();
+        EXPECT_FALSE(fs::exists(folder / "repro.amber"));
+        EXPECT_THAT(read_file(folder / "shader.glsl"),
+                    HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        EXPECT_THAT(read_file(folder / "report.txt"), HasSubstr(", OpenGL ES 3."));
+        const std::string script = read_file(folder / "repro.shader_test");
+        EXPECT_THAT(script, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        EXPECT_THAT(script, HasSubstr(compute ? "probe ssbo float 1 0 >= 0.5\nprobe ssbo float 1 0 <= 0.5\n"
+                                              : "probe all rgba 0.0 1.0 0.0 1.0\n"));
+        EXPECT_THAT(script, HasSubstr(compute ? "ssbo 0 subdata int 0 1\n"
+                                              : "uniform uint gloam_kernel_inputs[0] 1\n"));
+        if (!compute) EXPECT_THAT(script, HasSubstr(">= uintBitsToFloat(1056964608u)"));
+    }
 }
 
 TEST_F(OpenGlCommands, OtherVariantsAndUnknownNamesAreRefusedInOneLine) {

@@ -46,6 +46,19 @@ gl::Buffer filled(const gl::Device& device, std::span<const Word> words) {
     return buffer;
 }
 
+// The text and what it includes as one text of the version.
+std::string packed(const gl::Version& version, const KernelSource& source, const std::string& text,
+                   const std::vector<std::filesystem::path>& include_roots) {
+    const shader::Language language = language_of(version);
+    try {
+        return shader::pack({shader::Source{.name = "kernel of " + source.function.name, .text = text}},
+                            {.language = language}, include_roots);
+    } catch (const shader::CompileError& error) {  // it has been compiled as GLSL 450
+        throw Unsupported(fmt::format("{} is no GLSL {}: {}", source.function.name, to_string(language),
+                                      base::one_line(error.what())));
+    }
+}
+
 }  // namespace
 
 shader::Language language_of(const gl::Version& version) {
@@ -58,14 +71,12 @@ shader::Language language_of(const gl::Version& version) {
 std::string gl_kernel_code(const gl::Version& version, const KernelSource& source,
                            const std::vector<std::filesystem::path>& include_roots) {
     const std::string text = gl::has_compute(version) ? gl_compute_text(source) : gl_fragment_text(source);
-    const shader::Language language = language_of(version);
-    try {
-        return shader::pack({shader::Source{.name = "kernel of " + source.function.name, .text = text}},
-                            {.language = language}, include_roots);
-    } catch (const shader::CompileError& error) {  // it has been compiled as GLSL 450
-        throw Unsupported(fmt::format("{} is no GLSL {}: {}", source.function.name, to_string(language),
-                                      base::one_line(error.what())));
-    }
+    return packed(version, source, text, include_roots);
+}
+
+std::string gl_replay_code(const gl::Version& version, const KernelSource& source, const GlReplay& replay,
+                           const std::vector<std::filesystem::path>& include_roots) {
+    return packed(version, source, gl_replay_text(source, replay), include_roots);
 }
 
 // Some of a run's inputs.

@@ -24,6 +24,11 @@ namespace gloam::check::internal {
 [[nodiscard]] std::string gl_kernel_code(const gl::Version& version, const KernelSource& source,
                                          const std::vector<std::filesystem::path>& include_roots);
 
+// The text of a replay as one text for this version. Throws Unsupported.
+[[nodiscard]] std::string gl_replay_code(const gl::Version& version, const KernelSource& source,
+                                         const GlReplay& replay,
+                                         const std::vector<std::filesystem::path>& include_roots);
+
 // A kernel on an OpenGL device.
 class GlKernel {
   public:

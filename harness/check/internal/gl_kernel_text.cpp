@@ -103,6 +103,43 @@ std::string fragment_end(std::size_t output_words, std::size_t images, std::size
     return code + "}\n";
 }
 
+void require_no_stores(const KernelSource& source) {
+    if (std::ranges::none_of(source.images, &ImagePrototype::stores)) return;
+    throw Unsupported(source.function.name + ": stores to images, which needs OpenGL 4.3 or OpenGL ES 3.1");
+}
+
+std::string replay_interface(const Evaluation& calls, const GlReplay& replay) {
+    const auto array = [](const std::string& name, std::size_t words) {
+        return fmt::format("uint gloam_kernel_{}[{}];\n", name, std::max<std::size_t>(words, 1));
+    };
+    std::string code = "out vec4 gloam_kernel_color;\nuniform " + array("inputs", calls.input_words);
+    for (std::size_t i = 0; i < replay.image_words.size(); ++i)
+        code += "uniform " + array(fmt::format("image{}", i), replay.image_words[i]);
+    return code + array("outputs", calls.output_words) + array("faults", 1) +
+           "void gloam_kernel_fault(uint image, ivec2 pixel) {\n    gloam_kernel_faults[0] += 1u;\n}\n";
+}
+
+// A statement that clears gloam_kernel_good where an output is not allowed. Whether a float is NaN is asked
+// of its bits: compilers may take comparisons with NaN for true.
+std::string condition(std::size_t output, Scalar scalar, const numeric::Bounds& allowed) {
+    const std::string word = fmt::format("gloam_kernel_outputs[{}]", output);
+    if (scalar != Scalar::float_) {
+        const auto want = static_cast<Word>(static_cast<std::int64_t>(allowed.low));
+        return fmt::format("    gloam_kernel_good = gloam_kernel_good && {} == {}u;\n", word, want);
+    }
+    const auto literal = [](double x) {
+        return fmt::format("uintBitsToFloat({}u)", to_word(static_cast<float>(x)));
+    };
+    const std::string is_nan = fmt::format("({} & 0x7fffffffu) > 0x7f800000u", word);
+    std::string inside = "false";
+    if (!allowed.empty()) {
+        inside = fmt::format("(uintBitsToFloat({0}) >= {1} && uintBitsToFloat({0}) <= {2})", word,
+                             literal(allowed.low), literal(allowed.high));
+    }
+    return fmt::format("    gloam_kernel_good = gloam_kernel_good && ({} ? {} : {});\n", is_nan, allowed.nan,
+                       inside);
+}
+
 }  // namespace
 
 std::string gl_compute_text(const KernelSource& source) {
@@ -122,10 +159,7 @@ std::size_t gl_fragment_row(std::size_t output_words, std::size_t images) {
 }
 
 std::string gl_fragment_text(const KernelSource& source) {
-    if (std::ranges::any_of(source.images, &ImagePrototype::stores)) {
-        throw Unsupported(source.function.name +
-                          ": stores to images, which needs OpenGL 4.3 or OpenGL ES 3.1");
-    }
+    require_no_stores(source);
     const auto input = [](Scalar scalar, std::size_t word) {
         const std::string at = fmt::format("gloam_kernel_input_at + {}u", word);
         return from_word(scalar, word_of_texture("gloam_kernel_inputs", at));
@@ -148,6 +182,24 @@ std::string gl_fragment_text(const KernelSource& source) {
            file_and_rest(
                source, image,
                begin + calls.code + fragment_end(calls.output_words, source.images.size(), targets));
+}
+
+std::string gl_replay_text(const KernelSource& source, const GlReplay& replay) {
+    require_no_stores(source);
+    const auto input = [](Scalar scalar, std::size_t word) {
+        return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
+    };
+    const Evaluation calls = evaluation(source.function, input);
+    std::string rest =
+        "void main() {\n    uint gloam_kernel_output_at = 0u;\n    uint gloam_kernel_input_at = 0u;\n"
+        "    gloam_kernel_faults[0] = 0u;\n" +
+        calls.code + "    bool gloam_kernel_good = gloam_kernel_faults[0] == 0u;\n";
+    for (std::size_t i = 0; i < replay.allowed.size(); ++i)
+        rest += condition(i, replay.outputs[i], replay.allowed[i]);
+    rest +=
+        "    gloam_kernel_color = gloam_kernel_good ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, "
+        "1.0);\n}\n";
+    return replay_interface(calls, replay) + file_and_rest(source, word_of_buffer, rest);
 }
 
 }  // namespace gloam::check::internal

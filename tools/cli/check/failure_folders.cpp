@@ -25,7 +25,10 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
     const std::string note =
         hand_over.error.empty() ? "" : "The shader and a reproduction could not be made: " + hand_over.error;
     out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, again));
-    if (hand_over.error.empty()) {
+    if (hand_over.error.empty() && !hand_over.shader_test.empty()) {
+        out.write("shader.glsl", hand_over.glsl);
+        out.write("repro.shader_test", hand_over.shader_test);
+    } else if (hand_over.error.empty()) {
         out.write("shader.comp", hand_over.glsl);
         out.write("shader.spvasm", hand_over.assembly);
         out.write("shader.spv", bytes_of(hand_over.spirv));

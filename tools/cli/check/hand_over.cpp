@@ -13,6 +13,7 @@
 #include "numeric/text.hpp"
 #include "report/amber.hpp"
 #include "report/answer_json.hpp"
+#include "report/shader_test.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -36,14 +37,14 @@ std::string output_comment(const check::Reproduction& all, std::size_t i) {
 }
 
 report::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
-                               const CheckTask& task, const std::string& device) {
+                               const CheckTask& task, const std::string& device, const std::string& how) {
     report::KernelReplay replay{
         .assembly = all.assembly, .inputs = all.inputs, .specialized = all.specialized};
     replay.comments = {fmt::format("{}: {} of {}, variant {}", task.equation, question.function,
                                    question.file, task.variant),
                        fmt::format("Found on: {}", device),
                        fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
-                       "Run it with: amber -v 1.2 -t spv1.5 repro.amber"};
+                       "Run it with: " + how};
     if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
     for (const auto& image : all.images) replay.images.push_back({.name = image.name, .words = image.words});
     for (std::size_t i = 0; i < all.outputs.size(); ++i) {
@@ -56,6 +57,17 @@ report::KernelReplay replay_of(const check::Reproduction& all, const check::Ques
         replay.outputs.push_back(std::move(output));
     }
     return replay;
+}
+
+// What a script has to require, and the shader; without its inputs.
+report::ShaderReplay shader_replay_of(const check::Lab& lab, const check::Reproduction& all) {
+    const gl::Version version = lab.opengl().info().name.version;
+    const bool es = version.api == gl::Api::es;
+    return {.glsl = all.opengl_replay,
+            .compute = gl::has_compute(version),
+            .version = fmt::format("GL{} >= {}.{}", es ? " ES" : "", version.major, version.minor),
+            .glsl_version = fmt::format("GLSL{} >= {}.{}0", es ? " ES" : "", version.major, version.minor),
+            .kernel = {}};
 }
 
 std::vector<std::uint32_t> words_of(const json& array) {
@@ -101,6 +113,7 @@ std::string to_line(const HandOver& hand_over) {
                 {"assembly", hand_over.assembly},
                 {"spirv", hand_over.spirv},
                 {"amber", hand_over.amber},
+                {"shader_test", hand_over.shader_test},
                 {"smallest", worst_text(hand_over.smallest)},
                 {"error", hand_over.error}}
         .dump(-1, ' ', false, json::error_handler_t::replace);
@@ -114,6 +127,7 @@ HandOver hand_over_from(std::string_view line) {
             .assembly = object.at("assembly").get<std::string>(),
             .spirv = words_of(object.at("spirv")),
             .amber = object.at("amber").get<std::string>(),
+            .shader_test = object.at("shader_test").get<std::string>(),
             .smallest = report::answer_from_json(object.at("smallest").get<std::string>()).worst,
             .error = object.at("error").get<std::string>()};
 }
@@ -127,12 +141,24 @@ HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {
 HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                         const HandOverRequest& request, const check::RunOptions& options) {
     const check::Reproduction all = reproduction_of(lab, question, request, options);
-    const gpu::DeviceInfo& info = lab.info();
-    HandOver hand_over{.glsl = all.glsl,
-                       .assembly = all.assembly,
-                       .spirv = all.spirv,
-                       .amber = report::to_amber(
-                           replay_of(all, question, request.task, info.name + " (" + info.driver + ")"))};
+    const std::string device = lab.info().name + " (" + lab.info().driver + ")";
+    HandOver hand_over;
+    if (lab.is_opengl()) {
+        const report::ShaderReplay replay = shader_replay_of(lab, all);
+        const std::string how =
+            fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
+                        replay.version.starts_with("GL ES") ? "_gles3" : "");
+        hand_over.glsl = all.opengl;
+        hand_over.shader_test =
+            report::to_shader_test({replay.glsl, replay.compute, replay.version, replay.glsl_version,
+                                    replay_of(all, question, request.task, device, how)});
+    } else {
+        hand_over = {.glsl = all.glsl,
+                     .assembly = all.assembly,
+                     .spirv = all.spirv,
+                     .amber = report::to_amber(replay_of(all, question, request.task, device,
+                                                         "amber -v 1.2 -t spv1.5 repro.amber"))};
+    }
     if (all.failure) {
         hand_over.smallest = all.failure;
         hand_over.smallest->permitted = all.allowed;

@@ -25,6 +25,8 @@ struct HandOver {
     std::string assembly;
     std::vector<std::uint32_t> spirv;
     std::string amber;
+    std::string
+        shader_test;  // of an OpenGL device, instead of `amber`: `glsl` is then the text that it was given
     std::optional<check::Sample> smallest;  // the simplest input found to fail
     std::string error;                      // why the other members are empty; empty: no error
 };
