@@ -148,9 +148,11 @@ GloamCamera this_camera() {
 
 // Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells
 // nothing. The change is that of gloam_neighborhood_change, without a branch and without its care for lengths whose
-// squares are not finite: those count as changed, as there.
+// squares are not finite: those count as changed, as there. Here lengths are subtracted: what tells is within the
+// reach, and 4e-7 of that is no more than the rounding of positions. The ray is divided as gloam_footprint_ray divides,
+// so that compilers share it.
 void probe(ivec2 pixel, float depth) {
-    vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / (vec2(parameters.size) * parameters.p00_p11);
+    vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / vec2(parameters.size) / parameters.p00_p11;
     vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
     vec3 before = imageLoad(previous_position_image, pixel).xyz - neighborhood.previous;
     float squared = dot(now, now);
@@ -158,7 +160,7 @@ void probe(ivec2 pixel, float depth) {
     float reach = neighborhood.reach * neighborhood.reach;
     bool tells =
         gloam_tap_sees(depth) && !(squared > reach && squared_before > reach) && dot(now, neighborhood.normal) > 0.0;
-    float change = abs(dot(now - before, now + before)) / (sqrt(squared) + sqrt(squared_before));
+    float change = abs(sqrt(squared) - sqrt(squared_before));
     bool more = tells && !(change <= neighborhood.change);
     neighborhood.change = more ? (change <= 3.402823466e38 ? change : 3.402823466e38) : neighborhood.change;
 }

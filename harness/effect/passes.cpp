@@ -67,6 +67,14 @@ std::uint32_t open_tiles_each_on(const gpu::Device& device) {
     return is_cpu(device) ? 8U : 1U;
 }
 
+// Whether the loops over samples have a length that is a constant, and so few rounds that their code stays
+// small. Points that each sample computes itself have loops of their own.
+bool has_short_loops(const Program& program) {
+    constexpr std::uint32_t few = 32;
+    return program.samples == program.samples_converged && program.samples <= few && !program.fewer_samples &&
+           program.sample_table;
+}
+
 // Convergence from which the filter leaves a pixel unchanged; infinite if it changes all.
 float c_filter(const Settings& settings) {
     const bool leaves = settings.skip_filtered && settings.filter == Filter::convergence;
@@ -216,7 +224,8 @@ PassSource occlusion_source(const Program& program, Counting counts, std::uint32
                           {.id = 19, .bits = flag(method.unit == SampleUnit::pair)},
                           {.id = listed_constant, .bits = flag(program.listed)},
                           {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)},
-                          {.id = open_tiles_constant, .bits = open_tiles_each}}};
+                          {.id = open_tiles_constant, .bits = open_tiles_each}},
+            .unrolls = has_short_loops(program)};
 }
 
 PassSource further_view_source(const Program& program, bool other_orthographic) {
@@ -266,7 +275,8 @@ PassSource selection_source(std::uint32_t open_tiles_each) {
 gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
                                  const PassSource& source, std::vector<gpu::BindingKind> bindings,
                                  std::size_t push_constant_bytes) {
-    const shader::Spirv spirv = library.compile(source.file, source.defines, source.replaced);
+    const scene::PassLibrary& optimized = source.unrolls ? library.unrolled() : library;
+    const shader::Spirv spirv = optimized.compile(source.file, source.defines, source.replaced);
     return {device,
             {.spirv = spirv,
              .bindings = std::move(bindings),

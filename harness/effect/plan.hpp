@@ -21,6 +21,7 @@ struct PassSource {
     std::vector<std::string> defines;
     std::vector<scene::PassLibrary::Replacement> replaced;
     std::vector<gpu::SpecializationConstant> constants;
+    bool unrolls = false;  // loops have few rounds: drivers are asked to unroll them
 };
 
 // An image that passes read or write.

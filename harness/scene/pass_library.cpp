@@ -51,6 +51,10 @@ PassLibrary PassLibrary::with(shader::Optimization optimization) const {
     return other;
 }
 
+PassLibrary PassLibrary::unrolled() const {
+    return optimization_ == shader::Optimization::hoisting ? with(shader::Optimization::unrolling) : *this;
+}
+
 shader::Source PassLibrary::source(const std::string& name, const std::vector<std::string>& defines,
                                    const std::vector<Replacement>& replacements) const {
     const std::filesystem::path file = glsl_ / "passes" / name;

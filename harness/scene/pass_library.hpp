@@ -22,6 +22,9 @@ class PassLibrary {
     // The same passes with another optimization.
     [[nodiscard]] PassLibrary with(shader::Optimization optimization) const;
 
+    // The same passes; where loop invariants are hoisted, drivers are asked to unroll the loops as well.
+    [[nodiscard]] PassLibrary unrolled() const;
+
     // An #include of a pass, as written, and its replacement.
     struct Replacement {
         std::string include;

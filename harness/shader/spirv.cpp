@@ -19,6 +19,18 @@ spvtools::MessageConsumer collect_into(std::string& messages) {
     };
 }
 
+// Sets Unroll on every loop that says nothing about unrolling. The module is what the optimiser wrote.
+void ask_to_unroll(Spirv& module) {
+    constexpr std::size_t header = 5;             // words
+    constexpr std::uint32_t op_loop_merge = 246;  // numbers of the SPIR-V specification
+    constexpr std::uint32_t unroll = 1;
+    for (std::size_t at = header; at < module.size(); at += module[at] >> 16U) {
+        if ((module[at] & 0xFFFFU) != op_loop_merge) continue;
+        std::uint32_t& control = module.at(at + 3);
+        if (control == 0) control = unroll;
+    }
+}
+
 }  // namespace
 
 void validate(const Spirv& module) {
@@ -37,7 +49,7 @@ Spirv optimize(const Spirv& module, Optimization optimization) {
         optimizer.RegisterSizePasses();
     else
         optimizer.RegisterPerformancePasses();
-    if (optimization == Optimization::hoisting) {
+    if (optimization == Optimization::hoisting || optimization == Optimization::unrolling) {
         optimizer.RegisterPass(spvtools::CreateLoopInvariantCodeMotionPass());
         optimizer.RegisterPass(spvtools::CreateRedundancyEliminationPass());
         optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
@@ -47,6 +59,7 @@ Spirv optimize(const Spirv& module, Optimization optimization) {
     Spirv optimized;
     if (!optimizer.Run(module.data(), module.size(), &optimized, options))
         throw std::runtime_error("cannot optimise the SPIR-V module: " + messages);
+    if (optimization == Optimization::unrolling) ask_to_unroll(optimized);
     return optimized;
 }
 

@@ -11,7 +11,8 @@ enum class Optimization {
     none,
     performance,
     size,
-    hoisting  // performance, with loop invariants computed before their loops: not every driver does this
+    hoisting,  // performance, with loop invariants computed before their loops: not every driver does this
+    unrolling  // hoisting, and drivers are asked to unroll loops: with long bodies not every driver does
 };
 
 // One way to make a module from a shader. The default is glslang's unchanged module.

@@ -72,11 +72,24 @@ TEST(Spirv, NoOptimisationLeavesTheModuleAlone) {
 }
 
 TEST(Spirv, OptimisationShrinksTheModule) {
-    for (const Optimization kind : {Optimization::performance, Optimization::size, Optimization::hoisting}) {
+    for (const Optimization kind :
+         {Optimization::performance, Optimization::size, Optimization::hoisting, Optimization::unrolling}) {
         const Spirv optimized = optimize(module(), kind);
         EXPECT_LT(optimized.size(), module().size());
         EXPECT_EQ(reason_against(optimized), "");
     }
+}
+
+TEST(Spirv, UnrollingAsksForItOnEveryLoop) {
+    const Source source{"loop.comp",
+                        "#version 450\nlayout(binding = 0) buffer B { float sum; };\n"
+                        "void main() { for (int i = 0; i < 9; ++i) sum += 1.0; }\n"};
+    const CompileOptions options{.stage = Stage::compute};
+    const Spirv looped = compile(source, options);
+    const Spirv unrolled = optimize(looped, Optimization::unrolling);
+    EXPECT_EQ(reason_against(unrolled), "");
+    EXPECT_THAT(disassemble(optimize(looped, Optimization::hoisting)), HasSubstr(" None"));
+    EXPECT_THAT(disassemble(unrolled), HasSubstr(" Unroll"));
 }
 
 TEST(Spirv, DisassemblyNamesThings) {

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "effect/internal/frame_images.hpp"
@@ -59,6 +61,33 @@ Settings base() {
     return settings;
 }
 
+// As many taps in each frame, of a method without a filter.
+Settings few_taps(const std::string& method) {
+    Settings settings = with_method(base(), method);
+    settings.samples = settings.samples_converged = 4;
+    settings.steps = 2;
+    settings.filter = Filter::none;
+    settings.skip_open = false;
+    return settings;
+}
+
+PassCase few_taps_case(std::string name, std::string what, const std::string& method, bool moves) {
+    return {.name = std::move(name),
+            .what = std::move(what),
+            .settings = few_taps(method),
+            .warm = moves ? 1 : 0,
+            .moves = moves,
+            .scene = "moving"};
+}
+
+// And with loops as they are written.
+PassCase rolled(PassCase of) {
+    of.name += ", not hoisted";
+    of.what = "the same, loops as they are written";
+    of.hoists = false;
+    return of;
+}
+
 Settings frozen() {
     Settings settings = at_once(base());
     settings.freeze = true;
@@ -69,25 +98,35 @@ Settings frozen() {
 class Runner {
   public:
     Runner(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent)
-        : scene_(scene::make_scene("columns")),
-          effect_(device, passes, extent),
+        : effect_(device, passes, extent),
           unhoisted_(device, passes.with(shader::Optimization::performance), extent) {
-        for (std::size_t i = 0; i < views_.size(); ++i)
-            views_.at(i) = scene::rasterize(device, passes, scene_, extent, {.frame = static_cast<int>(i)});
+        for (const PassCase& what : pass_cases()) {
+            if (shown_.contains(what.scene)) continue;
+            const scene::Scene scene = scene::make_scene(what.scene);
+            Shown& shown = shown_[what.scene];
+            shown.radius = static_cast<float>(scene.ao_radius);
+            for (std::size_t i = 0; i < shown.views.size(); ++i)
+                shown.views.at(i) =
+                    scene::rasterize(device, passes, scene, extent, {.frame = static_cast<int>(i)});
+        }
     }
 
     [[nodiscard]] Frame frame_of(const PassCase& what) {
         AmbientOcclusion& effect = what.hoists ? effect_ : unhoisted_;
-        effect.begin(views_[0], with_radius(what.settings, static_cast<float>(scene_.ao_radius)));
+        const Shown& shown = shown_.at(what.scene);
+        effect.begin(shown.views[0], with_radius(what.settings, shown.radius));
         for (int i = 0; i < what.warm; ++i) (void)effect.next();
-        if (what.moves) effect.advance(views_[1]);
+        if (what.moves) effect.advance(shown.views[1]);
         // Several runs, because the first one may be the first to access an image's memory.
         return effect.next(3);
     }
 
   private:
-    scene::Scene scene_;
-    std::array<scene::GBuffer, 2> views_;
+    struct Shown {
+        std::array<scene::GBuffer, 2> views;
+        float radius = 0.0F;
+    };
+    std::map<std::string, Shown> shown_;  // by scene
     AmbientOcclusion effect_;
     AmbientOcclusion unhoisted_;
 };
@@ -122,6 +161,9 @@ void add_frame(std::vector<Readings>& passes, const Frame& frame, double copy_ms
 std::vector<PassCase> pass_cases() {
     const Settings plain = base();
     const Settings converged = at_once(plain);
+    const PassCase slice = few_taps_case("one slice", "`gtao`, two steps to each side", "gtao", false);
+    const PassCase moved_slice =
+        few_taps_case("one slice, objects moved", "the same in a sequence", "gtao", true);
     return {
         {"fresh", "nothing has converged: 5 x 5 taps", plain, 0, false},
         {"fresh, no table", "the same, each sample computes its own point", computed_anew(plain), 0, false},
@@ -137,7 +179,13 @@ std::vector<PassCase> pass_cases() {
         {"frozen", "all has converged and takes no samples", frozen(), 1, false},
         {"moved", "the history follows the camera", plain, 1, true},
         {"moved, float16", "the same, of half floats", held_in(HistoryPrecision::float16, plain), 1, true},
-        {"moved, packed", "the same, of 64 bits", held_in(HistoryPrecision::packed, plain), 1, true}};
+        {"moved, packed", "the same, of 64 bits", held_in(HistoryPrecision::packed, plain), 1, true},
+        slice,
+        rolled(slice),
+        moved_slice,
+        rolled(moved_slice),
+        few_taps_case("four taps", "`alchemy`", "alchemy", false),
+        few_taps_case("four taps, objects moved", "the same in a sequence", "alchemy", true)};
 }
 
 PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,

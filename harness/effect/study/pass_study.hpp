@@ -16,7 +16,8 @@ struct PassCase {
     Settings settings;   // of a radius of 1
     int warm = 0;        // frames of the first view before the timed one
     bool moves = false;  // the timed frame shows a second view
-    bool hoists = true;  // the shader compiler hoists loop invariants
+    bool hoists = true;  // the shader compiler hoists loop invariants, and drivers unroll short loops
+    std::string scene = "columns";  // where objects move, the second view says where they were
 };
 
 // The cost of a pass: the medians of its rounds.
@@ -42,11 +43,12 @@ struct PassStudy {
 
 // The cases: a filter of 5 x 5 and one of 17 x 17, where nothing has converged and where everything has; the
 // other filters; slices, with and without hoisted loop invariants; and with each kind of history a frame that
-// takes no samples and a frame of a view that has moved.
+// takes no samples and a frame of a view that has moved; few taps of two methods, in a single frame and where
+// objects have moved.
 // Settled tiles are not skipped, because the cost of their passes is what is timed.
 [[nodiscard]] std::vector<PassCase> pass_cases();
 
-// Times `rounds` frames of each case in the scene `columns`. The cases alternate, so that the machine's drift
+// Times `rounds` frames of each case in its scene. The cases alternate, so that the machine's drift
 // affects all of them alike, and a copy is timed beside each frame. Throws std::invalid_argument for rounds
 // below 1, std::runtime_error for a device without timestamps, and like AmbientOcclusion.
 [[nodiscard]] PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& passes,
