@@ -103,7 +103,7 @@ function(gloam_test NAME)
   gloam_compile_together(${NAME} 5)
   gloam_precompile(${NAME} gloam_test_headers)
   string(CONCAT environment "RC_PARAMS=seed=1;GLOAM_CACHE_DIR=${CMAKE_BINARY_DIR}/cache;"
-    "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
+    "LSAN_OPTIONS=print_suppressions=0:suppressions=${PROJECT_SOURCE_DIR}/tests/driver-leaks.supp")
   string(REGEX REPLACE "_tests$" "" prefix ${NAME})
   set(listing "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_suites.cmake")
   set_property(TARGET ${NAME} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake)

@@ -93,8 +93,9 @@ TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
     EXPECT_EQ(named(json()["images"], "history_after")["format"], "VK_FORMAT_R16G16B16A16_UINT");
     EXPECT_THAT(read(out() / "gloam_effect.h"),
                 HasSubstr("{\"history_after\", VK_FORMAT_R16G16B16A16_UINT,"));
-    for (const nlohmann::json& pass : json()["passes"]) {
-        for (const nlohmann::json& binding : pass["bindings"]) {
+    const nlohmann::json all = json();
+    for (const nlohmann::json& pass : all.at("passes")) {
+        for (const nlohmann::json& binding : pass.at("bindings")) {
             if (!binding["resource"].get<std::string>().starts_with("history")) continue;
             EXPECT_EQ(binding["format"], "rgba16ui") << pass["name"];
         }
