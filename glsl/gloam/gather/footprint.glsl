@@ -22,12 +22,14 @@ ivec2 gloam_footprint_at(GloamFootprint footprint, vec2 uv) {
 }
 
 // position: of the shaded point, view space, world units. radius: of influence, world units.
-// Error of the center and the reach: 3 ULP.
+// Returns the center of gloam_camera_uv and the reach of gloam_camera_radius, without their care for background and
+// infinities, which gloam_can_gather rejects; neither is beyond 1e18. Error of both: 3 ULP.
 GloamFootprint gloam_footprint(vec3 position, float radius, GloamCamera camera) {
-    vec2 center = gloam_camera_uv(position, camera);
-    vec2 reach = min(gloam_camera_radius(radius, -position.z, camera), vec2(1e18));
-    GloamFootprint footprint =
-        GloamFootprint(center, reach, ivec2(0), vec2(camera.size), camera.p00_p11, camera.orthographic);
+    vec2 p = camera.p00_p11;
+    float depth = camera.orthographic ? 1.0 : -position.z;
+    vec2 center = 0.5 * clamp(p * position.xy / depth, vec2(-1e18), vec2(1e18)) + 0.5;
+    vec2 reach = min(0.5 * abs(p) * (radius / depth), vec2(1e18));
+    GloamFootprint footprint = GloamFootprint(center, reach, ivec2(0), vec2(camera.size), p, camera.orthographic);
     footprint.pixel = gloam_footprint_at(footprint, center);
     return footprint;
 }

@@ -11,20 +11,20 @@ bool gloam_is_finite(float x) {
 // Whether both components are neither infinite nor NaN.
 // v: any vector. Error: none.
 bool gloam_is_finite2(vec2 v) {
-    return gloam_is_finite(v.x) && gloam_is_finite(v.y);
+    return all(lessThanEqual(abs(v), vec2(3.402823466e38)));
 }
 
 // Whether all three components are neither infinite nor NaN.
 // v: any vector. Error: none.
 bool gloam_is_finite3(vec3 v) {
-    return gloam_is_finite2(v.xy) && gloam_is_finite(v.z);
+    return all(lessThanEqual(abs(v), vec3(3.402823466e38)));
 }
 
 // Whether all four components are neither infinite nor NaN.
 // v: any vector. Error: none.
 // No method or pass here calls it: it is there to be copied.
 bool gloam_is_finite4(vec4 v) {
-    return gloam_is_finite2(v.xy) && gloam_is_finite2(v.zw);
+    return all(lessThanEqual(abs(v), vec4(3.402823466e38)));
 }
 
 #endif

@@ -53,11 +53,11 @@ vec4 gloam_fetch_prepared(ivec2 pixel);
 const float GLOAM_SEPARABLE_HEIGHT = 0.1;
 
 // A neighbour's first slice, added to the mean of them.
-GloamWeightedMean gloam_separable_add(GloamWeightedMean mean, ivec2 at, vec3 position, vec3 normal, GloamCamera camera,
+GloamWeightedMean gloam_separable_add(GloamWeightedMean mean, GloamFootprint line, ivec2 at, vec3 position, vec3 normal,
                                       float sigma) {
     float depth = gloam_fetch_depth(at);
     if (gloam_is_background(depth)) return mean;
-    vec3 offset = gloam_camera_position(at, depth, camera) - position;
+    vec3 offset = gloam_footprint_position(line, at, depth) - position;
     float weight = gloam_separable_weight(offset, normal, sigma, GLOAM_SEPARABLE_HEIGHT * sigma);
     return gloam_weighted_mean_add(mean, gloam_fetch_prepared(at).x, weight);
 }
@@ -65,16 +65,15 @@ GloamWeightedMean gloam_separable_add(GloamWeightedMean mean, ivec2 at, vec3 pos
 // Occlusion along the first direction, of the pixels on the line of the second, up to two standard deviations to both
 // sides.
 float gloam_separable_carried(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, float sigma) {
-    vec2 center = gloam_camera_uv(position, camera);
-    ivec2 pixel = gloam_nearest_pixel(center, camera.size);
-    vec2 reach = gloam_camera_radius(2.0 * sigma, -position.z, camera) * gloam_separable_direction(kernel, true);
+    GloamFootprint line = gloam_footprint(position, 2.0 * max(sigma, 0.0), camera);
+    vec2 direction = gloam_separable_direction(kernel, true);
     uint steps = gloam_separable_steps(kernel);
-    float own = gloam_fetch_prepared(pixel).x;
+    float own = gloam_fetch_prepared(line.pixel).x;
     GloamWeightedMean mean = gloam_weighted_mean_add(gloam_weighted_mean_empty(), own, 1.0);
     for (uint i = 0u; i < 2u * steps; ++i) {
         float share = float(i / 2u + 1u) / float(steps);
-        ivec2 at = gloam_nearest_pixel(center + ((i & 1u) == 0u ? share : -share) * reach, camera.size);
-        if (at != pixel) mean = gloam_separable_add(mean, at, position, normal, camera, sigma);
+        ivec2 at = gloam_footprint_pixel(line, ((i & 1u) == 0u ? share : -share) * direction);
+        if (at != line.pixel) mean = gloam_separable_add(mean, line, at, position, normal, sigma);
     }
     return gloam_weighted_mean_value(mean, own);
 }

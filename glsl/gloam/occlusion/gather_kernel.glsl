@@ -43,11 +43,11 @@ const float GLOAM_FARTHEST = 1e18;
 // Error: none.
 bool gloam_can_gather(vec3 position, vec3 normal, float radius, GloamCamera camera) {
     vec2 p = abs(camera.p00_p11);
-    bool point = max(max(abs(position.x), abs(position.y)), -position.z) <= GLOAM_FARTHEST && -position.z >= 1e-18;
+    bool point = all(lessThanEqual(abs(position), vec3(GLOAM_FARTHEST))) && -position.z >= 1e-18;
     bool facing = gloam_is_finite3(normal) && max(max(abs(normal.x), abs(normal.y)), abs(normal.z)) >= 1.175494351e-38;
     bool projects = p.x >= 1e-18 && p.y >= 1e-18 && p.x <= GLOAM_FARTHEST && p.y <= GLOAM_FARTHEST &&
                     camera.size.x > 0 && camera.size.y > 0;
-    return point && gloam_is_finite2(position.xy) && facing && projects && radius >= 1e-18 && radius <= GLOAM_FARTHEST;
+    return point && facing && projects && radius >= 1e-18 && radius <= GLOAM_FARTHEST;
 }
 
 // Of a pixel with nothing to gather.

@@ -2,7 +2,7 @@
 #ifndef GLOAM_SAMPLING_HALTON_POINT_GLSL
 #define GLOAM_SAMPLING_HALTON_POINT_GLSL
 
-#include "gloam/sampling/halton.glsl"
+#include "gloam/sampling/radical_inverse.glsl"
 
 // The files of this folder compute the part of a sample that all pixels share; it depends on the sample's number alone.
 // A shader that has it in a table defines the include guard and the function before it includes the method
@@ -11,7 +11,7 @@
 // Point of the three-dimensional Halton sequence (HALTON), of which slices and rays are made.
 // index: number of the point, 1 for the first. Returns a point in [0, 1)^3. Error: at most 2 ulp.
 vec3 gloam_halton_point(uint index) {
-    return gloam_halton_3d(index);
+    return vec3(gloam_radical_inverse_base2(index), gloam_radical_inverse(index, 3u), gloam_radical_inverse(index, 5u));
 }
 
 #endif
