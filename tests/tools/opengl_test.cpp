@@ -88,7 +88,9 @@ TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
                                               : "probe all rgba 0.0 1.0 0.0 1.0\n"));
         EXPECT_THAT(script, HasSubstr(compute ? "ssbo 0 subdata int 0 1\n"
                                               : "uniform uint gloam_kernel_inputs[0] 1\n"));
-        if (!compute) EXPECT_THAT(script, HasSubstr(">= uintBitsToFloat(1056964608u)"));
+        if (!compute) {
+            EXPECT_THAT(script, HasSubstr(">= uintBitsToFloat(1056964608u)"));
+        }
     }
 }
 
