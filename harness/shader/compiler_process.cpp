@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/apart.hpp"
+#include "shader/internal/dependencies.hpp"
 #include "shader/internal/function_codec.hpp"
 
 namespace gloam::shader::internal {
@@ -52,6 +53,7 @@ class Reader {
 std::string question_of(bool wants_functions, const Source& source, const CompileOptions& options) {
     Writer writer;
     writer.add(std::uint64_t{wants_functions});
+    writer.add(dependency_list());
     writer.add(source.name);
     writer.add(source.text);
     writer.add(static_cast<std::uint64_t>(options.stage));
@@ -67,6 +69,7 @@ std::string question_of(bool wants_functions, const Source& source, const Compil
 std::string answer_to(std::string_view question) {
     Reader reader(question);
     const bool wants_functions = reader.number() != 0;
+    use_dependency_list(reader.text());  // the process outlives the test that it was started in
     Source source{.name = reader.text(), .text = reader.text()};
     CompileOptions options{.stage = static_cast<Stage>(reader.number()), .include_roots = {}, .variant = {}};
     options.variant.optimization = static_cast<Optimization>(reader.number());

@@ -14,6 +14,7 @@ from pathlib import Path
 
 SUITE = "Reprojection"
 SHADER = "gloam/geometry/reprojection.glsl"
+OTHER = "Normal.OfBackgroundIsZero"  # reads other shaders
 
 
 def run(folder, **variables):
@@ -43,6 +44,19 @@ class Seeing(unittest.TestCase):
         self.assertTrue(reading)
         for file in reading:
             self.assertIn(file.name.removeprefix("geometry.group:"), self.all)
+
+    def cold_list(self, *names):
+        """What the first of the tests reads, with nothing compiled before."""
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = Path(scratch)
+            only = folder / "only"
+            only.write_text("".join(f"geometry.group:{name}\n" for name in names), encoding="utf-8")
+            run(folder, GLOAM_ONLY_LISTS=str(only), GLOAM_CACHE_DIR=str(folder / "cache"))
+            return set((folder / f"geometry.group:{names[0]}").read_text(encoding="utf-8").splitlines())
+
+    def test_a_list_holds_nothing_that_later_tests_read(self):
+        # The compiler's process, which reads includes, is started by the first test and serves all.
+        self.assertEqual(self.cold_list(self.all[0], OTHER), self.cold_list(self.all[0]))
 
     def test_only_the_listed_tests_run(self):
         self.assertEqual(self.run_only(f"geometry.group:{self.all[1]}", f"other.group:{self.all[0]}"), [self.all[1]])

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Every equation of the catalogue, compiled strictly: the interpreter against the device.
-#include "catalogue/catalogue.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include "check/interpreted_kernel.hpp"
 #include "check/run.hpp"
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/opcodes.hpp"
+#include "support/entries.hpp"
 #include "support/lab.hpp"
 
 namespace gloam {
@@ -52,12 +50,15 @@ bool is_usual(Word word) {
     return std::isnormal(x) && std::abs(x) > 1e-15F && std::abs(x) < 1e15F;
 }
 
-class CatalogueTest : public testing::TestWithParam<Entry> {};
+class CatalogueTest : public testing::TestWithParam<std::size_t> {
+  protected:
+    const Entry& entry_ = test::entries()[GetParam()];
+};
 
 // Bit for bit, where there is one result.
 TEST_P(CatalogueTest, IsTheDevicesWhereThereIsOneResult) {
     const check::Lab lab = test::make_lab({}, shader::variant("strict"));
-    const check::Question& c = GetParam().question;
+    const check::Question& c = entry_.question;
     const check::KernelCore kernel = lab.kernel(c.file, c.function, c.signature);
     const interpreter::Program program(kernel.module().spirv);
     const bool one_result = has_one_result(program.code());
@@ -94,28 +95,12 @@ TEST_P(CatalogueTest, IsTheDevicesWhereThereIsOneResult) {
 TEST_P(CatalogueTest, PermitsTheDevicesResults) {
     const check::Lab lab = test::make_lab({}, shader::variant("strict"));
     constexpr std::size_t inputs = 1024;
-    const check::Answer result = check::run(lab, GetParam().question, {.inputs = inputs});
+    const check::Answer result = check::run(lab, entry_.question, {.inputs = inputs});
     EXPECT_TRUE(result.passed()) << result;
     EXPECT_EQ(result.by_rules + result.recorded(), inputs);
 }
 
-std::string test_name(const testing::TestParamInfo<Entry>& info) {
-    std::string name = info.param.description.id;
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Equations, CatalogueTest, testing::ValuesIn(catalogue::all_entries()), test_name);
+INSTANTIATE_TEST_SUITE_P(Equations, CatalogueTest, test::entry_numbers(), test::entry_name);
 
 }  // namespace catalogue_test
-
-namespace catalogue {
-
-// Without this GoogleTest prints the bytes of an entry.
-void PrintTo(const Entry& entry, std::ostream* stream) {
-    *stream << entry.description.id;
-}
-
-}  // namespace catalogue
 }  // namespace gloam

@@ -22,25 +22,25 @@ std::string input_text(const check::Answer& answer) {
     return "at " + text;
 }
 
-void append(Rows& rows, const std::string& equation, const check::SearchResult& found) {
-    const check::Answer& answer = found.answer;
-    const std::string limit = answer.verdict == check::Verdict::rules ? "permitted" : "documented";
-    rows.push_back({worst_inputs_name, fmt::format("{} {}", equation, input_text(answer)),
-                    fmt::format("worst error found, of what is {}", limit), answer.fraction, 1.0});
-    rows.push_back(
-        {worst_inputs_name, equation, "worst error of the random inputs alone", found.drawn_fraction});
-}
-
 }  // namespace
 
-Rows worst_inputs(const Context& context) {
+Rows worst_inputs(const Context& context, const catalogue::Entry& entry) {
     const std::size_t inputs = context.extent == Extent::full ? full_inputs : brief_inputs;
+    const std::string& equation = entry.description.id;
+    context.progress(fmt::format("{}: {}", worst_inputs_name, equation));
+    const check::SearchResult found =
+        check::search(context.lab, entry.question, {.inputs = inputs, .seed = context.seed});
+    const check::Answer& answer = found.answer;
+    const std::string limit = answer.verdict == check::Verdict::rules ? "permitted" : "documented";
+    return {{worst_inputs_name, fmt::format("{} {}", equation, input_text(answer)),
+             fmt::format("worst error found, of what is {}", limit), answer.fraction, 1.0},
+            {worst_inputs_name, equation, "worst error of the random inputs alone", found.drawn_fraction}};
+}
+
+Rows worst_inputs(const Context& context) {
     Rows rows;
-    for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(), context.equations)) {
-        context.progress(fmt::format("{}: {}", worst_inputs_name, entry.description.id));
-        append(rows, entry.description.id,
-               check::search(context.lab, entry.question, {.inputs = inputs, .seed = context.seed}));
-    }
+    for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(), context.equations))
+        append(rows, worst_inputs(context, entry));
     return rows;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "catalogue/entry.hpp"
 #include "stress/run.hpp"
 
 namespace gloam::stress {
@@ -9,5 +10,8 @@ namespace gloam::stress {
 // fraction of what its documentation states, beside the worst of its random inputs alone. The search is made
 // of the default variant: inputs that break a budget are rows that fail.
 [[nodiscard]] Rows worst_inputs(const Context& context);
+
+// The same for one of them.
+[[nodiscard]] Rows worst_inputs(const Context& context, const catalogue::Entry& entry);
 
 }  // namespace gloam::stress
