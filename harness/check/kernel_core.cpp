@@ -98,13 +98,8 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
                    result};
         run_batch(work);
     }
-    for (std::size_t i = 0; i < module_->images.size(); ++i) {
-        if (!module_->images[i].stores) continue;
-        Image stored = images.at(module_->images[i].name);
-        const auto words = buffers[i].as<Word>().subspan(image_header_words);
-        stored.words.assign(words.begin(), words.end());
-        result.stored.emplace(module_->images[i].name, std::move(stored));
-    }
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+        internal::add_stored(module_->images[i], buffers[i].as<Word>(), images, result);
     return result;
 }
 

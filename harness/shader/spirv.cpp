@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "shader/spirv.hpp"
 
+#include <spirv.h>
+
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
+
+#include "shader/instructions.hpp"
 
 namespace gloam::shader {
 namespace {
@@ -19,15 +23,12 @@ spvtools::MessageConsumer collect_into(std::string& messages) {
     };
 }
 
-// Sets Unroll on every loop that says nothing about unrolling. The module is what the optimiser wrote.
+// Sets Unroll on every loop that says nothing about unrolling.
 void ask_to_unroll(Spirv& module) {
-    constexpr std::size_t header = 5;             // words
-    constexpr std::uint32_t op_loop_merge = 246;  // numbers of the SPIR-V specification
-    constexpr std::uint32_t unroll = 1;
-    for (std::size_t at = header; at < module.size(); at += module[at] >> 16U) {
-        if ((module[at] & 0xFFFFU) != op_loop_merge) continue;
-        std::uint32_t& control = module.at(at + 3);
-        if (control == 0) control = unroll;
+    constexpr std::size_t control = 3;  // the operand's word
+    for (const Instruction& i : instructions(module)) {
+        if (i.opcode == SpvOpLoopMerge && i.word(control) == SpvLoopControlMaskNone)
+            module[i.at + control] = SpvLoopControlUnrollMask;
     }
 }
 

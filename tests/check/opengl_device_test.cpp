@@ -9,6 +9,7 @@
 #include "check/internal/gl_rules.hpp"
 #include "check/reproduction.hpp"
 #include "support/lab.hpp"
+#include "support/test_name.hpp"
 
 namespace gloam::check {
 namespace opengl_device_test {
@@ -168,12 +169,7 @@ INSTANTIATE_TEST_SUITE_P(All, OpenGlDevice,
                          testing::Values("gl:llvmpipe-4.5", "gl:llvmpipe-3.3", "es:llvmpipe-3.2",
                                          "es:llvmpipe-3.1", "es:llvmpipe-3.0", "gl:softpipe-3.3",
                                          "es:softpipe-3.1", "es:softpipe-3.0"),
-                         [](const auto& info) {
-                             std::string name = info.param;
-                             for (char& c : name)
-                                 if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-                             return name;
-                         });
+                         [](const auto& info) { return test::test_name(info.param); });
 
 TEST(OpenGlRules, ACallWithoutPrecisionIsFound) {
     const Lab lab({.device = std::string(interpreter_name), .include_roots = {FIXTURES}});

@@ -5,6 +5,7 @@
 #include "gl/dispatch.hpp"
 #include "gl/draw.hpp"
 #include "gl/opened.hpp"
+#include "support/test_name.hpp"
 
 namespace gloam::gl {
 namespace run_test {
@@ -102,10 +103,7 @@ TEST_P(OpenGlDraws, ADrawNeedsPixelsAndTargetsThatThereAre) {
 }
 
 std::string name_of(const testing::TestParamInfo<const char*>& info) {
-    std::string name;
-    for (const char c : std::string(info.param))
-        name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    return name;
+    return test::test_name(info.param);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OpenGlDispatches,

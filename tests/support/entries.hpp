@@ -3,13 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "catalogue/catalogue.hpp"
+#include "support/test_name.hpp"
 
 namespace gloam::test {
 
@@ -27,10 +26,7 @@ inline auto entry_numbers() {
 
 // The entry's ID as the name of the parameter.
 inline std::string entry_name(const testing::TestParamInfo<std::size_t>& info) {
-    std::string name = entries()[info.param].description.id;
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
+    return test_name(entries()[info.param].description.id);
 }
 
 }  // namespace gloam::test

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "support/test_name.hpp"
+
 namespace gloam::test {
 
 // Every file of glsl/gloam as an #include names it, sorted: "gloam/gather/radius.glsl".
@@ -25,9 +27,7 @@ inline std::vector<std::string> library_files() {
 // The file's name as the name of a test's parameter: "gather_radius".
 inline std::string library_file_name(const testing::TestParamInfo<std::string>& info) {
     std::filesystem::path path(info.param);
-    std::string name = path.replace_extension().lexically_relative("gloam").generic_string();
-    std::ranges::replace(name, '/', '_');
-    return name;
+    return test_name(path.replace_extension().lexically_relative("gloam").generic_string());
 }
 
 }  // namespace gloam::test

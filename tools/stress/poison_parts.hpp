@@ -14,13 +14,13 @@ constexpr const char* poison_name = "poison";
 // so that they are compiled once.
 [[nodiscard]] std::function<Rows(const effect::MethodInfo&)> poisoned_passes_of(const Context& context);
 
-// The same of all methods of the context.
+// The rows of poisoned_passes_of() for all methods of the context.
 [[nodiscard]] Rows poisoned_passes(const Context& context);
 
 // Fetches of methods: none may be outside, whatever the images hold.
 [[nodiscard]] Rows poisoned_gathers(const Context& context);
 
-// The same of the filter and of normals from depth.
+// Fetches of the filter and of normals from depth: none may be outside, either.
 [[nodiscard]] Rows poisoned_filters(const Context& context);
 
 // History texels and contributions.

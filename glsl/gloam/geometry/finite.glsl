@@ -3,7 +3,7 @@
 #define GLOAM_GEOMETRY_FINITE_GLSL
 
 // Whether a number is neither infinite nor NaN. A comparison, because compilers may take isnan() and isinf() for false.
-// x: any float. Error: none.
+// x: any float. Error: none. OpenGL keeps no rules of NaN: compiled by Mesa's OpenGL, it may return true for NaN.
 bool gloam_is_finite(float x) {
     return abs(x) <= 3.402823466e38;
 }

@@ -123,12 +123,7 @@ KernelCore::Result GlKernel::run(std::span<const Word> inputs, std::size_t count
             run_fragments(part, words);
         }
     }
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (!module_->images[i].stores) continue;
-        Image stored = images.at(module_->images[i].name);
-        stored.words.assign(words[i].begin() + image_header_words, words[i].end());
-        result.stored.emplace(module_->images[i].name, std::move(stored));
-    }
+    for (std::size_t i = 0; i < words.size(); ++i) add_stored(module_->images[i], words[i], images, result);
     return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "check/internal/kernel_text.hpp"
 #include "check/lab.hpp"
+#include "gl/word_texture.hpp"
 
 namespace gloam::check::internal {
 namespace {
@@ -15,37 +16,15 @@ using shader::Scalar;
 
 constexpr std::size_t row_fault_words = sizeof(KernelFaults) / sizeof(Word) - 1;  // all but the input
 
-std::string compute_interface(const KernelSource& source) {
-    std::string code = fmt::format(
+std::string compute_head() {
+    return fmt::format(
         "layout(local_size_x = {}) in;\n"
         "layout(std140, binding = {}) uniform GloamKernelRun {{\n"
         "    uint gloam_kernel_count;\n    uint gloam_kernel_row_length;\n    uint "
         "gloam_kernel_canary;\n}};\n",
         kernel_group_size, gl_run_binding);
-    code += R"(layout(std430, binding = 0) readonly buffer GloamKernelInputs { uint gloam_kernel_inputs[]; };
-layout(std430, binding = 1) writeonly buffer GloamKernelOutputs { uint gloam_kernel_outputs[]; };
-layout(std430, binding = 2) buffer GloamKernelFaults { uint gloam_kernel_faults[]; };
-)";
-    for (std::size_t i = 0; i < source.images.size(); ++i) {
-        code += fmt::format(
-            "layout(std430, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; }};\n",
-            KernelBinding::first_image + i, source.images[i].stores ? "" : "readonly ", i, i);
-    }
-    return code + R"(uint gloam_kernel_input() {
-    return gl_GlobalInvocationID.y * gloam_kernel_row_length + gl_GlobalInvocationID.x;
-}
-void gloam_kernel_fault(uint image, ivec2 pixel) {
-    if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {
-        gloam_kernel_faults[1] = image;
-        gloam_kernel_faults[2] = uint(pixel.x);
-        gloam_kernel_faults[3] = uint(pixel.y);
-        gloam_kernel_faults[4] = gloam_kernel_input();
-    }
-}
-)";
 }
 
-// Textures have rows of 2048 words.
 std::string word_of_texture(const std::string& texture, const std::string& at) {
     return fmt::format("gloam_kernel_word({}, uint({}))", texture, at);
 }
@@ -60,10 +39,11 @@ std::string fragment_interface(const KernelSource& source, std::size_t row, std:
         code += fmt::format("layout(location = {}) out highp uvec4 gloam_kernel_target{};\n", i, i);
     code +=
         fmt::format("uint gloam_kernel_outputs[{}];\nuint gloam_kernel_faults[{}];\n", row, row_fault_words);
-    return code + R"(uint gloam_kernel_word(highp usampler2D words, uint at) {
-    return texelFetch(words, ivec2(int(at & 2047u), int(at >> 11u)), 0).x;
-}
-void gloam_kernel_fault(uint image, ivec2 pixel) {
+    code += fmt::format(
+        "uint gloam_kernel_word(highp usampler2D words, uint at) {{\n"
+        "    return texelFetch(words, ivec2(int(at % {0}u), int(at / {0}u)), 0).x;\n}}\n",
+        gl::WordTexture::row);
+    return code + R"(void gloam_kernel_fault(uint image, ivec2 pixel) {
     if (gloam_kernel_faults[0] == 0u) {
         gloam_kernel_faults[1] = image;
         gloam_kernel_faults[2] = uint(pixel.x);
@@ -143,15 +123,8 @@ std::string condition(std::size_t output, Scalar scalar, const numeric::Bounds& 
 }  // namespace
 
 std::string gl_compute_text(const KernelSource& source) {
-    const auto input = [](Scalar scalar, std::size_t word) {
-        return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
-    };
-    const Evaluation calls = evaluation(source.function, input);
-    const std::string rest =
-        main_begin(calls.output_words) +
-        fmt::format("    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n", calls.input_words) +
-        calls.code + main_end(calls.output_words);
-    return compute_interface(source) + file_and_rest(source, word_of_buffer, rest);
+    return compute_head() + storage_interface(source) +
+           file_and_rest(source, word_of_buffer, main_of(source.function));
 }
 
 std::size_t gl_fragment_row(std::size_t output_words, std::size_t images) {
@@ -186,10 +159,7 @@ std::string gl_fragment_text(const KernelSource& source) {
 
 std::string gl_replay_text(const KernelSource& source, const GlReplay& replay) {
     require_no_stores(source);
-    const auto input = [](Scalar scalar, std::size_t word) {
-        return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
-    };
-    const Evaluation calls = evaluation(source.function, input);
+    const Evaluation calls = evaluation(source.function, input_of_buffer);
     std::string rest =
         "void main() {\n    uint gloam_kernel_output_at = 0u;\n    uint gloam_kernel_input_at = 0u;\n"
         "    gloam_kernel_faults[0] = 0u;\n" +

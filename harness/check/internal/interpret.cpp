@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "check/internal/interpret.hpp"
+#include "check/internal/kernel_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -108,12 +109,7 @@ KernelCore::Result interpret(const std::shared_ptr<const KernelModule>& module, 
                                    [&part, begin, own = words]() mutable { return part(begin, own); }));
     result.fault = part(0, after);
     for (auto& later : parts) merge(result.fault, later.get());
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (!module->images[i].stores) continue;
-        Image stored = images.at(module->images[i].name);
-        stored.words.assign(after[i].begin() + image_header_words, after[i].end());
-        result.stored.emplace(module->images[i].name, std::move(stored));
-    }
+    for (std::size_t i = 0; i < words.size(); ++i) add_stored(module->images[i], after[i], images, result);
     return result;
 }
 

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <random>
+#include <utility>
+
+#include "check/interpreted_kernel.hpp"
 
 namespace gloam::check::internal {
 
@@ -36,6 +39,15 @@ void add_faults(const KernelFaults& faults, std::size_t input, const KernelModul
                               .size = images.at(image.name).size,
                               .count = faults.count,
                               .input = input};
+}
+
+void add_stored(const ImagePrototype& image, std::span<const Word> words, const ImageSet& images,
+                KernelCore::Result& result) {
+    if (!image.stores) return;
+    const auto texels = words.subspan(image_header_words);
+    Image stored = images.at(image.name);
+    stored.words.assign(texels.begin(), texels.end());
+    result.stored.emplace(image.name, std::move(stored));
 }
 
 Word new_canary() {

@@ -26,6 +26,11 @@ void add_outputs(const KernelRows& rows, const KernelModule& module, const std::
 void add_faults(const KernelFaults& faults, std::size_t input, const KernelModule& module,
                 const ImageSet& images, KernelCore::Result& result);
 
+// Adds an image that the kernel stored to. `words`: of its buffer, header included. Nothing for an image that
+// it only reads.
+void add_stored(const ImagePrototype& image, std::span<const Word> words, const ImageSet& images,
+                KernelCore::Result& result);
+
 // A new value for each dispatch: memory of an earlier one does not hold it.
 [[nodiscard]] Word new_canary();
 

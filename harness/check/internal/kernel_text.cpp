@@ -79,16 +79,20 @@ constexpr std::string_view preserve = R"(#extension GL_EXT_spirv_intrinsics : re
 spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [4466], 4461, 32);
 )";
 
-constexpr std::string_view interface = R"(
+constexpr std::string_view vulkan_run = R"(
 layout(local_size_x = 64) in;
 layout(push_constant) uniform GloamKernelRun {
     uint gloam_kernel_count;
     uint gloam_kernel_row_length;
     uint gloam_kernel_canary;
 };
-layout(std430, set = 0, binding = 0) readonly buffer GloamKernelInputs { uint gloam_kernel_inputs[]; };
-layout(std430, set = 0, binding = 1) writeonly buffer GloamKernelOutputs { uint gloam_kernel_outputs[]; };
-layout(std430, set = 0, binding = 2) buffer GloamKernelFaults { uint gloam_kernel_faults[]; };
+)";
+
+// Buffers without a set are in set 0 of Vulkan; OpenGL has no sets.
+constexpr std::string_view storage = R"(
+layout(std430, binding = 0) readonly buffer GloamKernelInputs { uint gloam_kernel_inputs[]; };
+layout(std430, binding = 1) writeonly buffer GloamKernelOutputs { uint gloam_kernel_outputs[]; };
+layout(std430, binding = 2) buffer GloamKernelFaults { uint gloam_kernel_faults[]; };
 uint gloam_kernel_input() { return gl_GlobalInvocationID.y * gloam_kernel_row_length + gl_GlobalInvocationID.x; }
 void gloam_kernel_fault(uint image, ivec2 pixel) {
     if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {
@@ -102,7 +106,7 @@ void gloam_kernel_fault(uint image, ivec2 pixel) {
 
 std::string image_interface(const ImagePrototype& image, std::size_t index) {
     return fmt::format(
-        "layout(std430, set = 0, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; "
+        "layout(std430, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; "
         "}};\n",
         KernelBinding::first_image + index, image.stores ? "" : "readonly ", index, index);
 }
@@ -180,9 +184,13 @@ std::string from_word(Scalar scalar, const std::string& word) {
 std::string kernel_text(const KernelSource& source, const std::string& rest) {
     std::string code(header);
     if (source.preserve_nan) code += preserve;
-    code += interface;
+    return code.append(vulkan_run) + storage_interface(source) + file_and_rest(source, word_of_buffer, rest);
+}
+
+std::string storage_interface(const KernelSource& source) {
+    std::string code(storage);
     for (std::size_t i = 0; i < source.images.size(); ++i) code += image_interface(source.images[i], i);
-    return code + file_and_rest(source, word_of_buffer, rest);
+    return code;
 }
 
 std::string file_and_rest(const KernelSource& source, const ImageWordText& read, const std::string& rest) {
@@ -195,6 +203,10 @@ std::string file_and_rest(const KernelSource& source, const ImageWordText& read,
 
 std::string word_of_buffer(std::size_t image, const std::string& at) {
     return fmt::format("gloam_kernel_image{}[{}]", image, at);
+}
+
+std::string input_of_buffer(Scalar scalar, std::size_t word) {
+    return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
 }
 
 Evaluation evaluation(const shader::Function& function, const InputText& input) {
@@ -240,6 +252,13 @@ std::string main_end(std::size_t output_words) {
         "    gloam_kernel_outputs[gloam_kernel_output_at + {}u] = gloam_kernel_canary ^ "
         "gloam_kernel_index;\n}}\n",
         output_words);
+}
+
+std::string main_of(const shader::Function& function) {
+    const Evaluation calls = evaluation(function, input_of_buffer);
+    return main_begin(calls.output_words) +
+           fmt::format("    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n", calls.input_words) +
+           calls.code + main_end(calls.output_words);
 }
 
 }  // namespace gloam::check::internal

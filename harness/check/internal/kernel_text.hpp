@@ -18,11 +18,15 @@ namespace gloam::check::internal {
 // file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
 
+// The declarations that a kernel has on Vulkan and on OpenGL: the storage buffers of inputs, outputs, faults
+// and images, uint gloam_kernel_input() and void gloam_kernel_fault(uint image, ivec2 pixel).
+[[nodiscard]] std::string storage_interface(const KernelSource& source);
+
 // The GLSL expression of a word of an image, given the image's position and the GLSL expression of the
 // word's.
 using ImageWordText = std::function<std::string(std::size_t image, const std::string& at)>;
 
-// The same of an image in a storage buffer.
+// That expression for an image in a storage buffer.
 [[nodiscard]] std::string word_of_buffer(std::size_t image, const std::string& at);
 
 // What stands behind the interface of a kernel, whatever that is: the function's file, the definitions of its
@@ -32,6 +36,9 @@ using ImageWordText = std::function<std::string(std::size_t image, const std::st
 
 // The GLSL expression of an input scalar, given its position among the words of one input.
 using InputText = std::function<std::string(shader::Scalar scalar, std::size_t word)>;
+
+// That expression for inputs in a storage buffer, from index gloam_kernel_input_at on.
+[[nodiscard]] std::string input_of_buffer(shader::Scalar scalar, std::size_t word);
 
 // Statements that call the function once and write its results to the outputs, from index
 // gloam_kernel_output_at on.
@@ -46,5 +53,8 @@ struct Evaluation {
 // `gloam_kernel_output_at`, and returns from invocations without an input. The end writes the canary.
 [[nodiscard]] std::string main_begin(std::size_t output_words);
 [[nodiscard]] std::string main_end(std::size_t output_words);
+
+// The whole main() of a kernel that reads its inputs from a storage buffer.
+[[nodiscard]] std::string main_of(const shader::Function& function);
 
 }  // namespace gloam::check::internal

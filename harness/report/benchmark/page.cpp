@@ -61,9 +61,9 @@ middle and an error. `paper` is the settings of Mattausch et al. 2010, and `movi
 
 std::string circumstances(const Benchmark& benchmark) {
     return fmt::format(
-        "Measured on {} ({}), {} x {} pixels, {} rounds; a temporal run has {} frames, of which the last {} "
-        "are "
-        "scored; the truth takes {} rays a pixel. A copy takes {:.4f} ms (quartiles {:.4f} and {:.4f}).\n",
+        "Measured on {} ({}), {} x {} pixels, {} rounds.\n"
+        "A temporal run has {} frames; the last {} are scored. The truth takes {} rays a pixel.\n"
+        "A copy takes {:.4f} ms (quartiles {:.4f} and {:.4f}).\n",
         benchmark.device, benchmark.driver, benchmark.width, benchmark.height, benchmark.repeat,
         benchmark.frames, benchmark.scored, benchmark.rays, benchmark.copy_ms.median, benchmark.copy_ms.low,
         benchmark.copy_ms.high);
