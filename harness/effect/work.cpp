@@ -51,6 +51,13 @@ double total_ms(const Frame& frame) {
     return sum;
 }
 
+double sampling_ms(const Frame& frame) {
+    double sum = 0.0;
+    for (const PassTime& time : frame.times)
+        if (time.pass.starts_with("ambient_occlusion")) sum += time.ms;
+    return sum;
+}
+
 double median(std::span<const double> values) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
     std::vector<double> sorted(values.begin(), values.end());

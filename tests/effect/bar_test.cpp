@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The preset `fast` over the frames of a moving camera, against a single frame of nine slices.
+// The preset `fast` over the frames of a moving camera, against single frames of plain slices.
 #include "effect/study/bar_study.hpp"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,7 @@ class BarTest : public OnDevice<testing::Test> {
     [[nodiscard]] Bar bar_of(const char* name, const BenchmarkFrames& frames) const {
         const scene::Scene scene = scene::make_scene(name);
         BenchmarkViews views(device_, passes_, scene, frames, scene::TruthCache(""));
-        return study_bar(device_, passes_, views,
-                         {preset_for("fast", scene), preset_for("gtao-quality", scene),
-                          preset_for("gtao-performance", scene)},
-                         1);
+        return study_bar(device_, passes_, views, {preset_for("fast", scene)}, 1);
     }
 };
 
@@ -49,12 +46,12 @@ TEST_F(BarTest, SingleFramesLeaveTheRunAsItIs) {
         const Frame frame = effect.next();
         if (i >= 2) error += errors_of(frame.filtered, views.scored(i).geometry).rmse / 2.0;
     }
-    const Settings gtao = preset_for("gtao-performance", scene);
-    const Bar bar = study_bar(device_, passes_, views, {fast, gtao, gtao}, 2);
+    const SliceTaps taps{.slices = 1, .steps = 2};
+    const Bar bar = study_bar(device_, passes_, views, {fast, taps, taps}, 2);
     EXPECT_DOUBLE_EQ(bar.temporal.shown, error);
     EXPECT_EQ(bar.exact.shown, bar.fast.shown);
     EXPECT_EQ(bar.readings.size(), 4U);
-    EXPECT_THROW((void)study_bar(device_, passes_, views, {fast, gtao, gtao}, 0), std::invalid_argument);
+    EXPECT_THROW((void)study_bar(device_, passes_, views, {fast, taps, taps}, 0), std::invalid_argument);
 }
 
 }  // namespace bar_test

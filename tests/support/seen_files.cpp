@@ -14,6 +14,8 @@
 namespace gloam::test {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* list_variable = "GLOAM_DEPENDENCIES_OUTPUT";
 constexpr const char* only_variable = "GLOAM_ONLY_LISTS";
 
@@ -26,7 +28,13 @@ class ListForEachTest : public testing::EmptyTestEventListener {
         std::ranges::replace(name, '/', ',');
         ::setenv(list_variable, (list_ + ":" + name).c_str(), 1);
     }
-    void OnTestEnd(const testing::TestInfo&) override { ::setenv(list_variable, list_.c_str(), 1); }
+    // The last line of a list: how long the test took.
+    void OnTestEnd(const testing::TestInfo& test) override {
+        if (fs::exists(std::getenv(list_variable)))
+            std::ofstream(std::getenv(list_variable), std::ios::app)
+                << "seconds " << static_cast<double>(test.result()->elapsed_time()) / 1000.0 << "\n";
+        ::setenv(list_variable, list_.c_str(), 1);
+    }
 
   private:
     std::string list_;
@@ -47,7 +55,7 @@ void run_only_listed_tests() {
     if (list == nullptr || only == nullptr) return;
     std::ifstream stream(only);
     if (!stream) throw std::runtime_error(std::string(only_variable) + ": " + only + " cannot be read");
-    const std::string group = std::filesystem::path(list).filename().string();
+    const std::string group = fs::path(list).filename().string();
     std::string filter;
     for (std::string line; std::getline(stream, line);) {
         if (line == group) return;

@@ -17,7 +17,7 @@ Arguments tiny(const Arguments& more) {
     return arguments;
 }
 
-TEST(BenchBar, HoldsARunAgainstSingleFrames) {
+TEST(BenchBar, ARunIsHeldAgainstPlainSlices) {
     const TemporaryDirectory folder;
     const auto file = folder.path() / "bar.json";
     const auto page = folder.path() / "page.md";
@@ -33,7 +33,7 @@ TEST(BenchBar, HoldsARunAgainstSingleFrames) {
     const json& row = document.at("scenes").at(0);
     EXPECT_EQ(row.at("readings"), 4U);  // two frames are scored, twice
     for (const char* time :
-         {"ms", "gather_ms", "fast_ms", "exact_ms", "time_ratio", "time_ratio_to_gather"}) {
+         {"ms", "gather_ms", "fast_ms", "exact_ms", "time_ratio", "time_ratio_to_slices"}) {
         EXPECT_GT(double{row.at(time).at("low")}, 0.0) << time;
         EXPECT_LE(double{row.at(time).at("low")}, double{row.at(time).at("median")}) << time;
         EXPECT_LE(double{row.at(time).at("median")}, double{row.at(time).at("high")}) << time;
@@ -67,7 +67,8 @@ TEST(BenchBar, WrongOptionsAreNamed) {
     expect_could_not_run(run_command(tiny({"--scene", "corner"})), "corner: its camera stands still");
     expect_could_not_run(run_command(tiny({"--scene", "nowhere"})), "nowhere");
     expect_could_not_run(run_command(tiny({"--preset", "magic"})), "magic");
-    expect_could_not_run(run_command(tiny({"--error-of", "magic"})), "magic");
+    expect_could_not_run(run_command(tiny({"--error-of", "magic"})), "magic: expected SLICESxSTEPS");
+    expect_could_not_run(run_command(tiny({"--time-of", "0x2"})), "0x2: expected SLICESxSTEPS");
     expect_could_not_run(run_command(tiny({"--method", "magic"})), "magic");
     expect_could_not_run(run_command(tiny({"--set", "magic=1"})), "magic");
     expect_could_not_run(run_command({"bench", "bar", "--frames", "1"}), "--frames");

@@ -7,6 +7,7 @@
 #include "cli/bench/benchmark_command.hpp"
 #include "cli/bench/methods.hpp"
 #include "cli/bench/passes.hpp"
+#include "cli/bench/plain.hpp"
 #include "cli/bench/skips.hpp"
 #include "cli/bench/sources.hpp"
 #include "cli/bench/temporal.hpp"
@@ -21,6 +22,7 @@ void add_bench(CLI::App& app, int& status) {
     add_bench_temporal(*group, status);
     add_bench_methods(*group, status);
     add_bench_passes(*group, status);
+    add_bench_plain(*group, status);
     add_bench_skips(*group, status);
     add_bench_bar(*group, status);
     add_bench_sources(*group, status);

@@ -16,6 +16,9 @@ namespace gloam::effect {
 // Sum of the times of all passes, milliseconds. NaN where the device has no clock.
 [[nodiscard]] double total_ms(const Frame& frame);
 
+// Sum of the times of the passes that take samples, milliseconds.
+[[nodiscard]] double sampling_ms(const Frame& frame);
+
 // The median; for an even number of values the mean of the middle two. NaN for no value.
 [[nodiscard]] double median(std::span<const double> values);
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -13,15 +12,7 @@
 namespace gloam::effect {
 namespace {
 
-double gather_of(const Frame& frame) {
-    double sum = 0.0;
-    for (const PassTime& time : frame.times)
-        if (time.pass.starts_with("ambient_occlusion")) sum += time.ms;
-    return sum;
-}
-
-// The three configurations, each with an effect of its own: the single frames must not reset the run's
-// history.
+// The run and the two kinds of single frames.
 class Bars {
   public:
     Bars(const gpu::Device& device, const scene::PassLibrary& passes, BenchmarkViews& views,
@@ -29,12 +20,12 @@ class Bars {
         : views_(&views),
           settings_(settings),
           run_(device, passes, views.view(0, settings.temporal).extent),
-          exact_(device, passes, views.view(0, settings.exact).extent),
-          fast_(device, passes, views.view(0, settings.fast).extent) {
+          exact_(device, passes, views.frames().extent, settings.exact),
+          fast_(device, passes, views.frames().extent, settings.fast) {
         start();
         for (int i = 1; i < std::min(3, views.frames().frames); ++i) (void)advanced(i);
-        (void)single(exact_, settings_.exact, 0);
-        (void)single(fast_, settings_.fast, 0);
+        (void)single(exact_, 0);
+        (void)single(fast_, 0);
     }
 
     // Runs through all frames once.
@@ -68,44 +59,43 @@ class Bars {
         return frame;
     }
 
-    [[nodiscard]] Frame single(AmbientOcclusion& effect, const Settings& settings, int number) {
-        effect.begin(views_->view(number, settings), settings);
-        return effect.next();
+    [[nodiscard]] PlainFrame single(PlainSlices& slices, int number) {
+        slices.take(views_->view(number, {}), settings_.temporal.radius);
+        return slices.next();
     }
 
     void scored(int number, bool judged) {
         const std::vector<float> before = before_;
-        std::array<Frame, 3> frames;
+        Frame frame;
         const bool run_first = ++turn_ % 2 == 0;
-        if (run_first) frames[0] = advanced(number);
-        frames[2] = single(fast_, settings_.fast, number);
-        if (!run_first) frames[0] = advanced(number);
+        if (run_first) frame = advanced(number);
+        const PlainFrame fast = single(fast_, number);
+        if (!run_first) frame = advanced(number);
         sum_.readings.push_back(
-            {total_ms(frames[0]), gather_of(frames[0]), total_ms(frames[2]), gather_of(frames[2])});
+            {total_ms(frame), sampling_ms(frame), fast.slices_ms + fast.blur_ms, fast.slices_ms});
         if (!judged) return;
-        frames[1] = single(exact_, settings_.exact, number);
-        sum_.exact_ms.push_back(total_ms(frames[1]));
-        judge(number, frames, before);
+        const PlainFrame exact = single(exact_, number);
+        sum_.exact_ms.push_back(exact.slices_ms + exact.blur_ms);
+        const ScoredFrame& truth = views_->scored(number);
+        add(sum_.temporal, frame.occlusion, frame.filtered, truth.geometry);
+        add(sum_.exact, exact.occlusion, exact.blurred, truth.geometry);
+        add(sum_.fast, fast.occlusion, fast.blurred, truth.geometry);
+        if (truth.history)
+            sum_.flicker = sum_.flicker.value_or(0.0) + mean_change(*truth.history, frame.filtered, before);
+        counted_ += 1.0;
     }
 
-    void judge(int number, const std::array<Frame, 3>& frames, const std::vector<float>& before) {
-        const ScoredFrame& truth = views_->scored(number);
-        const std::array<BarError*, 3> errors{&sum_.temporal, &sum_.exact, &sum_.fast};
-        for (std::size_t i = 0; i < frames.size(); ++i) {
-            errors[i]->raw += errors_of(frames[i].occlusion, truth.geometry).rmse;
-            errors[i]->shown += errors_of(frames[i].filtered, truth.geometry).rmse;
-        }
-        if (truth.history)
-            sum_.flicker =
-                sum_.flicker.value_or(0.0) + mean_change(*truth.history, frames[0].filtered, before);
-        counted_ += 1.0;
+    static void add(BarError& error, const std::vector<float>& raw, const std::vector<float>& shown,
+                    const Truth& truth) {
+        error.raw += errors_of(raw, truth).rmse;
+        error.shown += errors_of(shown, truth).rmse;
     }
 
     BenchmarkViews* views_;
     BarSettings settings_;
     AmbientOcclusion run_;
-    AmbientOcclusion exact_;
-    AmbientOcclusion fast_;
+    PlainSlices exact_;
+    PlainSlices fast_;
     std::vector<float> before_;  // the displayed image of the run's previous frame
     Bar sum_;
     int turn_ = 0;

@@ -110,10 +110,8 @@ SceneResult SceneStudy::run(const MethodConfiguration& configuration) {
     effect_.begin(view_, settings);
     const Frame frame = effect_.next(options_.repeat);
     result.frame = errors_of(frame.filtered, geometry_);
-    for (const PassTime& time : frame.times) {
-        if (time.pass == "ambient_occlusion") result.gather_ms += time.ms;
-        result.frame_ms += time.ms;
-    }
+    result.gather_ms = sampling_ms(frame);
+    result.frame_ms = total_ms(frame);
     return result;
 }
 

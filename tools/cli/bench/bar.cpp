@@ -11,12 +11,12 @@
 #include "cli/bench/bar_report.hpp"
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/page_blocks.hpp"
+#include "cli/bench/slice_taps.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_settings.hpp"
-#include "effect/presets.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "report/output_file.hpp"
 
@@ -45,11 +45,8 @@ std::vector<scene::Scene> scenes_asked(const std::vector<std::string>& names) {
 effect::BarSettings settings_of(const BenchBarOptions& options, double radius) {
     const RenderOptions candidate{
         .method = options.method, .preset = options.preset, .samples = options.samples, .set = options.set};
-    const auto single = [&](const std::string& preset) {
-        return with_radius(effect::preset_named(preset).settings, static_cast<float>(radius));
-    };
-    return {with_radius(settings_for(candidate, 1.0), static_cast<float>(radius)), single(options.exact),
-            single(options.fast)};
+    return {with_radius(settings_for(candidate, 1.0), static_cast<float>(radius)), slice_taps(options.exact),
+            slice_taps(options.fast)};
 }
 
 // The work of one call. The options are checked before any of it.
@@ -112,9 +109,11 @@ void add_run_options(CLI::App& command, BenchBarOptions& options) {
         ->check(CLI::Range(std::uint32_t{1}, effect::most_samples));
     command.add_option("--set", options.set, "NAME=VALUE: any setting of the run, lengths for a radius of 1")
         ->allow_extra_args(false);
-    command.add_option("--error-of", options.exact, "preset of the single frame that bounds the error")
+    command.add_option("--error-of", options.exact, "SLICESxSTEPS of the plain loop that bounds the error")
         ->capture_default_str();
-    command.add_option("--time-of", options.fast, "preset of the single frame that bounds the time")
+    command
+        .add_option("--time-of", options.fast,
+                    "SLICESxSTEPS of the plain loop, with its blur, that bounds the time")
         ->capture_default_str();
 }
 
@@ -127,8 +126,7 @@ int run_bench_bar(const BenchBarOptions& options) {
 void add_bench_bar(CLI::App& bench, int& status) {
     auto options = std::make_shared<BenchBarOptions>();
     CLI::App* command = bench.add_subcommand(
-        "bar",
-        "error of a temporal run against that of one single frame, and its time against that of another");
+        "bar", "error and time of a temporal run against single frames of a plain loop over slices");
     add_run_options(*command, *options);
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
     command->add_option("--frames", options->frames, "of the run; half of them, at most 8, are scored")

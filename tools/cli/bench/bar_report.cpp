@@ -54,7 +54,7 @@ ordered_json json_of(const BarRow& row) {
             {"fast_ms", json_of(fast_ms(row))},
             {"exact_ms", json_of(report::spread_of(bar.exact_ms))},
             {"time_ratio", json_of(row.time_ratio())},
-            {"time_ratio_to_gather", json_of(row.time_ratio_to_gather())},
+            {"time_ratio_to_slices", json_of(row.time_ratio_to_slices())},
             {"readings", bar.readings.size()},
             {"met", row.met()}};
 }
@@ -78,9 +78,9 @@ Spread BarRow::time_ratio() const {
     return spread_of(*this, [](const BarReading& reading) { return reading.temporal_ms / reading.fast_ms; });
 }
 
-Spread BarRow::time_ratio_to_gather() const {
+Spread BarRow::time_ratio_to_slices() const {
     return spread_of(*this,
-                     [](const BarReading& reading) { return reading.temporal_ms / reading.fast_gather_ms; });
+                     [](const BarReading& reading) { return reading.temporal_ms / reading.fast_slices_ms; });
 }
 
 bool BarRow::met() const {
@@ -91,13 +91,12 @@ std::string to_text(const BarReport& report, const BenchBarOptions& options) {
     std::string text = fmt::format(
         "`{}` over the last frames of {} on {} ({}), {} x {} pixels, {} rounds, the truth of {} rays a "
         "pixel; "
-        "single frames `{}` and `{}` beside each.\n\n",
+        "single frames of {} and {} plain slices x steps beside each.\n\n",
         candidate_of(options), options.frames, report.device.name, report.device.driver, report.extent.width,
         report.extent.height, options.rounds, options.rays, options.exact, options.fast);
     text += fmt::format(
-        "| scene | RMSE (G) | of `{0}` | ratio | flicker | ms | of it samples | of `{0}` | of `{1}` | ratio "
-        "of "
-        "times, quartiles | to `{1}` without its filter | |\n"
+        "| scene | RMSE (G) | of {0} | ratio | flicker | ms | of it samples | of {0} | of {1} | ratio of "
+        "times, quartiles | to {1} without its blur | |\n"
         "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n",
         options.exact, options.fast);
     for (const BarRow& row : report.rows) {
@@ -108,7 +107,7 @@ std::string to_text(const BarReport& report, const BenchBarOptions& options) {
             row.scene, row.bar.temporal.shown, row.bar.exact.shown, row.error_ratio(),
             row.bar.flicker.value_or(0.0), run_ms(row).median, gather_ms(row).median,
             report::spread_of(row.bar.exact_ms).median, fast_ms(row).median, ratio.median, ratio.low,
-            ratio.high, row.time_ratio_to_gather().median, row.met() ? "met" : "**not met**");
+            ratio.high, row.time_ratio_to_slices().median, row.met() ? "met" : "**not met**");
     }
     return text;
 }

@@ -23,9 +23,8 @@ struct BarRow {
     // Time of the run, divided by that of the fast single frame measured beside it.
     [[nodiscard]] report::Spread time_ratio() const;
 
-    // Total time of the run, divided by the fast single frame's time for its samples alone, without its
-    // filter.
-    [[nodiscard]] report::Spread time_ratio_to_gather() const;
+    // Total time of the run, divided by the fast single frame's time without its blur.
+    [[nodiscard]] report::Spread time_ratio_to_slices() const;
 
     // Whether the ratio of error and the median ratio of time are at most 1.
     [[nodiscard]] bool met() const;

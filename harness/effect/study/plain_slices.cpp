@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "effect/study/plain_slices.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
+#include "effect/internal/texels.hpp"
+#include "effect/study/copy_clock.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using enum gpu::BindingKind;
+using enum gpu::Format;
+
+constexpr float depth_tolerance = 0.02F;
+
+gpu::ComputePipeline slices_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
+                                     SliceTaps taps, std::uint32_t push_constant_bytes) {
+    if (taps.slices < 1 || taps.steps < 1)
+        throw std::invalid_argument(
+            fmt::format("{} slices of {} steps: expected 1 or more", taps.slices, taps.steps));
+    require_timestamps(device.info());
+    return {device,
+            {.spirv = passes.compile("comparison/plain_slices.comp"),
+             .bindings = {storage_image, storage_image, storage_image},
+             .push_constant_bytes = push_constant_bytes,
+             .constants = {{.id = 0, .bits = taps.slices}, {.id = 1, .bits = taps.steps}}}};
+}
+
+gpu::ComputePipeline blur_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
+                                   std::uint32_t push_constant_bytes) {
+    return {device,
+            {.spirv = passes.compile("comparison/plain_blur.comp"),
+             .bindings = {storage_image, storage_image, storage_image},
+             .push_constant_bytes = push_constant_bytes}};
+}
+
+void require(bool holds, const char* found, const char* expected) {
+    if (!holds) throw std::invalid_argument(fmt::format("plain slices: {}, expected {}", found, expected));
+}
+
+}  // namespace
+
+PlainSlices::PlainSlices(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
+                         SliceTaps taps)
+    : device_(&device),
+      slices_(slices_pipeline(device, passes, taps, sizeof(SliceParameters))),
+      blur_(blur_pipeline(device, passes, sizeof(BlurParameters))),
+      depth_(device, extent, r32f),
+      normal_(device, extent, rgba32f),
+      occlusion_(device, extent, r32f),
+      blurred_(device, extent, r32f) {}
+
+void PlainSlices::take(const scene::GBuffer& view, float radius) {
+    require(view.extent == depth_.extent(), "a view of another size", "the size of the images");
+    require(!view.camera.orthographic(), "an orthographic camera", "a perspective one");
+    require(view.border == gpu::Extent{}, "a guard band", "none");
+    require(!view.normal.empty(), "no normals", "one a pixel");
+    require(radius > 0.0F, "no radius", "one above 0");
+    depth_.upload(view.depth);
+    normal_.upload(texels_of(view.normal));
+    const glm::ivec2 size(view.extent.width, view.extent.height);
+    slice_parameters_ = {.p00_p11 = view.camera.p00_p11(), .size = size, .radius = radius};
+    blur_parameters_ = {.size = size, .tolerance = depth_tolerance};
+}
+
+PlainFrame PlainSlices::next(int repeat) {
+    const std::array<Step, 2> steps{
+        Step{"plain_slices", &slices_, {depth_, normal_, occlusion_}, bytes_of(slice_parameters_)},
+        Step{"plain_blur", &blur_, {depth_, occlusion_, blurred_}, bytes_of(blur_parameters_)}};
+    const std::vector<PassTime> times = run(*device_, steps, groups_for(depth_.extent()), repeat);
+    return {.occlusion = occlusion_.download(),
+            .blurred = blurred_.download(),
+            .slices_ms = times.at(0).ms,
+            .blur_ms = times.at(1).ms};
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gpu/compute.hpp"
+#include "gpu/image.hpp"
+#include "scene/gbuffer.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::effect {
+
+// Taps of one pixel: so many on each side of each slice.
+struct SliceTaps {
+    std::uint32_t slices = 9;
+    std::uint32_t steps = 3;
+};
+
+// A single frame of the plain loop, and how long its passes took.
+struct PlainFrame {
+    std::vector<float> occlusion;  // raw
+    std::vector<float> blurred;    // mean over 3 x 3 pixels that are about as deep
+    double slices_ms = 0.0;
+    double blur_ms = 0.0;
+};
+
+// Ground-truth ambient occlusion as one plain loop over slices, and a plain blur: what an engine without this
+// library has. Methods are compared with it (glsl/passes/comparison).
+class PlainSlices {
+  public:
+    // The device must outlive this object. Throws std::invalid_argument for 0 slices or steps,
+    // std::runtime_error without timestamps, and like gpu::Image.
+    PlainSlices(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
+                SliceTaps taps);
+
+    // The next frames are of this view. radius: of influence, world units, > 0. Throws std::invalid_argument
+    // for another size, an orthographic camera, a guard band, missing normals, or a radius out of range.
+    void take(const scene::GBuffer& view, float radius);
+
+    // Runs the passes `repeat` times (>= 1) and gives their median times.
+    [[nodiscard]] PlainFrame next(int repeat = 1);
+
+  private:
+    struct SliceParameters {
+        glm::vec2 p00_p11{1};
+        glm::ivec2 size{0};
+        float radius = 1.0F;
+    };
+    struct BlurParameters {
+        glm::ivec2 size{0};
+        float tolerance = 0.0F;
+    };
+
+    const gpu::Device* device_;
+    gpu::ComputePipeline slices_;
+    gpu::ComputePipeline blur_;
+    gpu::Image depth_;
+    gpu::Image normal_;
+    gpu::Image occlusion_;
+    gpu::Image blurred_;
+    SliceParameters slice_parameters_;
+    BlurParameters blur_parameters_;
+};
+
+}  // namespace gloam::effect

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The plain loop over slices: a fair opponent estimates what the method estimates.
+#include "effect/study/plain_slices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
+#include "effect/study/plain_study.hpp"
+#include "on_device.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace plain_slices_test {
+
+constexpr gpu::Extent extent{96, 54};
+
+class PlainSlicesTest : public OnDevice<testing::Test> {
+  protected:
+    [[nodiscard]] scene::GBuffer view_of(const scene::Scene& scene) const {
+        return scene::rasterize(device_, passes_, scene, extent);
+    }
+
+    [[nodiscard]] PlainFrame plain(const scene::GBuffer& view, double radius, SliceTaps taps) const {
+        PlainSlices slices(device_, passes_, view.extent, taps);
+        slices.take(view, static_cast<float>(radius));
+        return slices.next();
+    }
+};
+
+// With many taps the two images differ by what a tap's pixel makes of them; with another radius by far more.
+TEST_F(PlainSlicesTest, EstimatesWhatGtaoEstimates) {
+    const scene::Scene scene = scene::make_scene("columns");
+    const scene::GBuffer view = view_of(scene);
+    const SliceTaps taps{.slices = 24, .steps = 12};
+    const PlainFrame frame = plain(view, scene.ao_radius, taps);
+    AmbientOcclusion effect(device_, passes_, extent);
+    const auto difference = [&](double radius) {
+        effect.begin(view, with_radius(single_frame_of_slices("gtao", taps), static_cast<float>(radius)));
+        return errors_of(effect.next().occlusion, truth_from(view, frame.occlusion)).rmse;
+    };
+    EXPECT_LT(difference(scene.ao_radius), 0.02);
+    EXPECT_GT(difference(0.6 * scene.ao_radius), 0.04);
+}
+
+TEST_F(PlainSlicesTest, TheBlurRemovesNoiseAndKeepsToTheSurface) {
+    const scene::Scene scene = scene::make_scene("columns");
+    const scene::GBuffer view = view_of(scene);
+    const Truth limit = truth_from(view, plain(view, scene.ao_radius, {.slices = 24, .steps = 12}).occlusion);
+    const PlainFrame frame = plain(view, scene.ao_radius, {.slices = 1, .steps = 2});
+    EXPECT_LT(errors_of(frame.blurred, limit).rmse, 0.7 * errors_of(frame.occlusion, limit).rmse);
+    for (std::size_t i = 0; i < view.depth.size(); ++i) {
+        ASSERT_TRUE(frame.blurred[i] >= 0.0F && frame.blurred[i] <= 1.0F) << i;
+        if (!std::isfinite(view.depth[i])) {
+            EXPECT_EQ(frame.blurred[i], 0.0F) << i;
+        }
+    }
+}
+
+TEST_F(PlainSlicesTest, ReadsTimesOfBothInEveryRound) {
+    const scene::Scene scene = scene::make_scene("columns");
+    const scene::GBuffer view = view_of(scene);
+    const std::array<std::string, 2> methods{"gtao", "sweep"};
+    const std::array<SliceTaps, 1> taps{SliceTaps{.slices = 1, .steps = 2}};
+    const auto radius = static_cast<float>(scene.ao_radius);
+    const auto rows = compare_with_plain(device_, passes_, view, radius, methods, taps, 2);
+    ASSERT_EQ(rows.size(), 2U);
+    for (const PlainComparison& row : rows) {
+        ASSERT_EQ(row.plain_ms.size(), 2U);
+        ASSERT_EQ(row.method_ms.size(), 2U);
+        for (const double ms : row.plain_ms) EXPECT_GT(ms, 0.0);
+        for (const double ms : row.method_ms) EXPECT_GT(ms, 0.0);
+        EXPECT_GT(row.difference, 0.0);
+    }
+    EXPECT_THROW((void)compare_with_plain(device_, passes_, view, radius, methods, taps, 0),
+                 std::invalid_argument);
+    EXPECT_THROW((void)single_frame_of_slices("alchemy", taps[0]), std::invalid_argument);
+}
+
+TEST_F(PlainSlicesTest, WhatItDoesNotTakeIsRefused) {
+    const scene::GBuffer view = view_of(scene::make_scene("columns"));
+    EXPECT_THROW(PlainSlices(device_, passes_, extent, {.slices = 0, .steps = 2}), std::invalid_argument);
+    PlainSlices slices(device_, passes_, extent, {});
+    EXPECT_THROW(slices.take(view, 0.0F), std::invalid_argument);
+    scene::GBuffer bare = view;
+    bare.normal.clear();
+    EXPECT_THROW(slices.take(bare, 1.0F), std::invalid_argument);
+    scene::GBuffer parallel = view;
+    parallel.camera.proj_vk[2][3] = 0.0F;
+    EXPECT_THROW(slices.take(parallel, 1.0F), std::invalid_argument);
+    PlainSlices smaller(device_, passes_, {16, 16}, {});
+    EXPECT_THROW(smaller.take(view, 1.0F), std::invalid_argument);
+}
+
+}  // namespace plain_slices_test
+}  // namespace gloam::effect
