@@ -12,8 +12,9 @@
 // rgba32f. Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
-//   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none
-//   3  history  written: after, likewise; background (0, 0, 0, infinity)
+//   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none; read
+//               when keeps_history is set
+//   3  history  written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
 //   4  buffer   the tiles' states (tiles/state.glsl): what each took is added when counts is set, else it is never
 //               touched
 //   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
@@ -24,7 +25,8 @@
 //   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
 //               finite where there is none; read when layers is more than 1
 //   9  buffer   lists of tiles; read when listed is set
-//  10  r32f     written when shows is set, where the filter leaves pixels as they are: occlusion
+//  10  r32f     occlusion: written when shows is set, where the filter leaves pixels as they are; when shows_alone is
+//               set, everywhere
 //  11  rgba32f  what the samples share (samples/table.glsl); read when GLOAM_SAMPLE_TABLE is defined
 #include "history_image.glsl"
 #ifndef GLOAM_PREPARED
@@ -44,6 +46,7 @@ layout(constant_id = 8) const bool smooths = true;          // read smoothing
 layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
 layout(constant_id = 12) const bool skip_closed = false;    // end marches that no tap to come can change
 layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
+layout(constant_id = 20) const bool shows_alone = false;    // neither history nor filter: binding 10 is all that is written
 // Numbers that loops end by: compilers unroll those whose length they know.
 layout(constant_id = 15) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
 layout(constant_id = 16) const uint samples_converged = 16u;  // k_2, for each pixel that has
@@ -280,6 +283,10 @@ GloamHistory shade(ivec2 pixel) {
 // Stores the pixel's history, and what is shown of it where the filter leaves it as it is: the filter runs on the
 // tiles of all others.
 void store(ivec2 pixel, GloamHistory after) {
+    if (shows_alone) {
+        imageStore(shown_image, pixel, vec4(gloam_history_sanitize(after).occlusion));
+        return;
+    }
     GLOAM_STORE_HISTORY(history_after, pixel, after);
     if (!shows) return;
     GloamHistory stored = gloam_history_sanitize(after);

@@ -83,11 +83,13 @@ struct AmbientOcclusion::Impl {
 
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
+    [[nodiscard]] bool moves_history() const { return moved && settings.history; }
     [[nodiscard]] bool watches_objects() const;
     [[nodiscard]] bool lists_tiles() const { return selects_tiles(settings) && listing.due(moved); }
     [[nodiscard]] Program program() const;
     [[nodiscard]] ReprojectionProgram reprojection_program() const;
-    [[nodiscard]] const gpu::Image& history() const { return moved ? images->reprojected : images->before; }
+    [[nodiscard]] const gpu::Image& history() const;
+    [[nodiscard]] const gpu::Image& history_after() const;
     [[nodiscard]] std::optional<TileLists> listed(TileLists list) const;
     [[nodiscard]] Step over(TileLists list, Step pass) const;
     [[nodiscard]] std::vector<Step> steps();
@@ -131,9 +133,19 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     shown = still = false;
 }
 
-// Whether the view holds the positions of its points in the previous view.
+// Whether the view holds the positions of its points in the previous view, and a history depends on them.
 bool AmbientOcclusion::Impl::watches_objects() const {
-    return moved && images->previous_position.has_value();
+    return moves_history() && images->previous_position.has_value();
+}
+
+// The history into which the samples are blended, and the one that this makes.
+const gpu::Image& AmbientOcclusion::Impl::history() const {
+    if (shows_alone(settings)) return nothing;
+    return moves_history() ? images->reprojected : images->before;
+}
+
+const gpu::Image& AmbientOcclusion::Impl::history_after() const {
+    return shows_alone(settings) ? nothing : images->after;
 }
 
 Program AmbientOcclusion::Impl::program() const {
@@ -193,8 +205,9 @@ gpu::Extent AmbientOcclusion::Impl::unshaded_band() const {
 
 SelectParameters AmbientOcclusion::Impl::select_parameters() const {
     std::uint32_t written = second_is_after ? image_second_history : image_first_history;
-    if (moved) written |= image_reprojected;
+    if (moves_history()) written |= image_reprojected;
     if (filters(settings)) written |= image_filtered;
+    if (shows_alone(settings)) written = image_filtered;
     if (remaps(settings)) written |= image_mapped | (filters(settings) ? image_filtered_mapped : 0U);
     return {.size = words_of_size(view.extent),
             .band = words_of_size(unshaded_band()),
@@ -215,7 +228,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
                           bytes_of(normal_constants)});
     }
     append_selection(passes);
-    if (moved) {
+    if (moves_history()) {
         passes.push_back(over(TileLists::shaded,
                               {"reproject",
                                &pipelines.reprojection(reprojection_program()),
@@ -231,9 +244,9 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
         of_list.list = list;
         passes.push_back(over(list, {name,
                                      &pipelines.occlusion(of_list),
-                                     {images->depth, images->normal, history(), images->after, tiles.after(),
-                                      positions, method, prepared.image_or(nothing), layers, tiles.lists(),
-                                      images->filtered, samples.image_or(nothing)},
+                                     {images->depth, images->normal, history(), history_after(),
+                                      tiles.after(), positions, method, prepared.image_or(nothing), layers,
+                                      tiles.lists(), images->filtered, samples.image_or(nothing)},
                                      bytes_of(occlusion_constants)}));
     };
     occlusion("ambient_occlusion", finds_open_tiles() ? TileLists::sampled : TileLists::shaded);
@@ -284,6 +297,7 @@ void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
                                      {images->depth, from, to, lists},
                                      bytes_of(remap_constants)}));
     };
+    if (shows_alone(settings)) return map("remap", TileLists::shaded, {}, images->filtered, *images->mapped);
     map("remap", TileLists::shaded, settings.precision, images->after, *images->mapped);
     if (!filters(settings)) return;
     const gpu::Image& to = *images->filtered_mapped;
@@ -293,12 +307,18 @@ void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
 }
 
 Frame AmbientOcclusion::Impl::collect() const {
-    HistoryTexels result = history_in(images->after);
     const bool mapped = remaps(settings);
-    Frame frame{.occlusion = mapped ? images->mapped->download() : std::move(result.occlusion),
-                .convergence = std::move(result.samples),
-                .kept = history_in(history()).samples};
     const gpu::Image& filtered = mapped ? *images->filtered_mapped : images->filtered;
+    Frame frame;
+    if (shows_alone(settings)) {
+        frame.occlusion = (mapped ? *images->mapped : images->filtered).download();
+        frame.convergence = frame.kept = std::vector<float>(frame.occlusion.size(), 0.0F);
+    } else {
+        HistoryTexels result = history_in(images->after);
+        frame.occlusion = mapped ? images->mapped->download() : std::move(result.occlusion);
+        frame.convergence = std::move(result.samples);
+        frame.kept = history_in(history()).samples;
+    }
     frame.filtered = filters(settings) ? filtered.download() : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
     frame.work = work(frame.convergence);

@@ -49,7 +49,8 @@ struct Frame {
     gpu::Extent extent;
     std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so
     std::vector<float> filtered;     // the same after the filter; equal to it with the filter off
-    std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background
+    std::vector<float> convergence;  // of the estimate, in [0, 1]; 0 at the background, and without both a
+                                     // history and a filter
     std::vector<float> kept;         // samples that the pixel's history holds; 0: it has no history
     std::vector<PassTime> times;     // in the order in which the passes ran
     Work work;

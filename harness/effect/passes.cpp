@@ -83,9 +83,13 @@ float c_filter(const Settings& settings) {
 
 }  // namespace
 
+HistoryPrecision bound_precision(const Settings& settings) {
+    return shows_alone(settings) ? HistoryPrecision::float32 : settings.precision;
+}
+
 Program program_for(const Settings& settings) {
     return {.method = settings.method,
-            .precision = settings.precision,
+            .precision = bound_precision(settings),
             .layers = settings.layers,
             .reject_taps = settings.reject_taps,
             .sample_table = tabulates_samples(settings),
@@ -95,6 +99,7 @@ Program program_for(const Settings& settings) {
             .smooths = settings.smoothing > 0.0F,
             .skip_closed = settings.skip_closed && method_named(settings.method).ends_marches,
             .keeps_history = settings.history,
+            .shows_alone = shows_alone(settings),
             .samples = settings.samples,
             .samples_converged = settings.samples_converged,
             .steps = settings.steps};
@@ -222,6 +227,7 @@ PassSource occlusion_source(const Program& program, Counting counts, std::uint32
                           {.id = 17, .bits = program.steps},
                           {.id = 18, .bits = unit_of(method, program.steps)},
                           {.id = 19, .bits = flag(method.unit == SampleUnit::pair)},
+                          {.id = 20, .bits = flag(program.shows_alone)},
                           {.id = listed_constant, .bits = flag(program.listed)},
                           {.id = list_constant, .bits = static_cast<std::uint32_t>(program.list)},
                           {.id = open_tiles_constant, .bits = open_tiles_each}},

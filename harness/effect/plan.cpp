@@ -64,7 +64,7 @@ class Planner {
         images();
         buffers();
         passes();
-        plan_.exchanged = {{"history_before", "history_after"}};
+        if (!shows_alone(settings_)) plan_.exchanged.push_back({"history_before", "history_after"});
         if (options_.tiles) plan_.exchanged.push_back({"tile_states_before", "tile_states_after"});
         return std::move(plan_);
     }
@@ -96,10 +96,14 @@ class Planner {
         }
         if (settings_.layers > 1)
             image("layers", rgba32f, Origin::engine, "depth layers 1 to 3 behind the first in xyz");
-        image("history_before", history, Origin::history, "the history of the frame before");
-        if (settings_.history)
-            image("history_reprojected", history, Origin::frame, "the same at the pixels of this frame");
-        image("history_after", history, Origin::frame, "the history of this frame");
+        if (shows_alone(settings_)) {
+            image("filtered", r32f, Origin::frame, "the occlusion");
+        } else {
+            image("history_before", history, Origin::history, "the history of the frame before");
+            if (settings_.history)
+                image("history_reprojected", history, Origin::frame, "the same at the pixels of this frame");
+            image("history_after", history, Origin::frame, "the history of this frame");
+        }
         if (filters(settings_)) {
             image("half_filtered", r32f, Origin::frame, "the occlusion filtered along x");
             image("filtered", r32f, Origin::frame, "and along y");
@@ -128,9 +132,10 @@ class Planner {
     }
 
     void result() {
-        plan_.result = remaps(settings_)    ? (filters(settings_) ? "filtered_mapped" : "mapped")
-                       : filters(settings_) ? "filtered"
-                                            : "history_after";
+        const bool filtered = filters(settings_) || shows_alone(settings_);
+        plan_.result = remaps(settings_) ? (filters(settings_) ? "filtered_mapped" : "mapped")
+                       : filtered        ? "filtered"
+                                         : "history_after";
         const bool packed =
             plan_.result == "history_after" && settings_.precision == HistoryPrecision::packed;
         if (packed) plan_.result_unit = packed_occlusion_unit;
@@ -188,7 +193,7 @@ class Planner {
     }
     // The history into which the samples are blended.
     [[nodiscard]] std::string history() const {
-        return settings_.history ? "history_reprojected" : "history_before";
+        return settings_.history ? "history_reprojected" : present("history_before");
     }
     [[nodiscard]] std::string lists() const { return options_.tiles ? "tile_lists" : nothing_buffer; }
     [[nodiscard]] std::string states() const { return options_.tiles ? "tile_states_after" : nothing_buffer; }
@@ -213,9 +218,10 @@ class Planner {
     }
 
     void selection() {
-        std::uint32_t written =
-            (moment_.odd ? image_second_history : image_first_history) | image_reprojected;
+        std::uint32_t written = moment_.odd ? image_second_history : image_first_history;
+        if (settings_.history) written |= image_reprojected;
         if (filters(settings_)) written |= image_filtered;
+        if (shows_alone(settings_)) written = image_filtered;
         if (remaps(settings_)) written |= image_mapped | (filters(settings_) ? image_filtered_mapped : 0U);
         const gpu::Extent band = settings_.guard_history ? gpu::Extent{} : moment_.view.border;
         const SelectParameters parameters{.size = pair_of(moment_.view.extent),
@@ -270,8 +276,9 @@ class Planner {
         parameters.still = moment_.still ? 1 : 0;
         const Counting counts = options_.tiles ? Counting::each_group : Counting::none;
         pass("ambient_occlusion", occlusion_source(program, counts, 1),
-             {"depth", "normal", history(), "history_after", states(), present("previous_position"), "method",
-              present("prepared"), present("layers"), lists(), present("filtered"), present("sample_table")},
+             {"depth", "normal", history(), present("history_after"), states(), present("previous_position"),
+              "method", present("prepared"), present("layers"), lists(), present("filtered"),
+              present("sample_table")},
              bytes_of_parameters(parameters), a_tile);
         over(TileLists::shaded);
     }
@@ -305,6 +312,7 @@ class Planner {
                  list == TileLists::filtered_y ? tiles_of_filter : a_tile);
             over(list);
         };
+        if (shows_alone(settings_)) return map("remap", TileLists::shaded, {}, "filtered", "mapped");
         if (!filters(settings_))
             return map("remap", TileLists::shaded, settings_.precision, "history_after", "mapped");
         map("remap_filtered", TileLists::shaded, {}, "filtered", "filtered_mapped");

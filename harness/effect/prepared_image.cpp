@@ -27,7 +27,7 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
 }
 
 PreparationProgram preparation_program_for(const Settings& settings) {
-    return {.precision = settings.precision,
+    return {.precision = bound_precision(settings),
             .layers = settings.layers,
             .reject_taps = settings.reject_taps,
             .keeps_history = settings.history,

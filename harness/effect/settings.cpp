@@ -42,6 +42,10 @@ bool filters(const Settings& settings) {
     return settings.filter != Filter::none;
 }
 
+bool shows_alone(const Settings& settings) {
+    return !settings.history && !filters(settings);
+}
+
 bool remaps(const Settings& settings) {
     return settings.remap_a != 0.0F || settings.remap_b != 1.0F || settings.remap_c != 1.0F;
 }

@@ -120,6 +120,9 @@ struct Settings {
 // Whether a filter is applied to the estimate.
 [[nodiscard]] bool filters(const Settings& settings);
 
+// Whether the occlusion of a frame is all that its passes keep: without a history and without a filter.
+[[nodiscard]] bool shows_alone(const Settings& settings);
+
 // Whether the displayed values differ from the estimate by a remap.
 [[nodiscard]] bool remaps(const Settings& settings);
 

@@ -39,8 +39,11 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
         return scene::rasterize(device_, passes_, scene, extent, {.frame = frame});
     };
     for (const char* method : {"hemisphere", "mssao", "dual_resolution", "sao_chain", "separable"}) {
-        for (const char* preset : {"paper", "balanced"}) {
-            Settings settings = without_tiles(with_method(preset_named(preset).settings, method));
+        for (const char* preset : {"paper", "balanced", "balanced, frames alone"}) {
+            const bool alone = std::string_view(preset).ends_with("alone");
+            Settings settings =
+                without_tiles(with_method(preset_named(alone ? "balanced" : preset).settings, method));
+            settings.history = !alone;
             settings.remap_b = 2.0F;
             AmbientOcclusion effect(device_, passes_, extent);
             effect.begin(view(0), settings);

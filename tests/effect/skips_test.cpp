@@ -103,6 +103,25 @@ TEST_F(Skips, BackgroundOfAMovingCamera) {
     EXPECT_LT(frames.back().work.tiles_filtered, frames.back().work.tiles);
 }
 
+// Without a history and a filter the occlusion is all that is written.
+TEST_F(Skips, FramesThatStandAlone) {
+    std::vector<Stay> stays;
+    for (int i = 0; i < 4; ++i) stays.push_back({view("sky", 8 * i), 1 + i % 2});
+    Settings settings = settings_for("sky");
+    settings.history = false;
+    settings.filter = Filter::none;
+    for (const float power : {1.0F, 2.0F}) {
+        settings.remap_c = power;
+        const std::vector<Frame> frames = expect_same(stays, settings);
+        EXPECT_GT(frames.back().work.tiles_blank, frames.back().work.tiles / 3);
+        for (const Frame& frame : frames) {
+            EXPECT_THAT(frame.kept, testing::Each(0.0F));
+            EXPECT_GT(*std::ranges::max_element(frame.occlusion), 0.1F);
+            for (const PassTime& time : frame.times) EXPECT_NE(time.pass, "reproject");
+        }
+    }
+}
+
 TEST_F(Skips, MovingObjects) {
     std::vector<Stay> stays;
     for (int i = 0; i < 6; ++i) stays.push_back({view("moving", 20 + i), 1 + i % 2});

@@ -123,6 +123,7 @@ struct Program {
     bool smooths = false;
     bool skip_closed = false;
     bool keeps_history = true;
+    bool shows_alone = false;
     std::uint32_t samples = 0;
     std::uint32_t samples_converged = 0;
     std::uint32_t steps = 0;
@@ -130,6 +131,9 @@ struct Program {
 
     friend auto operator<=>(const Program&, const Program&) = default;
 };
+
+// Precision of the history that is bound: of an image in its place where there is none.
+[[nodiscard]] HistoryPrecision bound_precision(const Settings& settings);
 
 // The members that the settings determine; the others keep their defaults.
 [[nodiscard]] Program program_for(const Settings& settings);

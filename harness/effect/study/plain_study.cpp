@@ -61,6 +61,7 @@ Settings single_frame_of_slices(const std::string& method, SliceTaps taps) {
         throw std::invalid_argument(
             fmt::format("method {}: its samples are not slices, expected one whose are", method));
     Settings settings = slices(info, taps.slices, taps.steps);
+    settings.history = false;
     settings.filter = Filter::none;
     return settings;
 }
