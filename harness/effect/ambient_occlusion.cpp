@@ -214,7 +214,7 @@ SelectParameters AmbientOcclusion::Impl::select_parameters() const {
             .written = written,
             .background = settings.skip_background ? 1U : 0U,
             .settled = settings.skip_settled && still ? 1U : 0U,
-            .open = finds_open_tiles() ? 1U : 0U};
+            .open_tiles = finds_open_tiles() ? 1U : 0U};
 }
 
 std::vector<Step> AmbientOcclusion::Impl::steps() {

@@ -31,29 +31,15 @@ using enum gpu::Format;
 
 constexpr int most_interleave = 8;
 
-// Push constants, with the layout of directional/points.glsl.
-struct Parameters {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    float radius;
-    float bias;
-    std::uint32_t samples;
-    std::uint32_t orthographic;
-    std::array<glm::vec4, 3> world_from_view;
-};
-
-Parameters parameters_of(const scene::GBuffer& view, const Settings& settings) {
+DirectionalParameters parameters_of(const scene::GBuffer& view, const Settings& settings) {
     const glm::mat3 world_from_view = glm::transpose(glm::mat3(view.camera.view));
-    Parameters parameters{.p00_p11 = view.camera.p00_p11(),
-                          .size = {static_cast<int>(view.extent.width), static_cast<int>(view.extent.height)},
-                          .radius = settings.radius,
-                          .bias = settings.bias,
-                          .samples = settings.samples,
-                          .orthographic = view.camera.orthographic() ? 1U : 0U,
-                          .world_from_view = {}};
-    for (int i = 0; i < 3; ++i)
-        parameters.world_from_view[static_cast<std::size_t>(i)] = glm::vec4(world_from_view[i], 0.0F);
-    return parameters;
+    return {.p00_p11 = view.camera.p00_p11(),
+            .size = {static_cast<int>(view.extent.width), static_cast<int>(view.extent.height)},
+            .radius = settings.radius,
+            .bias = settings.bias,
+            .samples = settings.samples,
+            .orthographic = view.camera.orthographic() ? 1U : 0U,
+            .world_from_view = glm::mat3x4(world_from_view)};
 }
 
 gpu::ComputePipeline make_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
@@ -67,7 +53,7 @@ gpu::ComputePipeline make_pipeline(const gpu::Device& device, const scene::PassL
     return {device,
             {.spirv = spirv,
              .bindings = bindings,
-             .push_constant_bytes = sizeof(Parameters),
+             .push_constant_bytes = sizeof(DirectionalParameters),
              .constants = std::move(constants)}};
 }
 
@@ -126,7 +112,7 @@ struct Directional::Impl {
     void shade(const std::string& pass, const FrameImages& images, const gpu::Image& out,
                std::vector<gpu::Resource> read, const scene::GBuffer& view, const Settings& settings,
                std::uint32_t interleave = 0) {
-        const Parameters parameters = parameters_of(view, settings);
+        const DirectionalParameters parameters = parameters_of(view, settings);
         std::vector<gpu::Resource> resources{images.depth, images.normal,
                                              images.layers ? *images.layers : nothing, method, out};
         resources.insert(resources.end(), read.begin(), read.end());

@@ -17,26 +17,12 @@ namespace {
 
 using enum gpu::BindingKind;
 
-// Push constants, with the layout of further_view.comp.
-struct Parameters {
-    glm::mat4 other_from_this;
-    glm::vec2 p00_p11;
-    glm::vec2 other_p00_p11;
-    glm::ivec2 size;
-    glm::ivec2 other_size;
-    float radius;
-    float bias;
-    float bias_depth;
-    float remap_a;
-    float remap_b;
-    float remap_c;
-};
-
 glm::ivec2 size_of(const scene::GBuffer& view) {
     return {static_cast<int>(view.extent.width), static_cast<int>(view.extent.height)};
 }
 
-Parameters parameters_of(const scene::GBuffer& view, const scene::GBuffer& other, const Settings& settings) {
+FurtherViewParameters parameters_of(const scene::GBuffer& view, const scene::GBuffer& other,
+                                    const Settings& settings) {
     const glm::dmat4 other_from_this =
         glm::dmat4(other.camera.view) * glm::inverse(glm::dmat4(view.camera.view));
     return {.other_from_this = glm::mat4(other_from_this),
@@ -94,7 +80,7 @@ struct FurtherViews::Impl {
             .emplace(key, pipeline_of(*device, library, further_view_source(program, other_orthographic),
                                       {storage_image, storage_image, storage_image, storage_image,
                                        storage_image, storage_buffer},
-                                      sizeof(Parameters)))
+                                      sizeof(FurtherViewParameters)))
             .first->second;
     }
 
@@ -132,7 +118,7 @@ std::vector<float> FurtherViews::raised(const scene::GBuffer& view, const std::v
     const FrameImages images = impl_->taken(view);
     for (const scene::GBuffer& other : others) {
         const FrameImages there = impl_->taken(other);
-        const Parameters parameters = parameters_of(view, other, settings);
+        const FurtherViewParameters parameters = parameters_of(view, other, settings);
         const Step step{"further_view",
                         &impl_->pipeline(program, other.camera.orthographic()),
                         {images.depth, images.normal, there.depth, there.normal, result, impl_->method},

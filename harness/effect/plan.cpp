@@ -229,7 +229,7 @@ class Planner {
                                           .written = written,
                                           .background = settings_.skip_background ? 1U : 0U,
                                           .settled = settings_.skip_settled && moment_.still ? 1U : 0U,
-                                          .open = 0};
+                                          .open_tiles = 0};
         pass("select_tiles", selection_source(1),
              {"depth", "tile_states_before", "tile_states_after", "tile_lists", "open_tiles"},
              bytes_of_parameters(parameters), tile_of_tiles);

@@ -10,8 +10,6 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::size_t header_lists = tile_lists + 1;  // and the counts
-
 std::size_t tiles_of(gpu::Extent extent) {
     const auto groups = groups_for(extent);
     return std::size_t{groups[0]} * groups[1];

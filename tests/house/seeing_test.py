@@ -52,11 +52,16 @@ class Seeing(unittest.TestCase):
             only = folder / "only"
             only.write_text("".join(f"geometry.group:{name}\n" for name in names), encoding="utf-8")
             run(folder, GLOAM_ONLY_LISTS=str(only), GLOAM_CACHE_DIR=str(folder / "cache"))
-            return set((folder / f"geometry.group:{names[0]}").read_text(encoding="utf-8").splitlines())
+            lines = (folder / f"geometry.group:{names[0]}").read_text(encoding="utf-8").splitlines()
+            return {line for line in lines if not line.startswith("seconds ")}
 
     def test_a_list_holds_nothing_that_later_tests_read(self):
         # The compiler's process, which reads includes, is started by the first test and serves all.
         self.assertEqual(self.cold_list(self.all[0], OTHER), self.cold_list(self.all[0]))
+
+    def test_the_last_line_of_a_list_is_the_time(self):
+        for file in self.folder.glob("geometry.group:*"):
+            self.assertRegex(file.read_text(encoding="utf-8").splitlines()[-1], r"^seconds [0-9.]+$", file.name)
 
     def test_only_the_listed_tests_run(self):
         self.assertEqual(self.run_only(f"geometry.group:{self.all[1]}", f"other.group:{self.all[0]}"), [self.all[1]])
@@ -69,6 +74,32 @@ class Seeing(unittest.TestCase):
         listed = [f"geometry.group:{name}" for name in self.all[:2]]
         shard = {"GTEST_TOTAL_SHARDS": "2", "GTEST_SHARD_INDEX": "1"}
         self.assertEqual(self.run_only(*listed, **shard), self.all[:2])
+
+    def within(self, seconds, lists):
+        """What tools/test --within keeps of lists, given as {name: (files, seconds)}, on one core."""
+        with tempfile.TemporaryDirectory() as scratch:
+            seen = Path(scratch) / "seen"
+            seen.mkdir()
+            for name, (files, took) in lists.items():
+                text = "".join(f"/{i}.glsl\n" for i in range(files)) + (f"seconds {took}\n" if ":" in name else "")
+                (seen / name).write_text(text, encoding="utf-8")
+            script = Path(__file__).resolve().parents[2] / "tools" / "test"
+            code = f'nproc() {{ echo 1; }}; build={scratch}; source <(sed -n "/^within()/,/^}}/p" {script}); within {seconds}'
+            result = subprocess.run(["bash", "-euc", code], input="".join(f"{name}\n" for name in lists),
+                                    capture_output=True, text=True, check=True)
+            return set(result.stdout.split())
+
+    def test_within_a_time_tests_of_few_files_come_first(self):
+        lists = {"a:wide": (50, 1.0), "a:narrow": (2, 6.0), "b:middle": (9, 2.0)}
+        self.assertEqual(self.within(100, lists), set(lists))
+        self.assertEqual(self.within(9, lists), {"a:narrow", "b:middle"})  # 6 + 2 and the starts of two groups
+        self.assertEqual(self.within(7, lists), {"a:narrow"})
+        self.assertEqual(self.within(1, lists), {"a:narrow"})  # one at least
+
+    def test_a_group_takes_as_long_as_its_tests(self):
+        lists = {"a": (1, 0.0), "a:one": (5, 4.0), "a:two": (6, 4.0)}
+        self.assertEqual(self.within(9, lists), {"a"})
+        self.assertEqual(self.within(5, {"b:other": (1, 1.0), **lists}), {"b:other"})
 
 
 if __name__ == "__main__":

@@ -90,6 +90,32 @@ struct RemapParameters {
     float c;
 };
 
+// Of further_view.comp.
+struct FurtherViewParameters {
+    glm::mat4 other_from_this;
+    glm::vec2 p00_p11;
+    glm::vec2 other_p00_p11;
+    glm::ivec2 size;
+    glm::ivec2 other_size;
+    float radius;
+    float bias;
+    float bias_depth;
+    float remap_a;
+    float remap_b;
+    float remap_c;
+};
+
+// Of the passes that include directional/points.glsl.
+struct DirectionalParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    float radius;
+    float bias;
+    std::uint32_t samples;
+    std::uint32_t orthographic;
+    glm::mat3x4 world_from_view;
+};
+
 // The part of a view that is the same in all of its frames.
 struct View {
     scene::CameraFrame camera;

@@ -32,6 +32,7 @@ struct TileState {
 enum class TileLists : std::uint8_t { shaded, filtered_x, filtered_y, sampled, open };
 
 constexpr std::size_t tile_lists = 5;
+constexpr std::size_t header_lists = tile_lists + 1;  // headers of the buffer: the last one holds counts
 
 // Images that may hold nothing but background in a tile: bits of SelectParameters::written.
 enum TileImage : std::uint32_t {
@@ -50,7 +51,7 @@ struct SelectParameters {
     std::uint32_t written;
     std::uint32_t background;
     std::uint32_t settled;
-    std::uint32_t open;
+    std::uint32_t open_tiles;
 };
 
 // Push constants of tiles/bound.comp.

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// What C++ and shaders share has one layout: names, types and offsets of push constants and buffers, and
+// numbers of specialization constants, as the compiled passes have them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "effect/internal/passes.hpp"
+#include "effect/internal/prepared_image.hpp"
+#include "effect/internal/sample_table.hpp"
+#include "effect/methods.hpp"
+#include "effect/plan.hpp"
+#include "effect/presets.hpp"
+#include "on_device.hpp"
+#include "shader/reflection.hpp"
+
+namespace gloam::effect {
+namespace layouts_test {
+
+using shader::LaidOut;
+
+template <class T>
+struct Shape;  // of a member: type of its components, rows, columns
+template <>
+struct Shape<float> {
+    static constexpr const char* type = "float";
+    static constexpr unsigned rows = 1, columns = 1;
+};
+template <>
+struct Shape<std::int32_t> {
+    static constexpr const char* type = "int";
+    static constexpr unsigned rows = 1, columns = 1;
+};
+template <>
+struct Shape<std::uint32_t> {
+    static constexpr const char* type = "uint";
+    static constexpr unsigned rows = 1, columns = 1;
+};
+template <class T, std::size_t n>
+struct Shape<std::array<T, n>> {
+    static constexpr const char* type = Shape<T>::type;
+    static constexpr unsigned rows = n, columns = 1;
+};
+template <glm::length_t n, class T>
+struct Shape<glm::vec<n, T>> {
+    static constexpr const char* type = Shape<T>::type;
+    static constexpr unsigned rows = n, columns = 1;
+};
+template <glm::length_t c, glm::length_t r>
+struct Shape<glm::mat<c, r, float>> {
+    static constexpr const char* type = "float";
+    static constexpr unsigned rows = r, columns = c;
+};
+
+// A member in one line: "vec 2 x 1 of float at 8: size".
+std::string line_of(const LaidOut& member) {
+    return fmt::format("{} x {} of {} at {}: {}", member.rows, member.columns, member.type, member.offset,
+                       member.name);
+}
+
+template <class Member>
+std::string line_of(const char* name, std::size_t offset) {
+    using Of = Shape<Member>;
+    return line_of(
+        LaidOut{.name = name, .type = Of::type, .rows = Of::rows, .columns = Of::columns, .offset = offset});
+}
+
+std::vector<std::string> lines_of(const std::vector<LaidOut>& members) {
+    std::vector<std::string> lines;
+    for (const LaidOut& member : members) lines.push_back(line_of(member));
+    return lines;
+}
+
+#define MEMBER(type, name) line_of<decltype(type::name)>(#name, offsetof(type, name))
+
+class Layouts : public OnDevice<testing::Test> {
+  protected:
+    [[nodiscard]] shader::ModuleInterface interface_of(const PassSource& source) const {
+        return shader::reflect(passes_.compile(source.file, source.defines, source.replaced));
+    }
+
+    void expect_pushed(const PassSource& source, std::size_t bytes,
+                       const std::vector<std::string>& members) const {
+        const shader::ModuleInterface found = interface_of(source);
+        ASSERT_TRUE(found.push_constants.has_value()) << source.file;
+        EXPECT_EQ(lines_of(found.push_constants->members), members) << source.file;
+        EXPECT_EQ(found.push_constants->size, bytes) << source.file;
+    }
+
+    [[nodiscard]] std::vector<LaidOut> buffer_of(const PassSource& source, const std::string& block) const {
+        for (const shader::Binding& binding : interface_of(source).bindings)
+            if (binding.block && binding.block->name == block) return binding.block->members;
+        ADD_FAILURE() << source.file << " has no buffer " << block;
+        return {};
+    }
+};
+
+PassSource occlusion() {
+    return occlusion_source(program_for({}), Counting::each_group, 1);
+}
+
+TEST_F(Layouts, OcclusionPass) {
+    using T = OcclusionParameters;
+    expect_pushed(occlusion(), sizeof(T),
+                  {MEMBER(T, p00_p11),
+                   MEMBER(T, size),
+                   MEMBER(T, border),
+                   MEMBER(T, radius),
+                   MEMBER(T, bias),
+                   MEMBER(T, c_spatial),
+                   MEMBER(T, weight_max),
+                   MEMBER(T, c_rot),
+                   MEMBER(T, least_radius),
+                   MEMBER(T, shade_border),
+                   MEMBER(T, skip_background),
+                   MEMBER(T, invalidation),
+                   MEMBER(T, change_tolerance),
+                   MEMBER(T, weight_small),
+                   MEMBER(T, confidence_factor),
+                   MEMBER(T, still),
+                   MEMBER(T, freeze),
+                   MEMBER(T, samples_distance),
+                   MEMBER(T, samples_radius),
+                   MEMBER(T, samples_least),
+                   MEMBER(T, radius_cap),
+                   MEMBER(T, smoothing),
+                   MEMBER(T, c_filter),
+                   MEMBER(T, bias_depth)});
+}
+
+TEST_F(Layouts, PreparationPasses) {
+    using T = PreparationParameters;
+    const PassSource source =
+        preparation_source("half_resolution.comp", preparation_program_for({}), gpu::Format::rgba32f);
+    expect_pushed(source, sizeof(T),
+                  {MEMBER(T, p00_p11), MEMBER(T, size), MEMBER(T, border), MEMBER(T, radius), MEMBER(T, bias),
+                   MEMBER(T, c_spatial), MEMBER(T, weight_max), MEMBER(T, c_rot), MEMBER(T, least_radius),
+                   MEMBER(T, orthographic), MEMBER(T, shade_border), MEMBER(T, samples_distance),
+                   MEMBER(T, samples_radius), MEMBER(T, samples_least), MEMBER(T, radius_cap),
+                   MEMBER(T, bias_depth), MEMBER(T, level)});
+}
+
+TEST_F(Layouts, ReprojectionFilterAndMap) {
+    using R = ReprojectionParameters;
+    expect_pushed(reprojection_source({}), sizeof(R),
+                  {MEMBER(R, previous_from_current), MEMBER(R, p00_p11), MEMBER(R, previous_p00_p11),
+                   MEMBER(R, size), MEMBER(R, tolerance)});
+    using F = FilterParameters;
+    for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao})
+        expect_pushed(filter_source({.filter = filter}), sizeof(F),
+                      {MEMBER(F, p00_p11), MEMBER(F, size), MEMBER(F, sigma_pixels), MEMBER(F, depth_scale),
+                       MEMBER(F, c_adaptive), MEMBER(F, weight_max), MEMBER(F, cap)});
+    using M = RemapParameters;
+    expect_pushed(remap_source({}, {}), sizeof(M),
+                  {MEMBER(M, size), MEMBER(M, a), MEMBER(M, b), MEMBER(M, c)});
+    using N = NormalParameters;
+    expect_pushed(normals_source(), sizeof(N),
+                  {MEMBER(N, p00_p11), MEMBER(N, size), MEMBER(N, orthographic)});
+    using S = SampleTableParameters;
+    const std::string points = method_named("hemisphere").points;
+    expect_pushed(sample_table_source(points), sizeof(S), {MEMBER(S, first), MEMBER(S, last)});
+}
+
+TEST_F(Layouts, PassesOverTiles) {
+    using S = SelectParameters;
+    expect_pushed(selection_source(1), sizeof(S),
+                  {MEMBER(S, size), MEMBER(S, band), MEMBER(S, written), MEMBER(S, background),
+                   MEMBER(S, settled), MEMBER(S, open_tiles)});
+    using B = BoundParameters;
+    expect_pushed({.file = "tiles/bound.comp"}, sizeof(B), {MEMBER(B, size)});
+    using M = MergeParameters;
+    expect_pushed({.file = "tiles/merge_bounds.comp"}, sizeof(M), {MEMBER(M, size), MEMBER(M, level)});
+    using O = OpenParameters;
+    expect_pushed(
+        {.file = "tiles/open.comp"}, sizeof(O),
+        {MEMBER(O, p00_p11), MEMBER(O, size), MEMBER(O, radius), MEMBER(O, bias), MEMBER(O, points)});
+    using F = SelectFilteredParameters;
+    expect_pushed({.file = "tiles/select_filtered.comp"}, sizeof(F), {MEMBER(F, size), MEMBER(F, reach)});
+}
+
+TEST_F(Layouts, FurtherViewsAndDirections) {
+    using V = FurtherViewParameters;
+    expect_pushed(further_view_source(program_for({}), false), sizeof(V),
+                  {MEMBER(V, other_from_this), MEMBER(V, p00_p11), MEMBER(V, other_p00_p11), MEMBER(V, size),
+                   MEMBER(V, other_size), MEMBER(V, radius), MEMBER(V, bias), MEMBER(V, bias_depth),
+                   MEMBER(V, remap_a), MEMBER(V, remap_b), MEMBER(V, remap_c)});
+    using D = DirectionalParameters;
+    for (const char* file :
+         {"bent_normals.comp", "bent_gather.comp", "direct_light.comp", "bounced_light.comp"})
+        expect_pushed({.file = file}, sizeof(D),
+                      {MEMBER(D, p00_p11), MEMBER(D, size), MEMBER(D, radius), MEMBER(D, bias),
+                       MEMBER(D, samples), MEMBER(D, orthographic), MEMBER(D, world_from_view)});
+}
+
+TEST_F(Layouts, Buffers) {
+    using M = MethodParameters;
+    const std::vector<LaidOut> method = buffer_of(occlusion(), "MethodSettings");
+    ASSERT_EQ(method.size(), 1U);
+    EXPECT_EQ(method[0].size, sizeof(M));
+    EXPECT_EQ(lines_of(method[0].members),
+              (std::vector{MEMBER(M, range), MEMBER(M, epsilon), MEMBER(M, intensity), MEMBER(M, thickness),
+                           MEMBER(M, angle_bias), MEMBER(M, mip_distance), MEMBER(M, steps),
+                           MEMBER(M, disagreement)}));
+    using S = TileState;
+    const std::vector<LaidOut> states = buffer_of(selection_source(1), "StatesAfter");
+    ASSERT_EQ(states.size(), 1U);
+    EXPECT_EQ(states[0].stride, sizeof(S));
+    EXPECT_EQ(lines_of(states[0].members),
+              (std::vector{MEMBER(S, flags), MEMBER(S, samples), MEMBER(S, pixels)}));
+    using L = TileList;
+    const std::vector<LaidOut> lists = buffer_of(selection_source(1), "TileLists");
+    ASSERT_EQ(lists.size(), 2U);
+    EXPECT_EQ(lists[0].sizes, std::vector<unsigned>{header_lists});
+    EXPECT_EQ(lists[0].stride, sizeof(L));
+    EXPECT_EQ(lists[1].offset, header_lists * sizeof(L));
+    EXPECT_EQ(lines_of(lists[0].members),
+              (std::vector{MEMBER(L, columns), MEMBER(L, rows), MEMBER(L, layers), MEMBER(L, tiles)}));
+}
+
+// A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
+// those of several methods count; the preparation passes share theirs.
+TEST_F(Layouts, SpecializationConstants) {
+    std::map<std::string, std::set<std::uint32_t>> given;
+    std::map<std::string, std::set<std::uint32_t>> known;
+    for (const char* method :
+         {"hemisphere", "gtao", "hbao_study", "sao", "separable", "mssao", "dual_resolution"}) {
+        Settings settings = with_method({}, method);
+        settings.remap_b = 2.0F;
+        for (const PlannedPass& pass : plan_of(settings, {.tiles = true}).passes) {
+            const std::string& file = pass.source.file;
+            const std::string key = file.starts_with("preparation/") ? "preparation" : file;
+            const shader::ModuleInterface found = interface_of(pass.source);
+            for (const auto& constant : found.constants) known[key].insert(constant.id);
+            for (const auto& constant : pass.source.constants) given[key].insert(constant.id);
+            EXPECT_EQ(found.push_constants->size, pass.parameters.size()) << method << " " << pass.name;
+        }
+    }
+    EXPECT_EQ(given.size(), 6U);
+    for (const auto& [file, constants] : given)
+        for (const std::uint32_t constant : constants)
+            EXPECT_THAT(known[file], testing::Contains(constant)) << file;
+}
+
+#undef MEMBER
+
+}  // namespace layouts_test
+}  // namespace gloam::effect
