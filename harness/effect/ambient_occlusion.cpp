@@ -13,6 +13,7 @@
 #include "effect/internal/open_search.hpp"
 #include "effect/internal/pipelines.hpp"
 #include "effect/internal/prepared_image.hpp"
+#include "effect/internal/require_view.hpp"
 #include "effect/internal/sample_table.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
@@ -24,21 +25,6 @@ namespace {
 
 std::array<std::int32_t, 2> words_of_size(gpu::Extent extent) {
     return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height)};
-}
-
-// Throws for a view without the guard band that the settings ask for.
-void require_guard(const scene::GBuffer& view, const Settings& settings) {
-    const gpu::Extent none;
-    const double guard = double{settings.guard};
-    if (view.border != none || scene::guard_border(view.extent, guard) == none) return;
-    throw std::invalid_argument(fmt::format("guard {:g}: the view has no guard band", guard));
-}
-
-// Throws for a view with fewer layers than the settings ask for.
-void require_layers(const scene::GBuffer& view, const Settings& settings) {
-    if (view.layers.size() + 1 >= settings.layers) return;
-    throw std::invalid_argument(fmt::format("layers {}: the view has {}, the first among them",
-                                            settings.layers, view.layers.size() + 1));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
+#include "effect/internal/require_view.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/texels.hpp"
 #include "scene/guard_band.hpp"
@@ -63,10 +64,7 @@ void require(const scene::GBuffer& view, const Settings& settings) {
         throw std::invalid_argument(
             fmt::format("colours: {} pixels, expected {}", view.color.size(), view.depth.size()));
     }
-    if (view.layers.size() + 1 < settings.layers) {
-        throw std::invalid_argument(fmt::format("layers {}: the view has {}, the first among them",
-                                                settings.layers, view.layers.size() + 1));
-    }
+    require_layers(view, settings);
 }
 
 }  // namespace

@@ -84,7 +84,8 @@ class Seeing(unittest.TestCase):
                 text = "".join(f"/{i}.glsl\n" for i in range(files)) + (f"seconds {took}\n" if ":" in name else "")
                 (seen / name).write_text(text, encoding="utf-8")
             script = Path(__file__).resolve().parents[2] / "tools" / "test"
-            code = f'nproc() {{ echo 1; }}; build={scratch}; source <(sed -n "/^within()/,/^}}/p" {script}); within {seconds}'
+            function = f'source <(sed -n "/^within()/,/^}}/p" {script})'
+            code = f"nproc() {{ echo 1; }}; build={scratch}; {function}; within {seconds}"
             result = subprocess.run(["bash", "-euc", code], input="".join(f"{name}\n" for name in lists),
                                     capture_output=True, text=True, check=True)
             return set(result.stdout.split())
