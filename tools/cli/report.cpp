@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/laboratory.hpp"
 #include "cli/read_text.hpp"
 #include "report/accuracy.hpp"
 #include "report/check_page.hpp"
@@ -26,6 +27,9 @@ struct ReportOptions {
     std::filesystem::path html;
     bool markdown = false;
     bool accuracy = false;
+    bool summary = false;
+    std::filesystem::path since;
+    std::filesystem::path lines;
 };
 
 std::vector<report::ReportFile> read_reports(const std::vector<std::string>& files) {
@@ -50,6 +54,9 @@ std::string page_of(const report::MergedReports& merged, const ReportOptions& op
 }
 
 int run_report(const ReportOptions& options) {
+    if (options.summary)
+        return run_summary(
+            {.paths = options.files, .since = options.since, .lines = options.lines, .html = options.html});
     const report::OutputFile json(options.json);
     const report::OutputFile html(options.html);
     const report::MergedReports merged = report::merge(read_reports(options.files));
@@ -69,15 +76,32 @@ void add_report(CLI::App& app, int& status) {
     auto options = std::make_shared<ReportOptions>();
     CLI::App* command =
         app.add_subcommand("report", "merge the results of `gloam check --json` from many machines");
-    command->add_option("file", options->files, "JSON files of gloam check")->required();
+    command
+        ->add_option("file", options->files, "JSON files of gloam check; with --summary also folders of them")
+        ->required();
     command->add_flag("--markdown", options->markdown, "a Markdown page instead of a table for the terminal");
     command
         ->add_flag("--accuracy", options->accuracy,
                    "tables of Markdown: how much of their documented error equations use on each device")
         ->excludes("--markdown");
-    command->add_option("--json", options->json, "write the merged results to this file");
+    CLI::Option* json = command->add_option("--json", options->json, "write the merged results to this file");
+    CLI::Option* summary =
+        command
+            ->add_flag("--summary", options->summary,
+                       "instead: counts for each driver and check, from any number of files")
+            ->excludes("--markdown")
+            ->excludes("--accuracy")
+            ->excludes(json);
+    command
+        ->add_option("--since", options->since,
+                     "the --lines of an earlier summary: say what is new since then")
+        ->needs(summary);
+    command
+        ->add_option("--lines", options->lines,
+                     "write the summary as JSON lines, one for each driver and check")
+        ->needs(summary);
     command->add_option("--html", options->html,
-                        "write the merged results as a page: sortable, filterable, in one file");
+                        "write the results as a page: sortable, filterable, in one file");
     command->callback([options, &status] { status = run_report(*options); });
 }
 
