@@ -27,7 +27,8 @@ internal::Hash key_of(std::string_view kind, const Source& source, const Compile
     fingerprint.add(static_cast<std::uint64_t>(options.stage));
     const Variant& variant = options.variant;
     fingerprint.add(static_cast<std::uint64_t>(variant.optimization));
-    for (const bool step : {variant.strict, variant.relaxed, variant.round_trip, options.lines})
+    fingerprint.add(static_cast<std::uint64_t>(variant.through));
+    for (const bool step : {variant.strict, variant.relaxed, options.lines})
         fingerprint.add(std::uint64_t{step});
     fingerprint.add(source.name);
     fingerprint.add(source.text);

@@ -16,7 +16,8 @@ namespace {
 // Applies the variant to the front end's module; each step produces a valid module.
 Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& variant) {
     validate(module);
-    if (variant.round_trip) module = internal::round_trip(module, stage, name);
+    if (variant.through != Variant::Through::none)
+        module = internal::round_trip(module, stage, name, variant.through);
     const auto decorated = [&variant](Spirv words) {
         if (variant.strict) words = with_no_contraction(words);
         if (variant.relaxed) words = with_relaxed_precision(words);
@@ -27,7 +28,8 @@ Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& 
     module = decorated(std::move(module));
     if (variant.optimization != Optimization::none)
         module = decorated(optimize(module, variant.optimization));
-    if (variant.round_trip || variant.strict || variant.relaxed || variant.optimization != Optimization::none)
+    if (variant.through != Variant::Through::none || variant.strict || variant.relaxed ||
+        variant.optimization != Optimization::none)
         validate(module);
     return module;
 }

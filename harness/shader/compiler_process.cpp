@@ -58,8 +58,8 @@ std::string question_of(bool wants_functions, const Source& source, const Compil
     writer.add(source.text);
     writer.add(static_cast<std::uint64_t>(options.stage));
     writer.add(static_cast<std::uint64_t>(options.variant.optimization));
-    for (const bool step :
-         {options.variant.strict, options.variant.relaxed, options.variant.round_trip, options.lines})
+    writer.add(static_cast<std::uint64_t>(options.variant.through));
+    for (const bool step : {options.variant.strict, options.variant.relaxed, options.lines})
         writer.add(std::uint64_t{step});
     writer.add(options.include_roots.size());
     for (const auto& root : options.include_roots) writer.add(root.string());
@@ -73,8 +73,8 @@ std::string answer_to(std::string_view question) {
     Source source{.name = reader.text(), .text = reader.text()};
     CompileOptions options{.stage = static_cast<Stage>(reader.number()), .include_roots = {}, .variant = {}};
     options.variant.optimization = static_cast<Optimization>(reader.number());
-    for (bool* step :
-         {&options.variant.strict, &options.variant.relaxed, &options.variant.round_trip, &options.lines})
+    options.variant.through = static_cast<Variant::Through>(reader.number());
+    for (bool* step : {&options.variant.strict, &options.variant.relaxed, &options.lines})
         *step = reader.number() != 0;
     for (std::uint64_t left = reader.number(); left > 0; --left)
         options.include_roots.emplace_back(reader.text());

@@ -22,22 +22,25 @@ struct Variant {
     // or does not.
     enum class Constants { none, literals, specialization };
 
+    // A language into which SPIRV-Cross translates the module. glslang compiles the text again.
+    enum class Through { none, glsl, hlsl };
+
     std::string name;
     std::string description;
     Optimization optimization = Optimization::none;
-    bool strict = false;      // every float operation has NoContraction, as if all were `precise`
-    bool relaxed = false;     // every float result has RelaxedPrecision, as if all were `mediump`
-    bool round_trip = false;  // translated to GLSL by SPIRV-Cross, and compiled again
+    bool strict = false;   // every float operation has NoContraction, as if all were `precise`
+    bool relaxed = false;  // every float result has RelaxedPrecision, as if all were `mediump`
+    Through through = Through::none;
     Constants constants = Constants::none;
 
     // Whether a module of it may differ from that of the front end as it is.
     [[nodiscard]] bool changes_the_module() const {
-        return optimization != Optimization::none || strict || relaxed || round_trip ||
+        return optimization != Optimization::none || strict || relaxed || through != Through::none ||
                constants != Constants::none;
     }
 };
 
-// All variants: shipped, strict, optimized, small, round_trip, relaxed, literals, specialization.
+// All variants: shipped, strict, optimized, small, round_trip, hlsl, relaxed, literals, specialization.
 [[nodiscard]] std::vector<Variant> variants();
 
 // The variant with this name. Throws std::invalid_argument that lists the names.

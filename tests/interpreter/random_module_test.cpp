@@ -250,7 +250,7 @@ TEST_P(RandomModule, MeansTheSameWhenItIsOptimised) {
         const std::string text = Writer(seed).shader();
         const test::Rows rows = rows_of(seed);
         const auto plain = test::rounded_correctly(interpreter::Program(test::strictly_compiled(text)), rows);
-        for (const char* variant : {"optimized", "small", "round_trip"}) {
+        for (const char* variant : {"optimized", "small", "round_trip", "hlsl"}) {
             shader::Variant made = shader::variant(variant);
             made.strict = true;
             const shader::Spirv module = shader::compile({.name = "test", .text = text}, {.variant = made});

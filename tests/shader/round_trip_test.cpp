@@ -45,7 +45,7 @@ TEST(RoundTrip, KeepsNamesBindingsAndConstants) {
     EXPECT_THAT(text, AllOf(HasSubstr("#version 450"), HasSubstr("named_function"), HasSubstr("second_word"),
                             HasSubstr("binding = 1"), HasSubstr("constant_id = 7"),
                             HasSubstr("layout(push_constant")));
-    const Spirv back = round_trip(original(), Stage::compute, "test");
+    const Spirv back = round_trip(original(), Stage::compute, "test", Variant::Through::glsl);
     EXPECT_NO_THROW(validate(back));
     EXPECT_NE(back, original());
     EXPECT_THAT(disassemble(back), AllOf(HasSubstr("%named_function"), HasSubstr("\"second_word\""),
@@ -53,7 +53,8 @@ TEST(RoundTrip, KeepsNamesBindingsAndConstants) {
 }
 
 TEST(RoundTrip, FloatControlsSurvive) {
-    const std::string back = disassemble(round_trip(original(), Stage::compute, "test"));
+    const std::string back =
+        disassemble(round_trip(original(), Stage::compute, "test", Variant::Through::glsl));
     EXPECT_THAT(back, AllOf(HasSubstr("OpExecutionMode %main SignedZeroInfNanPreserve 32"),
                             HasSubstr("OpCapability SignedZeroInfNanPreserve"),
                             HasSubstr("OpExtension \"SPV_KHR_float_controls\"")));
@@ -61,7 +62,8 @@ TEST(RoundTrip, FloatControlsSurvive) {
 
 TEST(RoundTrip, FloatControlsAreNotMadeUp) {
     const Spirv plain = compile(kernel("", "1.0"), {});
-    EXPECT_THAT(disassemble(round_trip(plain, Stage::compute, "test")), Not(HasSubstr("Preserve")));
+    EXPECT_THAT(disassemble(round_trip(plain, Stage::compute, "test", Variant::Through::glsl)),
+                Not(HasSubstr("Preserve")));
     EXPECT_EQ(with_float_controls_of(plain, plain), plain);
 }
 
@@ -91,7 +93,7 @@ TEST(RoundTrip, ServesEveryStage) {
 TEST(RoundTrip, WhatCannotBeWrittenIsSaid) {
     EXPECT_THAT(message_of<std::runtime_error>([] { (void)to_glsl({1, 2, 3}); }), HasSubstr("SPIRV-Cross"));
     EXPECT_THAT(message_of<CompileError>([] {
-                    (void)round_trip({1, 2, 3}, Stage::compute, "the test");
+                    (void)round_trip({1, 2, 3}, Stage::compute, "the test", Variant::Through::glsl);
                 }),
                 AllOf(HasSubstr("the test: "), HasSubstr("SPIRV-Cross cannot write the module as GLSL")));
 }

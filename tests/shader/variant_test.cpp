@@ -25,7 +25,7 @@ TEST(Variants, HaveTheirNamesInOrder) {
         EXPECT_FALSE(known.description.empty()) << known.name;
         EXPECT_EQ(variant(known.name).description, known.description);
     }
-    EXPECT_THAT(names, testing::ElementsAre("shipped", "strict", "optimized", "small", "round_trip",
+    EXPECT_THAT(names, testing::ElementsAre("shipped", "strict", "optimized", "small", "round_trip", "hlsl",
                                             "relaxed", "literals", "specialization"));
 }
 
@@ -54,6 +54,8 @@ TEST(Variants, EachMakesAModuleOfItsOwn) {
     EXPECT_LT(module_of("optimized").size(), module_of("shipped").size());
     EXPECT_LT(module_of("small").size(), module_of("shipped").size());
     EXPECT_NE(module_of("round_trip"), module_of("shipped"));
+    EXPECT_NE(module_of("hlsl"), module_of("shipped"));
+    EXPECT_NE(module_of("hlsl"), module_of("round_trip"));
     EXPECT_EQ(module_of("specialization"), module_of("shipped"));
     EXPECT_EQ(module_of("literals"), module_of("optimized"));
 }
@@ -62,7 +64,7 @@ TEST(Variants, StepsCombine) {
     const Source source = kernel("float f(float x) { return x * x + x; }", "f(result[1])");
     Variant all = variant("relaxed");
     all.optimization = Optimization::performance;
-    all.round_trip = true;
+    all.through = Variant::Through::glsl;
     const Disassembly module(compile(source, {.variant = all}));
     EXPECT_TRUE(module.results("OpFunctionCall").empty());
     EXPECT_EQ(module.decorated("NoContraction").size(), 2u);
@@ -109,7 +111,7 @@ class EveryFile : public testing::TestWithParam<std::string> {};
 // compile() validates: a failure is an exception.
 TEST_P(EveryFile, OfTheLibraryCanBeMade) {
     const Source source = caller_of(GetParam());
-    for (const char* name : {"strict", "relaxed", "round_trip"}) {
+    for (const char* name : {"strict", "relaxed", "round_trip", "hlsl"}) {
         EXPECT_NO_THROW((void)compile(source, {.include_roots = {GLOAM_GLSL_DIR}, .variant = variant(name)}))
             << name << '\n'
             << source.text;

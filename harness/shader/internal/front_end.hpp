@@ -12,8 +12,9 @@
 
 namespace gloam::shader::internal {
 
-// The rules that apply to the text: those of SPIR-V for Vulkan 1.2, or those of the language alone.
-enum class Client { vulkan, none };
+// The rules that apply to the text: those of SPIR-V for Vulkan 1.2, the same for HLSL, or those of GLSL
+// alone.
+enum class Client { vulkan, hlsl, none };
 [[nodiscard]] Client client_of(Language language);
 
 // What happens to functions that main does not call.
@@ -71,5 +72,8 @@ struct Translation {
 // The text translated to SPIR-V by glslang, neither optimised nor validated. Throws CompileError.
 [[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
                              const std::vector<std::filesystem::path>& roots, const Translation& how = {});
+
+// The same of a text of HLSL without includes. The entry point is main.
+[[nodiscard]] Spirv hlsl_to_spirv(const Source& source, Stage stage);
 
 }  // namespace gloam::shader::internal
