@@ -20,25 +20,29 @@ fs::path from_environment(const char* name) {
 
 // The first folder that contains `content`: share/gloam/NAME beside the installed program, then `source` in
 // the source tree.
-fs::path shaders_in(const char* name, const fs::path& source, const char* content) {
+fs::path data_in(const char* name, const fs::path& source, const char* content) {
     std::error_code none;
     const fs::path program = fs::read_symlink("/proc/self/exe", none);
     const fs::path installed = program.parent_path().parent_path() / "share" / "gloam" / name;
     for (const fs::path& candidate : {installed, source}) {
         if (fs::exists(candidate / content, none)) return candidate;
     }
-    throw std::runtime_error("no shader library: looked in " + installed.string() + " and " +
+    throw std::runtime_error("no files of the program: looked in " + installed.string() + " and " +
                              source.string());
 }
 
 }  // namespace
 
 fs::path glsl_directory() {
-    return shaders_in("glsl", GLOAM_GLSL_DIR, "gloam");
+    return data_in("glsl", GLOAM_GLSL_DIR, "gloam");
 }
 
 fs::path stress_shaders_directory() {
-    return shaders_in("stress", GLOAM_STRESS_SHADERS, "accumulate.glsl");
+    return data_in("stress", GLOAM_STRESS_SHADERS, "accumulate.glsl");
+}
+
+fs::path site_directory() {
+    return data_in("site", GLOAM_SITE_PAGES, "check.html");
 }
 
 fs::path cache_directory() {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "site/site.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/read_file.hpp"
+#include "catalogue/catalogue.hpp"
+#include "site/check_data.hpp"
+
+namespace gloam::site {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The part of the library that a file belongs to: "temporal" of "gloam/temporal/blend.glsl".
+std::string part_of(const std::string& file) {
+    return fs::path(file).parent_path().filename().string();
+}
+
+bool has_accuracy(const catalogue::Entry& entry) {
+    return entry.question.reference && !entry.question.only_rules;
+}
+
+struct Written {
+    std::string json;
+    bool supported = true;
+};
+
+// Prepares the checks, in as many threads as there are processors.
+std::vector<Written> prepare_all(const check::Lab& lab, const SiteOptions& options,
+                                 const catalogue::Entries& entries,
+                                 const std::function<void(std::size_t, std::size_t)>& told) {
+    std::vector<Written> all(entries.size());
+    std::atomic<std::size_t> next = 0;
+    std::mutex telling;
+    std::size_t done = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < entries.size(); i = next++) {
+            const catalogue::Entry& entry = entries[i];
+            const check::PreparedCheck prepared =
+                check::prepare(lab, entry.question, {.inputs = options.inputs, .seed = options.seed});
+            all[i] = {check_json(entry.description, entry.question, prepared), prepared.unsupported.empty()};
+            const std::scoped_lock lock(telling);
+            told(++done, entries.size());
+        }
+    };
+    std::vector<std::future<void>> threads;
+    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+        threads.push_back(std::async(std::launch::async, work));
+    for (std::future<void>& thread : threads) thread.get();
+    return all;
+}
+
+class Files {
+  public:
+    explicit Files(report::OutputFolder& folder) : folder_(folder) {}
+    void write(const std::string& name, const std::string& text) {
+        folder_.write(name, text);
+        bytes_ += text.size();
+    }
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  private:
+    report::OutputFolder& folder_;
+    std::size_t bytes_ = 0;
+};
+
+void write_pages(const fs::path& pages, Files& files) {
+    for (const fs::directory_entry& page : fs::directory_iterator(pages))
+        if (page.is_regular_file()) files.write(page.path().filename().string(), base::read_file(page.path()));
+}
+
+// One script for each part of the library, and one that lists them.
+void write_checks(const catalogue::Entries& entries, const std::vector<Written>& written,
+                  const SiteOptions& options, Files& files) {
+    std::map<std::string, std::string> parts;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        std::string& text = parts[part_of(entries[i].question.file)];
+        text += (text.empty() ? "" : ",\n") + written[i].json;
+    }
+    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    for (const auto& [part, text] : parts) {
+        const std::string name = "checks-" + part + ".js";
+        files.write(name, "gloam.addChecks(\"" + part + "\", [\n" + text + "\n]);\n");
+        names.push_back(name);
+    }
+    const nlohmann::ordered_json index{{"versions", options.versions},
+                                       {"inputs", options.inputs},
+                                       {"seed", options.seed},
+                                       {"checks", entries.size()},
+                                       {"files", names}};
+    files.write("site.js", "gloam.site = " + index.dump(2) + ";\n");
+}
+
+}  // namespace
+
+SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report::OutputFolder& folder,
+                       const std::function<void(std::size_t, std::size_t)>& told) {
+    catalogue::Entries entries = catalogue::select(catalogue::all_entries(), options.equations);
+    SiteSummary summary;
+    summary.left_out = std::erase_if(entries, [](const auto& entry) { return !has_accuracy(entry); });
+    summary.checks = entries.size();
+    const std::vector<Written> written = prepare_all(lab, options, entries, told);
+    summary.unsupported =
+        static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
+    Files files(folder);
+    write_pages(options.pages, files);
+    write_checks(entries, written, options, files);
+    summary.bytes = files.bytes();
+    return summary;
+}
+
+}  // namespace gloam::site
