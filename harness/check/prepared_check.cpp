@@ -72,7 +72,8 @@ class Allowed {
         return {least_float_from(want - most), -least_float_from(-(want + most))};
     }
 
-    [[nodiscard]] double unit_of(const std::vector<double>& want, std::size_t first, std::size_t words) const {
+    [[nodiscard]] double unit_of(const std::vector<double>& want, std::size_t first,
+                                 std::size_t words) const {
         double unit = 0.0;
         for (std::size_t i = first; i < first + words; ++i)
             if (question_.budget.of_largest_component && std::isfinite(want[i]))
@@ -131,11 +132,12 @@ PreparedScenario prepare_scenario(const Question& question, const KernelSource& 
                                   const ImageScenario& scenario, std::size_t count, std::uint64_t seed) {
     const ImageSet images = internal::images_of(scenario, seed);
     const Preparation preparation(question, images);
-    PreparedScenario prepared{
-        .name = scenario.name,
-        .images = image_words(source.images, images, question.function),
-        .inputs = question.domain.draw(count, internal::input_seed_of(question, scenario, seed), scenario.size),
-        .expectations = {}};
+    PreparedScenario prepared{.name = scenario.name,
+                              .images = images,
+                              .image_words = image_words(source.images, images, question.function),
+                              .inputs = question.domain.draw(
+                                  count, internal::input_seed_of(question, scenario, seed), scenario.size),
+                              .expectations = {}};
     for (std::size_t i = 0; i < prepared.inputs.count(); ++i)
         prepared.expectations.push_back(
             preparation.expect(prepared.inputs.row(i), prepared.inputs.branch[i]));
@@ -156,8 +158,9 @@ PreparedCheck prepare(const Lab& lab, const Question& question, const RunOptions
         return prepared;
     }
     prepared.row_words = internal::gl_fragment_row(question.signature.output_words(), source.images.size());
-    prepared.targets = std::min((prepared.row_words + internal::gl_target_words - 1) / internal::gl_target_words,
-                                internal::gl_most_targets);
+    prepared.targets =
+        std::min((prepared.row_words + internal::gl_target_words - 1) / internal::gl_target_words,
+                 internal::gl_most_targets);
     internal::for_each_scenario(
         question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
             prepared.scenarios.push_back(prepare_scenario(question, source, scenario, share, options.seed));

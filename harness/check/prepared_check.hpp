@@ -33,7 +33,8 @@ struct Expectation {
 // The inputs of one set of images.
 struct PreparedScenario {
     std::string name;
-    std::vector<std::vector<Word>> images;  // in the order of KernelSource::images, header included
+    ImageSet images;
+    std::vector<std::vector<Word>> image_words;  // in the order of KernelSource::images, header included
     Domain::Inputs inputs;
     std::vector<Expectation> expectations;  // of each input
 };
@@ -41,10 +42,10 @@ struct PreparedScenario {
 // A check whose shader runs elsewhere, for example in a browser: the text of its kernel, its inputs and what
 // they must give. It is judged as by a device that does not preserve NaN, infinity and -0, and without rules.
 struct PreparedCheck {
-    std::string kernel;          // a fragment shader in GLSL ES 3.00; empty where there is none
-    std::string unsupported;     // why there is none
-    std::size_t row_words = 0;   // words that it writes for an input: outputs, canary, faults
-    std::size_t targets = 0;     // of one draw, four words each
+    std::string kernel;         // a fragment shader in GLSL ES 3.00; empty where there is none
+    std::string unsupported;    // why there is none
+    std::size_t row_words = 0;  // words that it writes for an input: outputs, canary, faults
+    std::size_t targets = 0;    // of one draw, four words each
     std::vector<PreparedScenario> scenarios;
 };
 

@@ -115,6 +115,13 @@ class Browser:
                 raise BrowserError(f"after {self.timeout} s still not: {condition}")
             time.sleep(0.05)
 
+    def key(self, name):
+        """Presses a key: "Tab", "Enter"."""
+        code = {"Tab": 9, "Enter": 13, "ArrowRight": 39}[name]
+        press = {"key": name, "code": name, "windowsVirtualKeyCode": code}
+        self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": "\r"} if name == "Enter" else {}))
+        self.call("Input.dispatchKeyEvent", type="keyUp", **press)
+
     def problems(self):
         """Exceptions and errors that the pages have reported so far."""
         self.evaluate("0")

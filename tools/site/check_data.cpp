@@ -87,7 +87,7 @@ ordered_json scenario_json(const check::PreparedScenario& scenario) {
             for (const double want : expectation.wants[i]) wants.add(want);
     }
     ordered_json images = ordered_json::array();
-    for (const std::vector<check::Word>& image : scenario.images) images.push_back(words_text(image));
+    for (const std::vector<check::Word>& image : scenario.image_words) images.push_back(words_text(image));
     return {{"name", scenario.name},       {"count", scenario.inputs.count()},
             {"images", std::move(images)}, {"inputs", words_text(scenario.inputs.words)},
             {"classes", classes.text()},   {"criteria", criteria.text()},
@@ -114,7 +114,7 @@ std::string check_json(const catalogue::Description& description, const check::Q
                             {"row", prepared.row_words},
                             {"targets", prepared.targets},
                             {"unsupported", prepared.unsupported},
-                            {"kernel", without_comments(prepared.kernel)},
+                            {"kernel", condensed(prepared.kernel)},
                             {"scenarios", std::move(scenarios)}};
     return json.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
 }

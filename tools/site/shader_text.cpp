@@ -25,18 +25,20 @@ std::string_view trimmed(std::string_view line) {
 
 }  // namespace
 
-std::string without_comments(std::string_view text) {
+std::string condensed(std::string_view text) {
     std::string code;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t behind = behind_comment(text, at);
         code += behind == at ? text[at] : ' ';
         at = behind == at ? at + 1 : behind;
     }
+    const bool macros = code.find("#define") != std::string::npos;
     std::string lines;
     for (std::size_t at = 0; at < code.size();) {
         const std::size_t end = std::min(code.find('\n', at), code.size());
         const std::string_view line = trimmed(std::string_view(code).substr(at, end - at));
-        if (!line.empty()) lines.append(line).append("\n");
+        const bool idle = line.empty() || (!macros && line.starts_with("#undef"));
+        if (!idle) lines.append(line).append("\n");
         at = end + 1;
     }
     return lines;

@@ -6,7 +6,8 @@
 
 namespace gloam::site {
 
-// A GLSL text without its comments, indents and blank lines. Other lines stay lines of their own.
-[[nodiscard]] std::string without_comments(std::string_view text);
+// A GLSL text without its comments, indents and blank lines. Other lines stay lines of their own. Where it
+// defines no macro, it is also without #undef lines.
+[[nodiscard]] std::string condensed(std::string_view text);
 
 }  // namespace gloam::site

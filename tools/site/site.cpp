@@ -73,7 +73,8 @@ class Files {
 
 void write_pages(const fs::path& pages, Files& files) {
     for (const fs::directory_entry& page : fs::directory_iterator(pages))
-        if (page.is_regular_file()) files.write(page.path().filename().string(), base::read_file(page.path()));
+        if (page.is_regular_file())
+            files.write(page.path().filename().string(), base::read_file(page.path()));
 }
 
 // One script for each part of the library, and one that lists them.
@@ -107,8 +108,7 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     summary.left_out = std::erase_if(entries, [](const auto& entry) { return !has_accuracy(entry); });
     summary.checks = entries.size();
     const std::vector<Written> written = prepare_all(lab, options, entries, told);
-    summary.unsupported =
-        static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
+    summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
     Files files(folder);
     write_pages(options.pages, files);
     write_checks(entries, written, options, files);

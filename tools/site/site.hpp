@@ -15,10 +15,10 @@ namespace gloam::site {
 
 struct SiteOptions {
     std::vector<std::string> equations;  // IDs, functions or globs; empty: all
-    std::size_t inputs = 256;            // of each check
+    std::size_t inputs = 512;            // of each check
     std::uint64_t seed = 1;
-    std::filesystem::path pages;         // folder of the static files
-    std::string versions;                // of this program, for the results file
+    std::filesystem::path pages;  // folder of the static files
+    std::string versions;         // of this program, for the results file
 };
 
 // What was written.

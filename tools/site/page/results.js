@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results as the file that `gloam check --json` writes, so that `gloam report` merges them (harness/report/check_json.cpp).
+// Results as the file that `gloam check --json` writes (harness/report/check_json.cpp): `gloam report` merges both.
 "use strict";
 
 gloam.results = (() => {
@@ -18,7 +18,8 @@ gloam.results = (() => {
     function wordText(letter, word) {
         const value = gloam.judge.valueOf(letter, word);
         if (letter === "f") return floatText(value, word);
-        return letter === "b" ? String(value !== 0) : String(value);
+        if (letter === "b") return String(value !== 0);
+        return letter === "u" ? `${value} (0x${word.toString(16).padStart(8, "0")})` : String(value);
     }
 
     const outputText = (check, words) => words.map((word, i) => wordText(check.outputs[i], word)).join(", ");
