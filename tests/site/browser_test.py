@@ -190,7 +190,9 @@ class SiteTest(unittest.TestCase):
         report = run("report", saved, other, "--json", merged)
         self.assertEqual(0, report.returncode, report.stderr)
         self.assertIn("webgl2: ANGLE", report.stdout)
-        self.assertIn("WebGL 2.0", run("report", saved, other, "--accuracy").stdout)
+        page_file = self.folder / "merged.html"
+        run("report", saved, other, "--html", page_file)
+        self.assertIn("WebGL 2.0", page_file.read_text(encoding="utf-8"))
         reports = json.loads(merged.read_text(encoding="utf-8"))
         self.assertEqual(["webgl", "interpreter"], [one["device"]["type"] for one in reports])
         self.assertEqual(len(page.rows()), len(reports[0]["results"]))
