@@ -42,7 +42,7 @@ fs::path stress_shaders_directory() {
 }
 
 fs::path site_directory() {
-    return data_in("site", GLOAM_SITE_PAGES, "check.html");
+    return data_in("site", GLOAM_SITE_FILES, "page/check.html");
 }
 
 fs::path cache_directory() {

@@ -23,7 +23,7 @@ struct SiteCommand {
 
 void run_site(SiteCommand command) {
     report::OutputFolder folder(command.folder);
-    command.options.pages = site_directory();
+    command.options.files = site_directory();
     command.options.versions = versions();
     const check::Lab lab({.device = std::string(check::interpreter_name),
                           .include_roots = {glsl_directory()},

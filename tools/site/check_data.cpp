@@ -1,36 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "site/check_data.hpp"
 
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "base/base64.hpp"
+#include "site/bytes.hpp"
 #include "site/shader_text.hpp"
 
 namespace gloam::site {
 namespace {
 
 using nlohmann::ordered_json;
-
-static_assert(std::endian::native == std::endian::little, "the page reads little-endian bytes");
-
-// Bytes of values one after another, as base64.
-class Bytes {
-  public:
-    template <class T>
-    void add(T value) {
-        const auto bytes = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
-        bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-    }
-    [[nodiscard]] std::string text() const { return base::base64(bytes_); }
-
-  private:
-    std::vector<unsigned char> bytes_;
-};
 
 std::string words_text(std::span<const check::Word> words) {
     Bytes bytes;

@@ -12,6 +12,7 @@
 #include "base/read_file.hpp"
 #include "catalogue/catalogue.hpp"
 #include "site/check_data.hpp"
+#include "site/effect_data.hpp"
 
 namespace gloam::site {
 namespace {
@@ -77,6 +78,16 @@ void write_pages(const fs::path& pages, Files& files) {
             files.write(page.path().filename().string(), base::read_file(page.path()));
 }
 
+// The triangles of the scenes and the shaders, as scripts.
+void write_effect(const check::Lab& lab, const SiteOptions& options, Files& files) {
+    constexpr int frames = 240;
+    const ShaderFolders folders{lab.options().include_roots.front(), options.files / "shaders"};
+    files.write("effect-data.js", "gloam.effectData = " + effect_json(folders) + ";\n");
+    for (const std::string name : {"columns", "room", "knot"})
+        files.write("scene-" + name + ".js", "gloam.scenes.set(\"" + name + "\", " +
+                                                 scene_json(scene::make_scene(name), frames) + ");\n");
+}
+
 // One script for each part of the library, and one that lists them.
 void write_checks(const catalogue::Entries& entries, const std::vector<Written>& written,
                   const SiteOptions& options, Files& files) {
@@ -110,7 +121,8 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     const std::vector<Written> written = prepare_all(lab, options, entries, told);
     summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
     Files files(folder);
-    write_pages(options.pages, files);
+    write_pages(options.files / "page", files);
+    write_effect(lab, options, files);
     write_checks(entries, written, options, files);
     summary.bytes = files.bytes();
     return summary;

@@ -17,7 +17,7 @@ struct SiteOptions {
     std::vector<std::string> equations;  // IDs, functions or globs; empty: all
     std::size_t inputs = 512;            // of each check
     std::uint64_t seed = 1;
-    std::filesystem::path pages;  // folder of the static files
+    std::filesystem::path files;  // folder of the pages and the shaders
     std::string versions;         // of this program, for the results file
 };
 
@@ -29,7 +29,8 @@ struct SiteSummary {
     std::size_t bytes = 0;        // of all files
 };
 
-// Writes the files of the site. `told` is called with the number of finished and of all checks.
+// Writes the files of the site. `told` is called with the number of finished and of all checks. Throws
+// std::runtime_error with the file's name for one that cannot be read or written.
 SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report::OutputFolder& folder,
                        const std::function<void(std::size_t, std::size_t)>& told);
 
