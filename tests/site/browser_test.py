@@ -14,7 +14,7 @@ from browser import Browser, program
 
 GLOAM, JUDGE_CASES = sys.argv[1:3]
 # Some of each kind: with images, with many outputs, integers, inputs that the budget moves.
-EQUATIONS = ["GTAO-*", "TSSAO-1*", "TSSAO-RP*", "CS-Q*", "HALTON*", "NORMAL*", "FINITE*"]
+EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP*", "CS-Q-k*", "HALTON*", "NORMAL*", "FINITE*"]
 NATIVE = "es:llvmpipe-3.0"
 
 # What the judge of the page says of the outputs in gloam.cases, beside what the framework said of them.
@@ -97,7 +97,7 @@ class SiteTest(unittest.TestCase):
     def test_the_checks_pass_and_ask_no_network(self):
         page = self.checked()
         rows = page.rows()
-        self.assertGreater(len(rows), 50)
+        self.assertGreater(len(rows), 30)
         self.assertEqual([], [row["equation"] for row in rows if row["outside"] or row["error"] or row["fault"]])
         self.assertIn("0 failed (finished)", page.text("told"))
         self.assertIn("SwiftShader", page.text("gpu"))

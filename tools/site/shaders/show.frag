@@ -15,7 +15,7 @@ layout(location = 0) out vec4 color;
 // Light of a sky that is brighter above, and of a sun behind the eye.
 vec3 lit(vec3 albedo, vec3 normal, float visibility) {
     float above = 0.5 + 0.5 * dot(normal, up);
-    vec3 sky = mix(vec3(0.30, 0.28, 0.26), vec3(0.62, 0.68, 0.78), above);
+    vec3 sky = mix(vec3(0.24, 0.22, 0.20), vec3(0.55, 0.60, 0.68), above);
     float sun = 0.25 * max(dot(normal, normalize(vec3(0.4, 0.5, 0.75))), 0.0);
     return albedo * (sky * visibility + sun);
 }
@@ -48,5 +48,5 @@ void main() {
     vec3 linear = picture(pixel, pixel.x < split);
     bool encodes = shown == 0;
     color = vec4(encodes ? pow(clamp(linear, 0.0, 1.0), vec3(1.0 / 2.2)) : linear, 1.0);
-    if (abs(pixel.x - split) < 1 && split > 0 && split < size.x) color = vec4(1.0);
+    if (abs(pixel.x - split) < 1 && split > 0 && split < size.x) color = vec4(0.1, 0.45, 0.85, 1.0);
 }
