@@ -115,11 +115,12 @@ class Browser:
                 raise BrowserError(f"after {self.timeout} s still not: {condition}")
             time.sleep(0.05)
 
-    def key(self, name):
-        """Presses a key: "Tab", "Enter"."""
+    def key(self, name, seconds=0):
+        """Presses a key for so long: "Tab", "Enter", "ArrowRight"."""
         code = {"Tab": 9, "Enter": 13, "ArrowRight": 39}[name]
         press = {"key": name, "code": name, "windowsVirtualKeyCode": code}
         self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": "\r"} if name == "Enter" else {}))
+        time.sleep(seconds)
         self.call("Input.dispatchKeyEvent", type="keyUp", **press)
 
     def problems(self):

@@ -68,7 +68,7 @@ class SiteTest(unittest.TestCase):
         cls.folder_owner = tempfile.TemporaryDirectory()
         cls.folder = Path(cls.folder_owner.name)
         cls.site = cls.folder / "site"
-        written = run("site", cls.site, *EQUATIONS)
+        written = run("site", cls.site, *EQUATIONS, "--no-pictures")
         assert written.returncode == 0, written.stderr
         cls.browser = Browser()
 
@@ -89,7 +89,7 @@ class SiteTest(unittest.TestCase):
     def spoiled(self, old, new):
         """A copy of the site with its checks of the filters changed in one place."""
         copy = Path(tempfile.mkdtemp(dir=self.folder))
-        written = run("site", copy, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc")
+        written = run("site", copy, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc", "--no-pictures")
         self.assertEqual(0, written.returncode, written.stderr)
         replace(copy / "checks-filter.js", old, new)
         return copy

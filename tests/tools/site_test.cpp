@@ -28,7 +28,7 @@ TEST(SiteTest, WritesPagesAndTheChecksOfEachPart) {
     const test::TemporaryDirectory folder;
     const fs::path site = folder.path() / "site";
     const test::CommandResult result =
-        test::run_command({"site", site.string(), "HALTON*", "TSSAO-11", "--inputs", "40"});
+        test::run_command({"site", site.string(), "HALTON*", "TSSAO-11", "--inputs", "40", "--no-pictures"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_THAT(result.out, HasSubstr("index.html: "));
     for (const char* page : {"index.html", "check.html", "check.js", "style.css"})
@@ -48,8 +48,8 @@ TEST(SiteTest, TheSameSeedGivesTheSameFiles) {
     const test::TemporaryDirectory folder;
     for (const char* name : {"a", "b", "c"}) {
         const std::string seed = name == std::string("c") ? "2" : "1";
-        const test::CommandResult result =
-            test::run_command({"site", (folder.path() / name).string(), "TSSAO-11", "--seed", seed});
+        const test::CommandResult result = test::run_command(
+            {"site", (folder.path() / name).string(), "TSSAO-11", "--seed", seed, "--no-pictures"});
         EXPECT_EQ(result.status, 0) << result.err;
     }
     const auto text = [&folder](const char* name) {
@@ -62,10 +62,11 @@ TEST(SiteTest, TheSameSeedGivesTheSameFiles) {
 TEST(SiteTest, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
     const test::TemporaryDirectory folder;
     const fs::path site = folder.path() / "site";
-    test::expect_could_not_run(test::run_command({"site", site.string(), "NO-SUCH"}), "NO-SUCH");
+    test::expect_could_not_run(test::run_command({"site", site.string(), "NO-SUCH", "--no-pictures"}),
+                               "NO-SUCH");
     EXPECT_FALSE(fs::exists(site));
     test::expect_could_not_run(test::run_command({"site", site.string(), "--inputs", "0"}), "--inputs");
-    test::expect_could_not_run(test::run_command({"site", "/dev/null"}), "/dev/null");
+    test::expect_could_not_run(test::run_command({"site", "/dev/null", "--no-pictures"}), "/dev/null");
 }
 
 }  // namespace site_test

@@ -15,6 +15,9 @@ namespace gloam::cli {
 // The folder that contains the pages and the shaders of `gloam site`, found in the same way.
 [[nodiscard]] std::filesystem::path site_directory();
 
+// The folder of the Markdown pages, found in the same way.
+[[nodiscard]] std::filesystem::path documents_directory();
+
 // Folder for compiled shaders: $GLOAM_CACHE_DIR, otherwise gloam in $XDG_CACHE_HOME or ~/.cache; empty
 // without a home.
 [[nodiscard]] std::filesystem::path cache_directory();

@@ -8,6 +8,7 @@
 
 #include "cli/environment.hpp"
 #include "cli/progress.hpp"
+#include "cli/site_gallery.hpp"
 #include "cli/versions.hpp"
 #include "report/output_folder.hpp"
 #include "site/site.hpp"
@@ -18,12 +19,16 @@ namespace {
 struct SiteCommand {
     std::filesystem::path folder;
     site::SiteOptions options;
+    GalleryOptions gallery;
     bool quiet = false;
 };
 
 void run_site(SiteCommand command) {
     report::OutputFolder folder(command.folder);
     command.options.files = site_directory();
+    command.options.documents = documents_directory();
+    const SiteGallery gallery = write_site_gallery(command.gallery, folder);
+    command.options.gallery = gallery.json;
     command.options.versions = versions();
     const check::Lab lab({.device = std::string(check::interpreter_name),
                           .include_roots = {glsl_directory()},
@@ -36,7 +41,7 @@ void run_site(SiteCommand command) {
     folder.keep();
     if (command.quiet) return;
     fmt::print("{}: {} checks, {:.1f} MB\n", (folder.path() / "index.html").string(), written.checks,
-               static_cast<double>(written.bytes) / 1e6);
+               static_cast<double>(written.bytes + gallery.bytes) / 1e6);
     if (written.unsupported > 0)
         fmt::print("{} functions are no GLSL ES 3.00 and are only listed\n", written.unsupported);
     if (written.left_out > 0)
@@ -54,6 +59,9 @@ void add_site(CLI::App& app) {
         ->check(CLI::Range(1, 65'536))
         ->capture_default_str();
     site->add_option("--seed", command->options.seed, "of the inputs")->capture_default_str();
+    site->add_flag("!--no-pictures", command->gallery.pictures, "render no pictures for the gallery");
+    site->add_option("--device", command->gallery.device,
+                     "name or index of the device that renders the pictures (gloam devices)");
     site->add_flag("--quiet", command->quiet, "print nothing");
     site->callback([command] { run_site(*command); });
 }

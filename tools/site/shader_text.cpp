@@ -16,14 +16,14 @@ std::size_t behind_comment(std::string_view text, std::size_t at) {
     return end == std::string_view::npos ? text.size() : end + 2;
 }
 
-std::string_view trimmed(std::string_view line) {
+}  // namespace
+
+std::string_view without_ends(std::string_view line) {
     constexpr std::string_view blanks = " \t\r";
     const std::size_t first = line.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};
     return line.substr(first, line.find_last_not_of(blanks) - first + 1);
 }
-
-}  // namespace
 
 std::string condensed(std::string_view text) {
     std::string code;
@@ -36,7 +36,7 @@ std::string condensed(std::string_view text) {
     std::string lines;
     for (std::size_t at = 0; at < code.size();) {
         const std::size_t end = std::min(code.find('\n', at), code.size());
-        const std::string_view line = trimmed(std::string_view(code).substr(at, end - at));
+        const std::string_view line = without_ends(std::string_view(code).substr(at, end - at));
         const bool idle = line.empty() || (!macros && line.starts_with("#undef"));
         if (!idle) lines.append(line).append("\n");
         at = end + 1;

@@ -12,6 +12,7 @@
 #include "base/read_file.hpp"
 #include "catalogue/catalogue.hpp"
 #include "site/check_data.hpp"
+#include "site/document_data.hpp"
 #include "site/effect_data.hpp"
 
 namespace gloam::site {
@@ -72,10 +73,38 @@ class Files {
     std::size_t bytes_ = 0;
 };
 
-void write_pages(const fs::path& pages, Files& files) {
-    for (const fs::directory_entry& page : fs::directory_iterator(pages))
-        if (page.is_regular_file())
-            files.write(page.path().filename().string(), base::read_file(page.path()));
+void copy_files(const fs::path& from, std::string_view extensions, Files& files) {
+    for (const fs::directory_entry& file : fs::directory_iterator(from)) {
+        const fs::path& path = file.path();
+        if (file.is_regular_file() && extensions.find(path.extension().string()) != std::string_view::npos)
+            files.write(path.filename().string(), base::read_file(path));
+    }
+}
+
+// The pages, the libraries that they use, and the licences of these as a script.
+void write_pages(const SiteOptions& options, Files& files) {
+    const fs::path third_party = options.files / "third-party";
+    copy_files(options.files / "page", ".html.js.css", files);
+    copy_files(third_party, ".js.css", files);
+    nlohmann::ordered_json licences = nlohmann::ordered_json::array();
+    for (const char* name : {"uplot", "img-comparison-slider"})
+        licences.push_back(base::read_file(third_party / (std::string(name) + "-licence.txt")));
+    files.write("licences-data.js", "gloam.licences = " + licences.dump() + ";\n");
+    files.write("gallery-data.js", "gloam.gallery = " + options.gallery + ";\n");
+}
+
+// The pages of measurements, one script each.
+void write_documents(const fs::path& folder, Files& files) {
+    const std::map<std::string, std::vector<std::string>> sources{
+        {"accuracy", {"accuracy.md"}},
+        {"drivers", {"drivers.md"}},
+        {"benchmark", {"benchmark.md", "data/benchmark.md"}}};
+    for (const auto& [name, pages] : sources) {
+        std::string blocks;
+        for (const std::string& page : pages)
+            blocks += (blocks.empty() ? "" : ",\n") + document_json(base::read_file(folder / page));
+        files.write("document-" + name + ".js", "gloam.documents = [\n" + blocks + "\n];\n");
+    }
 }
 
 // The triangles of the scenes and the shaders, as scripts.
@@ -121,7 +150,8 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     const std::vector<Written> written = prepare_all(lab, options, entries, told);
     summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
     Files files(folder);
-    write_pages(options.files / "page", files);
+    write_pages(options, files);
+    write_documents(options.documents, files);
     write_effect(lab, options, files);
     write_checks(entries, written, options, files);
     summary.bytes = files.bytes();

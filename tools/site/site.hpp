@@ -17,8 +17,10 @@ struct SiteOptions {
     std::vector<std::string> equations;  // IDs, functions or globs; empty: all
     std::size_t inputs = 512;            // of each check
     std::uint64_t seed = 1;
-    std::filesystem::path files;  // folder of the pages and the shaders
-    std::string versions;         // of this program, for the results file
+    std::filesystem::path files;      // folder of the pages and the shaders
+    std::filesystem::path documents;  // folder of the Markdown pages
+    std::string gallery;              // JSON of its pictures: page/gallery.js
+    std::string versions;             // of this program, for the results file
 };
 
 // What was written.

@@ -237,8 +237,8 @@ void main() {
         this.drawTo(images.after.framebuffer);
     }
 
-    // Draws the last frame to the canvas. view: as show.frag numbers them. split: part of the width, from the left, that
-    // has no occlusion.
+    // Draws the last frame to the canvas. view: as show.frag numbers them. split: part of the width, from the left,
+    // without occlusion.
     show(view, split) {
         const {gl, shower, images} = this;
         this.use(shower, {depth_image: images.depth, normal_image: images.normal, albedo_image: images.albedo,
