@@ -52,8 +52,12 @@ class Browser:
         return self
 
     def __exit__(self, *_):
-        os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.wait()
+        try:
+            self.call("Browser.close")
+            self.process.wait(5)
+        except (BrowserError, subprocess.TimeoutExpired, OSError):
+            os.killpg(self.process.pid, signal.SIGKILL)
+            self.process.wait()
         os.close(self.to_browser)
         os.close(self.from_browser)
         shutil.rmtree(self.folder, ignore_errors=True)

@@ -14,7 +14,7 @@ from browser import Browser, program
 
 GLOAM, JUDGE_CASES = sys.argv[1:3]
 # Some of each kind: with images, with many outputs, integers, inputs that the budget moves.
-EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP*", "CS-Q-k*", "HALTON*", "NORMAL*", "FINITE*"]
+EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "CS-Q-k*", "HALTON*", "NORMAL*", "FINITE*"]
 NATIVE = "es:llvmpipe-3.0"
 
 # What the judge of the page says of the outputs in gloam.cases, beside what the framework said of them.
@@ -39,9 +39,11 @@ def replace(file, old, new):
 class CheckPage:
     """The page that checks the browser."""
 
-    def __init__(self, browser, folder):
+    def __init__(self, browser, folder, again=True):
         self.browser = browser
-        browser.open(folder / "check.html")
+        file = folder / "check.html"
+        if again or browser.evaluate("location.href") != file.as_uri():
+            browser.open(file)
 
     def text(self, identifier):
         return self.browser.evaluate(f"document.getElementById('{identifier}').textContent")
@@ -81,9 +83,12 @@ class SiteTest(unittest.TestCase):
         self.browser.look(1200, 900)
 
     def checked(self, site=None):
-        page = CheckPage(self.browser, site or self.site)
-        page.click("run")
-        page.finish()
+        """A page whose checks have run; that of an earlier test where it is still open."""
+        site = site or self.site
+        page = CheckPage(self.browser, site, again=False)
+        if self.browser.evaluate("!document.getElementById('told').textContent.includes('finished')"):
+            page.click("run")
+            page.finish()
         return page
 
     def spoiled(self, old, new):
@@ -97,7 +102,7 @@ class SiteTest(unittest.TestCase):
     def test_the_checks_pass_and_ask_no_network(self):
         page = self.checked()
         rows = page.rows()
-        self.assertGreater(len(rows), 30)
+        self.assertGreater(len(rows), 20)
         self.assertEqual([], [row["equation"] for row in rows if row["outside"] or row["error"] or row["fault"]])
         self.assertIn("0 failed (finished)", page.text("told"))
         self.assertIn("SwiftShader", page.text("gpu"))

@@ -2,12 +2,8 @@
 #include "site/site.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <future>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "base/read_file.hpp"
 #include "catalogue/catalogue.hpp"
@@ -34,28 +30,19 @@ struct Written {
     bool supported = true;
 };
 
-// Prepares the checks, in as many threads as there are processors.
+// Prepares the checks, one after another: the compiler runs in a forked copy of this process, and a copy of a
+// process with several threads may inherit locks that nobody opens.
 std::vector<Written> prepare_all(const check::Lab& lab, const SiteOptions& options,
                                  const catalogue::Entries& entries,
                                  const std::function<void(std::size_t, std::size_t)>& told) {
-    std::vector<Written> all(entries.size());
-    std::atomic<std::size_t> next = 0;
-    std::mutex telling;
-    std::size_t done = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < entries.size(); i = next++) {
-            const catalogue::Entry& entry = entries[i];
-            const check::PreparedCheck prepared =
-                check::prepare(lab, entry.question, {.inputs = options.inputs, .seed = options.seed});
-            all[i] = {check_json(entry.description, entry.question, prepared), prepared.unsupported.empty()};
-            const std::scoped_lock lock(telling);
-            told(++done, entries.size());
-        }
-    };
-    std::vector<std::future<void>> threads;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-        threads.push_back(std::async(std::launch::async, work));
-    for (std::future<void>& thread : threads) thread.get();
+    std::vector<Written> all;
+    for (const catalogue::Entry& entry : entries) {
+        const check::PreparedCheck prepared =
+            check::prepare(lab, entry.question, {.inputs = options.inputs, .seed = options.seed});
+        all.push_back(
+            {check_json(entry.description, entry.question, prepared), prepared.unsupported.empty()});
+        told(all.size(), entries.size());
+    }
     return all;
 }
 
