@@ -181,6 +181,22 @@ class SiteTest(unittest.TestCase):
         self.assertEqual(["the kernel did not finish for input 1"],
                          [row["error"] for row in page.rows() if row["error"]])
 
+    def test_a_lost_context_costs_one_check(self):
+        page = CheckPage(self.browser, self.site)
+        self.browser.evaluate("""(() => {
+            const {run} = gloam.kernel;
+            let runs = 0;
+            gloam.kernel.run = (gl, ...rest) => {
+                if (++runs === 3) gl.getExtension("WEBGL_lose_context").loseContext();
+                return run(gl, ...rest);
+            };
+        })()""")
+        page.click("run")
+        page.finish()
+        self.assertEqual(["device lost"], [row["reason"] for row in page.rows() if row["reason"]])
+        self.assertIn("1 failed (finished)", page.text("told"))
+        self.browser.open(self.site / "index.html")  # the next test begins with a page of its own
+
     def test_the_saved_file_is_merged_with_those_of_drivers(self):
         page = self.checked()
         self.browser.save_downloads_to(self.folder)
