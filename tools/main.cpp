@@ -25,6 +25,7 @@
 #include "cli/pack/pack.hpp"
 #include "cli/render.hpp"
 #include "cli/report.hpp"
+#include "cli/site.hpp"
 #include "cli/stress.hpp"
 #include "cli/strict_options.hpp"
 #include "cli/versions.hpp"
@@ -78,6 +79,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_bench(app, status);
     gloam::cli::add_stress(app, status);
     gloam::cli::add_pack(app);
+    gloam::cli::add_site(app);
     gloam::cli::add_completion(app);
     gloam::cli::add_help_examples(app);
     gloam::cli::refuse_meaningless_values(app);

@@ -13,47 +13,16 @@
 #include "check/describe.hpp"
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/edge.hpp"
+#include "check/internal/input_class.hpp"
 #include "check/internal/rules_judge.hpp"
 #include "interpreter/error.hpp"
 #include "numeric/constants.hpp"
-#include "numeric/float_class.hpp"
 
 namespace gloam::check {
 namespace {
 
 using internal::InputRow;
 using numeric::infinity;
-using shader::Scalar;
-
-// The class of one input.
-InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& scalars, bool branch) {
-    auto worst = branch ? InputClass::branch : InputClass::ordinary;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (scalars[i] != Scalar::float_) continue;
-        auto here = InputClass::ordinary;
-        switch (numeric::classify(from_word<float>(inputs[i]))) {
-            case numeric::FloatClass::ordinary:
-                break;
-            case numeric::FloatClass::zero:
-                here = InputClass::zero;
-                break;
-            case numeric::FloatClass::subnormal:
-                here = InputClass::subnormal;
-                break;
-            case numeric::FloatClass::huge:
-                here = InputClass::huge;
-                break;
-            case numeric::FloatClass::infinite:
-                here = InputClass::infinite;
-                break;
-            case numeric::FloatClass::nan:
-                here = InputClass::nan;
-                break;
-        }
-        worst = std::max(worst, here);
-    }
-    return worst;
-}
 
 // Decides which inputs of a run are judged by the rules, and for which of these all permitted results are
 // calculated. If the verdict is the budget, the rules are a second criterion for the first inputs, which
@@ -102,13 +71,13 @@ class Judge {
     }
 
     void add(Answer& answer, Sample& sample, bool branch) {
-        sample.input_class = class_of(sample.inputs, scalars_.inputs, branch);
+        sample.input_class = internal::class_of(sample.inputs, scalars_.inputs, branch);
         if (options_.recorded_only) {
             answer.add_recorded(sample.input_class);
             return;
         }
         find_want(sample);
-        if (!options_.nan && holds_special(sample)) {
+        if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {
             answer.add_recorded(sample.input_class);
             return;
         }
@@ -170,15 +139,6 @@ class Judge {
         if (anything || !promised || !usual) return;
         const internal::Error largest = permitted_->largest_permitted(sample, budget_);
         answer.add_guarantee({largest.ulp, largest.absolute, largest.fraction});
-    }
-
-    bool holds_special(const Sample& sample) const {
-        for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
-            if (scalars_.inputs[i] != Scalar::float_) continue;
-            const auto value = from_word<float>(sample.inputs[i]);
-            if (!std::isfinite(value) || (value == 0.0F && std::signbit(value))) return true;
-        }
-        return std::ranges::any_of(sample.want, [](double want) { return !std::isfinite(want); });
     }
 
     const Question& question_;

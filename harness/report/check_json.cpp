@@ -50,7 +50,8 @@ std::string name_of(const DeviceSummary& device) {
 }
 
 std::string api_of(const DeviceSummary& device) {
-    return device.type.starts_with("opengl") ? device.api_version : "Vulkan " + device.api_version;
+    const bool names_itself = device.type.starts_with("opengl") || device.type == "webgl";
+    return names_itself ? device.api_version : "Vulkan " + device.api_version;
 }
 
 std::string to_json(const DeviceSummary& device) {

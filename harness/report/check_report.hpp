@@ -26,7 +26,7 @@ struct DeviceSummary {
 // "NAME (DRIVER)", which identifies a driver in a report.
 [[nodiscard]] std::string name_of(const DeviceSummary& device);
 
-// "Vulkan 1.3.230", "OpenGL ES 3.1".
+// "Vulkan 1.3.230", "OpenGL ES 3.1", "WebGL 2.0 (OpenGL ES 3.0 Chromium)".
 [[nodiscard]] std::string api_of(const DeviceSummary& device);
 
 // One line of JSON, and back. Reading throws std::runtime_error with the field's name and what was expected.

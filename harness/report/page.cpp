@@ -8,7 +8,9 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
+#include "base/base64.hpp"
 #include "report/page_assets.hpp"
 
 namespace gloam::report {
@@ -16,19 +18,13 @@ namespace {
 
 // The script's hash for the content security policy: base64 of bytes that are given in hexadecimal.
 std::string base64_of_hex(std::string_view hex) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    std::uint32_t bits = 0;
-    int held = 0;
+    std::vector<unsigned char> bytes;
     for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
         unsigned byte = 0;
         (void)std::from_chars(&hex[i], &hex[i] + 2, byte, 16);
-        bits = bits << 8U | byte;
-        for (held += 8; held >= 6; held -= 6) text += digits[bits >> (held - 6) & 63U];
+        bytes.push_back(static_cast<unsigned char>(byte));
     }
-    if (held > 0) text += digits[bits << (6 - held) & 63U];
-    while (text.size() % 4 != 0) text += '=';
-    return text;
+    return base::base64(bytes);
 }
 
 // The path of a URL: characters with a special meaning become %XX.

@@ -20,6 +20,7 @@ MOST_WORDS = 35
 CODE = {".cpp", ".hpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".css", ".js", ".in"}
 COMMENTED = {".hpp", ".glsl"}  # whose comments people read who use them
 GENERATED = ("docs/data/",)  # by the commands that its pages name
+THIRD_PARTY = "tools/site/third-party/"  # copies without a change
 ID = re.compile(r"\b(?:TSSAO|CS|ISSAO|GTAO)-[A-Z0-9][\w.-]*")
 SENTENCE_END = re.compile(r"(?<=[.!?:;])\s+")
 
@@ -89,7 +90,8 @@ def bare_ids(paragraphs):
 def departures(root, name):
     """(rule, line, what is wrong) of a file."""
     path = root / name
-    if path.suffix not in CODE | {".md"} or name.startswith(GENERATED):
+    is_third_party = name.startswith(THIRD_PARTY) and path.suffix != ".md"
+    if path.suffix not in CODE | {".md"} or name.startswith(GENERATED) or is_third_party:
         return
     text = path.read_text(encoding="utf-8", errors="replace")
     yield from (("columns", *found) for found in long_lines(path, text))

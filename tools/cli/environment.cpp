@@ -18,27 +18,35 @@ fs::path from_environment(const char* name) {
     return value == nullptr ? fs::path{} : fs::path(value);
 }
 
-// The first folder that contains `content`: share/gloam/NAME beside the installed program, then `source` in
-// the source tree.
-fs::path shaders_in(const char* name, const fs::path& source, const char* content) {
+// The first folder that contains `content`: NAME in share beside the installed program, then `source` in the
+// source tree.
+fs::path data_in(const char* name, const fs::path& source, const char* content) {
     std::error_code none;
     const fs::path program = fs::read_symlink("/proc/self/exe", none);
-    const fs::path installed = program.parent_path().parent_path() / "share" / "gloam" / name;
+    const fs::path installed = program.parent_path().parent_path() / "share" / name;
     for (const fs::path& candidate : {installed, source}) {
         if (fs::exists(candidate / content, none)) return candidate;
     }
-    throw std::runtime_error("no shader library: looked in " + installed.string() + " and " +
+    throw std::runtime_error("no files of the program: looked in " + installed.string() + " and " +
                              source.string());
 }
 
 }  // namespace
 
 fs::path glsl_directory() {
-    return shaders_in("glsl", GLOAM_GLSL_DIR, "gloam");
+    return data_in("gloam/glsl", GLOAM_GLSL_DIR, "gloam");
 }
 
 fs::path stress_shaders_directory() {
-    return shaders_in("stress", GLOAM_STRESS_SHADERS, "accumulate.glsl");
+    return data_in("gloam/stress", GLOAM_STRESS_SHADERS, "accumulate.glsl");
+}
+
+fs::path site_directory() {
+    return data_in("gloam/site", GLOAM_SITE_FILES, "page/check.html");
+}
+
+fs::path documents_directory() {
+    return data_in("doc/gloam/docs", GLOAM_DOCUMENTS, "accuracy.md");
 }
 
 fs::path cache_directory() {

@@ -12,6 +12,12 @@ namespace gloam::cli {
 // The folder of the shaders that only `gloam stress` uses, found in the same way.
 [[nodiscard]] std::filesystem::path stress_shaders_directory();
 
+// The folder that contains the pages and the shaders of `gloam site`, found in the same way.
+[[nodiscard]] std::filesystem::path site_directory();
+
+// The folder of the Markdown pages, found in the same way.
+[[nodiscard]] std::filesystem::path documents_directory();
+
 // Folder for compiled shaders: $GLOAM_CACHE_DIR, otherwise gloam in $XDG_CACHE_HOME or ~/.cache; empty
 // without a home.
 [[nodiscard]] std::filesystem::path cache_directory();

@@ -15,6 +15,7 @@ const std::map<std::string, std::string>& examples() {
          "  gloam demo                                  pictures, a check, a page\n"
          "  gloam check --device all --html check.html  every equation on every driver\n"
          "  gloam render mesh.obj --gallery page        a mesh in light, with sliders\n"
+         "  gloam site my-site                          checks for any browser\n"
          "  gloam COMMAND --help                        the options of a command\n"},
         {"demo", "  gloam demo --out first-look\n"},
         {"devices", "  gloam devices --json\n"},
@@ -43,6 +44,9 @@ const std::map<std::string, std::string>& examples() {
          "  gloam stress --brief                           seconds instead of minutes\n"
          "  gloam stress --only worst-inputs --equation 'TSSAO-*'\n"},
         {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"},
+        {"site",
+         "  gloam site my-site                             then open my-site/index.html\n"
+         "  gloam site few 'TSSAO-*' --inputs 2048         some equations, with more inputs\n"},
         {"completion", "  source <(gloam completion bash)\n"}};
     return table;
 }

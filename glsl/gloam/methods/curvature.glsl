@@ -43,7 +43,8 @@ GloamNeighbor gloam_neighbor(GloamFootprint footprint, vec2 tap, vec3 position, 
     vec3 facing = gloam_safe_normalize(gloam_fetch_normal(at), vec3(0.0));
     vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
     bool known = gloam_tap_sees(depth) && dot(facing, facing) > 0.5 && dot(offset, offset) <= range * range;
-    return known ? GloamNeighbor(offset, facing - normal) : GloamNeighbor(vec3(0.0), vec3(0.0));
+    if (!known) return GloamNeighbor(vec3(0.0), vec3(0.0));  // WebGL has no ?: of structures
+    return GloamNeighbor(offset, facing - normal);
 }
 
 // Change of position and normal from one end of an arm to the other.

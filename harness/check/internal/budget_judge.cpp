@@ -22,7 +22,52 @@ double fraction_of(double error, double allowed) {
     return allowed > 0.0 ? error / allowed : infinity;
 }
 
+std::vector<Word> flushed(const std::vector<Scalar>& scalars, std::span<const Word> inputs) {
+    std::vector<Word> moved(inputs.begin(), inputs.end());
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        const bool subnormal =
+            scalars[i] == Scalar::float_ &&
+            numeric::classify(from_word<float>(moved[i])) == numeric::FloatClass::subnormal;
+        if (subnormal) moved[i] &= 0x80000000U;
+    }
+    return moved;
+}
+
+// Moves each float input alone, then all of them together in every combination of directions.
+bool visit_moved(const std::vector<Scalar>& scalars, std::span<const Word> inputs, int steps,
+                 const InputVisitor& visit) {
+    std::vector<std::size_t> floats;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (scalars[i] == Scalar::float_) floats.push_back(i);
+    }
+    const auto move = [steps](std::vector<Word>& words, std::size_t i, bool up) {
+        words[i] = to_word(numeric::step(from_word<float>(words[i]), up ? steps : -steps));
+    };
+    for (const std::size_t i : floats) {
+        for (const bool up : {false, true}) {
+            std::vector<Word> moved(inputs.begin(), inputs.end());
+            move(moved, i, up);
+            if (visit(moved)) return true;
+        }
+    }
+    if (floats.size() < 2 || floats.size() > corner_words) return false;
+    for (std::size_t corner = 0; corner < std::size_t{1} << floats.size(); ++corner) {
+        std::vector<Word> moved(inputs.begin(), inputs.end());
+        for (std::size_t f = 0; f < floats.size(); ++f) move(moved, floats[f], ((corner >> f) & 1U) != 0);
+        if (visit(moved)) return true;
+    }
+    return false;
+}
+
 }  // namespace
+
+bool visit_covered_inputs(const Budget& budget, const std::vector<Scalar>& scalars,
+                          std::span<const Word> inputs, const InputVisitor& visit) {
+    if (visit(flushed(scalars, inputs))) return true;
+    for (int steps = 1; steps <= budget.backward_ulp; ++steps)
+        if (visit_moved(scalars, inputs, steps, visit)) return true;
+    return false;
+}
 
 double as_number(Scalar scalar, Word word) {
     switch (scalar) {
@@ -104,48 +149,9 @@ Error BudgetJudge::best_error(const Sample& sample) {
         if (error.fraction < best.fraction) best = error;
         return best.fraction <= 1.0;
     };
-    if (best.fraction <= 1.0 || !question_.reference || try_at(flushed(sample.inputs))) return best;
-    for (int steps = 1; steps <= question_.budget.backward_ulp; ++steps) {
-        if (try_moved(sample.inputs, steps, try_at)) break;
-    }
+    if (best.fraction > 1.0 && question_.reference)
+        visit_covered_inputs(question_.budget, scalars_.inputs, sample.inputs, try_at);
     return best;
-}
-
-std::vector<Word> BudgetJudge::flushed(std::span<const Word> inputs) const {
-    std::vector<Word> moved(inputs.begin(), inputs.end());
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-        const bool subnormal =
-            scalars_.inputs[i] == Scalar::float_ &&
-            numeric::classify(from_word<float>(moved[i])) == numeric::FloatClass::subnormal;
-        if (subnormal) moved[i] &= 0x80000000U;
-    }
-    return moved;
-}
-
-// Moves each float input alone, then all of them together in every combination of directions.
-template <class Try>
-bool BudgetJudge::try_moved(std::span<const Word> inputs, int steps, Try&& try_at) const {
-    std::vector<std::size_t> floats;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (scalars_.inputs[i] == Scalar::float_) floats.push_back(i);
-    }
-    const auto move = [steps](std::vector<Word>& words, std::size_t i, bool up) {
-        words[i] = to_word(numeric::step(from_word<float>(words[i]), up ? steps : -steps));
-    };
-    for (const std::size_t i : floats) {
-        for (const bool up : {false, true}) {
-            std::vector<Word> moved(inputs.begin(), inputs.end());
-            move(moved, i, up);
-            if (try_at(moved)) return true;
-        }
-    }
-    if (floats.size() < 2 || floats.size() > corner_words) return false;
-    for (std::size_t corner = 0; corner < std::size_t{1} << floats.size(); ++corner) {
-        std::vector<Word> moved(inputs.begin(), inputs.end());
-        for (std::size_t f = 0; f < floats.size(); ++f) move(moved, floats[f], ((corner >> f) & 1U) != 0);
-        if (try_at(moved)) return true;
-    }
-    return false;
 }
 
 }  // namespace gloam::check::internal

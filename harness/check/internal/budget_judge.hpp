@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,14 @@ struct Scalars {
 
 [[nodiscard]] double as_number(shader::Scalar scalar, Word word);
 
+// Returns true to end the visit.
+using InputVisitor = std::function<bool(const std::vector<Word>& inputs)>;
+
+// Visits the further inputs whose exact results the budget of an input also allows: the input with subnormals
+// flushed to zero, then those within the backward budget. Returns whether a visit ended it.
+bool visit_covered_inputs(const Budget& budget, const std::vector<shader::Scalar>& scalars,
+                          std::span<const Word> inputs, const InputVisitor& visit);
+
 // Measures outputs against the documented budget.
 class BudgetJudge {
   public:
@@ -50,9 +59,6 @@ class BudgetJudge {
     void add_value(Error& error, std::span<const Word> got, std::span<const double> want,
                    shader::Scalar scalar) const;
     [[nodiscard]] Error best_error(const Sample& sample);
-    [[nodiscard]] std::vector<Word> flushed(std::span<const Word> inputs) const;
-    template <class Try>
-    bool try_moved(std::span<const Word> inputs, int steps, Try&& try_at) const;
 
     const Question& question_;
     const ImageSet& images_;

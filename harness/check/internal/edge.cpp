@@ -68,21 +68,27 @@ bool is_edge(const Sample& sample, const Scalars& scalars) {
     return true;
 }
 
+bool visit_edge_inputs(const Scalars& scalars, std::span<const Word> inputs, const InputVisitor& visit) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (scalars.inputs[i] != Scalar::float_) continue;
+        if (!is_usual(std::abs(static_cast<double>(from_word<float>(inputs[i]))))) continue;
+        for (int steps = -most_steps; steps <= most_steps; ++steps) {
+            std::vector<Word> moved(inputs.begin(), inputs.end());
+            moved[i] = to_word(numeric::step(from_word<float>(moved[i]), steps));
+            if (visit(moved)) return true;
+        }
+    }
+    return false;
+}
+
 bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
                    const Sample& sample) {
     if (same_outputs(sample.got, sample.want, scalars, question.budget)) return true;
     std::vector<double> want;
-    for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
-        if (scalars.inputs[i] != Scalar::float_) continue;
-        if (!is_usual(std::abs(static_cast<double>(from_word<float>(sample.inputs[i]))))) continue;
-        for (int steps = -most_steps; steps <= most_steps; ++steps) {
-            std::vector<Word> moved = sample.inputs;
-            moved[i] = to_word(numeric::step(from_word<float>(moved[i]), steps));
-            question.reference(images, moved, want);
-            if (same_outputs(sample.got, want, scalars, question.budget)) return true;
-        }
-    }
-    return false;
+    return visit_edge_inputs(scalars, sample.inputs, [&](const std::vector<Word>& moved) {
+        question.reference(images, moved, want);
+        return same_outputs(sample.got, want, scalars, question.budget);
+    });
 }
 
 }  // namespace gloam::check::internal

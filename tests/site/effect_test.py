@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""effect_test.py GLOAM: the effect of the site in headless Chromium. Its occlusion is that of `gloam render`, and what
+the controls choose has an effect.
+
+Left with status 77 where there is no Chromium."""
+import array
+import base64
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import Browser, program
+
+GLOAM = sys.argv[1]
+WIDTH, HEIGHT, FRAMES = 192, 108, 4
+
+# Renders the first frames of the camera's path, and gives the last history as base64.
+SHADE = """(() => {{
+    const {{effect}} = gloam.effectPage.state;
+    gloam.effectPage.state.failed = true;  // ends the page's own loop
+    effect.setSize({width}, {height});
+    const method = gloam.effectData.methods.find((one) => one.name === "{method}");
+    effect.setMethod(method, "{preset}", effect.scene.radius);
+    for (let i = 0; i < {frames}; ++i) effect.frame({moves} ? i : 0);
+    const bytes = new Uint8Array(effect.read().buffer);
+    let text = "";
+    for (const byte of bytes) text += String.fromCharCode(byte);
+    return btoa(text);
+}})()"""
+
+
+def read_pfm(file):
+    """The values of a PFM image, the top row first."""
+    head, size, scale, data = file.read_bytes().split(b"\n", 3)
+    assert head == b"Pf" and float(scale) < 0
+    width, height = map(int, size.split())
+    values = array.array("f", data)
+    rows = [values[y * width:(y + 1) * width] for y in range(height)]
+    return [value for row in reversed(rows) for value in row]
+
+
+class EffectTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder_owner = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.folder_owner.name)
+        subprocess.run([GLOAM, "site", cls.folder / "site", "TSSAO-5", "--quiet", "--no-pictures"], check=True)
+        cls.browser = Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+        cls.folder_owner.cleanup()
+
+    def setUp(self):
+        self.browser.look(1000, 900)
+        self.browser.open(self.folder / "site" / "effect.html")
+        self.browser.wait("gloam.effectPage.state.effect?.frames > 0")
+
+    def history(self, method, preset="balanced", frames=FRAMES, moves=True, size=(WIDTH, HEIGHT)):
+        script = SHADE.format(width=size[0], height=size[1], method=method, preset=preset, frames=frames,
+                              moves="true" if moves else "false")
+        return array.array("f", base64.b64decode(self.browser.evaluate(script)))
+
+    def native(self, method, preset="balanced"):
+        out = self.folder / f"{method}-{preset}"
+        subprocess.run([GLOAM, "render", "columns", "--size", f"{WIDTH}x{HEIGHT}", "--frames", str(FRAMES), "--method",
+                        method, "--preset", preset, "--set", "precision=float32", "--out", out, "--quiet"], check=True)
+        return read_pfm(out / f"f{FRAMES - 1:04}_ao.pfm")
+
+    def test_the_occlusion_is_that_of_the_program(self):
+        """The G-buffers are of two rasterizers, so pixels at edges may differ at all: means and percentiles are
+        compared."""
+        for method in ("gtao", "sweep", "hemisphere"):
+            with self.subTest(method=method):
+                got = self.history(method)[0::4]
+                want = self.native(method)
+                self.assertEqual(len(want), len(got))
+                self.assertGreater(max(want) - min(want), 0.5)
+                errors = sorted(abs(a - b) for a, b in zip(got, want))
+                self.assertLess(sum(errors) / len(errors), 0.0015)
+                self.assertLess(errors[len(errors) // 2], 2e-5)
+                self.assertLess(errors[len(errors) * 95 // 100], 0.003)
+
+    def test_samples_accumulate_and_converge(self):
+        weights = self.history("gtao", frames=20, moves=False)[1::4]
+        self.assertEqual(128.0, max(weights))  # 8 samples a frame, 128 in the mean
+        self.assertEqual(160.0, max(self.history("gtao", frames=20, moves=False)[2::4]))
+        self.assertEqual(32.0, sorted(self.history("gtao", frames=4, moves=False)[1::4])[WIDTH * HEIGHT // 2])
+
+    def test_the_views_and_the_slider_differ(self):
+        self.history("gtao")  # ends the page's own loop: from here on nothing else changes
+        pictures = [self.browser.evaluate(f"gloam.effectPage.state.effect.show({view}, {split}),"
+                                          "document.getElementById('canvas').toDataURL()")
+                    for view in range(5) for split in (0, 0.5)]
+        self.assertEqual(10, len(set(pictures)))
+        white = self.browser.evaluate("""(() => {
+            const {effect} = gloam.effectPage.state;
+            effect.show(1, 1);
+            const bytes = new Uint8Array(4 * effect.images.width * effect.images.height);
+            effect.gl.readPixels(0, 0, effect.images.width, effect.images.height, effect.gl.RGBA,
+                effect.gl.UNSIGNED_BYTE, bytes);
+            return bytes.every((byte) => byte === 255);
+        })()""")
+        self.assertTrue(white)  # nothing has occlusion left of the slider
+
+    def choose(self, **choices):
+        """Sets controls by their identifiers, as a person does, and lets the page draw."""
+        for identifier, value in choices.items():
+            self.browser.evaluate(f"document.getElementById('{identifier}').value = '{value}';"
+                                  f"document.getElementById('{identifier}').dispatchEvent(new Event('input'));"
+                                  f"document.getElementById('{identifier}').dispatchEvent(new Event('change'))")
+        self.browser.evaluate("new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() =>"
+                              " requestAnimationFrame(resolve)))).then(() => 0)")
+
+    def setting(self, name):
+        return self.browser.evaluate(f"gloam.effectPage.state.effect.settings.{name}")
+
+    def test_the_controls_choose(self):
+        self.choose(size="320x180", preset="fast")
+        self.assertEqual(("alchemy", 3), (self.setting("method"), self.setting("samples")))
+        self.choose(method="sweep", radius=2)
+        self.assertEqual(("sweep", 1.0), (self.setting("method"), self.setting("radius")))
+        self.assertAlmostEqual(0.005, self.setting("bias"), 6)
+        self.choose(scene="knot")
+        self.assertEqual(("knot", 320), (self.browser.evaluate("gloam.effectPage.state.effect.scene.name"),
+                                         self.browser.evaluate("document.getElementById('canvas').width")))
+        self.browser.evaluate("document.getElementById('moves').click()")
+        before = self.browser.evaluate("gloam.effectPage.state.number")
+        self.choose()
+        self.assertEqual(before, self.browser.evaluate("gloam.effectPage.state.number"))
+        self.assertIn("ms from frame to frame", self.browser.evaluate("document.getElementById('told').textContent"))
+        self.assertEqual([], self.browser.problems())
+        asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "about:"))]
+        self.assertEqual([], asked)
+
+    def test_a_shader_that_does_not_compile_is_told(self):
+        self.browser.evaluate("gloam.effectData.methods.find((one) => one.name === 'sweep').text += 'no_such;'")
+        self.choose(method="sweep")
+        self.assertIn("occlusion by sweep does not compile",
+                      self.browser.evaluate("document.getElementById('told').textContent"))
+
+    def test_every_method_draws(self):
+        names = self.browser.evaluate("gloam.effectData.methods.map((method) => method.name)")
+        self.assertGreater(len(names), 25)
+        for name in names:
+            occlusion = self.history(name, frames=1, size=(64, 36))[0::4]
+            self.assertGreater(max(occlusion) - min(occlusion), 0.1, name)
+
+    def test_a_small_screen(self):
+        self.browser.look(390, 844, dark=True)
+        self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 390)
+
+
+if __name__ == "__main__":
+    if program() is None:
+        print("no Chromium")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])

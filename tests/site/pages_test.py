@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""pages_test.py GLOAM DOCS: the gallery, the measurements and the licences of the site in headless Chromium.
+
+Left with status 77 where there is no Chromium."""
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import Browser, program
+
+GLOAM, DOCS = sys.argv[1], Path(sys.argv[2])
+PAGES = ["index", "check", "effect", "gallery", "accuracy", "drivers", "benchmark", "licences"]
+
+
+def tables_in(*names):
+    """How many tables pages of the documents have."""
+    rules = 0
+    for name in names:
+        lines = (DOCS / name).read_text(encoding="utf-8").splitlines()
+        rules += sum("---" in line and set(line) <= set("|-: ") for line in lines)
+    return rules
+
+
+class PagesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder_owner = tempfile.TemporaryDirectory()
+        cls.site = Path(cls.folder_owner.name, "site")
+        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--quiet"], check=True)
+        cls.browser = Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+        cls.folder_owner.cleanup()
+
+    def open(self, page, dark=False, width=1000):
+        self.browser.look(width, 900, dark)
+        self.browser.open(self.site / f"{page}.html")
+
+    def count(self, selector):
+        return self.browser.evaluate(f"document.querySelectorAll('{selector}').length")
+
+    def test_every_page_works_on_a_small_screen_and_asks_no_network(self):
+        for page in PAGES:
+            self.open(page, width=390)
+            self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 390, page)
+            self.assertEqual(len(PAGES), self.count("nav a"), page)
+            self.assertEqual(1, self.count("nav a[aria-current]"), page)
+            links = self.browser.evaluate("[...document.querySelectorAll('a')].map((a) => a.getAttribute('href'))")
+            self.assertEqual([], [link for link in links if not (self.site / link).is_file()], page)
+        self.assertEqual([], self.browser.problems())
+        asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "about:"))]
+        self.assertEqual([], asked)
+
+    def test_the_documents_have_their_tables(self):
+        for page, sources in (("accuracy", ["accuracy.md"]), ("drivers", ["drivers.md"]),
+                              ("benchmark", ["benchmark.md", "data/benchmark.md"])):
+            self.open(page)
+            self.assertEqual(tables_in(*sources), self.count("#document .wide table"), page)
+            self.assertGreater(self.count("h2"), 1, page)
+        title = (DOCS / "accuracy.md").read_text(encoding="utf-8").splitlines()[0].lstrip("# ")
+        self.open("accuracy")
+        self.assertEqual(title, self.browser.evaluate("document.querySelector('h1').textContent"))
+
+    def test_the_columns_of_a_document_sort_by_number(self):
+        self.open("benchmark")
+        values = ("[...document.querySelectorAll('.wide')[0].querySelectorAll('tbody tr')]"
+                  ".map((row) => Number(row.cells[1].textContent))")
+        click = "document.querySelectorAll('.wide')[0].querySelectorAll('th button')[1].click()"
+        self.browser.evaluate(click)
+        falling = self.browser.evaluate(values)
+        self.assertEqual(sorted(falling, reverse=True), falling)
+        self.browser.evaluate(click)
+        self.assertEqual(falling[::-1], self.browser.evaluate(values))
+        self.assertGreater(len(falling), 3)
+
+    def test_the_charts_have_the_points_of_the_tables(self):
+        self.open("benchmark", dark=True)
+        charts = self.count(".chart canvas")
+        self.assertGreater(charts, 3)
+        self.assertEqual(charts, self.count(".chart"))
+        tables = self.browser.evaluate("gloam.documents.flat().filter((block) => block.kind === 'table')"
+                                       ".map((block) => [block.rows.length, gloam.chart.pointsOf(block).length])")
+        self.assertEqual(charts, sum(points > 0 for _, points in tables))
+        self.assertEqual([], [pair for pair in tables if pair[1] not in (0, pair[0])])
+        drawn = self.browser.evaluate("""(() => {
+            const canvas = document.querySelector(".chart canvas");
+            const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+            const of_points = [0x6c, 0xb2, 0xf5];  // --mark in the dark
+            let count = 0;
+            for (let i = 0; i < pixels.length; i += 4)
+                if (of_points.every((value, k) => pixels[i + k] === value)) ++count;
+            return count;
+        })()""")
+        self.assertGreater(drawn, 50)
+
+    def test_the_gallery_has_sliders(self):
+        self.open("gallery")
+        if self.count("img-comparison-slider") == 0:
+            self.assertIn("no pictures", self.browser.evaluate("document.getElementById('device').textContent"))
+            self.skipTest("there is no Vulkan device")
+        self.browser.wait("[...document.images].every((image) => image.complete || image.loading === 'lazy')")
+        self.assertEqual(3, self.count("img-comparison-slider.rendered"))
+        self.assertEqual(640, self.browser.evaluate("document.images[0].naturalWidth"))
+        exposure = "document.querySelector('img-comparison-slider').exposure"
+        self.browser.evaluate("document.querySelector('img-comparison-slider').focus()")
+        before = self.browser.evaluate(exposure)
+        self.browser.key("ArrowRight", seconds=0.3)
+        self.assertNotEqual(before, self.browser.evaluate(exposure))
+
+    def test_a_site_without_pictures_says_so(self):
+        folder = self.site.parent / "plain"
+        subprocess.run([GLOAM, "site", folder, "TSSAO-5", "--quiet", "--no-pictures"], check=True)
+        self.browser.open(folder / "gallery.html")
+        self.assertIn("no pictures", self.browser.evaluate("document.getElementById('device').textContent"))
+        self.assertEqual([], list(folder.glob("*.png")))
+
+    def test_the_licences_are_in_the_page(self):
+        self.open("licences")
+        text = self.browser.evaluate("document.getElementById('licences').textContent")
+        for words in ("uPlot 1.6.32", "Leon Sorokin", "img-comparison-slider 8.0.7", "Dmitry Snisarenko",
+                      "Permission is hereby granted"):
+            self.assertIn(words, text)
+
+
+if __name__ == "__main__":
+    if program() is None:
+        print("no Chromium")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The page that shows the effect: what its controls choose, and its loop of frames.
+"use strict";
+
+gloam.effectPage = (() => {
+    const at = (id) => document.getElementById(id);
+    const state = {effect: null, number: 0, forward: true, times: [], failed: false};
+    const legends = ["", "White is open, black is occluded.",
+        "Dark blue: no history. Yellow: the mean holds as many samples as it may.",
+        "Samples in the mean, on a logarithmic scale: dark blue 0, yellow 1024 or more.",
+        "The normal that faces the eye, as a colour."];
+
+    function option(value, text, selected) {
+        const element = gloam.element("option", {value}, text);
+        element.selected = selected;
+        return element;
+    }
+
+    const presetNamed = (name) => gloam.effectData.presets.find((preset) => preset.name === name);
+    const methodNamed = (name) => gloam.effectData.methods.find((method) => method.name === name);
+
+    function fillControls() {
+        for (const method of gloam.effectData.methods) at("method").append(option(method.name, method.name, false));
+        for (const preset of gloam.effectData.presets) at("preset").append(option(preset.name, preset.name, false));
+        at("preset").value = "balanced";
+        at("method").value = "gtao";
+        at("moves").checked = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    }
+
+    // Applies the choice of method, preset and radius, and says what they are.
+    function applyMethod() {
+        const method = methodNamed(at("method").value);
+        const radius = state.effect.scene.radius * Number(at("radius").value);
+        state.effect.setMethod(method, at("preset").value, radius);
+        at("radius-told").textContent = radius.toPrecision(2);
+        at("method-told").textContent = `${method.name}: ${method.description}.`;
+        at("preset-told").textContent = `${at("preset").value}: ${presetNamed(at("preset").value).description}.`;
+    }
+
+    async function applyScene() {
+        const name = at("scene").value;
+        if (!gloam.scenes.has(name)) await gloam.loadScript(`scene-${name}.js`);
+        state.effect.setScene(gloam.scenes.get(name));
+        state.number = 0;
+        applyMethod();
+    }
+
+    function applySize() {
+        const [width, height] = at("size").value.split("x").map(Number);
+        state.effect.setSize(width, height);
+    }
+
+    // The next frame's camera: to the end of the path and back.
+    function advance() {
+        if (!at("moves").checked) return;
+        const last = state.effect.scene.frames - 1;
+        if (state.number >= last) state.forward = false;
+        if (state.number <= 0) state.forward = true;
+        state.number += state.forward ? 1 : -1;
+    }
+
+    function tellTime(now) {
+        state.times.push(now);
+        if (state.times.length > 31) state.times.shift();
+        const steps = state.times.length - 1;
+        if (steps < 1) return;
+        const ms = (now - state.times[0]) / steps;
+        at("told").textContent =
+            `${ms.toFixed(1)} ms from frame to frame, ${state.effect.frames} frames since the last choice`;
+    }
+
+    function draw(now) {
+        if (state.failed) return;
+        if (!document.hidden && state.effect.scene) {
+            advance();
+            state.effect.frame(state.number);
+            state.effect.show(Number(at("view").value), Number(at("split").value) / 100);
+            tellTime(now);
+        }
+        requestAnimationFrame(draw);
+    }
+
+    function fail(error) {
+        state.failed = true;
+        at("told").textContent = String(error.message);
+        at("told").className = "bad";
+    }
+
+    const guarded = (apply) => async () => {
+        try {
+            await apply();
+        } catch (error) {
+            fail(error);
+        }
+    };
+
+    async function begin() {
+        fillControls();
+        state.effect = new gloam.Effect(at("canvas"));
+        at("canvas").addEventListener("webglcontextlost", () => fail(new Error("the context was lost")));
+        applySize();
+        await applyScene();
+        at("scene").addEventListener("change", guarded(applyScene));
+        at("size").addEventListener("change", guarded(applySize));
+        for (const id of ["method", "preset", "radius"]) at(id).addEventListener("input", guarded(applyMethod));
+        at("preset").addEventListener("change", guarded(() => {
+            at("method").value = presetNamed(at("preset").value).method;
+            applyMethod();
+        }));
+        at("view").addEventListener("input", () => { at("legend").textContent = legends[Number(at("view").value)]; });
+        requestAnimationFrame(draw);
+    }
+
+    document.addEventListener("DOMContentLoaded", guarded(begin));
+    return {state};
+})();

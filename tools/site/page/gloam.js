@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The one global object of the site, and what all scripts use: data, text, elements.
+"use strict";
+
+const gloam = {};
+
+// The checks of each part of the library, by its name: filled by the files checks-PART.js.
+gloam.parts = new Map();
+
+gloam.addChecks = (part, checks) => {
+    gloam.parts.set(part, checks);
+};
+
+// Loads a script of the site. fetch() of a file is refused on file://, a script is not.
+gloam.loadScript = (file) => new Promise((resolve, reject) => {
+    const script = document.createElement("script");
+    script.src = file;
+    script.onload = () => resolve();
+    script.onerror = () => reject(new Error("cannot load " + file));
+    document.head.append(script);
+});
+
+// The bytes of a base64 text.
+gloam.bytes = (text) => {
+    const characters = atob(text);
+    const bytes = new Uint8Array(characters.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
+    return bytes;
+};
+
+gloam.words = (text) => new Uint32Array(gloam.bytes(text).buffer);
+
+gloam.doubles = (text) => new Float64Array(gloam.bytes(text).buffer);
+
+// A new element with attributes and children. Texts become text nodes, never markup.
+gloam.element = (tag, attributes = {}, ...children) => {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    element.append(...children);
+    return element;
+};
+
+// Lets the browser draw and react before work continues.
+gloam.pause = () => new Promise((resolve) => setTimeout(resolve, 0));

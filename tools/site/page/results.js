@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Results as the file that `gloam check --json` writes (harness/report/check_json.cpp): `gloam report` merges both.
+"use strict";
+
+gloam.results = (() => {
+    // A float with its bits: "0.1 (0x3dcccccd)".
+    function floatText(value, word) {
+        let text = String(value);
+        for (let digits = 1; digits <= 9 && Number.isFinite(value); ++digits) {
+            const shorter = Number(value.toPrecision(digits));
+            if (Math.fround(shorter) !== value) continue;
+            text = String(shorter);
+            break;
+        }
+        return `${Object.is(value, -0) ? "-0" : text} (0x${word.toString(16).padStart(8, "0")})`;
+    }
+
+    function wordText(letter, word) {
+        const value = gloam.judge.valueOf(letter, word);
+        if (letter === "f") return floatText(value, word);
+        if (letter === "b") return String(value !== 0);
+        return letter === "u" ? `${value} (0x${word.toString(16).padStart(8, "0")})` : String(value);
+    }
+
+    const outputText = (check, words) => words.map((word, i) => wordText(check.outputs[i], word)).join(", ");
+
+    // The inputs by parameters: "vec2 (0 (0x00000000), 1 (0x3f800000)), float 2 (0x40000000)".
+    function inputText(check, words) {
+        let at = 0;
+        return check.parameters.map(([type, count]) => {
+            const texts = words.slice(at, at + count).map((word, i) => wordText(check.inputs[at + i], word));
+            at += count;
+            return count > 1 ? `${type} (${texts.join(", ")})` : `${type} ${texts[0]}`;
+        }).join(", ");
+    }
+
+    // JSON has no infinity and no NaN.
+    function number(value) {
+        if (Number.isNaN(value)) return "nan";
+        if (Number.isFinite(value)) return value;
+        return value > 0 ? "inf" : "-inf";
+    }
+
+    function sampleJson(check, worst) {
+        if (worst === null) return null;
+        return {input: worst.index, class: worst.inputClass, images: worst.scenario,
+            values: inputText(check, worst.inputs), input_words: worst.inputs, got_words: worst.got,
+            want: worst.want.map(number), allowed: [], ulp: number(worst.ulp), abs: number(worst.absolute)};
+    }
+
+    function classesJson(tally) {
+        const json = {};
+        tally.classes.forEach((counts, i) => {
+            if (counts.inputs > 0) json[gloam.judge.classNames[i]] = counts;
+        });
+        return json;
+    }
+
+    const sum = (tally, member) => tally.classes.reduce((total, counts) => total + counts[member], 0);
+
+    // The story of a failure: the worst input.
+    function storyOf(check, tally) {
+        const outside = sum(tally, "outside");
+        if (outside === 0 || tally.worst === null) return "";
+        return `${check.function} (${check.file}): ${outside} of ${sum(tally, "inputs")} inputs outside ` +
+            `${check.budget.text}\n  worst input ${tally.worst.index}: ${inputText(check, tally.worst.inputs)}\n` +
+            `    got  ${outputText(check, tally.worst.got)}\n    want ${tally.worst.want.join(", ")}\n`;
+    }
+
+    // The row of one check. `outcome`: {tally, fault, error, reason, seconds}.
+    function row(check, outcome) {
+        const {tally} = outcome;
+        return {equation: check.equation, function: check.function, file: check.file, variant: "shipped",
+            verdict: "budget", inputs: sum(tally, "inputs"), outside: sum(tally, "outside"),
+            recorded: sum(tally, "recorded"), by_rules: 0, forbidden: 0, bounded: 0, unbounded: 0, differs: 0,
+            max_ulp: number(tally.maxUlp), max_abs: number(tally.maxAbsolute), width_fraction: null,
+            budget_fraction: number(tally.budgetFraction), guarantee: null, unbounded_at: "", budget: check.budget,
+            classes: classesJson(tally), worst: sampleJson(check, tally.worst), coverage: null,
+            fault: outcome.fault, error: outcome.error, reason: outcome.reason, seconds: outcome.seconds,
+            story: storyOf(check, tally)};
+    }
+
+    // One line of at most 400 characters, as the readers of these files demand.
+    const name = (text) => String(text).replace(/[\u0000-\u001f\u007f]+/g, " ").trim().slice(0, 400);
+
+    // The file. `device`: what gloam.kernel.open() returned.
+    function file(device, rows) {
+        const float_controls = {signed_zero_inf_nan_preserve: false, denorm_preserve: false,
+            denorm_flush_to_zero: false, rounding_mode_rte: false};
+        return JSON.stringify({
+            device: {name: name("webgl2: " + device.renderer), driver: name(navigator.userAgent), type: "webgl",
+                api_version: name(device.version), float_controls},
+            versions: gloam.site.versions,
+            results: rows}, null, 2) + "\n";
+    }
+
+    const passed = (result) => result.reason === "unsupported" ||
+        (result.error === "" && result.fault === "" && result.outside === 0);
+
+    return {row, file, passed, inputText, outputText};
+})();

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "check/lab.hpp"
+#include "report/output_folder.hpp"
+
+namespace gloam::site {
+
+struct SiteOptions {
+    std::vector<std::string> equations;  // IDs, functions or globs; empty: all
+    std::size_t inputs = 512;            // of each check
+    std::uint64_t seed = 1;
+    std::filesystem::path files;      // folder of the pages and the shaders
+    std::filesystem::path documents;  // folder of the Markdown pages
+    std::string gallery;              // JSON of its pictures: page/gallery.js
+    std::string versions;             // of this program, for the results file
+};
+
+// What was written.
+struct SiteSummary {
+    std::size_t checks = 0;
+    std::size_t left_out = 0;     // equations that have no accuracy to judge
+    std::size_t unsupported = 0;  // functions that are no GLSL ES 3.00
+    std::size_t bytes = 0;        // of all files
+};
+
+// Writes the files of the site. `told` is called with the number of finished and of all checks. Throws
+// std::runtime_error with the file's name for one that cannot be read or written.
+SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report::OutputFolder& folder,
+                       const std::function<void(std::size_t, std::size_t)>& told);
+
+}  // namespace gloam::site
