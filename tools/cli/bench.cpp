@@ -11,6 +11,7 @@
 #include "cli/bench/skips.hpp"
 #include "cli/bench/sources.hpp"
 #include "cli/bench/temporal.hpp"
+#include "cli/bench/views.hpp"
 
 namespace gloam::cli {
 
@@ -26,6 +27,7 @@ void add_bench(CLI::App& app, int& status) {
     add_bench_skips(*group, status);
     add_bench_bar(*group, status);
     add_bench_sources(*group, status);
+    add_bench_views(*group, status);
 }
 
 }  // namespace gloam::cli

@@ -33,14 +33,20 @@ std::vector<std::pair<std::string, Words>> option_values() {
             {"--preset", words_of(preset_names())},
             {"--scene", words_of(scene_names())},
             {"--set", settings},
-            {"--variant", variants}};
+            {"--variant", variants},
+            {"--view", words_of(view_names())}};
 }
 
 // The words that a command accepts besides options and files.
 Words positional_words(const CLI::App& command) {
-    if (command.get_name() == "render") return words_of(scene_names());
+    if (command.get_name() == "render") {
+        Words words = words_of(scene_names());
+        for (const Named& view : view_names())
+            if (std::ranges::count(words, view.name) == 0) words.push_back(view.name);
+        return words;
+    }
     if (command.get_name() == "list")
-        return {"equations", "methods", "presets", "scenes", "settings", "variants"};
+        return {"equations", "methods", "presets", "scenes", "settings", "variants", "views"};
     if (command.get_name() == "completion") return {"bash"};
     return {};
 }

@@ -48,7 +48,8 @@ using Kinds = std::vector<std::pair<std::string, std::function<std::vector<Named
 
 Kinds all_kinds() {
     return {{"equations", equation_names}, {"methods", method_names},   {"presets", preset_names},
-            {"scenes", scene_names},       {"settings", setting_names}, {"variants", variant_names}};
+            {"scenes", scene_names},       {"settings", setting_names}, {"variants", variant_names},
+            {"views", view_names}};
 }
 
 nlohmann::ordered_json named_json(const Named& named) {
@@ -140,9 +141,9 @@ void run_list(const ListOptions& options) {
 void add_list(CLI::App& app) {
     auto options = std::make_shared<ListOptions>();
     CLI::App* command = app.add_subcommand("list", "the names that the other commands take");
-    command->add_option(
-        "kind", options->kind,
-        "equations, methods, presets, scenes, settings or variants (one name a line); all when not given");
+    command->add_option("kind", options->kind,
+                        "equations, methods, presets, scenes, settings, variants or views (one name a line); "
+                        "all when not given");
     command->add_flag("--json", options->json, "names and descriptions as JSON");
     command->add_option("--html", options->html,
                         "equations only: write a page of them all that is searched and sorted");

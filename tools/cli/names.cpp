@@ -7,6 +7,7 @@
 #include "effect/presets.hpp"
 #include "effect/setting_table.hpp"
 #include "scene/scene.hpp"
+#include "scene/views.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -41,6 +42,14 @@ std::vector<Named> setting_names() {
 
 std::vector<Named> scene_names() {
     return named(scene::built_in_scenes());
+}
+
+std::vector<Named> view_names() {
+    std::vector<Named> names;
+    for (const scene::ViewInfo& view : scene::all_views())
+        names.push_back({view.name, fmt::format("{} ({} half; {})", view.description,
+                                                scene::name_of(view.half), view.kind)});
+    return names;
 }
 
 }  // namespace gloam::cli

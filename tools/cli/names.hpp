@@ -17,5 +17,6 @@ struct Named {
 [[nodiscard]] std::vector<Named> preset_names();
 [[nodiscard]] std::vector<Named> setting_names();  // with value, unit and range
 [[nodiscard]] std::vector<Named> scene_names();
+[[nodiscard]] std::vector<Named> view_names();  // of `gloam bench views` and `gloam tune`, with their halves
 
 }  // namespace gloam::cli

@@ -21,17 +21,15 @@
 #include "scene/mesh_scene.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
+#include "scene/views.hpp"
 
 namespace gloam::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_scene(const std::string& name) {
-    for (const Named& scene : scene_names()) {
-        if (scene.name == name) return true;
-    }
-    return false;
+bool is_among(const std::vector<Named>& names, const std::string& name) {
+    return std::ranges::any_of(names, [&](const Named& one) { return one.name == name; });
 }
 
 std::string scene_list() {
@@ -85,19 +83,20 @@ scene::MeshView mesh_view(const MeshOptions& mesh, gpu::Extent extent) {
 scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
     const std::string& source = options.source;
     const scene::MeshView view = mesh_view(options.mesh, extent);
-    if (is_scene(source)) {
+    if (is_among(scene_names(), source) || is_among(view_names(), source)) {
         if (options.mesh.given())
             throw std::invalid_argument(
                 fmt::format("\"{}\" has a camera of its own: --eye, --look-at, --orbit, --up, --no-ground "
                             "and --turntable go "
                             "with a mesh file",
                             source));
-        return scene::make_scene(source);
+        return is_among(scene_names(), source) ? scene::make_scene(source)
+                                               : scene::make_view(source, scene::installed_meshes());
     }
     std::error_code none;
     if (!fs::is_regular_file(source, none)) {
         throw std::invalid_argument(
-            fmt::format("\"{}\" is neither a scene ({}) nor a mesh file", source, scene_list()));
+            fmt::format("\"{}\" is neither a scene ({}), a view (gloam list views) nor a mesh file", source, scene_list()));
     }
     return scene::mesh_scene(scene::read_mesh(source, mesh_reader_command()),
                              fs::path(source).stem().string(), view);

@@ -20,8 +20,8 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
     const scene::TruthSettings traced{.rays = {.radius = scene_.ao_radius, .rays = frames.rays}};
     for (int i = first_scored(); i < frames.frames; ++i) {
         const scene::GBuffer& view = views[static_cast<std::size_t>(i)];
-        ScoredFrame truth{truth_from(view, cache.geometry(scene_, i, view, traced).occlusion),
-                          truth_from(view, cache.depth(view, traced).occlusion), std::nullopt};
+        ScoredFrame truth{.geometry = truth_from(view, cache.geometry(scene_, i, view, traced).occlusion)};
+        if (frames.depth_truth) truth.depth = truth_from(view, cache.depth(view, traced).occlusion);
         if (i > 0) truth.history.emplace(view, views[static_cast<std::size_t>(i) - 1]);
         scored_.push_back(std::move(truth));
         if (progress) progress(static_cast<double>(scored_.size()) / static_cast<double>(frames.scored));

@@ -21,12 +21,13 @@ struct BenchmarkFrames {
     int frames = 16;  // of a temporal run
     int scored = 8;   // the last ones of these: 1 to frames
     int rays = 256;   // of the truth, for each pixel
+    bool depth_truth = true;  // false: only the geometry is traced
 };
 
 // The truth of a scored frame, and what else its score needs.
 struct ScoredFrame {
     Truth geometry;  // (G)
-    Truth depth;     // (D)
+    Truth depth;     // (D); empty where it is not traced
     std::optional<HistoryMap> history;
 };
 

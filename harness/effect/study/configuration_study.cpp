@@ -18,9 +18,13 @@ class Judge {
     void add(int number, const Frame& frame, const std::vector<float>& before) {
         const ScoredFrame& truth = views_->scored(number);
         sum_.raw_geometry += errors_of(frame.occlusion, truth.geometry).rmse;
-        sum_.raw_depth += errors_of(frame.occlusion, truth.depth).rmse;
-        sum_.geometry += errors_of(frame.filtered, truth.geometry).rmse;
-        sum_.depth += errors_of(frame.filtered, truth.depth).rmse;
+        const Errors shown = errors_of(frame.filtered, truth.geometry);
+        sum_.geometry += shown.rmse;
+        sum_.bias += shown.bias;
+        if (!truth.depth.empty()) {
+            sum_.raw_depth += errors_of(frame.occlusion, truth.depth).rmse;
+            sum_.depth += errors_of(frame.filtered, truth.depth).rmse;
+        }
         if (!before.empty() && truth.history)
             sum_.flicker = sum_.flicker.value_or(0.0) + mean_change(*truth.history, frame.filtered, before);
         const std::uint64_t shaded = frame.work.pixels - frame.work.background;
@@ -35,7 +39,7 @@ class Judge {
         const double frames = views_->frames().scored;
         FrameQuality mean = sum_;
         for (double* value :
-             {&mean.raw_geometry, &mean.raw_depth, &mean.geometry, &mean.depth, &mean.samples})
+             {&mean.raw_geometry, &mean.raw_depth, &mean.geometry, &mean.depth, &mean.bias, &mean.samples})
             *value /= frames;
         if (mean.flicker) *mean.flicker /= std::max(1.0, frames - (views_->first_scored() == 0 ? 1.0 : 0.0));
         return mean;

@@ -27,9 +27,10 @@ struct FrameReading {
 // Errors of a configuration: RMSE, means over the scored frames.
 struct FrameQuality {
     double raw_geometry = 0.0;  // of the estimate against (G)
-    double raw_depth = 0.0;     // of the estimate against (D)
+    double raw_depth = 0.0;     // of the estimate against (D); 0 where that is not traced
     double geometry = 0.0;      // of the displayed image against (G)
     double depth = 0.0;
+    double bias = 0.0;        // mean of the displayed image - (G)
     double similarity = 0.0;  // SSIM of the displayed image and (G), in the last scored frame
     std::optional<double> flicker;
     double samples = 0.0;  // taken for each pixel with geometry, mean

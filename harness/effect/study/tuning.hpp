@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "effect/study/pattern_search.hpp"
+#include "scene/views.hpp"
+
+namespace gloam::effect {
+
+// What is to be least over the tuning half.
+enum class TuneObjective {
+    mean,     // the mean RMSE: views with large errors count most
+    relative  // the geometric mean of each view's RMSE over that of the start: all views count alike
+};
+
+struct TuneTask {
+    Settings start;                       // lengths for a radius of 1
+    std::vector<SearchRange> parameters;  // names of settings that are numbers
+    TuneObjective objective = TuneObjective::mean;
+    int evaluations = 60;
+    std::optional<double> copies;  // largest mean time of a frame, in copies; without it any
+};
+
+// What a view says about settings.
+struct ViewMeasure {
+    double rmse = 0.0;    // against (G)
+    double copies = 0.0;  // time of a frame; 0 where the task has no limit
+};
+
+// Measures settings, whose lengths are for a radius of 1, on a view.
+using MeasureView = std::function<ViewMeasure(const scene::ViewInfo&, const Settings&)>;
+
+// A view before and after.
+struct TunedView {
+    scene::ViewInfo view;
+    ViewMeasure before;
+    ViewMeasure after;
+};
+
+struct TuneOutcome {
+    Settings settings;
+    SearchOutcome search;
+    std::vector<TunedView> views;  // all of both halves, in their order
+};
+
+// A setting with its range as a parameter: "NAME=LEAST:MOST" or "NAME=LEAST:MOST:log". Throws
+// std::invalid_argument that quotes the text, for a setting that is unknown or not a number, and for a range
+// that is not within the setting's own.
+[[nodiscard]] SearchRange tuned_parameter(const std::string& text);
+
+// Searches the parameters for the least objective over the views of the tuning half. Then the start and the
+// result are measured once on the views of the unseen half; no other settings are ever measured there. Points
+// beyond the limit of time, or that Settings' validate() rejects, count as worse than any other. Throws
+// std::invalid_argument without parameters or without views of both halves, and if the start itself is
+// invalid.
+[[nodiscard]] TuneOutcome tune(const TuneTask& task, const std::vector<scene::ViewInfo>& views,
+                               const MeasureView& measure, const std::function<void(double)>& progress = {});
+
+}  // namespace gloam::effect
