@@ -28,6 +28,7 @@
 #include "cli/site.hpp"
 #include "cli/stress.hpp"
 #include "cli/strict_options.hpp"
+#include "cli/tune.hpp"
 #include "cli/versions.hpp"
 
 namespace {
@@ -77,6 +78,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);
     gloam::cli::add_bench(app, status);
+    gloam::cli::add_tune(app, status);
     gloam::cli::add_stress(app, status);
     gloam::cli::add_pack(app);
     gloam::cli::add_site(app);

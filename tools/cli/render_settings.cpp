@@ -7,7 +7,7 @@
 #include <string>
 
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
+#include "cli/preset_file.hpp"
 #include "effect/setting_table.hpp"
 
 namespace gloam::cli {
@@ -30,7 +30,7 @@ void apply(effect::Settings& settings, const std::string& assignment) {
 }  // namespace
 
 effect::Settings settings_for(const RenderOptions& options, const std::optional<double>& view_radius) {
-    effect::Settings settings = effect::preset_named(options.preset).settings;
+    effect::Settings settings = preset_settings(options.preset);
     if (!options.method.empty() && options.method != settings.method)
         settings = with_method(settings, options.method);
     if (!options.radius && !view_radius) {

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "tools/expect.hpp"
+#include "tools/installation.hpp"
+
+namespace gloam::test {
+namespace tune_test {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using Arguments = std::vector<std::string>;
+
+Arguments tiny(const Arguments& more) {
+    Arguments arguments{"tune", "--size", "32x18", "--frames", "2",      "--scored",
+                        "1",    "--rays", "32",    "--view",   "moving", "room"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+// The views `room` and `moving` are of different halves. The preset that is written renders as its own
+// settings do.
+TEST(Tune, WritesAPresetAndAReport) {
+    const TemporaryDirectory folder;
+    const auto preset = folder.path() / "mine.json";
+    const auto report = folder.path() / "report.md";
+    const CommandResult result =
+        run_command(tiny({"--preset", "fast", "--set", "history=off", "--parameter", "intensity=0.05:2:log",
+                          "--evaluations", "6", "--out", preset.string(), "--report", report.string()}));
+    expect_success(result);
+    EXPECT_EQ(read_file(report), result.out);
+    EXPECT_THAT(result.out, HasSubstr("| `intensity` | 0.05 | 2 | 0.35 |"));
+    EXPECT_THAT(result.out, HasSubstr("| moving | scene | tuning |"));
+    EXPECT_THAT(result.out, HasSubstr("| room | scene | unseen |"));
+    const json document = json::parse(read_file(preset));
+    EXPECT_EQ(document.at("name"), "mine");
+    EXPECT_EQ(document.at("settings").at("method"), "alchemy");
+    EXPECT_EQ(document.at("settings").at("history"), false);
+    const std::string intensity = document.at("settings").at("intensity").dump();
+    const auto rendered = [&](const std::string& name, const Arguments& options) {
+        const auto out = folder.path() / name;
+        Arguments arguments{"render", "moving", "--frames", "1", "--size", "32x18", "--out", out.string()};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        expect_success(run_command(arguments));
+        return read_file(out / "f0000_ao.pfm");
+    };
+    const std::string by_file = rendered("file", {"--preset", preset.string()});
+    EXPECT_EQ(by_file, rendered("set", {"--preset", "fast", "--set", "intensity=" + intensity}));
+    EXPECT_NE(by_file, rendered("start", {"--preset", "fast"}));
+}
+
+TEST(Tune, WrongOptionsAreNamed) {
+    const Arguments steps{"--parameter", "steps=2:4"};
+    expect_could_not_run(run_command(tiny({})), "--parameter");
+    expect_could_not_run(run_command(tiny({"--parameter", "magic=0:1"})), "magic");
+    expect_could_not_run(run_command(tiny({"--parameter", "steps=4"})), "steps=4");
+    expect_could_not_run(run_command(tiny({"--parameter", "steps=4:2"})), "steps from 4 to 2");
+    expect_could_not_run(run_command(tiny({"--parameter", "filter=0:1"})), "filter is not a number");
+    const auto with_steps = [&](Arguments more) {
+        more.insert(more.end(), steps.begin(), steps.end());
+        return run_command(tiny(more));
+    };
+    expect_could_not_run(with_steps({"--preset", "magic"}), "magic");
+    expect_could_not_run(with_steps({"--preset", "/nowhere/magic.json"}), "/nowhere/magic.json");
+    expect_could_not_run(with_steps({"--view", "magic"}), "magic");
+    expect_could_not_run(with_steps({"--objective", "magic"}), "magic");
+    expect_could_not_run(with_steps({"--evaluations", "0"}), "--evaluations");
+    expect_could_not_run(with_steps({"--scored", "3"}), "--scored 3");
+    expect_could_not_run(with_steps({"--out", "/nowhere/preset.json"}), "/nowhere");
+    expect_could_not_run(
+        run_command({"tune", "--view", "moving", "--parameter", "steps=2:4", "--size", "32x18"}),
+        "no view of the unseen half");
+    expect_could_not_run(run_command({"tune", "--view", "bunny", "horse", "--parameter", "steps=2:4",
+                                      "--size", "32x18", "--meshes", "/nowhere"}),
+                         "/nowhere/bunny.obj");
+}
+
+TEST(Tune, AFileThatIsNoPresetIsNamed) {
+    const TemporaryDirectory folder;
+    const auto file = (folder.path() / "bad.json").string();
+    const auto refused = [&](const std::string& text, const std::string& named) {
+        std::ofstream(file) << text;
+        expect_could_not_run(run_command({"render", "moving", "--preset", file}), named);
+    };
+    refused("not JSON", "bad.json: expected JSON");
+    refused("[]", "bad.json: expected JSON");
+    refused(R"({"settings": 3})", "bad.json: expected JSON");
+    refused(R"({"settings": {"magic": 3}})", "magic");
+    refused(R"({"settings": {"steps": "many"}})", "steps");
+    refused(R"({"settings": {"steps": [1, 2]}})", "steps");
+    refused(R"({"settings": {"radius": 2}})", "radius 2");
+}
+
+}  // namespace tune_test
+}  // namespace gloam::test

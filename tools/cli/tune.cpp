@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "cli/tune.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/bench/image_size.hpp"
+#include "cli/drivers.hpp"
+#include "cli/environment.hpp"
+#include "cli/open_device.hpp"
+#include "cli/preset_file.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_settings.hpp"
+#include "cli/tune_report.hpp"
+#include "effect/study/configuration_study.hpp"
+#include "report/benchmark/summary.hpp"
+#include "report/output_file.hpp"
+
+namespace gloam::cli {
+namespace {
+
+constexpr int timed_rounds = 3;  // of single frames
+
+// The views with these names, in the order of the list; all without names. Throws std::invalid_argument that
+// lists the names.
+std::vector<scene::ViewInfo> tuned_views(const std::vector<std::string>& names) {
+    std::string known;
+    for (const scene::ViewInfo& view : scene::all_views()) known += (known.empty() ? "" : ", ") + view.name;
+    std::vector<scene::ViewInfo> views;
+    for (const scene::ViewInfo& view : scene::all_views())
+        if (names.empty() || std::ranges::count(names, view.name) > 0) views.push_back(view);
+    for (const std::string& name : names) {
+        const auto is_it = [&](const scene::ViewInfo& view) { return view.name == name; };
+        if (!std::ranges::any_of(views, is_it))
+            throw std::invalid_argument(fmt::format("--view {}: expected {}", name, known));
+    }
+    return views;
+}
+
+effect::TuneTask task_of(const TuneOptions& options) {
+    const RenderOptions start{.method = options.method, .preset = options.preset, .set = options.set};
+    effect::TuneTask task{.start = settings_for(start, 1.0),
+                          .objective = options.objective == "relative" ? effect::TuneObjective::relative
+                                                                       : effect::TuneObjective::mean,
+                          .evaluations = options.evaluations,
+                          .copies = options.copies};
+    for (const std::string& text : options.parameters)
+        task.parameters.push_back(effect::tuned_parameter(text));
+    if (task.parameters.empty())
+        throw std::invalid_argument("nothing to tune: give --parameter NAME=LEAST:MOST");
+    if (options.scored > options.frames)
+        throw std::invalid_argument(
+            fmt::format("--scored {}: expected at most {}, the frames", options.scored, options.frames));
+    return task;
+}
+
+// Views with their truth, made when they are first measured.
+class MeasuredViews {
+  public:
+    MeasuredViews(const gpu::Device& device, const TuneOptions& options,
+                  const effect::BenchmarkFrames& frames)
+        : device_(&device),
+          options_(&options),
+          frames_(frames),
+          passes_(glsl_directory(), cache_directory()),
+          study_(device, passes_, frames.extent) {}
+
+    // settings: lengths for a radius of 1.
+    [[nodiscard]] effect::ViewMeasure measure(const scene::ViewInfo& view, const effect::Settings& settings) {
+        effect::BenchmarkViews& views = views_of(view.name);
+        const effect::Settings scaled = with_radius(settings, static_cast<float>(views.scene().ao_radius));
+        const effect::ConfigurationVisit judged = study_.visit(views, scaled, options_->sequence, 0);
+        effect::ViewMeasure measured{.rmse = judged.quality.value().geometry};
+        if (!options_->copies) return measured;
+        std::vector<effect::FrameReading> readings = judged.readings;
+        for (int round = 1; readings.empty() || (!options_->sequence && round <= timed_rounds); ++round)
+            for (effect::FrameReading& reading :
+                 study_.visit(views, scaled, options_->sequence, round).readings)
+                readings.push_back(std::move(reading));
+        std::vector<double> copies;
+        for (const effect::FrameReading& reading : readings) {
+            double ms = 0.0;
+            for (const effect::PassTime& pass : reading.passes) ms += pass.ms;
+            copies.push_back(ms / reading.copy_ms);
+        }
+        measured.copies = report::spread_of(copies).median;
+        return measured;
+    }
+
+  private:
+    effect::BenchmarkViews& views_of(const std::string& name) {
+        std::unique_ptr<effect::BenchmarkViews>& views = views_[name];
+        if (views) return *views;
+        const std::filesystem::path meshes =
+            options_->meshes.empty() ? scene::installed_meshes() : options_->meshes;
+        views = std::make_unique<effect::BenchmarkViews>(*device_, passes_, scene::make_view(name, meshes),
+                                                         frames_, scene::TruthCache(truth_cache_directory()),
+                                                         progress_bar(name + ", truth"));
+        return *views;
+    }
+
+    const gpu::Device* device_;
+    const TuneOptions* options_;
+    effect::BenchmarkFrames frames_;
+    scene::PassLibrary passes_;
+    effect::ConfigurationStudy study_;
+    std::map<std::string, std::unique_ptr<effect::BenchmarkViews>> views_;
+};
+
+std::string description_of(const effect::TuneOutcome& outcome, const TuneOptions& options) {
+    return fmt::format("{} tuned by {} evaluations on {} views at {}", options.preset,
+                       outcome.search.points.size(), outcome.views.size(), options.size);
+}
+
+void add_search(CLI::App& command, TuneOptions& options) {
+    command.add_option("--preset", options.preset, "where the search begins: a preset, or a file of one")
+        ->capture_default_str();
+    command.add_option("--method", options.method, "instead of the preset's");
+    command.add_option("--set", options.set, "NAME=VALUE: a setting that stays, lengths for a radius of 1")
+        ->allow_extra_args(false);
+    command.add_option("--parameter", options.parameters, "NAME=LEAST:MOST, or NAME=LEAST:MOST:log")
+        ->allow_extra_args(false);
+    command
+        .add_option(
+            "--objective", options.objective,
+            "what is to be least: the mean error, or the mean ratio to the start's error of each view")
+        ->check(CLI::IsMember({"mean", "relative"}))
+        ->capture_default_str();
+    command.add_option("--evaluations", options.evaluations, "settings that are tried at most")
+        ->check(CLI::Range(1, 100'000))
+        ->capture_default_str();
+    command.add_option("--copies", options.copies, "largest time of a frame, in copies; without it any")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--sequence", options.sequence, "frames in sequence with their history, not alone");
+    command.add_option("--view", options.views, "views of both halves; without it all (gloam list views)");
+}
+
+}  // namespace
+
+int run_tune(const TuneOptions& options) {
+    const std::vector<scene::ViewInfo> views = tuned_views(options.views);
+    const effect::TuneTask task = task_of(options);
+    const report::OutputFile out(options.out);
+    const report::OutputFile report(options.report);
+    const effect::BenchmarkFrames frames{.extent = image_size(options.size),
+                                         .frames = options.frames,
+                                         .scored = options.scored,
+                                         .rays = options.rays,
+                                         .depth_truth = false};
+    gpu::Device device = open_device(options.device, options.validation);
+    if (options.copies) effect::require_timestamps(device.info());
+    MeasuredViews measured(device, options, frames);
+    const effect::TuneOutcome outcome = effect::tune(
+        task, views,
+        [&](const scene::ViewInfo& view, const effect::Settings& settings) {
+            return measured.measure(view, settings);
+        },
+        progress_bar("search"));
+    const std::string text = to_text(outcome, task, options);
+    fmt::print("{}", text);
+    report.write(text);
+    const std::string name = options.out.empty() ? "tuned" : options.out.stem().string();
+    out.write(preset_json(name, description_of(outcome, options), outcome.settings));
+    return validation_status(device);
+}
+
+void add_tune(CLI::App& app, int& status) {
+    auto options = std::make_shared<TuneOptions>();
+    CLI::App* command = app.add_subcommand(
+        "tune", "fit settings on one half of the views and judge them on the half that they have not seen");
+    add_search(*command, *options);
+    command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
+    command->add_option("--frames", options->frames, "of each view")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--scored", options->scored, "the last ones of these")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--rays", options->rays, "rays of the truth for each pixel")
+        ->check(CLI::Range(32, 65'536))
+        ->capture_default_str();
+    command->add_option("--meshes", options->meshes, "folder of the meshes; without it that of glmark2-data");
+    add_device_options(*command, options->device, options->validation);
+    command->add_option("--out", options->out, "write the preset here, for --preset FILE.json");
+    command->add_option("--report", options->report, "write the report here, in Markdown");
+    command->callback([options, &status] { status = run_tune(*options); });
+}
+
+}  // namespace gloam::cli
