@@ -12,6 +12,7 @@ struct MethodValues {
     float mip_distance;  // pixels
     uint steps;
     float disagreement;  // in occlusion
+    float feature_thickness;  // in widths of the feature
 };
 
 #endif

@@ -131,7 +131,7 @@ void append_sweep(Entries& entries) {
             return reference::gloam_sweep(position, normal, camera, kernel, own, depth_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
-                          vector({integers(1, 4), integers(0, 3)})}
+                          vector({integers(1, 4), uniform(0, 3).and_value(1e18F), integers(0, 3)})}
                        .adjusted(place_before_camera(0, 6)),
          .budget = {.absolute = 1.6e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},

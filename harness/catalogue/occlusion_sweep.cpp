@@ -33,8 +33,13 @@ Values slices() {
 Values sides() {
     return made_by<Side>([](numeric::Random& random) {
                return Side{static_cast<float>(random.uniform(-1, 1)),
-                           static_cast<float>(random.uniform(0, 1)), static_cast<float>(random.uniform(0, 2)),
-                           static_cast<float>(random.uniform(0, 1))};
+                           static_cast<float>(random.uniform(0, 1)),
+                           static_cast<float>(random.uniform(0, 2)),
+                           static_cast<float>(random.uniform(0, 1)),
+                           static_cast<float>(random.uniform(0, 1)),
+                           random.unit() < 0.5 ? 0.0F : static_cast<float>(random.uniform(0.01, 1)),
+                           static_cast<float>(random.uniform(0, 1)),
+                           glm::vec2(random.uniform(-1, 1), random.uniform(0, 1))};
            })
         .only_as_drawn();
 }
@@ -58,7 +63,7 @@ void append_ends(Entries& entries) {
                                              .function = "gloam_sweep_side",
                                              .file = sweep_file,
                                              .title = "a side of a slice of which nothing has been seen",
-                                             .formula = "(cos(n + pi / 2), 0, 0, 0)",
+                                             .formula = "(cos(n + pi / 2), 0, ..., 0)",
                                              .source = sweep_source},
                                             &reference::gloam_sweep_side,
                                             {.domain = {uniform(-1, 1)}, .codomain = {-1, 1}}));
@@ -103,16 +108,60 @@ void append_taps_of_sides(Entries& entries) {
     using Tap = Side(Side, Slice, glm::vec2, bool, bool, unsigned);
     const Values offsets = vector_of_length(2, uniform(1e-3, 2)).only_as_drawn();
     entries.push_back(
-        equation<Tap>({.id = "SWEEP-tap",
-                       .function = "gloam_sweep_tap",
+        equation<Tap>({.id = "SWEEP-uncover",
+                       .function = "gloam_sweep_uncover",
                        .file = sweep_file,
-                       .title = "a side of a slice with one more tap",
+                       .title = "a side of a slice with what one more tap uncovers",
                        .formula = "sum + D(rho) (I(H) - I(h)), horizon h, where h < H",
                        .source = sweep_source},
-                      &reference::gloam_sweep_tap,
+                      &reference::gloam_sweep_uncover,
                       {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
                        .budget = {.absolute = 1e-6, .backward_ulp = 4},
                        .codomain = {-3, 3}}));
+}
+
+// Features: how much of them counts, where they end, and a tap that begins or continues one.
+void append_features(Entries& entries) {
+    const Values lengths = either(uniform(0, 2), log_uniform(1e-4, 1e4));
+    const Values thicknesses = either(uniform(0, 3), log_uniform(1e-3, 1e18));
+    entries.push_back(equation<float(float, float, float)>(
+        {.id = "SWEEP-share",
+         .function = "gloam_sweep_share",
+         .file = sweep_file,
+         .title = "share of a feature's directions that its thickness covers",
+         .formula = "min(1, t w / rise)",
+         .source = "gloam"},
+        &reference::gloam_sweep_share,
+        {.domain = {lengths, log_uniform(1e-4, 1e4), thicknesses},
+         .budget = {.ulp = 3, .absolute = 1e-30},
+         .codomain = {0, 1}}));
+    const Values at = vector({uniform(-1, 1), uniform(0, 1)}).only_as_drawn();
+    const Values moderate_thickness = uniform(0, 3).and_value(1e18F).only_as_drawn();
+    using End = Side(Side, glm::vec2, float);
+    entries.push_back(
+        equation<End>({.id = "SWEEP-end",
+                       .function = "gloam_sweep_end",
+                       .file = sweep_file,
+                       .title = "a side of a slice whose feature ends where the surface falls",
+                       .formula = "sum + feature min(1, t w / rise) where x < x_last - 0.8 rise",
+                       .source = "gloam"},
+                      &reference::gloam_sweep_end,
+                      {.domain = {sides(), at, moderate_thickness},
+                       .budget = {.absolute = 1e-6, .backward_ulp = 4},
+                       .codomain = {-3, 3}}));
+    using Tap = Side(Side, Slice, glm::vec2, bool, bool, unsigned, float);
+    const Values offsets = vector_of_length(2, uniform(1e-3, 2)).only_as_drawn();
+    entries.push_back(equation<Tap>(
+        {.id = "SWEEP-tap",
+         .function = "gloam_sweep_tap",
+         .file = sweep_file,
+         .title = "a side of a slice with one more tap",
+         .formula = "SWEEP-end, then feature + D(rho) (I(H) - I(h)), horizon h, where h < H",
+         .source = "gloam"},
+        &reference::gloam_sweep_tap,
+        {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3), moderate_thickness},
+         .budget = {.absolute = 2e-6, .backward_ulp = 4},
+         .codomain = {-3, 3}}));
 }
 
 }  // namespace occlusion_sweep
@@ -121,6 +170,7 @@ void append_sweeps(Entries& entries) {
     occlusion_sweep::append_falloff(entries);
     occlusion_sweep::append_ends(entries);
     occlusion_sweep::append_taps_of_sides(entries);
+    occlusion_sweep::append_features(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -21,7 +21,7 @@ constexpr bool initializable(std::index_sequence<I...>) {
     };
 }
 
-template <class T, std::size_t N = 8>
+template <class T, std::size_t N = 9>
 constexpr std::size_t field_count() {
     if constexpr (N == 0) {
         return 0;
@@ -34,15 +34,15 @@ constexpr std::size_t field_count() {
 
 }  // namespace detail
 
-// Calls visit(member&) for each member of an aggregate of 1 to 8 members.
+// Calls visit(member&) for each member of an aggregate of 1 to 9 members.
 template <class T, class Visit>
 void for_each_field(T& value, Visit&& visit) {
     using Value = std::remove_const_t<T>;
     static_assert(std::is_aggregate_v<Value>,
                   "a parameter must be a scalar, a GLM vector or matrix, or a plain struct of those");
     constexpr std::size_t count = detail::field_count<Value>();
-    static_assert(count > 0 && !detail::initializable<Value>(std::make_index_sequence<9>{}),
-                  "a struct has 1 to 8 members");
+    static_assert(count > 0 && !detail::initializable<Value>(std::make_index_sequence<10>{}),
+                  "a struct has 1 to 9 members");
     const auto all = [&visit](auto&... fields) { (visit(fields), ...); };
     if constexpr (count == 1) {
         auto& [a] = value;
@@ -65,9 +65,12 @@ void for_each_field(T& value, Visit&& visit) {
     } else if constexpr (count == 7) {
         auto& [a, b, c, d, e, f, g] = value;
         all(a, b, c, d, e, f, g);
-    } else {
+    } else if constexpr (count == 8) {
         auto& [a, b, c, d, e, f, g, h] = value;
         all(a, b, c, d, e, f, g, h);
+    } else {
+        auto& [a, b, c, d, e, f, g, h, i] = value;
+        all(a, b, c, d, e, f, g, h, i);
     }
 }
 

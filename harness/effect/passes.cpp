@@ -168,7 +168,8 @@ MethodParameters method_parameters(const Settings& settings) {
             .angle_bias = settings.angle_bias,
             .mip_distance = settings.mip_distance,
             .steps = settings.steps,
-            .disagreement = settings.disagreement};
+            .disagreement = settings.disagreement,
+            .feature_thickness = settings.feature_thickness};
 }
 
 ReprojectionParameters reprojection_parameters(const View& view, const View& previous,

@@ -103,6 +103,10 @@ void add_estimator(std::vector<Setting>& table) {
     table.push_back(number("disagreement", "of the occlusion",
                            "of neighbours at half the resolution, beyond which a pixel is sampled in full",
                            &S::disagreement, {.most = 1.0}));
+    table.push_back(
+        number("feature_thickness", "widths",
+               "of what stands in front of the rest, for sweeps; 1e18: solid behind every surface",
+               &S::feature_thickness, not_negative));
 }
 
 void add_samples(std::vector<Setting>& table) {

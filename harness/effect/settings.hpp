@@ -66,6 +66,8 @@ struct Settings {
     std::uint32_t steps = 4;    // horizons: taps along each half of a slice; mssao: resolutions; 1 to 64
     float disagreement = 0.1F;  // dual resolution: of neighbours at half the resolution, in occlusion, beyond
                                 // which a pixel is sampled in full; 0 to 1
+    float feature_thickness = 1.0F;  // sweep: of what stands in front of the rest, in its own widths, >= 0;
+                                     // 1e18: solid behind every surface
     std::uint32_t samples =
         32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples
     std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, 1 to most_samples

@@ -139,6 +139,7 @@ const std::map<std::string, Case>& cases() {
         {"steps", {"2", {{"method", "gtao"}}}},
         {"layers", {"2"}},
         {"disagreement", {"0", {{"method", "dual_resolution"}}}},
+        {"feature_thickness", {"0", {{"method", "sweep"}}}},
         {"mip_distance", {"1", {{"method", "sao"}}}},
         {"samples", {"24"}},
         {"samples_converged", {"8", {{"c_spatial", "0.1"}}}},

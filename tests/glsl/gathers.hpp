@@ -31,6 +31,7 @@ struct Method {
     float mip_distance = 0.0F;
     unsigned steps = 16;
     float disagreement = 0.05F;
+    float feature_thickness = 1e18F;
 };
 
 using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Samples, Method);

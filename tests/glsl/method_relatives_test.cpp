@@ -214,7 +214,7 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
     const Method plain{.range = 0.8F, .epsilon = 0.3F, .intensity = 0.05F, .angle_bias = 0.1F, .steps = 4};
     std::map<std::string, Method> changed;
     for (const char* name : {"range", "epsilon", "intensity", "thickness", "angle_bias", "mip_distance",
-                             "steps", "disagreement"})
+                             "steps", "disagreement", "feature_thickness"})
         changed[name] = plain;
     changed["range"].range = 0.3F;
     changed["epsilon"].epsilon = 0.02F;
@@ -224,6 +224,7 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
     changed["mip_distance"].mip_distance = 2.0F;
     changed["steps"].steps = 3;
     changed["disagreement"].disagreement = 0.5F;
+    changed["feature_thickness"].feature_thickness = 0.1F;
     for (const auto& [name, method] : changed) {
         const bool read = std::ranges::find(settings, name) != settings.end();
         EXPECT_EQ(result(method) != result(plain), read) << name;

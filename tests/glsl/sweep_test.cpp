@@ -31,6 +31,7 @@ struct SweepEstimate {
 };
 struct Sweep {
     unsigned steps;
+    float feature_thickness;
     unsigned falloff;
 };
 enum Falloff : unsigned { step, linear, quadratic, cubic };
@@ -60,7 +61,7 @@ class SweepOfAWall : public testing::Test {
         const SweepKernel kernel{
             1.0F, 1e-5F, 0.0F, 0, 512 * 2 * steps, std::numeric_limits<float>::infinity(), 1, false};
         return static_cast<double>(
-            sweep.with_images(image, {position, normal, camera, kernel, Sweep{steps, falloff}}).occlusion);
+            sweep.with_images(image, {position, normal, camera, kernel, Sweep{steps, 1.0F, falloff}}).occlusion);
     }
 };
 

@@ -35,6 +35,7 @@ struct GatherMethod {
     float mip_distance = 0.0F;
     unsigned steps = 1;
     float disagreement = 0.05F;
+    float feature_thickness = 1.0F;
 };
 
 // (position, normal, camera, kernel, method) to (sum, count); reads depths by gloam_fetch_depth.

@@ -15,8 +15,9 @@
 // first surface along it, weighted by the cosine (gloam/occlusion/sweep.glsl). The result is divided by the integral
 // over the slices' own half planes, so a bare plane is exactly open, at any tilt and with any number of slices.
 struct GloamSweep {
-    uint steps;    // taps along each half of a slice, at least 1
-    uint falloff;  // GLOAM_FALLOFF_*, of a blocker's distance
+    uint steps;               // taps along each half of a slice, at least 1
+    float feature_thickness;  // of what stands in front of the rest, in its own widths, >= 0; 1e18: solid
+    uint falloff;             // GLOAM_FALLOFF_*, of a blocker's distance
 };
 
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
@@ -41,6 +42,7 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
     uint steps = max(settings.steps, 1u);
     uint samples = gloam_whole_samples(kernel.count, 2u * steps);
     float scale = 1.0 / kernel.radius;
+    float thickness = clamp(settings.feature_thickness, 0.0, GLOAM_FARTHEST);
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < samples / (2u * steps); ++i) {
@@ -64,14 +66,17 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
                     vec2 offset = scale * vec2(dot(seen, axes.view), dot(seen, axes.tangent));
                     bool tells = gloam_tap_sees(depth) && at != footprint.pixel &&
                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    bool rises = dot(seen, n) > kernel.bias;
                     side.before = before;
-                    side = gloam_sweep_tap(side, half_plane, offset, tells, dot(seen, n) > kernel.bias,
-                                           settings.falloff);
+                    if (layer > 0)
+                        side = gloam_sweep_uncover(side, half_plane, offset, tells, rises, settings.falloff);
+                    else
+                        side = gloam_sweep_tap(side, half_plane, offset, tells, rises, settings.falloff, thickness);
                     nearest = layer == 0 ? side.before : nearest;
                 }
                 side.before = nearest;
             }
-            occluded += slice.weight * side.occluded;
+            occluded += slice.weight * (side.occluded + side.feature);
         }
         whole += slice.weight * gloam_slice_whole(slice);
     }

@@ -63,6 +63,7 @@ struct MethodParameters {
     float mip_distance;
     std::uint32_t steps;
     float disagreement;
+    float feature_thickness;
 };
 
 struct ReprojectionParameters {

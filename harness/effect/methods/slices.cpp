@@ -99,7 +99,7 @@ std::vector<MethodInfo> slice_methods() {
          .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamSweep",
-         .reads = {"steps"},
+         .reads = {"steps", "feature_thickness"},
          .fixed = {"GLOAM_FALLOFF_LINEAR"},
          .points = "halton",
          .unit = SampleUnit::slice,

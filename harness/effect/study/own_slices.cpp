@@ -4,6 +4,7 @@
 #include <bitset>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "effect/internal/own_integrands.hpp"
@@ -118,21 +119,34 @@ double gtao_horizon(const std::vector<Step>& steps, double lowest) {
 
 // The part of one side that a sweep counts as blocked. Each tap blocks from its angle to the lowest angle of
 // the taps before, with the linear falloff at the mean of its distance and the previous tap's. The previous
-// distance is at most the radius.
-double sweep_side(const std::vector<Step>& taps, double side, double n) {
+// distance is at most the radius. A feature that ends counts by its width times `thickness`, over its rise.
+double sweep_side(const std::vector<Step>& taps, double side, double n, double thickness) {
     double lowest = n + side * right_angle;
-    double before = 0.0;
     double occluded = 0.0;
+    Step last{};
+    struct Feature {
+        double amount;
+        double rise;
+        double start;
+    };
+    std::optional<Feature> feature;
     for (const Step& tap : taps) {
-        const double weight = 1.0 - 0.5 * (before + tap.length());
+        if (feature && tap.up < last.up - 0.8 * feature->rise) {
+            const double width = 0.5 * std::abs(tap.along + last.along) - feature->start;
+            occluded += feature->amount * std::min(1.0, thickness * width / feature->rise);
+            feature.reset();
+        }
+        const double weight = 1.0 - 0.5 * (std::min(last.length(), 1.0) + tap.length());
         const double angle = side * std::abs(tap.angle());
         if (tap.rises && weight > 0.0 && std::abs(angle) < side * lowest) {
-            occluded += weight * cosine_measure(std::min(angle, lowest), std::max(angle, lowest), n);
+            if (!feature)
+                feature = {0.0, std::max(tap.up - last.up, 1e-4), 0.5 * std::abs(tap.along + last.along)};
+            feature->amount += weight * cosine_measure(std::min(angle, lowest), std::max(angle, lowest), n);
             lowest = angle;
         }
-        before = std::min(tap.length(), 1.0);
+        last = tap;
     }
-    return occluded;
+    return occluded + (feature ? feature->amount : 0.0);
 }
 
 constexpr std::size_t sectors = 32;
@@ -203,7 +217,8 @@ Integrand sweep(const SeenSurface& seen, const Settings& s) {
         const Slice slice = slice_at(seen, pi * u[0]);
         double occluded = 0.0;
         for (const double side : {1.0, -1.0})
-            occluded += sweep_side(taps_of(seen, s, slice, side, u[1], false), side, slice.normal_angle);
+            occluded += sweep_side(taps_of(seen, s, slice, side, u[1], false), side, slice.normal_angle,
+                                   double{s.feature_thickness});
         return slice.weight * glm::dvec2(occluded, cosine_whole(slice.normal_angle));
     };
 }

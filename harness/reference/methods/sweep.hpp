@@ -11,6 +11,7 @@ namespace gloam::reference {
 
 struct GloamSweep {
     unsigned steps;
+    double feature_thickness;
     unsigned falloff;
 };
 
@@ -31,9 +32,10 @@ inline GloamEstimate gloam_sweep(dvec3 position, dvec3 normal, const GloamCamera
                 const double sine = sqrt(max(1.0 - side.horizon * side.horizon, 0.0));
                 side.behind = gloam_sweep_behind({side.horizon, sine}, half_plane);
                 side = gloam_sweep_tap(side, half_plane, within / kernel.radius, seen.tells,
-                                       dot(seen.offset, n) > kernel.bias, own.falloff);
+                                       dot(seen.offset, n) > kernel.bias, own.falloff,
+                                       clamp(own.feature_thickness, 0.0, 1e18));
             }
-            return side.occluded;
+            return side.occluded + side.feature;
         };
         if (!(slice.weight > 0.0)) return dvec2(0.0);
         return slice.weight * dvec2(occluded(1.0) + occluded(-1.0), gloam_slice_whole(slice));

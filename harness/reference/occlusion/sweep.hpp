@@ -11,10 +11,14 @@ struct GloamSweepSide {
     double behind;
     double before;
     double occluded;
+    double feature;
+    double rise;
+    double start;
+    dvec2 last;
 };
 
 inline GloamSweepSide gloam_sweep_side(double lowest) {
-    return {lowest, 0.0, 0.0, 0.0};
+    return {lowest, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, dvec2(0.0)};
 }
 
 inline double gloam_sweep_distance(double before, double here) {
@@ -35,8 +39,8 @@ inline double gloam_sweep_behind(dvec2 direction, const GloamSlice& slice) {
     return inner(n + pi / 2.0) - inner(gloam_atan2(abs(direction.y), direction.x));
 }
 
-inline GloamSweepSide gloam_sweep_tap(GloamSweepSide side, const GloamSlice& slice, dvec2 offset, bool tells,
-                                      bool rises, unsigned falloff) {
+inline GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, const GloamSlice& slice, dvec2 offset,
+                                          bool tells, bool rises, unsigned falloff) {
     if (!tells) return side;
     const double here = length(offset);
     const dvec2 direction = here > 0.0 ? offset / here : offset;
@@ -49,6 +53,37 @@ inline GloamSweepSide gloam_sweep_tap(GloamSweepSide side, const GloamSlice& sli
     }
     side.before = min(here, 1.0);
     return side;
+}
+
+inline double gloam_sweep_share(double width, double rise, double thickness) {
+    return rise < thickness * width ? 1.0 : thickness * width / rise;
+}
+
+inline GloamSweepSide gloam_sweep_end(GloamSweepSide side, dvec2 at, double thickness) {
+    const double fall = side.last.x - at.x;
+    if (side.rise <= 0.0 || fall <= 0.8 * side.rise) return side;
+    const double end = (at.y + side.last.y) / 2.0;
+    side.occluded += side.feature * gloam_sweep_share(max(end - side.start, 0.0), side.rise, thickness);
+    side.feature = side.rise = 0.0;
+    return side;
+}
+
+inline GloamSweepSide gloam_sweep_tap(GloamSweepSide side, const GloamSlice& slice, dvec2 offset, bool tells,
+                                      bool rises, unsigned falloff, double thickness) {
+    if (!tells) return side;
+    const dvec2 at{offset.x, abs(offset.y)};
+    side = gloam_sweep_end(side, at, thickness);
+    GloamSweepSide alone = side;
+    alone.occluded = 0.0;
+    alone = gloam_sweep_uncover(alone, slice, offset, tells, rises, falloff);
+    if (alone.horizon > side.horizon && side.rise <= 0.0) {
+        alone.rise = max(at.x - side.last.x, 1e-4);
+        alone.start = (at.y + side.last.y) / 2.0;
+    }
+    alone.feature += alone.occluded;
+    alone.occluded = side.occluded;
+    alone.last = at;
+    return alone;
 }
 
 }  // namespace gloam::reference

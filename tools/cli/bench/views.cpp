@@ -77,7 +77,8 @@ class ViewsBench {
           frames_({.extent = image_size(options.size),
                    .frames = options.frames,
                    .scored = options.scored,
-                   .rays = options.rays}),
+                   .rays = options.rays,
+                   .depth_truth = !options.no_depth_truth}),
           old_page_(options.page.empty() ? "" : read_page(options.page)),
           page_(options.page),
           json_(options.json) {
@@ -111,9 +112,7 @@ class ViewsBench {
         effect::BenchmarkViews views(device, passes, scene::make_view(info.name, meshes), frames_, cache,
                                      progress_bar(info.name + ", truth"));
         ViewRow row{.view = info};
-        for (int i = views.first_scored(); i < frames_.frames; ++i)
-            row.depth_truth +=
-                errors_of(views.scored(i).depth, views.scored(i).geometry).rmse / frames_.scored;
+        if (frames_.depth_truth) row.depth_truth = depth_truth_error(views);
         std::vector<std::vector<double>> copies(report_.candidates.size());
         row.cells.resize(report_.candidates.size());
         const auto progress = progress_bar(info.name);
@@ -125,6 +124,13 @@ class ViewsBench {
         for (std::size_t i = 0; i < row.cells.size(); ++i)
             if (!copies[i].empty()) row.cells[i].copies = report::spread_of(copies[i]).median;
         return row;
+    }
+
+    [[nodiscard]] static double depth_truth_error(const effect::BenchmarkViews& views) {
+        double sum = 0.0;
+        for (int i = views.first_scored(); i < views.frames().frames; ++i)
+            sum += errors_of(views.scored(i).depth, views.scored(i).geometry).rmse;
+        return sum / views.frames().scored;
     }
 
     // Round 0 gives the errors and warms up; the others give times.
@@ -185,6 +191,8 @@ void add_bench_views(CLI::App& bench, int& status) {
     command->add_option("--rays", options->rays, "rays of the truth for each pixel")
         ->check(CLI::Range(32, 65'536))
         ->capture_default_str();
+    command->add_flag("--no-depth-truth", options->no_depth_truth,
+                      "do not trace the depth buffer's truth (D): half the time of a first run");
     add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
     command->add_option("--page", options->page, "page whose tables are written anew (docs/data/views.md)");

@@ -23,6 +23,7 @@ struct BenchViewsOptions {
     int scored = 8;
     int rounds = 1;  // 0: nothing is timed
     int rays = 128;
+    bool no_depth_truth = false;   // (D) is not traced: half the time of a first run
     std::filesystem::path meshes;  // folder of the mesh files; empty: where the package installs them
     std::string device;
     bool validation = false;

@@ -80,9 +80,10 @@ std::string means_text(const ViewsReport& report) {
     for (std::size_t i = 0; i < report.candidates.size(); ++i)
         text += mean_row(report, report.candidates[i].name, error_of(i),
                          text_or_dash(copies_of(report, i), 1), text_or_dash(mean_flicker(report, i), 4));
+    if (!report.rows.empty() && !report.rows.front().depth_truth) return text;
     return text + mean_row(
                       report, "the depth buffer's truth (D)",
-                      [](const ViewRow& row) { return row.depth_truth; }, "-", "-");
+                      [](const ViewRow& row) { return row.depth_truth.value(); }, "-", "-");
 }
 
 std::string rows_text(const ViewsReport& report) {
@@ -94,8 +95,8 @@ std::string rows_text(const ViewsReport& report) {
     }
     std::string text = head + "\n" + rule + "\n";
     for (const ViewRow& row : report.rows) {
-        text += fmt::format("| {} | {} | {} | {:.4f} |", row.view.name, row.view.kind,
-                            scene::name_of(row.view.half), row.depth_truth);
+        text += fmt::format("| {} | {} | {} | {} |", row.view.name, row.view.kind,
+                            scene::name_of(row.view.half), text_or_dash(row.depth_truth, 4));
         for (const ViewCell& cell : row.cells) text += fmt::format(" {:.4f} |", cell.quality.geometry);
         text += "\n";
     }
@@ -106,11 +107,11 @@ ordered_json json_of(const std::optional<double>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
-ordered_json json_of(const ViewsReport& report, const ViewRow& row) {
+ordered_json json_of_row(const ViewsReport& report, const ViewRow& row) {
     ordered_json json{{"view", row.view.name},
                       {"kind", row.view.kind},
                       {"half", scene::name_of(row.view.half)},
-                      {"rmse_depth_truth", row.depth_truth},
+                      {"rmse_depth_truth", json_of(row.depth_truth)},
                       {"results", ordered_json::array()}};
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         const ViewCell& cell = row.cells[i];
@@ -143,7 +144,7 @@ std::string to_json(const ViewsReport& report, const BenchViewsOptions& options)
                           {"height", report.extent.height}, {"frames", options.frames},
                           {"scored", options.scored},       {"rays", options.rays},
                           {"rounds", options.rounds},       {"views", ordered_json::array()}};
-    for (const ViewRow& row : report.rows) document["views"].push_back(json_of(report, row));
+    for (const ViewRow& row : report.rows) document["views"].push_back(json_of_row(report, row));
     return document.dump(2) + "\n";
 }
 

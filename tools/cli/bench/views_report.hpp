@@ -28,7 +28,7 @@ struct ViewCell {
 // A view's results: one cell for each candidate.
 struct ViewRow {
     scene::ViewInfo view;
-    double depth_truth = 0.0;  // RMSE of (D) against (G), mean over the scored frames
+    std::optional<double> depth_truth;  // RMSE of (D) against (G), mean over the scored frames
     std::vector<ViewCell> cells;
 };
 
