@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "gathers.hpp"
@@ -45,23 +46,45 @@ class SweepOfAWall : public testing::Test {
     // A floor that meets a wall at x = 0, both turned by 45 degrees towards the eye, and a point of the floor
     // `away` from the wall. Everything is in units of the radius.
     double measured(double away, Falloff falloff, unsigned steps) const {
-        const Camera camera{glm::vec2(0.5F, -0.5F), glm::ivec2(1025, 33), true};
-        const double pixel = 4.0 / 1025.0;
-        const check::ImageSet image{
-            {"gloam_fetch_depth",
-             check::make_image<float>(
-                 camera.size,
-                 [&](glm::ivec2 p) { return static_cast<float>(5.0 - std::abs(pixel * (p.x - 512))); })},
-            {"gloam_fetch_layers",
-             check::make_image<glm::vec3>(camera.size, [](glm::ivec2) { return glm::vec3(0); })}};
+        const auto image = image_of([&](int column) { return 5.0 - std::abs(pixel * (column - 512)); });
         const int column = 512 - static_cast<int>(std::lround(away * std::sqrt(0.5) / pixel));
         const double x = pixel * (column - 512);
         const glm::vec3 position(x, 0.0, -(5.0 + x));
         const glm::vec3 normal(std::sqrt(0.5), 0.0, std::sqrt(0.5));
+        return occlusion(image, position, normal, Sweep{steps, 1.0F, falloff});
+    }
+
+    // A post of a width that stands free, its front `rise` before a floor that faces the eye, and a point of
+    // the floor `away` from it. Everything is in units of the radius.
+    double beside_a_post(double away, double width, double rise, float thickness) const {
+        const int column = 512 - static_cast<int>(std::lround(away / pixel));
+        const auto image = image_of([&](int at) {
+            const double x = pixel * (at - 512);
+            return x >= 0.0 && x < width ? 5.0 - rise : 5.0;
+        });
+        const glm::vec3 position(pixel * (column - 512), 0.0, -5.0);
+        return occlusion(image, position, glm::vec3(0, 0, 1), Sweep{48, thickness, linear});
+    }
+
+  private:
+    const Camera camera_{glm::vec2(0.5F, -0.5F), glm::ivec2(1025, 33), true};
+    const double pixel = 4.0 / 1025.0;
+
+    // Depths that depend on the column alone.
+    check::ImageSet image_of(const std::function<double(int)>& depth) const {
+        return {{"gloam_fetch_depth",
+                 check::make_image<float>(camera_.size,
+                                          [&](glm::ivec2 p) { return static_cast<float>(depth(p.x)); })},
+                {"gloam_fetch_layers",
+                 check::make_image<glm::vec3>(camera_.size, [](glm::ivec2) { return glm::vec3(0); })}};
+    }
+
+    double occlusion(const check::ImageSet& image, glm::vec3 position, glm::vec3 normal,
+                     const Sweep& settings) const {
         const SweepKernel kernel{
-            1.0F, 1e-5F, 0.0F, 0, 512 * 2 * steps, std::numeric_limits<float>::infinity(), 1, false};
+            1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, std::numeric_limits<float>::infinity(), 1, false};
         return static_cast<double>(
-            sweep.with_images(image, {position, normal, camera, kernel, Sweep{steps, 1.0F, falloff}}).occlusion);
+            sweep.with_images(image, {position, normal, camera_, kernel, settings}).occlusion);
     }
 };
 
@@ -85,6 +108,18 @@ TEST_F(SweepOfAWall, IsThatOfTheFalloffInTheLimit) {
 TEST_F(SweepOfAWall, IsNearlyThatWithSixSteps) {
     for (const double away : {0.25, 0.5})
         EXPECT_NEAR(measured(away, linear, 6), closed_form(away, linear), 0.012) << away;
+}
+
+// A post that is narrower than it is high counts in proportion to its width; one that is wide, as solid.
+TEST_F(SweepOfAWall, APostCountsByItsWidth) {
+    constexpr float solid = 1e18F;
+    const double full = beside_a_post(0.2, 0.1, 0.4, solid);
+    EXPECT_GT(full, 0.03);
+    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 1.0F), 0.1 / 0.4 * full, 0.15 * full);
+    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 2.0F), 0.2 / 0.4 * full, 0.15 * full);
+    EXPECT_NEAR(beside_a_post(0.2, 0.1, 0.4, 0.0F), 0.0, 0.15 * full);
+    EXPECT_EQ(beside_a_post(0.2, 0.5, 0.4, 1.0F), beside_a_post(0.2, 0.5, 0.4, solid));
+    EXPECT_EQ(beside_a_post(0.2, 2.0, 0.4, 0.0F), beside_a_post(0.2, 2.0, 0.4, solid));
 }
 
 // The further the falloff reaches, the darker.

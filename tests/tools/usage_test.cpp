@@ -86,7 +86,7 @@ TEST(Devices, TheInterpreterNeedsNoDriver) {
 }
 
 TEST(List, NamesOneALine) {
-    for (const char* kind : {"equations", "methods", "presets", "scenes", "variants"}) {
+    for (const char* kind : {"equations", "methods", "presets", "scenes", "variants", "views"}) {
         const CommandResult result = run_command({"list", kind});
         expect_success(result);
         std::istringstream lines(result.out);

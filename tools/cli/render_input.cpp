@@ -96,7 +96,8 @@ scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
     std::error_code none;
     if (!fs::is_regular_file(source, none)) {
         throw std::invalid_argument(
-            fmt::format("\"{}\" is neither a scene ({}), a view (gloam list views) nor a mesh file", source, scene_list()));
+            fmt::format("\"{}\" is neither a scene ({}), a view (gloam list views) nor a mesh file", source,
+                        scene_list()));
     }
     return scene::mesh_scene(scene::read_mesh(source, mesh_reader_command()),
                              fs::path(source).stem().string(), view);

@@ -40,6 +40,14 @@ std::vector<Preset> slice_presets(const MethodInfo& method) {
             {method.name + "-quality", "9 slices of 3 steps to each side", slices(method, 9, 3)}};
 }
 
+std::vector<Preset> gtao_presets(const MethodInfo& method) {
+    std::vector<Preset> presets = slice_presets(method);
+    presets.push_back({method.name + "-plain",
+                       "9 slices of 3 steps to each side, no filter: what other presets are compared with",
+                       studied(slices(method, 9, 3))});
+    return presets;
+}
+
 // Settings with a history, like those of the general presets: a mean over 128 samples, kernels always
 // rotated, no filter.
 Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
@@ -55,6 +63,8 @@ std::vector<Preset> sweep_presets(const MethodInfo& method) {
     return {
         {"sweep-performance", "1 slice of 2 steps to each side, a frame; 128 samples in the mean, no filter",
          swept(method, 1, 2)},
+        {"sweep-balanced", "1 slice of 6 steps to each side, a frame; 128 samples in the mean, no filter",
+         swept(method, 1, 6)},
         {"sweep-quality", "4 slices of 6 steps to each side, a frame; 128 samples in the mean, no filter",
          swept(method, 4, 6)}};
 }
@@ -92,7 +102,7 @@ std::vector<MethodInfo> slice_methods() {
          .reads = {"steps"},
          .points = "halton",
          .unit = SampleUnit::slice,
-         .presets = slice_presets},
+         .presets = gtao_presets},
         {.name = "sweep",
          .description =
              "horizon sweep: slices in which each direction counts with the falloff at its distance",

@@ -17,7 +17,8 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
                                                 frames.frames, frames.frames));
     }
     const std::vector<scene::GBuffer>& views = views_with(0.0, 1);
-    const scene::TruthSettings traced{.rays = {.radius = scene_.ao_radius, .rays = frames.rays}};
+    const scene::TruthSettings traced{.rays = {.radius = scene_.ao_radius, .rays = frames.rays},
+                                      .thickness = frames.depth_thickness * scene_.ao_radius};
     for (int i = first_scored(); i < frames.frames; ++i) {
         const scene::GBuffer& view = views[static_cast<std::size_t>(i)];
         ScoredFrame truth{.geometry = truth_from(view, cache.geometry(scene_, i, view, traced).occlusion)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -18,10 +19,12 @@ namespace gloam::effect {
 // The frames of a scene that the benchmark uses, and the number of rays of their truth.
 struct BenchmarkFrames {
     gpu::Extent extent;
-    int frames = 16;  // of a temporal run
-    int scored = 8;   // the last ones of these: 1 to frames
-    int rays = 256;   // of the truth, for each pixel
+    int frames = 16;          // of a temporal run
+    int scored = 8;           // the last ones of these: 1 to frames
+    int rays = 256;           // of the truth, for each pixel
     bool depth_truth = true;  // false: only the geometry is traced
+    double depth_thickness =
+        std::numeric_limits<double>::infinity();  // of the surface of (D), in radii; as in depth_field()
 };
 
 // The truth of a scored frame, and what else its score needs.

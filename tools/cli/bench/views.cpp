@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -74,11 +75,13 @@ class ViewsBench {
   public:
     explicit ViewsBench(const BenchViewsOptions& options)
         : options_(options),
-          frames_({.extent = image_size(options.size),
-                   .frames = options.frames,
-                   .scored = options.scored,
-                   .rays = options.rays,
-                   .depth_truth = !options.no_depth_truth}),
+          frames_(
+              {.extent = image_size(options.size),
+               .frames = options.frames,
+               .scored = options.scored,
+               .rays = options.rays,
+               .depth_truth = !options.no_depth_truth,
+               .depth_thickness = options.depth_thickness.value_or(std::numeric_limits<double>::infinity())}),
           old_page_(options.page.empty() ? "" : read_page(options.page)),
           page_(options.page),
           json_(options.json) {
@@ -191,6 +194,10 @@ void add_bench_views(CLI::App& bench, int& status) {
     command->add_option("--rays", options->rays, "rays of the truth for each pixel")
         ->check(CLI::Range(32, 65'536))
         ->capture_default_str();
+    command
+        ->add_option("--depth-thickness", options->depth_thickness,
+                     "thickness of the surface of (D), in radii; without it (D) is solid")
+        ->check(CLI::PositiveNumber);
     command->add_flag("--no-depth-truth", options->no_depth_truth,
                       "do not trace the depth buffer's truth (D): half the time of a first run");
     add_device_options(*command, options->device, options->validation);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct BenchViewsOptions {
     int scored = 8;
     int rounds = 1;  // 0: nothing is timed
     int rays = 128;
-    bool no_depth_truth = false;   // (D) is not traced: half the time of a first run
+    std::optional<double> depth_thickness;  // of the surface of (D), in radii; without it solid
+    bool no_depth_truth = false;            // (D) is not traced: half the time of a first run
     std::filesystem::path meshes;  // folder of the mesh files; empty: where the package installs them
     std::string device;
     bool validation = false;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -86,14 +87,38 @@ std::string means_text(const ViewsReport& report) {
                       [](const ViewRow& row) { return row.depth_truth.value(); }, "-", "-");
 }
 
-std::string rows_text(const ViewsReport& report) {
-    std::string head = "| view | kind | half | (D) |";
-    std::string rule = "|---|---|---|--:|";
+// The head of a table with a column for each candidate after some others.
+std::string head_text(const ViewsReport& report, std::string head, std::string rule) {
     for (const ViewCandidate& candidate : report.candidates) {
         head += fmt::format(" {} |", candidate.name);
         rule += "--:|";
     }
-    std::string text = head + "\n" + rule + "\n";
+    return head + "\n" + rule + "\n";
+}
+
+// The means of each kind of view, over the views of both halves that were measured.
+std::string kinds_text(const ViewsReport& report) {
+    std::vector<std::string> kinds;
+    for (const ViewRow& row : report.rows)
+        if (std::ranges::count(kinds, row.view.kind) == 0) kinds.push_back(row.view.kind);
+    std::string text = head_text(report, "| kind | views |", "|---|--:|");
+    for (const std::string& kind : kinds) {
+        const auto count =
+            std::ranges::count_if(report.rows, [&](const ViewRow& row) { return row.view.kind == kind; });
+        text += fmt::format("| {} | {} |", kind, count);
+        for (std::size_t i = 0; i < report.candidates.size(); ++i) {
+            double sum = 0.0;
+            for (const ViewRow& row : report.rows)
+                if (row.view.kind == kind) sum += row.cells[i].quality.geometry;
+            text += fmt::format(" {:.4f} |", sum / static_cast<double>(count));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string rows_text(const ViewsReport& report) {
+    std::string text = head_text(report, "| view | kind | half | (D) |", "|---|---|---|--:|");
     for (const ViewRow& row : report.rows) {
         text += fmt::format("| {} | {} | {} | {} |", row.view.name, row.view.kind,
                             scene::name_of(row.view.half), text_or_dash(row.depth_truth, 4));
@@ -135,7 +160,7 @@ std::string to_text(const ViewsReport& report, const BenchViewsOptions& options)
                "pixel.\n\n",
                report.rows.size(), report.device.name, report.device.driver, report.extent.width,
                report.extent.height, options.scored, options.frames, options.rays) +
-           means_text(report) + "\n" + rows_text(report);
+           means_text(report) + "\n" + kinds_text(report) + "\n" + rows_text(report);
 }
 
 std::string to_json(const ViewsReport& report, const BenchViewsOptions& options) {
