@@ -39,7 +39,8 @@ struct ViewsReport {
     std::vector<ViewRow> rows;
 };
 
-// Tables in Markdown: the means of each half with the ratio to the first candidate, then those of each kind, then a row for each view.
+// Tables in Markdown: the means of each half with the ratio to the first candidate, then those of each kind,
+// then a row for each view.
 [[nodiscard]] std::string to_text(const ViewsReport& report, const BenchViewsOptions& options);
 
 [[nodiscard]] std::string to_json(const ViewsReport& report, const BenchViewsOptions& options);
