@@ -116,7 +116,7 @@ void append_taps_of_sides(Entries& entries) {
                        .source = sweep_source},
                       &reference::gloam_sweep_uncover,
                       {.domain = {sides(), slices(), offsets, booleans(), booleans(), integers(0, 3)},
-                       .budget = {.absolute = 1e-6, .backward_ulp = 4},
+                       .budget = {.absolute = 8e-7, .backward_ulp = 4},
                        .codomain = {-3, 3}}));
 }
 

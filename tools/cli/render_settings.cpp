@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "effect/methods.hpp"
 #include "cli/preset_file.hpp"
+#include "effect/methods.hpp"
 #include "effect/setting_table.hpp"
 
 namespace gloam::cli {

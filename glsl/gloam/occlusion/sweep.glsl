@@ -70,7 +70,7 @@ GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
 // surface; if not, the side does not change. rises: whether the tap is above the tangent plane; otherwise only its
 // distance is kept. falloff: GLOAM_FALLOFF_*.
 // Returns the side with the tap. A tap below the horizon or beyond the range of the falloff adds nothing; in the second
-// case later taps can still cover its directions. Error: 1e-6.
+// case later taps can still cover its directions. Error: 8e-7.
 GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
                                    uint falloff) {
     float squared = dot(offset, offset);
