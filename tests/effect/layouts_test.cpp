@@ -206,7 +206,7 @@ TEST_F(Layouts, Buffers) {
     EXPECT_EQ(lines_of(method[0].members),
               (std::vector{MEMBER(M, range), MEMBER(M, epsilon), MEMBER(M, intensity), MEMBER(M, thickness),
                            MEMBER(M, angle_bias), MEMBER(M, mip_distance), MEMBER(M, steps),
-                           MEMBER(M, disagreement)}));
+                           MEMBER(M, disagreement), MEMBER(M, feature_thickness)}));
     using S = TileState;
     const std::vector<LaidOut> states = buffer_of(selection_source(1), "StatesAfter");
     ASSERT_EQ(states.size(), 1U);
