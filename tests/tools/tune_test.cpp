@@ -40,7 +40,8 @@ TEST(Tune, WritesAPresetAndAReport) {
     const std::string intensity = document.at("settings").at("intensity").dump();
     const auto rendered = [&](const std::string& name, const Arguments& options) {
         const auto out = folder.path() / name;
-        Arguments arguments{"render", "moving", "--frames", "1", "--size", "32x18", "--out", out.string()};
+        Arguments arguments{"render", "moving", "--frames",    "1",     "--size",
+                            "32x18",  "--set",  "history=off", "--out", out.string()};
         arguments.insert(arguments.end(), options.begin(), options.end());
         expect_success(run_command(arguments));
         return read_file(out / "f0000_ao.pfm");
