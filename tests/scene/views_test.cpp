@@ -69,7 +69,9 @@ TEST(Views, AreMadeTheSameTwiceAndMove) {
         const Scene again = make_view(view.name, installed_meshes());
         EXPECT_EQ(scene->mesh.positions, again.mesh.positions);
         EXPECT_EQ(scene->mesh.indices, again.mesh.indices);
-        if (view.kind != "scene") EXPECT_TRUE(same(camera_at(*scene, 0), scene->camera));
+        if (view.kind != "scene") {
+            EXPECT_TRUE(same(camera_at(*scene, 0), scene->camera));
+        }
         EXPECT_TRUE(same(camera_at(*scene, 7), camera_at(again, 7)));
         EXPECT_FALSE(same(camera_at(*scene, 0), camera_at(*scene, 7)));
         projections.insert(scene->camera.projection);

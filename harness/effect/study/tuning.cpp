@@ -128,19 +128,20 @@ std::vector<TunedView> judged(const std::vector<ViewInfo>& views, const Objectiv
 }  // namespace
 
 SearchRange tuned_parameter(const std::string& text) {
-    const std::size_t equals = std::min(text.find('='), text.size());
-    const std::string_view range = std::string_view(text).substr(std::min(equals + 1, text.size()));
-    const std::size_t colon = range.find(':');
-    const bool logarithmic = range.ends_with(":log");
-    if (colon == std::string_view::npos) (void)number_from("", text);
-    const std::size_t end = logarithmic ? range.size() - 4 : range.size();
+    constexpr std::string_view log_mark = ":log";
+    const std::size_t equals = text.find('=');
+    const std::size_t colon = text.find(':');
+    if (equals == std::string::npos || colon == std::string::npos || colon < equals)
+        (void)number_from("", text);
+    const bool logarithmic = text.ends_with(log_mark);
+    const std::size_t end = logarithmic ? text.size() - log_mark.size() : text.size();
     if (end <= colon) (void)number_from("", text);
     const Setting& setting = setting_named(text.substr(0, equals));
     if (!std::holds_alternative<double>(setting.get(Settings{})))
         throw std::invalid_argument(fmt::format("--parameter {}: {} is not a number", text, setting.name));
     SearchRange parameter{.name = setting.name,
-                          .least = number_from(range.substr(0, colon), text),
-                          .most = number_from(range.substr(colon + 1, end - colon - 1), text),
+                          .least = number_from(text.substr(equals + 1, colon - equals - 1), text),
+                          .most = number_from(text.substr(colon + 1, end - colon - 1), text),
                           .whole = setting.range.whole,
                           .logarithmic = logarithmic};
     validate({parameter});
