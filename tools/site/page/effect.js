@@ -43,7 +43,9 @@ void main() {
         gl.linkProgram(handle);
         if (!gl.getProgramParameter(handle, gl.LINK_STATUS))
             throw new Error(`${name} does not compile: ${stages.map((s) => gl.getShaderInfoLog(s)).join(" ")}`);
-        const program = {handle, at: (uniform) => gl.getUniformLocation(handle, uniform)};
+        const count = gl.getProgramParameter(handle, gl.ACTIVE_UNIFORMS);
+        const uniforms = Array.from({length: count}, (_, i) => gl.getActiveUniform(handle, i));
+        const program = {handle, uniforms, at: (uniform) => gl.getUniformLocation(handle, uniform)};
         this.programs.set(name, program);
         return program;
     }
@@ -216,7 +218,18 @@ void main() {
 
     static floats = ["radius", "bias", "c_spatial", "weight_max", "c_rot", "least_radius", "samples_distance",
         "samples_radius", "radius_cap", "smoothing", "bias_depth"];
-    static methodFloats = ["range", "epsilon", "intensity", "thickness", "angle_bias", "mip_distance", "disagreement"];
+
+    // Sets the members of method_values that the shader reads. Each is the setting of the same name.
+    setMethodValues() {
+        const {gl, occlusion, settings} = this;
+        for (const {name, type} of occlusion.uniforms) {
+            const [block, member] = name.split(".");
+            if (block !== "method_values") continue;
+            if (!(member in settings)) throw new Error(`${name}: there is no setting of that name`);
+            if (type === gl.FLOAT) gl.uniform1f(occlusion.at(name), settings[member] ?? Infinity);
+            else gl.uniform1ui(occlusion.at(name), settings[member]);
+        }
+    }
 
     drawOcclusion(before) {
         const {gl, occlusion, images, settings} = this;
@@ -224,9 +237,7 @@ void main() {
         this.setFrame(occlusion);
         gl.uniform2i(occlusion.at("parameters.border"), 0, 0);
         for (const name of gloam.Effect.floats) gl.uniform1f(occlusion.at("parameters." + name), settings[name]);
-        for (const name of gloam.Effect.methodFloats)
-            gl.uniform1f(occlusion.at("method_values." + name), settings[name]);
-        gl.uniform1ui(occlusion.at("method_values.steps"), settings.steps);
+        this.setMethodValues();
         gl.uniform1ui(occlusion.at("parameters.samples_least"), settings.samples_least);
         gl.uniform1ui(occlusion.at("samples_asked"), settings.samples);
         gl.uniform1ui(occlusion.at("samples_converged"), settings.samples_converged);

@@ -42,3 +42,25 @@ gloam.element = (tag, attributes = {}, ...children) => {
 
 // Lets the browser draw and react before work continues.
 gloam.pause = () => new Promise((resolve) => setTimeout(resolve, 0));
+
+// The pages of the site, as every page links them.
+gloam.pages = [
+    ["index.html", "gloam"],
+    ["check.html", "Check this browser"],
+    ["effect.html", "See the effect"],
+    ["gallery.html", "Gallery"],
+    ["accuracy.html", "Accuracy"],
+    ["drivers.html", "Drivers"],
+    ["benchmark.html", "Benchmark"],
+    ["licences.html", "Licences"],
+];
+
+// Fills the navigation. The scripts are deferred: the page is there.
+gloam.navigate = () => {
+    const here = location.pathname.split("/").pop() || "index.html";
+    for (const [file, title] of gloam.pages)
+        document.querySelector("nav").append(
+            gloam.element("a", {href: file, ...(file === here ? {"aria-current": "page"} : {})}, title), "\n");
+};
+
+gloam.navigate();
