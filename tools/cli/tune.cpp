@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "cli/bench/image_size.hpp"
+#include "cli/bench/view_options.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
@@ -174,17 +175,7 @@ void add_tune(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
         "tune", "fit settings on one half of the views and judge them on the half that they have not seen");
     add_search(*command, *options);
-    command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
-    command->add_option("--frames", options->frames, "of each view")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_option("--scored", options->scored, "the last ones of these")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_option("--rays", options->rays, "rays of the truth for each pixel")
-        ->check(CLI::Range(32, 65'536))
-        ->capture_default_str();
-    command->add_option("--meshes", options->meshes, "folder of the meshes; without it that of glmark2-data");
+    add_view_options(*command, *options);
     add_device_options(*command, options->device, options->validation);
     command->add_option("--out", options->out, "write the preset here, for --preset FILE.json");
     command->add_option("--report", options->report, "write the report here, in Markdown");

@@ -11,6 +11,7 @@
 
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/page_blocks.hpp"
+#include "cli/bench/view_options.hpp"
 #include "cli/bench/views_report.hpp"
 #include "cli/drivers.hpp"
 #include "cli/environment.hpp"
@@ -167,7 +168,6 @@ void add_what(CLI::App& command, BenchViewsOptions& options) {
     command
         .add_option("--set", options.set, "NAME=VALUE: any setting of all of them, lengths for a radius of 1")
         ->allow_extra_args(false);
-    command.add_option("--meshes", options.meshes, "folder of the meshes; without it that of glmark2-data");
 }
 
 }  // namespace
@@ -181,18 +181,9 @@ void add_bench_views(CLI::App& bench, int& status) {
     CLI::App* command = bench.add_subcommand(
         "views", "error of presets on two halves of views, of which one is never used for tuning");
     add_what(*command, *options);
-    command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
-    command->add_option("--frames", options->frames, "of each view")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_option("--scored", options->scored, "the last ones of these")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    add_view_options(*command, *options);
     command->add_option("--rounds", options->rounds, "that are timed, 0: only errors")
         ->check(CLI::Range(0, 1000))
-        ->capture_default_str();
-    command->add_option("--rays", options->rays, "rays of the truth for each pixel")
-        ->check(CLI::Range(32, 65'536))
         ->capture_default_str();
     command
         ->add_option("--depth-thickness", options->depth_thickness,
