@@ -89,11 +89,11 @@ bool BarRow::met() const {
 
 std::string to_text(const BarReport& report, const BenchBarOptions& options) {
     std::string text = fmt::format(
-        "`{}` over the last frames of {} on {} ({}), {} x {} pixels, {} rounds, the truth of {} rays a "
-        "pixel; "
-        "single frames of {} and {} plain slices x steps beside each.\n\n",
-        candidate_of(options), options.frames, report.device.name, report.device.driver, report.extent.width,
-        report.extent.height, options.rounds, options.rays, options.exact, options.fast);
+        "`{}` over the last frames of {}, and single frames of {} and {} plain slices x steps beside each.\n"
+        "{} x {} pixels, {} rounds, the truth of {} rays a pixel.\n"
+        "On {} ({}).\n\n",
+        candidate_of(options), options.frames, options.exact, options.fast, report.extent.width,
+        report.extent.height, options.rounds, options.rays, report.device.name, report.device.driver);
     text += fmt::format(
         "| scene | RMSE (G) | of {0} | ratio | flicker | ms | of it samples | of {0} | of {1} | ratio of "
         "times, quartiles | to {1} without its blur | |\n"
