@@ -86,9 +86,9 @@ int run_bench_plain(const BenchPlainOptions& options) {
     const scene::GBuffer view = scene::rasterize(device, passes, scene, extent);
     const std::vector<PlainComparison> rows = effect::compare_with_plain(
         device, passes, view, static_cast<float>(scene.ao_radius), options.methods, taps, options.rounds);
-    const std::string text = fmt::format("On {} ({}), {} x {} pixels of the scene `{}`, {} rounds.\n\n{}",
-                                         device.info().name, device.info().driver, extent.width,
-                                         extent.height, scene.name, options.rounds, comparison_table(rows));
+    const std::string text = fmt::format("{} x {} pixels of the scene `{}`, {} rounds.\nOn {} ({}).\n\n{}",
+                                         extent.width, extent.height, scene.name, options.rounds,
+                                         device.info().name, device.info().driver, comparison_table(rows));
     fmt::print("{}", text);
     if (!options.page.empty()) page.write(with_blocks(old_page, {{plain_block, text}}));
     ordered_json document{{"versions", versions()},
