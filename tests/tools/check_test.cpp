@@ -94,7 +94,7 @@ TEST(Check, AllVariantsAndJunit) {
     const CommandResult result =
         run_command({"check", function, "--inputs", "64", "--variant", "all", "--junit", junit.string()});
     expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("8 checks, 0 failed"));
+    EXPECT_THAT(result.out, HasSubstr("9 checks, 0 failed"));
     EXPECT_THAT(read_file(junit), HasSubstr("<testsuite"));
 }
 

@@ -12,7 +12,9 @@ namespace {
 
 constexpr float most_weight = 8'388'608.0F;  // 2^23: no sample is forgotten
 
-Settings alone(Settings settings, std::uint32_t samples) {
+// The mean of all samples, without a rotation, a filter or a remap.
+Settings accumulated(Settings settings, std::uint32_t samples) {
+    settings.history = true;
     settings.samples = samples;
     settings.samples_converged = samples;
     settings.weight_max = most_weight;
@@ -50,7 +52,7 @@ Estimate ClosedFormStudy::measure(const scene::ClosedFormView& view, const Setti
         throw std::invalid_argument(fmt::format("{} pixels: expected {}", options.pixels, pixels_));
     scene::GBuffer buffer = scene::draw(view, options.pixels);
     if (options.reconstruct_normals) buffer.normal.clear();
-    effect_.begin(buffer, alone(settings, options.samples));
+    effect_.begin(buffer, accumulated(settings, options.samples));
     std::vector<double> means;
     double sum = 0.0;
     double weight = 0.0;

@@ -11,6 +11,7 @@ std::vector<float> Limit::of(const scene::GBuffer& view, const Settings& setting
     constexpr float weight_max = 8'192.0F;
     static_assert(limit_first + limit_samples < 8'192 && limit_samples % most_samples == 0);
     Settings many = settings;
+    many.history = true;
     many.samples = limit_first;
     many.samples_converged = most_samples;
     many.c_spatial = 0.5F * static_cast<float>(limit_first) / weight_max;
