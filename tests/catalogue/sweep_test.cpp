@@ -34,20 +34,21 @@ TEST_P(Sweep, IsPermittedWhenStrict) {
     EXPECT_EQ(result.by_rules, strict_inputs);
 }
 
-// SPIRV-Cross and glslang do not agree on the exponent of ldexp in HLSL, and frexp crashes glslang's HLSL
-// front end.
-bool is_lost_in_hlsl(const std::string& equation) {
+// SPIRV-Cross and glslang of Debian 12 do not agree on the exponent of ldexp in HLSL, and frexp crashes
+// glslang's HLSL front end. With other versions the two may compile, and must then be right.
+bool may_be_lost_in_hlsl(const std::string& equation) {
     return equation == "BUILTIN-frexp" || equation == "BUILTIN-ldexp";
 }
 
 TEST_P(Sweep, IsTheSameEquationInHlsl) {
     const check::Lab lab = test::make_lab({}, shader::variant("hlsl"));
-    if (is_lost_in_hlsl(entry_.description.id)) {
-        EXPECT_THROW((void)check::run(lab, entry_.question, {.inputs = 1}), std::runtime_error);
-        return;
+    const std::string& id = entry_.description.id;
+    try {
+        const check::Answer result = check::run(lab, entry_.question, {.inputs = hlsl_inputs});
+        EXPECT_TRUE(result.passed()) << id << ": " << result;
+    } catch (const shader::CompileError& error) {
+        EXPECT_TRUE(may_be_lost_in_hlsl(id)) << id << ": " << error.what();
     }
-    const check::Answer result = check::run(lab, entry_.question, {.inputs = hlsl_inputs});
-    EXPECT_TRUE(result.passed()) << entry_.description.id << ": " << result;
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Sweep, test::entry_numbers(), test::entry_name);
