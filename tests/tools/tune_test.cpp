@@ -64,6 +64,10 @@ TEST(Tune, WrongOptionsAreNamed) {
     };
     expect_could_not_run(with_steps({"--preset", "magic"}), "magic");
     expect_could_not_run(with_steps({"--preset", "/nowhere/magic.json"}), "/nowhere/magic.json");
+    const TemporaryDirectory folder;
+    const auto deep = folder.path() / "deep.json";
+    std::ofstream(deep) << std::string(200'000, '[');
+    expect_could_not_run(with_steps({"--preset", deep.string()}), "deep.json: line 1: nested more than");
     expect_could_not_run(with_steps({"--view", "magic"}), "magic");
     expect_could_not_run(with_steps({"--objective", "magic"}), "magic");
     expect_could_not_run(with_steps({"--evaluations", "0"}), "--evaluations");

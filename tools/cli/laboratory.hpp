@@ -11,8 +11,8 @@ namespace gloam::cli {
 struct SummaryOptions {
     std::vector<std::string> paths;  // files, and folders of which all *.json files count
     std::filesystem::path since;     // JSON lines of an earlier summary; empty: none
-    std::filesystem::path lines;     // where to write JSON lines; empty: nowhere
-    std::filesystem::path html;      // the same of the page
+    std::filesystem::path lines;     // file for the JSON lines; empty: none
+    std::filesystem::path html;      // file for the page; empty: none
 };
 
 // Summarises the results of many machines and prints them. Files that are no results are named on standard

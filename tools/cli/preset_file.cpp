@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "base/json_bounds.hpp"
 #include "cli/read_text.hpp"
 #include "cli/setting_json.hpp"
 #include "effect/presets.hpp"
@@ -32,6 +33,11 @@ std::string preset_json(const std::string& name, const std::string& description,
 }
 
 effect::Settings preset_from(const std::string& file, std::string_view text) {
+    try {
+        base::require_bounded_json(text);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("preset {}: {}", file, error.what()));
+    }
     const ordered_json document = ordered_json::parse(text, nullptr, false);
     if (!document.is_object() || !document.contains("settings") || !document["settings"].is_object())
         throw std::runtime_error(fmt::format("preset {}: expected JSON with an object \"settings\"", file));

@@ -27,22 +27,6 @@ namespace {
 
 constexpr int timed_rounds = 3;  // of single frames
 
-// The views with these names, in the order of the list; all without names. Throws std::invalid_argument that
-// lists the names.
-std::vector<scene::ViewInfo> tuned_views(const std::vector<std::string>& names) {
-    std::string known;
-    for (const scene::ViewInfo& view : scene::all_views()) known += (known.empty() ? "" : ", ") + view.name;
-    std::vector<scene::ViewInfo> views;
-    for (const scene::ViewInfo& view : scene::all_views())
-        if (names.empty() || std::ranges::count(names, view.name) > 0) views.push_back(view);
-    for (const std::string& name : names) {
-        const auto is_it = [&](const scene::ViewInfo& view) { return view.name == name; };
-        if (!std::ranges::any_of(views, is_it))
-            throw std::invalid_argument(fmt::format("--view {}: expected {}", name, known));
-    }
-    return views;
-}
-
 effect::TuneTask task_of(const TuneOptions& options) {
     const RenderOptions start{.method = options.method, .preset = options.preset, .set = options.set};
     effect::TuneTask task{.start = settings_for(start, 1.0),
@@ -54,9 +38,7 @@ effect::TuneTask task_of(const TuneOptions& options) {
         task.parameters.push_back(effect::tuned_parameter(text));
     if (task.parameters.empty())
         throw std::invalid_argument("nothing to tune: give --parameter NAME=LEAST:MOST");
-    if (options.scored > options.frames)
-        throw std::invalid_argument(
-            fmt::format("--scored {}: expected at most {}, the frames", options.scored, options.frames));
+    require_scored(options.scored, options.frames);
     return task;
 }
 
@@ -144,7 +126,7 @@ void add_search(CLI::App& command, TuneOptions& options) {
 }  // namespace
 
 int run_tune(const TuneOptions& options) {
-    const std::vector<scene::ViewInfo> views = tuned_views(options.views);
+    const std::vector<scene::ViewInfo> views = views_named(options.views);
     const effect::TuneTask task = task_of(options);
     const report::OutputFile out(options.out);
     const report::OutputFile report(options.report);

@@ -28,7 +28,7 @@ struct Row {
 };
 
 // Receives the parser's events. Levels are counted from the report: 1 is its object, 2 its device and its
-// results, 3 a row; what is deeper is left out.
+// results, 3 a row; deeper values are skipped.
 class Events final : public nlohmann::json_sax<json> {
   public:
     explicit Events(const std::function<void(const DeviceSummary&, const Outcome&)>& take) : take_(&take) {}

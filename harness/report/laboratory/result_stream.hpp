@@ -21,8 +21,8 @@ struct Outcome {
     bool passed = true;     // as check::Answer::passed()
 };
 
-// Reads a text of `gloam check --json` (to_json()) and calls `take` for each row. It builds no document, so
-// it takes a third of the time of reports_from_json() and no memory of its own. Throws std::runtime_error
+// Reads a text of `gloam check --json` (to_json()) and calls `take` for each row. It builds no document:
+// its memory does not grow with the text. Throws std::runtime_error
 // with the line of invalid JSON, or the name of what is missing; rows before that have been given to `take`.
 void read_results(std::string_view text,
                   const std::function<void(const DeviceSummary& device, const Outcome& row)>& take);

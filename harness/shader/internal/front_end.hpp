@@ -73,7 +73,7 @@ struct Translation {
 [[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
                              const std::vector<std::filesystem::path>& roots, const Translation& how = {});
 
-// The same of a text of HLSL without includes. The entry point is main.
+// A text of HLSL without includes, translated in the same way. The entry point is main. Throws CompileError.
 [[nodiscard]] Spirv hlsl_to_spirv(const Source& source, Stage stage);
 
 }  // namespace gloam::shader::internal

@@ -2,8 +2,19 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/views.hpp"
 
 namespace gloam::cli {
+
+// The views with these names, in the order of the list; all without names. Throws std::invalid_argument that
+// lists the names.
+[[nodiscard]] std::vector<scene::ViewInfo> views_named(const std::vector<std::string>& names);
+
+// Throws std::invalid_argument if more frames are scored than there are.
+void require_scored(int scored, int frames);
 
 // Adds the options of commands that measure on the views of scene/views.hpp: what of them is rendered and
 // traced.

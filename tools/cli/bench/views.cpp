@@ -28,28 +28,18 @@ constexpr const char* views_block = "views";
 
 // The views asked for, in the order of the list.
 std::vector<scene::ViewInfo> views_asked(const BenchViewsOptions& options) {
-    std::vector<scene::ViewInfo> asked;
-    for (const scene::ViewInfo& view : scene::all_views()) {
-        const bool named = options.views.empty() || std::ranges::count(options.views, view.name) > 0;
-        const bool in_half = options.half.empty() || scene::name_of(view.half) == options.half;
-        if (named && in_half) asked.push_back(view);
-    }
+    std::vector<scene::ViewInfo> asked = views_named(options.views);
+    if (!options.half.empty())
+        std::erase_if(asked,
+                      [&](const scene::ViewInfo& view) { return scene::name_of(view.half) != options.half; });
     return asked;
 }
 
-void require_known(const BenchViewsOptions& options) {
-    std::string names;
-    for (const scene::ViewInfo& view : scene::all_views()) names += (names.empty() ? "" : ", ") + view.name;
-    for (const std::string& name : options.views) {
-        const auto known = [&](const scene::ViewInfo& view) { return view.name == name; };
-        if (!std::ranges::any_of(scene::all_views(), known))
-            throw std::invalid_argument(fmt::format("--view {}: expected {}", name, names));
-    }
+void require_possible(const BenchViewsOptions& options) {
+    (void)views_named(options.views);
     if (options.single.empty() && options.sequence.empty())
         throw std::invalid_argument("nothing to measure: give --single or --sequence");
-    if (options.scored > options.frames)
-        throw std::invalid_argument(
-            fmt::format("--scored {}: expected at most {}, the frames", options.scored, options.frames));
+    require_scored(options.scored, options.frames);
 }
 
 std::vector<ViewCandidate> candidates_of(const BenchViewsOptions& options) {
@@ -86,7 +76,7 @@ class ViewsBench {
           old_page_(options.page.empty() ? "" : read_page(options.page)),
           page_(options.page),
           json_(options.json) {
-        require_known(options);
+        require_possible(options);
         report_.candidates = candidates_of(options);
         report_.extent = frames_.extent;
         if (!options.page.empty()) (void)with_blocks(old_page_, {{views_block, ""}});
