@@ -18,27 +18,18 @@ constexpr double above_pi = 3.1415928;
 constexpr const char* sincos_file = "gloam/numeric/sincos.glsl";
 constexpr Codomain sincos_codomain{-1.000001, 1.000001};
 
-void append_sincos_parts(Entries& entries) {
-    entries.push_back(equation<glm::vec2(float)>({.id = "SINCOS-octant",
-                                                  .function = "gloam_sincos_octant",
-                                                  .file = sincos_file,
-                                                  .title = "cosine and sine of an eighth of a turn",
-                                                  .formula = "(cos a, sin a)",
-                                                  .source = "minimax polynomials"},
-                                                 &reference::gloam_sincos_octant,
-                                                 {.domain = {uniform(-0.7853982, 0.7853982)},
-                                                  .budget = {.absolute = 1e-7},
-                                                  .codomain = sincos_codomain}));
-    entries.push_back(equation<glm::vec2(glm::vec2, int)>(
-        {.id = "QUARTER-TURN",
-         .function = "gloam_quarter_turn",
+void append_sincos_octant(Entries& entries) {
+    entries.push_back(equation<glm::vec2(float, int)>(
+        {.id = "SINCOS-octant",
+         .function = "gloam_sincos_octant",
          .file = sincos_file,
-         .title = "vector turned by quarters of a turn",
-         .formula = "(x, y), (-y, x), (-x, -y), (y, -x)",
-         .source = "definition"},
-        &reference::gloam_quarter_turn,
-        {.domain = {vector(2, uniform(-1, 1)), integers(-9, 9).and_near_integers({2147483647})},
-         .codomain = {-1, 1}}));
+         .title = "cosine and sine of an angle near a multiple of a quarter turn",
+         .formula = "(cos a, sin a), a = r + q pi / 2",
+         .source = "minimax polynomials"},
+        &reference::gloam_sincos_octant,
+        {.domain = {uniform(-0.7853982, 0.7853982), integers(-9, 9).and_near_integers({2147483647})},
+         .budget = {.absolute = 1e-7},
+         .codomain = sincos_codomain}));
 }
 
 void append_sincos(Entries& entries) {
@@ -187,7 +178,7 @@ void append_arc_tangents(Entries& entries) {
 }  // namespace
 
 void append_numeric(Entries& entries) {
-    append_sincos_parts(entries);
+    append_sincos_octant(entries);
     append_sincos(entries);
     append_square_root(entries);
     append_arc_sines(entries);

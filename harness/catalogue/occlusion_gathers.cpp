@@ -35,7 +35,8 @@ void append_can_gather(Entries& entries) {
          .function = "gloam_can_gather",
          .file = "gloam/occlusion/gather_kernel.glsl",
          .title = "whether there is anything to gather at a point",
-         .formula = "surface in front of the eye, normal not zero, lengths and projection in [1e-18, 1e18]",
+         .formula =
+             "surface in front of the eye, |n| in [1e-15, 1e15], lengths and projection in [1e-18, 1e18]",
          .source = "edges of TSSAO (Mattausch et al.), eq 2"},
         &reference::gloam_can_gather, {.domain = {vectors, vectors, gather_length(), cameras()}}));
 }
@@ -167,7 +168,7 @@ void append_estimates(Entries& entries) {
                                .function = "gloam_tap_sees",
                                .file = "gloam/occlusion/gather_kernel.glsl",
                                .title = "whether a depth is that of a surface",
-                               .formula = "0 < d <= 1e18",
+                               .formula = "1e-18 <= d <= 1e18",
                                .source = "definition"},
                               &reference::gloam_tap_sees,
                               {.domain = {either(log_uniform(1e-37, 1e38), any_float()).and_special()}}));

@@ -77,6 +77,31 @@ void append_tangent_elevation(Entries& entries) {
                              })}));
 }
 
+void append_hbao_horizon(Entries& entries) {
+    using Horizon = glm::vec2(glm::vec3, glm::vec2, glm::vec2);
+    const Values bias = made_by<glm::vec2>([](numeric::Random& random) {
+                            const double angle = random.uniform(0.0, 1.5707963);
+                            return glm::vec2(std::cos(angle), std::sin(angle));
+                        })
+                            .and_value(glm::vec2(1, 0))
+                            .only_as_drawn();
+    entries.push_back(equation<Horizon>(
+        {.id = "CS-C-horizon",
+         .function = "gloam_hbao_horizon",
+         .file = hbao_file,
+         .title = "direction from which on something blocks",
+         .formula = "(cos, sin) of min(t + bias, pi / 2), tan t = -(n.xy . direction) / n.z",
+         .source = hbao_source},
+        &reference::gloam_hbao_horizon,
+        {.domain = {unit_vector(3).and_value(glm::vec3(0, 0, 1)).only_as_drawn(), unit_vector(2), bias},
+         .budget = {.absolute = 4e-7},
+         .codomain = {-1.000001, 1.000001},
+         .promised = make_predicate<Horizon>([](glm::dvec3 n, glm::dvec2 direction, const glm::vec2&) {
+             const double across = n.x * direction.x + n.y * direction.y;
+             return !(n.z * n.z + across * across < 0.05) && (n.z > 0.0 || std::abs(across) > 1e-5);
+         })}));
+}
+
 void append_hbao_march(Entries& entries) {
     entries.push_back(
         equation<glm::vec2(float, float)>({.id = "CS-C-start",
@@ -203,6 +228,7 @@ void append_hbao_simplified(Entries& entries) {
 void append_horizons(Entries& entries) {
     append_tangents(entries);
     append_tangent_elevation(entries);
+    append_hbao_horizon(entries);
     append_hbao_march(entries);
     append_hbao_step_size(entries);
     append_hbao_results(entries);

@@ -59,21 +59,21 @@ Values slices() {
 }
 
 void append_clearance(Entries& entries) {
-    using Signature = glm::vec2(Slice, glm::vec3, glm::vec2, glm::vec2, Camera, float, float);
+    using Signature = glm::vec2(Slice, glm::vec3, glm::vec2, glm::vec2, glm::vec2, float, float);
     const Values ends = either(vector(2, uniform(0, 1)), vector(2, uniform(-0.1, 1.1))).and_special();
     const Values positions = vector({uniform(-1, 1), uniform(-1, 1), uniform(-4, -1)}).and_special();
-    entries.push_back(
-        equation<Signature>({.id = "SLICE-clearance",
-                             .function = "gloam_slice_clearance",
-                             .file = "gloam/occlusion/closed_march.glsl",
-                             .title = "how near to the view axis the taps of a slice may see something",
-                             .formula = "s -> (1 - B / D) (s a - b) / (1 + R / D (sqrt(1 - a^2) + b))",
-                             .source = "derived from the rays of pixels beside the slice"},
-                            &reference::gloam_slice_clearance,
-                            {.domain = {slices(), positions, unit_vector(2), ends, cameras(),
-                                        log_uniform(0.01, 10), uniform(0, 1)},
-                             .budget = {.absolute = 8e-7},
-                             .codomain = {0, 1}}));
+    entries.push_back(equation<Signature>(
+        {.id = "SLICE-clearance",
+         .function = "gloam_slice_clearance",
+         .file = "gloam/occlusion/closed_march.glsl",
+         .title = "how near to the view axis the taps of a slice may see something",
+         .formula = "s -> (1 - B / D) (s a - b) / (1 + R / D (sqrt(1 - a^2) + b))",
+         .source = "derived from the rays of pixels beside the slice"},
+        &reference::gloam_slice_clearance,
+        {.domain = {slices(), positions, unit_vector(2), ends, vector(2, log_uniform(0.1, 1000)),
+                    log_uniform(0.01, 10), uniform(0, 1)},
+         .budget = {.absolute = 8e-7},
+         .codomain = {0, 1}}));
 }
 
 void append_taps(Entries& entries) {
@@ -163,12 +163,12 @@ void append_slice_parts(Entries& entries) {
          })}));
     entries.push_back(
         equation<float(float)>({.id = "SLICE-turns",
-                                .function = "gloam_kernel_turns",
-                                .file = "gloam/sampling/slice_sample.glsl",
-                                .title = "turns of a kernel's angle",
+                                .function = "gloam_turns",
+                                .file = "gloam/numeric/sincos.glsl",
+                                .title = "turns of an angle",
                                 .formula = "a / (2 pi), 0 beyond 65536",
                                 .source = "definition"},
-                               &reference::gloam_kernel_turns,
+                               &reference::gloam_turns,
                                {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()},
                                 .budget = {.ulp = 1},
                                 .codomain = {-10430.4, 10430.4}}));

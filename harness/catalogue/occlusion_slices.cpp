@@ -29,13 +29,14 @@ Values offsets() {
 Values projected_angles() {
     return uniform(-1.5707963, 1.5707963).and_near({0.0}).and_special();
 }
-// Unit vectors in the plane: (cosine, sine) of an angle.
+// Unit vectors in the plane: (cosine, sine) of an angle; what stands for no direction, and NaN.
 Values directions() {
     return unit_vector(2)
         .and_value(glm::vec2(1, 0))
         .and_value(glm::vec2(0, 1))
         .and_value(glm::vec2(0))
-        .and_special();
+        .and_value(glm::vec2(NAN))
+        .only_as_drawn();
 }
 Values cosines() {
     return either(uniform(-1, 1), uniform(0.99, 1)).and_near({-1.0, 0.0, 1.0}).and_special();
@@ -88,7 +89,8 @@ void append_slice(Entries& entries) {
             return glm::vec3(glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), 1.5)));
         })
             .and_value(glm::vec3(0, 0, 1))
-            .and_special();
+            .and_value(glm::vec3(1, 0, 0))  // along a direction of the image
+            .only_as_drawn();
     entries.push_back(equation<Make>(
         {.id = "GTAO-slice",
          .function = "gloam_slice",
@@ -97,7 +99,7 @@ void append_slice(Entries& entries) {
          .formula = "t = d - (d . v) v, normalised; n = atan((N . t) / (N . v)), weight |(N . t, N . v)|",
          .source = gtao_source},
         &reference::gloam_slice,
-        {.domain = {unit_vector(2), view, unit_vector(3).and_special()},
+        {.domain = {unit_vector(2), view, unit_vector(3).only_as_drawn()},
          .budget = {.absolute = 6e-7},
          .codomain = {-numeric::largest_float, numeric::largest_float},
          .promised = make_predicate<Make>([](glm::dvec2 d, glm::dvec3 v, glm::dvec3 n) {

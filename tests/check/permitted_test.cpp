@@ -66,11 +66,6 @@ struct History {
 constexpr float least = 0x1p-126F;
 constexpr float below = -0x1p-149F;  // the negative subnormal nearest to 0
 
-TEST(FlushedSubnormals, AFrameKeepsTheSideOfItsNormal) {
-    Rules<glm::mat3(glm::vec3)> frame("gloam/sampling/tangent_frame.glsl", "gloam_tangent_frame");
-    expect_within(frame(glm::vec3(-3.4028235e38F, 0.5F, -0.34F))[2], -1.00001, -0.99999);
-}
-
 TEST(FlushedSubnormals, AHistoryBelowZeroIsReadAsZero) {
     Rules<glm::vec2(float, float, float, float, float)> blend("gloam/temporal/blend.glsl", "gloam_blend");
     const auto blended = [&](float history, float k) { return blend(history, 8.0F, 1.0F, k, 500.0F)[0]; };
@@ -126,13 +121,14 @@ void expect_close_below(double error, double limit) {
 constexpr double turn = 6.28318530717958647692;
 
 TEST(ErrorBound, SineAndCosine) {
-    Rules<glm::vec2(float)> octant("gloam/numeric/sincos.glsl", "gloam_sincos_octant");
+    Rules<glm::vec2(float, int)> octant("gloam/numeric/sincos.glsl", "gloam_sincos_octant");
     Rules<glm::vec2(float)> turns("gloam/numeric/sincos.glsl", "gloam_sincos_turns");
     const auto cosine = [](double x) { return std::cos(x); };
     const auto sine = [](double x) { return std::sin(x); };
     const auto part = [](auto& rules, std::size_t i) { return [&rules, i](float x) { return rules(x)[i]; }; };
-    expect_close_below(largest_error(part(octant, 0), cosine, 0, turn / 8), 4e-7);
-    expect_close_below(largest_error(part(octant, 1), sine, 0, turn / 8), 4e-7);
+    const auto near_zero = [&](std::size_t i) { return [&octant, i](float x) { return octant(x, 0)[i]; }; };
+    expect_close_below(largest_error(near_zero(0), cosine, 0, turn / 8), 4e-7);
+    expect_close_below(largest_error(near_zero(1), sine, 0, turn / 8), 4e-7);
     expect_close_below(largest_error(
                            part(turns, 0), [](double t) { return std::cos(turn * t); }, 0, 1),
                        5e-7);

@@ -87,7 +87,7 @@ TEST(Printed, CoveringRadiusIsThatOfTheProjectedDisc) {
 TEST(Printed, TangentFramesAreRotations) {
     for_random([](numeric::Random& random) {
         const dvec3 normal = point3(random);
-        const dmat3 frame = gloam_tangent_frame(normal);
+        const dmat3 frame = gloam_tangent_frame(normalize(normal));
         const dmat3 one = transpose(frame) * frame;
         for (int i = 0; i < 3; ++i) expect_same(one[i], dmat3(1.0)[i], 1.0);
         expect_same(frame[2], normalize(normal));

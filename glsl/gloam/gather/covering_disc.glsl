@@ -5,6 +5,7 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/covering_radius.glsl"
 #include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/issao_offset.glsl"
 #include "gloam/sampling/rotation.glsl"
@@ -27,7 +28,8 @@ GloamCoveringDisc gloam_covering_disc(vec3 position, float radius, float angle, 
     GloamFootprint footprint = gloam_footprint(position, radius, camera);
     float parallel = gloam_covering_radius_parallel(position, radius, 3.402823466e38);
     float covering = gloam_covering_radius_perpendicular(position, radius, GLOAM_ISSAO_MOST_STRETCH * parallel);
-    return GloamCoveringDisc(footprint, parallel > 0.0 ? covering / parallel : 1.0, gloam_sincos(angle));
+    return GloamCoveringDisc(footprint, parallel > 0.0 ? covering / parallel : 1.0,
+                             gloam_sincos_turns(gloam_turns(angle)));
 }
 
 // Pixel that a tap reads.

@@ -3,7 +3,6 @@
 #define GLOAM_GATHER_FOOTPRINT_GLSL
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/safe_normalize.glsl"
 
 // The image of the ball of influence around a shaded point, and the mapping from a tap in it to its pixel and to the
 // surface there. Computed once a pixel; requires gloam_can_gather.
@@ -78,7 +77,7 @@ float gloam_footprint_plane_depth(GloamFootprint footprint, ivec2 pixel, vec3 po
 // From a surface to the eye: unit vector.
 // position: view space, world units, in front of the eye. Error: 5 ULP.
 vec3 gloam_toward_eye(vec3 position, bool orthographic) {
-    return orthographic ? vec3(0.0, 0.0, 1.0) : gloam_safe_normalize(-position, vec3(0.0, 0.0, 1.0));
+    return orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-position);
 }
 
 // Turns an offset in the image, y down in Vulkan, into one of the view space, y up, and back: (1, -1) or (1, 1).

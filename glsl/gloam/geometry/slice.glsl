@@ -3,7 +3,8 @@
 #define GLOAM_GEOMETRY_SLICE_GLSL
 
 #include "gloam/geometry/safe_normalize.glsl"
-#include "gloam/numeric/inverse_trigonometry.glsl"
+#include "gloam/numeric/square_root.glsl"
+#include "gloam/numeric/unit_angle.glsl"
 
 // The plane through the eye and a direction of the image in which horizons are searched (Jimenez et al. 2016). Angles
 // in it are measured from the view vector, positive towards the tangent.
@@ -20,19 +21,19 @@ struct GloamSlice {
 // (orthographic: (0, 0, 1)).
 // normal: of the surface, unit, view space; the part of one that faces away is left out, so that its angle is pi / 2
 // one way or the other: whichever way rounding falls for one opposite to the view vector.
-// Returns the slice; weight 0, for which it counts nothing, where the normal is perpendicular to it, for a direction
-// along the view vector, and for NaN. Error: 6e-7 for directions and normals well away from those; of the angle and
-// of the normal 2e-7 / weight.
+// Returns the slice; weight 0, for which it counts nothing, where the normal is perpendicular to it, and for a
+// direction along the view vector. NaN for NaN. Error: 6e-7 for directions and normals well away from those; of the
+// angle and of the normal 2e-7 / weight.
 GloamSlice gloam_slice(vec2 direction, vec3 view, vec3 normal) {
-    vec3 along = vec3(direction, 0.0);
-    vec3 tangent = gloam_safe_normalize(along - dot(along, view) * view, vec3(0.0));
-    float x = dot(normal, tangent);
-    float y = dot(normal, view);
-    float weight = gloam_sqrt(x * x + y * y);
-    if (!(weight > 0.0 && dot(tangent, tangent) > 0.5))
-        return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, vec2(1.0, 0.0), 0.0, 0.0);
-    vec3 projected = gloam_safe_normalize(vec3(max(y, 0.0), x, 0.0), vec3(0.0, 1.0, 0.0));
-    return GloamSlice(view, tangent, projected.xy, gloam_atan2(projected.y, projected.x), min(weight, 1.0));
+    vec3 along = vec3(direction, 0.0) - dot(direction, view.xy) * view;
+    float across = dot(along, along);
+    vec3 tangent = across >= 1e-36 ? along * inversesqrt(across) : vec3(0.0);
+    vec2 part = vec2(dot(normal, view), dot(normal, tangent));
+    float weight = gloam_sqrt(dot(part, part));
+    if (!(weight > 0.0 && across >= 1e-36)) return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, vec2(1.0, 0.0), 0.0, 0.0);
+    part = part.x > 0.0 ? part * inversesqrt(dot(part, part)) : vec2(0.0, part.y < 0.0 ? -1.0 : 1.0);
+    float angle = gloam_unit_angle(vec2(part.x, abs(part.y)));
+    return GloamSlice(view, tangent, part, part.y < 0.0 ? -angle : angle, min(weight, 1.0));
 }
 
 // What a half plane without anything in it amounts to, weighted by the cosine to the normal and by solid angle: cos n

@@ -26,9 +26,9 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     float sum = 0.0;
     uint taken = 0u;
     for (uint i = 0u; i < kernel.count; ++i) {

@@ -5,8 +5,8 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/gather/pair.glsl"
 #include "gloam/numeric/constants.glsl"
-#include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/numeric/sincos.glsl"
+#include "gloam/numeric/unit_angle.glsl"
 #include "gloam/occlusion/angle_based.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/disc_point.glsl"
@@ -27,11 +27,11 @@ struct GloamAngle {
 // (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamAngle settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     vec3 view = gloam_toward_eye(position, camera.orthographic);
     float facing = max(dot(view, n), 1e-4);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < kernel.count; i += 2u) {
@@ -47,7 +47,9 @@ GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamK
             float second =
                 gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
             vec3 cosines = gloam_angle_pair(aim + first * view, second * view - aim, n, view, settings.range);
-            float angles = gloam_acos(cosines.x - settings.angle_bias) + gloam_acos(cosines.y - settings.angle_bias);
+            vec2 biased = clamp(cosines.xy - settings.angle_bias, -1.0, 1.0);
+            vec2 sines = sqrt(max((1.0 - biased) * (1.0 + biased), 1e-36));
+            float angles = gloam_unit_angle(vec2(biased.x, sines.x)) + gloam_unit_angle(vec2(biased.y, sines.y));
             GloamPairShare found = GloamPairShare(cosines.z * (1.0 - angles / GLOAM_PI), cosines.z);
             if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;
             most = found;

@@ -45,10 +45,10 @@ uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
 // (gloam_can_gather). Error: 3e-6, but for samples within rounding of a sector's border or a pixel's.
 GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamBitmask settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     vec3 view = gloam_toward_eye(position, camera.orthographic);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    float turns = gloam_kernel_turns(kernel.angle);
+    float turns = gloam_turns(kernel.angle);
     uint steps = max(settings.steps, 1u);
     uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
     uint left_out = 0u;
@@ -67,8 +67,9 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
             uint taps = steps;
             if (kernel.ends_marches) {
                 vec2 end = footprint.center + towards * footprint.reach * random.direction;
+                vec2 pixels = footprint.reach * footprint.size;
                 vec2 clearance =
-                    gloam_slice_clearance(slice, position, direction, end, camera, kernel.radius, random.share);
+                    gloam_slice_clearance(slice, position, direction, end, pixels, kernel.radius, random.share);
                 taps = gloam_slice_taps(clearance, random.share, random.jitter, steps);
             }
             uint k = 0u;

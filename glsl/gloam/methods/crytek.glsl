@@ -30,9 +30,9 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // border or of the blocking depth may fall to either side.
 GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    mat3 frame = gloam_tangent_frame(normal);
+    mat3 frame = gloam_tangent_frame(normalize(normal));
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     float sum = 0.0;
     uint taken = 0u;
     for (uint i = 0u; i < kernel.count; ++i) {

@@ -40,7 +40,8 @@ struct GloamNeighbor {
 GloamNeighbor gloam_neighbor(GloamFootprint footprint, vec2 tap, vec3 position, vec3 normal, float range) {
     ivec2 at = gloam_footprint_pixel(footprint, tap);
     float depth = gloam_fetch_depth(at);
-    vec3 facing = gloam_safe_normalize(gloam_fetch_normal(at), vec3(0.0));
+    vec3 facing = gloam_fetch_normal(at);
+    facing *= inversesqrt(max(dot(facing, facing), 1e-36));
     vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
     bool known = gloam_tap_sees(depth) && dot(facing, facing) > 0.5 && dot(offset, offset) <= range * range;
     if (!known) return GloamNeighbor(vec3(0.0), vec3(0.0));  // WebGL has no ?: of structures
@@ -62,9 +63,9 @@ GloamNeighbor gloam_across(GloamFootprint footprint, vec2 arm, vec3 position, ve
 GloamEstimate gloam_curvature(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                               GloamCurvature settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    float turns = gloam_kernel_turns(kernel.angle);
+    float turns = gloam_turns(kernel.angle);
     float range = clamp(settings.range, 0.0, GLOAM_FARTHEST);
     uint crosses = gloam_whole_samples(kernel.count, GLOAM_CROSS_TAPS) / GLOAM_CROSS_TAPS;
     float sum = 0.0;
@@ -72,7 +73,7 @@ GloamEstimate gloam_curvature(vec3 position, vec3 normal, GloamCamera camera, Gl
         vec3 random = gloam_halton_point(kernel.first / GLOAM_CROSS_TAPS + i + 1u);
         vec2 arm = (0.5 + 0.5 * fract(random.y + turns)) * gloam_sincos_turns(0.25 * fract(random.x + turns));
         GloamNeighbor first = gloam_across(footprint, arm, position, n, range);
-        GloamNeighbor second = gloam_across(footprint, gloam_quarter_turn(arm, 1), position, n, range);
+        GloamNeighbor second = gloam_across(footprint, vec2(-arm.y, arm.x), position, n, range);
         vec2 curvatures = gloam_principal_curvatures(first.offset, second.offset, first.turn, second.turn);
         sum += gloam_occlusion_curvature(curvatures.x, curvatures.y, kernel.radius);
     }

@@ -28,11 +28,11 @@ struct GloamDepthDarkening {
 GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                     GloamDepthDarkening settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     vec3 view = gloam_toward_eye(position, camera.orthographic);
     float facing = max(dot(view, n), 1e-4);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < kernel.count; i += 2u) {

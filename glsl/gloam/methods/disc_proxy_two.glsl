@@ -29,12 +29,12 @@ GloamKernel gloam_disc_pass_kernel(GloamKernel kernel) {
 GloamEstimate gloam_disc_proxy_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                    GloamDiscProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamKernel second = gloam_disc_pass_kernel(kernel);
     GloamFootprint footprint = gloam_footprint(position, second.radius, camera);
     vec2 axes = footprint.reach * footprint.size;
     float pixels = GLOAM_PI * axes.x * axes.y;
-    vec2 turn = gloam_sincos(second.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(second.angle));
     float sum = 0.0;
     for (uint i = 0u; i < second.count; ++i) {
         vec3 random = gloam_halton_point(second.first + i + 1u);

@@ -87,7 +87,7 @@ GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera came
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     ivec2 pixel = gloam_footprint(position, kernel.radius, camera).pixel;
     if (!gloam_dual_resolution_disagrees(pixel / 2, gloam_half_size(camera.size), settings.disagreement)) {
-        vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+        vec3 n = normalize(normal);
         GloamWeightedMean mean = gloam_dual_interpolated(pixel, position, n, camera, kernel);
         uint samples = gloam_whole_samples(kernel.count, 2u * max(settings.steps, 1u));
         if (mean.weight >= GLOAM_DUAL_LEAST_WEIGHT)

@@ -33,10 +33,10 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // of a pixel's border.
 GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamGtao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     vec3 view = gloam_toward_eye(position, camera.orthographic);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    float turns = gloam_kernel_turns(kernel.angle);
+    float turns = gloam_turns(kernel.angle);
     uint steps = max(settings.steps, 1u);
     uint samples = gloam_whole_samples(kernel.count, 2u * steps);
     float occluded = 0.0;

@@ -34,11 +34,12 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // of a pixel's border.
 GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHbao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    float turns = gloam_kernel_turns(kernel.angle);
+    float turns = gloam_turns(kernel.angle);
     uint steps = max(settings.steps, 1u);
     uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
+    vec2 bias = gloam_sincos_turns(gloam_turns(settings.angle_bias));
     uint left_out = 0u;
     float sum = 0.0;
     for (uint i = 0u; i < slices; ++i) {
@@ -49,7 +50,7 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         float found = 0.0;
         for (int side = 0; side < 2; ++side) {
             float towards = side == 0 ? 1.0 : -1.0;
-            float horizon = gloam_hbao_start(gloam_tangent_elevation(n, towards * direction), settings.angle_bias).x;
+            float horizon = gloam_hbao_horizon(n, towards * direction, bias).y;
             // Nothing rises above the bias where the tangent plane slopes towards the eye nearly along the view: the
             // sine there is 1.
             uint taps = kernel.ends_marches && !(horizon < 1.0) ? 0u : steps;

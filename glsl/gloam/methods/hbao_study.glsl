@@ -36,9 +36,9 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                GloamHbaoStudy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    float turns = gloam_kernel_turns(kernel.angle);
+    float turns = gloam_turns(kernel.angle);
     uint steps = max(settings.steps, 1u);
     uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
     float sum = 0.0;

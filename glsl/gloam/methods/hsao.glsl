@@ -34,8 +34,9 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // front of the eye do not count. Error: that of the rays, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHsao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
-    float turns = gloam_kernel_turns(kernel.angle);
+    vec3 n = normalize(normal);
+    float turns = gloam_turns(kernel.angle);
+    vec2 bias = gloam_sincos_turns(gloam_turns(settings.angle_bias));
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     uint steps = max(settings.steps, 1u);
     uint rays = gloam_whole_samples(kernel.count, steps) / steps;
@@ -46,7 +47,7 @@ GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         vec3 direction = vec3((index & 1u) == 1u ? -random.direction : random.direction, 0.0);
         vec3 axis = vec3(direction.y, -direction.x, 0.0);
         float jitter = random.jitter;
-        float horizon = gloam_hbao_start(gloam_tangent_elevation(n, direction.xy), settings.angle_bias).x;
+        float horizon = gloam_hbao_horizon(n, direction.xy, bias).y;
         float found = 0.0;
         for (uint k = 0u; k < steps && horizon < 1.0; ++k) {
             vec3 at = position + kernel.radius * ((float(k) + jitter) / float(steps)) * direction;

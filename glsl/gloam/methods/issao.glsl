@@ -34,7 +34,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // of a pixel's border.
 GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamIssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamCoveringDisc disc = gloam_covering_disc(position, kernel.radius, kernel.angle, camera);
     float phi = settings.intensity * kernel.radius;
     GloamDistinctPixels known = GloamDistinctPixels(disc.footprint.pixel, uvec2(0u));

@@ -30,7 +30,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 GloamEstimate gloam_issao_attenuated(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                      GloamIssaoAttenuated settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamCoveringDisc disc = gloam_covering_disc(position, kernel.radius, kernel.angle, camera);
     float phi = settings.intensity * kernel.radius;
     float sum = 0.0;

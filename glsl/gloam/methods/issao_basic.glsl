@@ -24,7 +24,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_issao_basic(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamCoveringDisc disc = gloam_covering_disc(position, kernel.radius, kernel.angle, camera);
     float sum = 0.0;
     uint taken = 0u;

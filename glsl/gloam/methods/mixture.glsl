@@ -32,9 +32,10 @@ float gloam_fetch_depth(ivec2 pixel);
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // Tangent of the least elevation over the image plane at which something blocks, in the direction of an offset.
-float gloam_mixture_horizon(vec3 offset, vec3 normal, float bias) {
-    vec2 direction = gloam_safe_normalize(vec3(offset.xy, 0.0), vec3(0.0)).xy;
-    vec2 elevation = gloam_sincos(min(gloam_tangent_elevation(normal, direction) + bias, GLOAM_HALF_PI));
+// bias: (cos, sin).
+float gloam_mixture_horizon(vec3 offset, vec3 normal, vec2 bias) {
+    vec2 direction = offset.xy * inversesqrt(max(dot(offset.xy, offset.xy), 1e-36));
+    vec2 elevation = gloam_hbao_horizon(normal, direction, bias);
     return elevation.y / max(elevation.x, 1e-6);
 }
 
@@ -47,11 +48,12 @@ float gloam_mixture_horizon(vec3 offset, vec3 normal, float bias) {
 // (gloam_can_gather). Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMixture settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     vec2 axes = footprint.reach * footprint.size;
     float pixels = GLOAM_PI * axes.x * axes.y;
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
+    vec2 bias = gloam_sincos_turns(gloam_turns(settings.angle_bias));
     float sum = 0.0;
     for (uint i = 0u; i < kernel.count; ++i) {
         vec3 random = gloam_halton_point(kernel.first + i + 1u);
@@ -70,7 +72,7 @@ GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, Gloa
             // Half-axes of the radius there, pixels: so large is a pixel in the world.
             vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
             size = kernel.radius / size;
-            float above = gloam_above_horizon(offset, gloam_mixture_horizon(offset, n, settings.angle_bias));
+            float above = gloam_above_horizon(offset, gloam_mixture_horizon(offset, n, bias));
             float weight = gloam_falloff_linear(gloam_length(offset), kernel.radius);
             float piece = above * weight * gloam_contribution_sphere(offset, n, 0.5 * gloam_sqrt(size.x * size.y));
             most = max(most, piece);

@@ -83,7 +83,7 @@ float gloam_mssao_occlusion(vec3 position, vec3 normal, vec2 center, vec2 reach,
                             GloamKernel kernel) {
     vec2 accumulated = vec2(0.0);
     vec2 last = vec2(gloam_level_size(camera.size, level) - 1);
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     for (uint i = 0u; i < kernel.count; ++i) {
         vec2 at = center + reach * gloam_turn_disc(gloam_disc_point(kernel.first + i + 1u).xy, turn);
         vec3 seen = gloam_pyramid_position(ivec2(clamp(at, vec2(0.0), last)), level, camera);
@@ -147,7 +147,7 @@ GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera ca
 // Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of the levels.
 GloamEstimate gloam_mssao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamLevels levels = gloam_mssao_at(position, n, 0, camera, kernel, gloam_coarsest_level(settings.resolutions));
     return GloamEstimate(gloam_mssao_combine(levels.largest, levels.mean), float(kernel.count), 0u);
 }

@@ -28,7 +28,7 @@ const int GLOAM_SAO_TURNS = 7;  // of the spiral
 // (cos, sin) of the rotation of the spiral: of the pixel's angle and the frame's.
 vec2 gloam_sao_turn(GloamKernel kernel) {
     uint frame = kernel.first / max(kernel.count, 1u);
-    return gloam_sincos(kernel.angle + GLOAM_TAU * gloam_radical_inverse_base2(frame));
+    return gloam_sincos_turns(gloam_turns(kernel.angle) + gloam_radical_inverse_base2(frame));
 }
 
 // What the surface at an offset counts: 5 sigma (1 - v^2 / R^2)^3 max(v . n - bias, 0) / (v^2 + epsilon^2).
@@ -56,7 +56,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_sao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     vec2 turn = gloam_sao_turn(kernel);
     float sum = 0.0;

@@ -23,7 +23,7 @@ ivec2 gloam_chain_texel(ivec2 texel, int level, ivec2 size) {
 // Parameters and result are those of gloam_sao.
 GloamEstimate gloam_sao_chain(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     vec2 turn = gloam_sao_turn(kernel);
     float sum = 0.0;

@@ -3,7 +3,9 @@
 #define GLOAM_METHODS_SEPARABLE_GLSL
 
 #include "gloam/filter/weighted_mean.glsl"
+#include "gloam/geometry/background.glsl"
 #include "gloam/methods/gtao.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/separable.glsl"
 
 // Separable ambient occlusion (Huang et al. 2011) of horizon slices, cosine-weighted (gtao), in two perpendicular
@@ -36,7 +38,7 @@ GloamKernel gloam_separable_kernel(GloamKernel kernel, bool second) {
 // Direction of a slice in the image, unit, as gloam_gtao has it.
 vec2 gloam_separable_direction(GloamKernel kernel, bool second) {
     GloamKernel one = gloam_separable_kernel(kernel, second);
-    return gloam_slice_sample(one.first / one.count + 1u, gloam_kernel_turns(one.angle)).direction;
+    return gloam_slice_sample(one.first / one.count + 1u, gloam_turns(one.angle)).direction;
 }
 
 // Occlusion of a slice, cosine-weighted. Parameters are those of gloam_gtao.
@@ -85,7 +87,7 @@ float gloam_separable_carried(vec3 position, vec3 normal, GloamCamera camera, Gl
 GloamEstimate gloam_separable(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                               GloamSeparable settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     float second = gloam_separable_slice(position, n, camera, kernel, true);
     float first = gloam_separable_carried(position, n, camera, kernel, settings.sigma);
     return GloamEstimate(gloam_separable_mean(first, second),

@@ -38,11 +38,11 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                  GloamSphereProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     vec2 axes = footprint.reach * footprint.size;
     float pixels = GLOAM_PI * axes.x * axes.y;
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     float sum = 0.0;
     for (uint i = 0u; i < kernel.count; ++i) {
         vec3 random = gloam_halton_point(kernel.first + i + 1u);

@@ -35,7 +35,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // front of the eye do not count. Error: that of the rays, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSsdo settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    mat3 frame = gloam_tangent_frame(normal);
+    mat3 frame = gloam_tangent_frame(normalize(normal));
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     uint steps = max(settings.steps, 1u);
     uint rays = gloam_whole_samples(kernel.count, steps) / steps;

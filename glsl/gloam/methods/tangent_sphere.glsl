@@ -23,11 +23,11 @@
 // (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     vec3 view = gloam_toward_eye(position, camera.orthographic);
     float facing = max(dot(view, n), 1e-4);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     mat3 toward_eye = gloam_tangent_frame(view);  // its third column the view vector
     vec3 facing_eye = n * toward_eye;
     float occluded = 0.0;

@@ -33,8 +33,8 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // front of the eye do not count. Error: that of the rays, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamUnreal settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
-    float turns = gloam_kernel_turns(kernel.angle);
+    vec3 n = normalize(normal);
+    float turns = gloam_turns(kernel.angle);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     uint steps = max(settings.steps, 1u);
     uint rays = gloam_whole_samples(kernel.count, steps) / steps;

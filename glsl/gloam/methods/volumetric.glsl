@@ -21,9 +21,9 @@
 // (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_volumetric(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamLinePoint point = gloam_line_point(position, n, kernel.radius, camera);
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < kernel.count; i += 2u) {

@@ -30,16 +30,17 @@ const int GLOAM_AREA_COVARIANCES = 2;
 // The last level: blocks of 64 x 64 pixels.
 const int GLOAM_LAST_AREA_LEVEL = 6;
 
-// Moments of a block. level: 0 for a pixel. texel: of that level, inside it.
-GloamSurfaceMoments gloam_area_moments(ivec2 texel, int level, GloamCamera camera) {
+// Moments of a block. level: 0 for a pixel. texel: of that level, inside it. footprint: of any point in the image.
+GloamSurfaceMoments gloam_area_moments(ivec2 texel, int level, GloamFootprint footprint) {
     if (level == 0) {
         float depth = gloam_fetch_depth(texel);
-        return gloam_tap_sees(depth) ? gloam_moments_of(gloam_camera_position(texel, depth, camera))
+        return gloam_tap_sees(depth) ? gloam_moments_of(gloam_footprint_position(footprint, texel, depth))
                                      : gloam_moments_empty();
     }
-    vec4 mean = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, camera.size, GLOAM_AREA_MEANS));
-    ivec2 variance = gloam_pyramid_texel(texel, level, camera.size, GLOAM_AREA_VARIANCES);
-    ivec2 covariance = gloam_pyramid_texel(texel, level, camera.size, GLOAM_AREA_COVARIANCES);
+    ivec2 size = ivec2(footprint.size);
+    vec4 mean = gloam_fetch_prepared(gloam_pyramid_texel(texel, level, size, GLOAM_AREA_MEANS));
+    ivec2 variance = gloam_pyramid_texel(texel, level, size, GLOAM_AREA_VARIANCES);
+    ivec2 covariance = gloam_pyramid_texel(texel, level, size, GLOAM_AREA_COVARIANCES);
     return GloamSurfaceMoments(mean.w, mean.xyz, gloam_fetch_prepared(variance).xyz,
                                gloam_fetch_prepared(covariance).xyz);
 }
@@ -54,7 +55,7 @@ int gloam_area_level(vec2 axes, uint samples) {
 // Solid part of the chord at a tap, over the block around it: background is empty.
 float gloam_area_solid(GloamLinePoint point, vec2 tap, float radius, int level, GloamCamera camera) {
     ivec2 texel = gloam_footprint_pixel(point.footprint, tap) >> level;
-    GloamSurfaceMoments seen = gloam_area_moments(texel, level, camera);
+    GloamSurfaceMoments seen = gloam_area_moments(texel, level, point.footprint);
     if (!(seen.weight > 0.0)) return 0.0;
     ivec2 pixels = min(camera.size - (texel << level), ivec2(1 << level));
     vec3 aim = vec3(radius * tap * point.upright, 0.0);
@@ -71,9 +72,9 @@ float gloam_area_solid(GloamLinePoint point, vec2 tap, float radius, int level, 
 // border.
 GloamEstimate gloam_volumetric_area(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamLinePoint point = gloam_line_point(position, n, kernel.radius, camera);
-    vec2 turn = gloam_sincos(kernel.angle);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
     uint samples = gloam_paired_samples(kernel.count);
     int level = gloam_area_level(point.footprint.reach * point.footprint.size, max(samples, 1u));
     float occluded = 0.0;

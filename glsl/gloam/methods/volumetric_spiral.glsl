@@ -22,14 +22,14 @@ const int GLOAM_LINE_SPIRAL_TURNS = 7;
 // partner.
 vec2 gloam_line_spiral_turn(GloamKernel kernel) {
     uint frame = kernel.first / max(gloam_paired_samples(kernel.count), 1u);
-    return gloam_sincos(kernel.angle + GLOAM_PI * gloam_radical_inverse_base2(frame));
+    return gloam_sincos_turns(gloam_turns(kernel.angle) + 0.5 * gloam_radical_inverse_base2(frame));
 }
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it. Parameters and result are
 // those of gloam_volumetric.
 GloamEstimate gloam_volumetric_spiral(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    vec3 n = gloam_safe_normalize(normal, vec3(0.0));
+    vec3 n = normalize(normal);
     GloamLinePoint point = gloam_line_point(position, n, kernel.radius, camera);
     vec2 turn = gloam_line_spiral_turn(kernel);
     uint pairs = gloam_paired_samples(kernel.count) / 2u;

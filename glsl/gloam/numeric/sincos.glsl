@@ -9,21 +9,16 @@
 // (`precise`, NoContraction). A driver that reorders all that Vulkan lets it may err by 4e-6; none is known to. The
 // coefficients are printed by tools/minimax.py.
 
-// Cosine and sine of at most an eighth of a turn.
-// angle: radians, in [-pi / 4, pi / 4]; beyond, the polynomials part from the functions.
-// Returns (cos, sin). Error: 4e-7 whatever the rounding, 1e-7 where it is to nearest; (1, 0) exactly at 0.
-vec2 gloam_sincos_octant(float angle) {
-    float z = angle * angle;
+// Cosine and sine of an angle near a multiple of a quarter turn.
+// rest: the angle less that multiple, radians, in [-pi / 4, pi / 4]; beyond, the polynomials part from the functions.
+// quarters: the multiple, any integer; only its two lowest bits count.
+// Returns (cos, sin) of rest + quarters pi / 2. Error: 4e-7 whatever the rounding, 1e-7 where it is to nearest; exact
+// for rest = 0.
+vec2 gloam_sincos_octant(float rest, int quarters) {
+    float z = rest * rest;
     float c = (1.0 - 0.5 * z) + (z * z) * (0.0416666456 + z * (-0.00138873677 + z * 2.44384519e-05));
-    float s = angle + (angle * z) * (-0.166666552 + z * (0.0083321603 + z * -0.000195152839));
-    return vec2(c, s);
-}
-
-// Vector turned by quarters of a turn, counter-clockwise.
-// v: any vector. quarters: any integer; only its two lowest bits count.
-// Returns the vector with its components exchanged and negated. Error: none.
-vec2 gloam_quarter_turn(vec2 v, int quarters) {
-    vec2 turned = (quarters & 1) != 0 ? vec2(-v.y, v.x) : v;
+    float s = rest + (rest * z) * (-0.166666552 + z * (0.0083321603 + z * -0.000195152839));
+    vec2 turned = (quarters & 1) != 0 ? vec2(-s, c) : vec2(c, s);
     return (quarters & 2) != 0 ? -turned : turned;
 }
 
@@ -32,13 +27,17 @@ vec2 gloam_quarter_turn(vec2 v, int quarters) {
 // Returns (cos, sin); exact at multiples of a quarter turn. Error: 5e-7 whatever the rounding, 2e-7 where it is to
 // nearest.
 vec2 gloam_sincos_turns(float turns) {
-    float magnitude = abs(turns) <= 3.402823466e38 ? abs(turns) : 0.0;
-    // Exact up to the last product: nothing is rounded when whole turns, and then quarters, are taken off.
-    float part = magnitude - floor(magnitude);
-    int quarters = (int(part * 8.0) + 1) >> 1;
-    GLOAM_PRECISE float rest = part - 0.25 * float(quarters);
-    vec2 p = gloam_quarter_turn(gloam_sincos_octant(rest * 6.283185307), quarters);
-    return vec2(p.x, turns < 0.0 ? -p.y : p.y);
+    float part = abs(turns) <= 3.402823466e38 ? turns - floor(turns + 0.5) : 0.0;
+    float quarters = floor(4.0 * part + 0.5);
+    // Exact up to the product: nothing is rounded when whole turns, and then quarters, are taken off.
+    GLOAM_PRECISE float rest = part - 0.25 * quarters;
+    return gloam_sincos_octant(rest * 6.283185307, int(quarters));
+}
+
+// Turns of an angle.
+// angle: radians, |angle| <= 65536; anything else, NaN included, counts as 0. Returns turns. Error: 1 ULP.
+float gloam_turns(float angle) {
+    return abs(angle) <= 65536.0 ? angle / 6.283185307 : 0.0;
 }
 
 // Cosine and sine of an angle in radians.
@@ -50,7 +49,7 @@ vec2 gloam_sincos(float angle) {
     // pi / 2 in three parts, the first two of eight bits: their products and the subtractions of them are exact.
     GLOAM_PRECISE float rest =
         ((a - quarters * 1.5703125) - quarters * 0.0004825592041015625) - quarters * 1.26759079506e-6;
-    return gloam_quarter_turn(gloam_sincos_octant(rest), int(quarters));
+    return gloam_sincos_octant(rest, int(quarters));
 }
 
 #endif

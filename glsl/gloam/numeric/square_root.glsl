@@ -7,8 +7,7 @@
 // Returns the square root; 0 for a number that is zero, subnormal, negative or NaN, infinity for infinity.
 // Error: 7 ulp whatever the rounding, 2 ulp where it is to nearest.
 float gloam_sqrt(float x) {
-    float root = x <= 3.402823466e38 ? x * inversesqrt(x) : x;
-    return x >= 1.175494351e-38 ? root : 0.0;
+    return x >= 1.175494351e-38 ? (x <= 3.402823466e38 ? x * inversesqrt(x) : x) : 0.0;
 }
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef GLOAM_OCCLUSION_CLOSED_MARCH_GLSL
 #define GLOAM_OCCLUSION_CLOSED_MARCH_GLSL
 
-#include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/square_root.glsl"
 
@@ -14,15 +13,15 @@
 // then sees no point of the ball nearer to the axis than x s - y radii. The reason: its ray passes the aim within half
 // a pixel, and the points of the ball are at least |position| - ball radius from the eye.
 // position: of the shaded point, view space, world units. direction: of the slice in the image, unit, y as in view
-// space. end: of the march to that side, texture coordinates. radius: world units, of the march. ball: radius of the
-// ball around the point, as part of that, [0, 1].
+// space. end: of the march to that side, texture coordinates. pixels: half-axes of the radius in the image. radius:
+// world units, of the march. ball: radius of the ball around the point, as part of that, [0, 1].
 // Returns (x, y), x in [0, 1], y >= 0, of which 2e-4 for the rounding of positions. Returns (0, 0), nothing known, for
 // an end outside the image (taps there are moved) and for a slice that nearly lies in the tangent plane. The same for a
 // point nearer than 2 radii or further than 128, for a radius of about a pixel, and for NaN. Error: 8e-7.
-vec2 gloam_slice_clearance(GloamSlice slice, vec3 position, vec2 direction, vec2 end, GloamCamera camera, float radius,
+vec2 gloam_slice_clearance(GloamSlice slice, vec3 position, vec2 direction, vec2 end, vec2 pixels, float radius,
                            float ball) {
-    if (!(min(end.x, end.y) >= 0.0 && max(end.x, end.y) <= 1.0 && ball >= 0.0 && ball <= 1.0)) return vec2(0.0);
-    vec2 pixels = gloam_camera_radius(radius, -position.z, camera) * vec2(camera.size);
+    bool inside = all(greaterThanEqual(end, vec2(0.0))) && all(lessThanEqual(end, vec2(1.0)));
+    if (!(inside && ball >= 0.0 && ball <= 1.0)) return vec2(0.0);
     float squared = slice.weight * slice.weight;
     // A little more than half a pixel, texture coordinates being rounded; and what it is moved by in the slice, along
     // the tangent plane.

@@ -2,17 +2,17 @@
 #ifndef GLOAM_OCCLUSION_DEPTH_REJECTION_GLSL
 #define GLOAM_OCCLUSION_DEPTH_REJECTION_GLSL
 
-#include "gloam/geometry/background.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
 
 // Whether a tap is rejected, because its surface is too far in front to be near the point (CS-REJ): d_p - d_s >
 // threshold. A rejected tap is skipped, or replaced by its opposite.
 // depth: d_p, of the shaded point, eye-linear, world units. tap_depth: d_s, at the tap. threshold: world units, about
 // the radius.
 // Returns true for a surface in front by more than the threshold; false for background on either side (nothing is in
-// front) and for a NaN threshold. Error: none, except for a difference within rounding of the threshold.
+// front), as gloam_tap_sees reads it, and for a NaN threshold. Error: none, except for a difference within rounding of
+// the threshold.
 bool gloam_tap_rejected(float depth, float tap_depth, float threshold) {
-    if (gloam_is_background(depth) || gloam_is_background(tap_depth)) return false;
-    return depth - tap_depth > threshold;
+    return gloam_tap_sees(depth) && gloam_tap_sees(tap_depth) && depth - tap_depth > threshold;
 }
 
 #endif

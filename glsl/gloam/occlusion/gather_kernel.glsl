@@ -3,7 +3,6 @@
 #define GLOAM_OCCLUSION_GATHER_KERNEL_GLSL
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/finite.glsl"
 
 // The common part of all methods of gloam/methods: their request, their result, and the test that rejects unusable
 // points. After this test nothing overflows, and nothing is NaN except depths of taps, which gloam_tap_sees tests.
@@ -36,18 +35,18 @@ const float GLOAM_FARTHEST = 1e18;
 
 // Whether there is anything to gather at a point: a surface in front of the eye with a normal, and a radius of
 // influence.
-// position: view space, world units. normal: view space, any length. radius: world units.
-// Returns false for background depth, for a zero or non-finite normal, for a radius that is not in [1e-18, 1e18], and
-// for an image without pixels. Also where the position or an element of the camera is not finite or beyond 1e18, or an
-// element is below 1e-18.
-// Error: none.
+// position: view space, world units. normal: view space, of a length in [1e-15, 1e15]. radius: world units.
+// Returns false for background depth, for a normal of another length or NaN, for a radius that is not in [1e-18, 1e18],
+// and for an image without pixels. Also where the position or an element of the camera is not finite or beyond 1e18, or
+// an element is below 1e-18.
+// Error: none, but for a normal within rounding of the limits.
 bool gloam_can_gather(vec3 position, vec3 normal, float radius, GloamCamera camera) {
     vec2 p = abs(camera.p00_p11);
+    float squared = dot(normal, normal);
     bool point = all(lessThanEqual(abs(position), vec3(GLOAM_FARTHEST))) && -position.z >= 1e-18;
-    bool facing = gloam_is_finite3(normal) && max(max(abs(normal.x), abs(normal.y)), abs(normal.z)) >= 1.175494351e-38;
-    bool projects = p.x >= 1e-18 && p.y >= 1e-18 && p.x <= GLOAM_FARTHEST && p.y <= GLOAM_FARTHEST &&
-                    camera.size.x > 0 && camera.size.y > 0;
-    return point && facing && projects && radius >= 1e-18 && radius <= GLOAM_FARTHEST;
+    bool projects = p.x >= 1e-18 && p.y >= 1e-18 && p.x <= GLOAM_FARTHEST && p.y <= GLOAM_FARTHEST;
+    bool sized = camera.size.x > 0 && camera.size.y > 0 && radius >= 1e-18 && radius <= GLOAM_FARTHEST;
+    return point && projects && sized && squared >= 1e-30 && squared <= 1e30;
 }
 
 // Of a pixel with nothing to gather.
@@ -62,10 +61,10 @@ GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
     return GloamEstimate(mean, float(samples), 0u);
 }
 
-// Whether a depth read at a tap is that of a surface: false for 0, what is negative, beyond 1e18, infinite or NaN.
-// Error: none.
+// Whether a depth read at a tap is that of a surface: false for 0, what is negative, below 1e-18, beyond 1e18, infinite
+// or NaN. Error: none.
 bool gloam_tap_sees(float depth) {
-    return depth > 0.0 && depth <= GLOAM_FARTHEST;
+    return depth >= 1e-18 && depth <= GLOAM_FARTHEST;
 }
 
 #endif

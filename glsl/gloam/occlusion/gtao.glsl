@@ -6,6 +6,7 @@
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/numeric/sincos.glsl"
+#include "gloam/numeric/unit_angle.glsl"
 
 // Ground-truth ambient occlusion (Jimenez et al. 2016): two horizons in each slice through the eye, and between them
 // the integral in closed form. Each slice's amount is divided, in the end, by what its own half plane would hold: a
@@ -39,6 +40,7 @@ vec2 gloam_gtao_lowest(GloamSlice slice) {
 // Returns e, radians in [0, pi]: with h_1 = -acos(c_1) and h_2 = acos(c_2) as in the paper, e_1 = h_1 - (n - pi / 2)
 // and e_2 = (n + pi / 2) - h_2. 0 exactly for a horizon of -1, and for a NaN angle; a NaN horizon counts as 0. Error:
 // 6e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_gtao_elevation(float horizon, float angle) {
     float e = 1.570796327 + angle - gloam_acos(horizon);
     return e > 0.0 ? min(e, 3.141592654) : 0.0;
@@ -84,7 +86,7 @@ float gloam_gtao_arc_uniform(float horizon, float sine) {
 float gloam_gtao_side(float horizon, float angle, vec2 normal) {
     float c = horizon > -1.0 ? min(horizon, 1.0) : -1.0;  // -1 for NaN: nothing taken
     float s = gloam_sqrt((1.0 - c) * (1.0 + c));
-    return gloam_gtao_arc(gloam_gtao_elevation(c, angle), vec2(c, s), normal);
+    return gloam_gtao_arc(1.570796327 + angle - gloam_unit_angle(vec2(c, s)), vec2(c, s), normal);
 }
 
 // Adds a slice to the cosine-weighted occlusion.

@@ -39,6 +39,7 @@ float gloam_sine_of_tangent(float tangent) {
 // normal: n, unit, view space. direction: unit, in the image plane, y as in view space.
 // Returns radians in [-pi / 2, pi / 2]; the nearer end for a normal that points away from the eye (n.z < 0), 0 for
 // NaN. Error: 4e-7.
+// No method or pass here calls it: it is there to be copied.
 float gloam_tangent_elevation(vec3 normal, vec2 direction) {
     return clamp(gloam_atan2(-dot(normal.xy, direction), normal.z), -1.570796327, 1.570796327);
 }
@@ -47,9 +48,23 @@ float gloam_tangent_elevation(vec3 normal, vec2 direction) {
 // tangent: t, elevation of the tangent plane, radians. bias: radians above it, >= 0, 0.3 to 0.52: hides the facets of
 // coarse meshes.
 // Returns (sin(min(t + bias, pi / 2)), 0). (1, 0), which nothing exceeds, for NaN. Error: 4e-7.
+// No method or pass here calls it: it is there to be copied.
 vec2 gloam_hbao_start(float tangent, float bias) {
     float elevation = tangent + bias;
     return vec2(elevation < 1.570796327 ? gloam_sincos(max(elevation, -1.570796327)).y : 1.0, 0.0);
+}
+
+// The same from the normal, without an angle: the tangent plane's direction in the image's direction, turned up by the
+// bias.
+// normal: n, unit, view space. direction: unit, in the image plane, y as in view space. bias: (cos, sin) of the bias,
+// which is in [0, pi / 2].
+// Returns (cos, sin) of min(t + bias, pi / 2), t of gloam_tangent_elevation; t is pi / 2 for a normal across the plane
+// of the direction and the view axis. Error: 4e-7 over the length of the normal's part in that plane.
+vec2 gloam_hbao_horizon(vec3 normal, vec2 direction, vec2 bias) {
+    vec2 plane = vec2(normal.z, -dot(normal.xy, direction));
+    plane = plane.x > 0.0 ? plane * inversesqrt(dot(plane, plane)) : vec2(0.0, plane.y < 0.0 ? -1.0 : 1.0);
+    vec2 raised = vec2(plane.x * bias.x - plane.y * bias.y, plane.y * bias.x + plane.x * bias.y);
+    return raised.x > 0.0 || raised.y < 0.0 ? raised : vec2(0.0, 1.0);
 }
 
 // Where the march starts in the shader of the comparative study (Aalund and Baerentzen 2013; CS-C): the biases are
@@ -100,7 +115,7 @@ vec2 gloam_hbao_step_size(float radius, float largest, float steps, float extra)
 // 1.25.
 // Returns visibility in [0, 1]; 1 for NaN and for a bias of 1.5 or more. Error: 5e-7 up to 0.8.
 float gloam_hbao_visibility(float occlusion, float bias, float contrast) {
-    float rest = 1.0 - gloam_sincos(bias).y;
+    float rest = 1.0 - gloam_sincos_turns(gloam_turns(bias)).y;
     if (!(abs(bias) < 1.5 && occlusion > 0.0 && contrast > 0.0)) return 1.0;
     float visibility = 1.0 - contrast * (occlusion / rest);
     return visibility > 0.0 ? visibility : (visibility <= 0.0 ? 0.0 : 1.0);

@@ -35,8 +35,7 @@ float gloam_layer_blocked(float sample_depth, float front, float back) {
 // Eye-linear, world units.
 // Returns a depth without the sign. Error: none.
 float gloam_layer_depth(float first, vec3 further, int layer) {
-    if (layer == 0) return first;
-    return abs(layer == 1 ? further.x : (layer == 2 ? further.y : further.z));
+    return layer == 0 ? first : abs(layer == 1 ? further.x : (layer == 2 ? further.y : further.z));
 }
 
 // The combined result of the layers at a sample point, added in order. With further layers a point behind a back face,

@@ -6,11 +6,15 @@
 // index: number of the sample; only its 24 low bits count (index modulo 2^24).
 // Returns a multiple of 2^-24 in [0, 1). Error: none.
 float gloam_radical_inverse_base2(uint index) {
+#if (defined(GL_ES) && __VERSION__ >= 310) || (!defined(GL_ES) && __VERSION__ >= 400)
+    uint bits = bitfieldReverse(index);
+#else
     uint bits = (index << 16u) | (index >> 16u);
     bits = ((bits & 0x00FF00FFu) << 8u) | ((bits >> 8u) & 0x00FF00FFu);
     bits = ((bits & 0x0F0F0F0Fu) << 4u) | ((bits >> 4u) & 0x0F0F0F0Fu);
     bits = ((bits & 0x33333333u) << 2u) | ((bits >> 2u) & 0x33333333u);
     bits = ((bits & 0x55555555u) << 1u) | ((bits >> 1u) & 0x55555555u);
+#endif
     // 24 bits fit a float; all 32 would round up to 1.
     return float(bits >> 8u) * 5.9604644775390625e-8;
 }
@@ -25,10 +29,7 @@ float gloam_radical_inverse(uint index, uint base) {
     uint mirrored = 0u;
     uint power = 1u;
     // All digits but the last are summed as integers that a float holds exactly, so that no error builds up.
-    for (; rest >= radix; rest /= radix) {
-        mirrored = mirrored * radix + rest % radix;
-        power *= radix;
-    }
+    for (; rest >= radix; rest /= radix, power *= radix) mirrored = mirrored * radix + rest % radix;
     float inverse = (float(mirrored) + float(rest) / float(radix)) / float(power);
     return min(inverse, 0.999999940395355);  // rounding must not reach 1
 }

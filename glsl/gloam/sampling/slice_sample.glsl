@@ -2,7 +2,6 @@
 #ifndef GLOAM_SAMPLING_SLICE_SAMPLE_GLSL
 #define GLOAM_SAMPLING_SLICE_SAMPLE_GLSL
 
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/sampling/halton_point.glsl"
 
@@ -14,14 +13,8 @@ struct GloamSliceSample {
     float share;     // [0, 1), for what else a method needs
 };
 
-// Turns that a kernel's angle stands for.
-// angle: radians, |angle| <= 65536; anything else counts as 0. Returns turns. Error: 1 ULP.
-float gloam_kernel_turns(float angle) {
-    return abs(angle) <= 65536.0 ? angle / GLOAM_TAU : 0.0;
-}
-
 // Slice number `index` of the sequence, 1 for the first.
-// turns: of gloam_kernel_turns. Error: 5e-7.
+// turns: by which the kernel is rotated (gloam_turns of its angle). Error: 5e-7.
 GloamSliceSample gloam_slice_sample(uint index, float turns) {
     vec3 point = gloam_halton_point(index);
     return GloamSliceSample(gloam_sincos_turns(0.5 * fract(point.x + turns)), fract(point.y + turns), point.z);

@@ -78,7 +78,7 @@ bool shaded_at(ivec2 pixel, out Shaded shaded) {
     shaded.turn = gloam_sincos(gloam_hash_rotation(pixel));
     if (!gloam_can_gather(shaded.position, normal, parameters.radius, this_camera())) return false;
     shaded.footprint = gloam_footprint(shaded.position, parameters.radius, this_camera());
-    shaded.frame = gloam_tangent_frame(normal);
+    shaded.frame = gloam_tangent_frame(shaded.normal);
     return true;
 }
 

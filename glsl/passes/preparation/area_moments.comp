@@ -20,7 +20,7 @@ GloamSurfaceMoments finer(ivec2 texel) {
     int level = parameters.level - 1;
     ivec2 size = gloam_level_size(parameters.size, level);
     if (texel.x >= size.x || texel.y >= size.y) return gloam_moments_empty();
-    return gloam_area_moments(texel, level, this_camera());
+    return gloam_area_moments(texel, level, gloam_footprint(vec3(0.0, 0.0, -1.0), 1.0, this_camera()));
 }
 
 void write(ivec2 texel, int kind, vec4 value) {

@@ -23,7 +23,7 @@ inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamC
                                       const GloamKernel& kernel, const GloamHemisphere& own,
                                       const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
-    const dmat3 frame = gloam_tangent_frame(normal);
+    const dmat3 frame = gloam_tangent_frame(normalize(normal));
     double blocked = 0.0;
     unsigned samples = 0U;
     for (unsigned i = 1; i <= kernel.count; ++i) {

@@ -27,7 +27,7 @@ inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCame
                                    const GloamKernel& kernel, const GloamPoisson& own,
                                    const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
-    const dmat3 frame = gloam_tangent_frame(normal);
+    const dmat3 frame = gloam_tangent_frame(normalize(normal));
     const int steps = std::max(static_cast<int>(own.steps), 1);
     const auto blocked = [&](dvec3 point) {
         const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(point, camera), camera.size);

@@ -33,7 +33,7 @@ GloamEstimate gather_slices(dvec3 position, dvec3 normal, const GloamCamera& cam
     dvec2 sum(0.0);
     for (unsigned s = 1; s <= samples / (2U * steps); ++s) {
         const GloamSliceSample sample =
-            gloam_slice_sample(kernel.first / (2U * steps) + s, gloam_kernel_turns(kernel.angle));
+            gloam_slice_sample(kernel.first / (2U * steps) + s, gloam_turns(kernel.angle));
         const dvec2 upright(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0);
         const auto tap = [&](double side, unsigned i) {
             const double share = side * pow((i + sample.jitter) / steps, 2);

@@ -10,12 +10,9 @@ inline dvec2 on_circle(double angle) {
     return {cos(angle), sin(angle)};
 }
 
-inline dvec2 gloam_sincos_octant(double angle) {
-    return on_circle(angle);
-}
-
-// As many turns of 90 degrees, one by one.
-inline dvec2 gloam_quarter_turn(dvec2 v, int quarters) {
+// The direction of the rest, turned by 90 degrees as many times.
+inline dvec2 gloam_sincos_octant(double rest, int quarters) {
+    dvec2 v = on_circle(rest);
     for (int i = 0; i < (quarters & 3); ++i) v = dvec2(-v.y, v.x);
     return v;
 }
@@ -23,6 +20,10 @@ inline dvec2 gloam_quarter_turn(dvec2 v, int quarters) {
 inline dvec2 gloam_sincos_turns(double turns) {
     if (!std::isfinite(turns)) return {1.0, 0.0};
     return on_circle(2.0 * pi * std::remainder(turns, 1.0));
+}
+
+inline double gloam_turns(double angle) {
+    return abs(angle) <= 65536.0 ? angle / (2.0 * pi) : 0.0;
 }
 
 inline dvec2 gloam_sincos(double angle) {

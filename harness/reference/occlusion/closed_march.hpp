@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "reference/geometry/camera.hpp"
 #include "reference/geometry/pixel_center.hpp"
 #include "reference/geometry/slice.hpp"
 
@@ -13,9 +12,8 @@ namespace gloam::reference {
 // c = (1 - B / D) / (1 + R / D ((1 - a^2)^(1/2) + b)). a is the part of the direction in the slice, b what
 // half a pixel is beside it, D the distance of the point, B the radius of the ball.
 inline dvec2 gloam_slice_clearance(const GloamSlice& slice, dvec3 position, dvec2 direction, dvec2 end,
-                                   const GloamCamera& camera, double radius, double ball) {
+                                   dvec2 pixels, double radius, double ball) {
     if (!gloam_inside_unit(end) || !(ball >= 0.0 && ball <= 1.0)) return dvec2(0.0);
-    const dvec2 pixels = gloam_camera_radius(radius, -position.z, camera) * dvec2(camera.size);
     const double tangent = sqrt(max(pow(slice.weight, -2) - 1.0, 0.0));  // of the normal's angle to the slice
     const double b = 0.52 * length(1.0 / pixels) * (1.0 + tangent);
     const double ratio = radius / length(position);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "reference/geometry/camera.hpp"
-#include "reference/geometry/length.hpp"
+#include "reference/math.hpp"
 #include "reference/occlusion/estimator.hpp"
 
 namespace gloam::reference {
@@ -30,7 +30,7 @@ inline bool gloam_can_gather(dvec3 position, dvec3 normal, double radius, const 
     const auto usable = [](double x) { return x >= 1e-18F && x <= 1e18F; };
     const bool placed = abs(position.x) <= 1e18F && abs(position.y) <= 1e18F && usable(-position.z);
     const bool projects = usable(abs(camera.p00_p11.x)) && usable(abs(camera.p00_p11.y));
-    return placed && projects && has_direction(normal) && usable(radius) &&
+    return placed && projects && length(normal) >= 1e-15 && length(normal) <= 1e15 && usable(radius) &&
            std::min(camera.size.x, camera.size.y) > 0;
 }
 
@@ -39,7 +39,7 @@ inline GloamEstimate gloam_estimate(double occluded, double whole, unsigned samp
 }
 
 inline bool gloam_tap_sees(double depth) {
-    return depth > 0.0 && depth <= 1e18F;
+    return depth >= 1e-18F && depth <= 1e18F;
 }
 
 }  // namespace gloam::reference

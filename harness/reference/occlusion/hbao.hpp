@@ -3,6 +3,7 @@
 
 #include "reference/geometry/length.hpp"
 #include "reference/numeric/inverse_trigonometry.hpp"
+#include "reference/numeric/sincos.hpp"
 #include "reference/shading/remap.hpp"
 
 namespace gloam::reference {
@@ -23,6 +24,13 @@ inline double gloam_tangent_elevation(dvec3 normal, dvec2 direction) {
 inline dvec2 gloam_hbao_start(double tangent, double bias) {
     const double elevation = tangent + bias;
     return {std::isnan(elevation) ? 1.0 : sin(clamp(elevation, -pi / 2.0, pi / 2.0)), 0.0};
+}
+
+inline dvec2 gloam_hbao_horizon(dvec3 normal, dvec2 direction, dvec2 bias) {
+    const double across = dot(dvec2(normal), direction);
+    const double away = across > 0.0 ? -pi / 2.0 : pi / 2.0;
+    const double elevation = normal.z > 0.0 ? -atan(across / normal.z) : away;
+    return on_circle(min(elevation + std::atan2(bias.y, bias.x), pi / 2.0));
 }
 
 inline dvec2 gloam_hbao_start_slope(double slope, double bias) {

@@ -7,12 +7,10 @@ namespace gloam::reference {
 
 // The matrix of the rotation with that cosine and sine.
 inline dvec2 gloam_turn_disc(dvec2 s, dvec2 turn) {
-    if (!(length(s) <= 1e19)) return dvec2(0.0);
     return dmat2(turn.x, turn.y, -turn.y, turn.x) * s;
 }
 
 inline dvec3 gloam_turn_hemisphere(dvec3 s, dvec2 turn) {
-    if (!(length(s) <= 1e19)) return dvec3(0.0);
     return {gloam_turn_disc(s, turn), s.z};
 }
 

@@ -12,10 +12,6 @@ struct GloamSliceSample {
     double share;
 };
 
-inline double gloam_kernel_turns(double angle) {
-    return abs(angle) <= 65536.0 ? angle / (2.0 * pi) : 0.0;
-}
-
 // Directions over half a turn; the kernel's angle shifts them and the jitter.
 inline GloamSliceSample gloam_slice_sample(unsigned index, double turns) {
     const dvec3 point = gloam_halton_3d(index);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/geometry/safe_normalize.hpp"
+#include "reference/math.hpp"
 
 namespace gloam::reference {
 
 // Rodrigues' rotation of z onto n, 1 + K + K^2 / (1 + n.z) with K = (z x n) x; below the horizon of z that
 // onto -n, with y negated to stay right-handed.
-inline dmat3 gloam_tangent_frame(dvec3 normal) {
-    const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0, 0.0, 1.0));
+inline dmat3 gloam_tangent_frame(dvec3 n) {
     const double side = n.z < 0.0 ? -1.0 : 1.0;
     const dvec3 up = side * n;
     const dmat3 k(0.0, 0.0, -up.x, 0.0, 0.0, -up.y, up.x, up.y, 0.0);
