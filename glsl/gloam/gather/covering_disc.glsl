@@ -5,7 +5,6 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/covering_radius.glsl"
 #include "gloam/numeric/sincos.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/issao_offset.glsl"
 #include "gloam/sampling/rotation.glsl"

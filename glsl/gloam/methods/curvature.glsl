@@ -8,7 +8,6 @@
 #include "gloam/occlusion/curvature.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/halton_point.glsl"
-#include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
 // Curvature (after Hattori et al. 2012; CS-K). It finds the two principal curvatures of the surface from the change

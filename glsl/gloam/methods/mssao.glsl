@@ -7,7 +7,6 @@
 #include "gloam/gather/pyramid.glsl"
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/estimator.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"

@@ -3,7 +3,6 @@
 #define GLOAM_METHODS_SAO_GLSL
 
 #include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"

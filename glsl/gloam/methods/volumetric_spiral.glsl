@@ -3,7 +3,6 @@
 #define GLOAM_METHODS_VOLUMETRIC_SPIRAL_GLSL
 
 #include "gloam/gather/line_pair.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/radical_inverse.glsl"

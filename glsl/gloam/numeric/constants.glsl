@@ -3,7 +3,6 @@
 #define GLOAM_NUMERIC_CONSTANTS_GLSL
 
 const float GLOAM_PI = 3.141592654;
-const float GLOAM_HALF_PI = 1.570796327;
 const float GLOAM_TAU = 6.283185307;  // 2 pi, a whole turn in radians
 
 #endif

@@ -9,6 +9,7 @@
 #include "passes/preparation/pass.glsl"
 
 #include "gloam/filter/mssao_downsample.glsl"
+#include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/methods/mssao.glsl"
 
 struct Surface {
