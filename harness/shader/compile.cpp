@@ -7,6 +7,7 @@
 #include "shader/decorate.hpp"
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/round_trip.hpp"
+#include "shader/internal/storage_buffers.hpp"
 #include "shader/internal/version_line.hpp"
 #include "shader/spirv.hpp"
 
@@ -41,6 +42,18 @@ Spirv compile(const Source& source, const CompileOptions& options) {
     Spirv module = internal::to_spirv(source, options.stage, options.include_roots, {.lines = options.lines});
     try {
         return varied(std::move(module), options.stage, source.name, options.variant);
+    } catch (const CompileError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw CompileError(source.name + ": " + error.what());
+    }
+}
+
+Spirv compile_hlsl(const Source& source, Stage stage) {
+    try {
+        Spirv module = internal::with_storage_buffers(internal::hlsl_to_spirv(source, stage));
+        validate(module);
+        return module;
     } catch (const CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 
 #include "shader/language.hpp"
 #include "shader/pack.hpp"
+#include "shader/translate.hpp"
 #include "support/library_files.hpp"
 
 namespace gloam {
@@ -35,8 +37,35 @@ TEST_P(EveryInclude, CompilesPacked) {
     }
 }
 
+TEST_P(EveryInclude, IsTranslated) {
+    const std::string packed = shader::pack(std::vector{roots.front() / GetParam()}, {}, roots);
+    for (const shader::Target target : {shader::Target::hlsl, shader::Target::msl})
+        EXPECT_NO_THROW((void)shader::translated({.name = GetParam(), .text = packed}, target));
+}
+
 INSTANTIATE_TEST_SUITE_P(Library, EveryInclude, testing::ValuesIn(test::library_files()),
                          test::library_file_name);
+
+// Each shader of passes/ in its stage, as a whole shader.
+TEST(EveryPass, IsTranslated) {
+    const std::map<std::string, shader::Stage> stages{{".comp", shader::Stage::compute},
+                                                      {".vert", shader::Stage::vertex},
+                                                      {".frag", shader::Stage::fragment}};
+    std::size_t count = 0;
+    for (const auto& file : fs::recursive_directory_iterator(roots.front() / "passes")) {
+        const auto stage = stages.find(file.path().extension().string());
+        if (stage == stages.end()) continue;
+        const std::string packed = shader::pack(std::vector{file.path()}, {.stage = stage->second}, roots);
+        for (const shader::Target target : {shader::Target::hlsl, shader::Target::msl}) {
+            const std::string text =
+                shader::translated({file.path().string(), packed}, target, stage->second);
+            EXPECT_NE(text.find(target == shader::Target::hlsl ? " main(" : "_main("), std::string::npos)
+                << file.path();
+        }
+        ++count;
+    }
+    EXPECT_GE(count, 30U);
+}
 
 class Languages : public testing::TestWithParam<shader::Language> {};
 

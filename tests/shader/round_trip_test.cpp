@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "disassembly.hpp"
+#include "shader/internal/cross_text.hpp"
 #include "shader/internal/float_controls.hpp"
 #include "support.hpp"
 

@@ -74,6 +74,25 @@ TEST_F(PackEffect, EveryKindOfMethodIsWholeAndCompiles) {
     }
 }
 
+// The passes in another language stand beside those in GLSL.
+TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
+    for (const auto& [target, suffix, first] :
+         {std::tuple("hlsl", ".hlsl", "// Registers: b0 Parameters"),
+          std::tuple("msl", ".metal", "// Indices: buffer(4) tile_states")}) {
+        SCOPED_TRACE(target);
+        pack({"--target", target});
+        for (const nlohmann::json& pass : json()["passes"]) {
+            const std::string name = pass["name"];
+            EXPECT_TRUE(fs::exists(out() / (name + ".comp"))) << name;
+            EXPECT_THAT(read(out() / (name + suffix)),
+                        HasSubstr(name == "ambient_occlusion" ? first : "main("))
+                << name;
+        }
+        EXPECT_THAT(read(out() / "README.md"),
+                    HasSubstr(std::string("as `ambient_occlusion") + suffix + "`"));
+    }
+}
+
 // With whatever else there is in the passes.
 TEST_F(PackEffect, EveryOptionCompiles) {
     for (const std::vector<std::string>& options :

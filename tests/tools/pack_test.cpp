@@ -68,6 +68,26 @@ TEST(Pack, OneFunctionAlone) {
     expect_could_not_run(run_command({"pack", halton, "--function", "gloam_halton_4d"}), "gloam_halton_4d");
 }
 
+TEST(Pack, OtherLanguages) {
+    const CommandResult hlsl = run_command({"pack", halton, "--target", "hlsl"});
+    expect_success(hlsl);
+    EXPECT_THAT(hlsl.out, HasSubstr("float gloam_radical_inverse_base2(uint index)\n{"));
+    EXPECT_THAT(hlsl.out, HasSubstr("// index: number of the sample;"));
+    EXPECT_THAT(hlsl.out, Not(HasSubstr("main")));
+    const CommandResult metal =
+        run_command({"pack", GLOAM_GLSL_DIR "/passes/reproject.comp", "--target", "msl"});
+    expect_success(metal);
+    EXPECT_THAT(metal.out, HasSubstr("kernel void reproject_main("));
+    EXPECT_THAT(metal.out, HasSubstr("\n// Indices: buffer(4) tile_lists, "));
+    expect_could_not_run(run_command({"pack", halton, "--target", "cg"}), "hlsl or msl");
+    expect_could_not_run(run_command({"pack", halton, "--target", "hlsl", "--version", "330"}), "--version");
+    expect_could_not_run(run_command({"pack", halton, "--lines", "--target", "hlsl"}), "--lines");
+    const TemporaryDirectory folder;
+    const std::filesystem::path own = folder.path() / "own.glsl";
+    std::ofstream(own) << "float own(sampler2D s) { return texture(s, vec2(0.5)).x; }\n";
+    expect_could_not_run(run_command({"pack", own.string(), "--target", "msl"}), "sampler2D");
+}
+
 // A whole shader, whose stage follows from its name.
 TEST(Pack, AShaderWithAMain) {
     for (const char* name : {"reproject.comp", "gbuffer.vert", "gbuffer.frag", "tiles/select.comp"}) {

@@ -215,4 +215,13 @@ Outline outline(const ActiveText& text) {
     return Reader(text).run();
 }
 
+Outline outline(const std::string& text) {
+    ActiveText active;
+    TextFile& file = active.files.emplace_back(TextFile{.text = text});
+    file.lines = split_lines(file.text);
+    active.given = 1;
+    for (std::size_t line = 0; line < file.lines.size(); ++line) active.lines.push_back({0, line});
+    return outline(active);
+}
+
 }  // namespace gloam::shader::internal

@@ -41,4 +41,7 @@ struct Outline {
 // The declarations of a text. The text need not be valid: anything else becomes a piece of kind `other`.
 [[nodiscard]] Outline outline(const ActiveText& text);
 
+// The declarations of one text without includes and conditions, of any language with C's declarations.
+[[nodiscard]] Outline outline(const std::string& text);
+
 }  // namespace gloam::shader::internal

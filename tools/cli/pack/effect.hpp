@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "shader/reflection.hpp"
+#include "shader/translate.hpp"
 
 namespace gloam::cli {
 
@@ -23,7 +25,8 @@ struct PackedPass {
 // The effect in the form in which it is written.
 struct PackedEffect {
     std::string preset;
-    std::string version;  // of gloam
+    std::string version;                   // of gloam
+    std::optional<shader::Target> target;  // each pass is there in this language, too
     effect::Settings settings;
     effect::PlanOptions options;
     effect::Plan plan;

@@ -26,7 +26,13 @@ void pack_effect(const EffectPackOptions& options) {
     PackedEffect effect = packed_effect(settings, plan, scene::PassLibrary(glsl_directory()));
     effect.preset = options.preset;
     effect.version = GLOAM_VERSION;
-    for (const PackedPass& pass : effect.passes) folder.write(pass.file, pass.text);
+    effect.target = options.target;
+    for (const PackedPass& pass : effect.passes) {
+        folder.write(pass.file, pass.text);
+        if (options.target)
+            folder.write(pass.plan.name + shader::suffix(*options.target),
+                         shader::translated({.name = pass.file, .text = pass.text}, *options.target));
+    }
     folder.write("gloam_effect.h", effect_header(effect));
     folder.write("effect.json", effect_json(effect));
     folder.write("README.md", effect_page(effect));

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "shader/translate.hpp"
 
 namespace gloam::cli {
 
@@ -17,6 +20,7 @@ struct EffectPackOptions {
     bool orthographic = false;
     bool reconstruct_normals = false;
     bool tiles = false;
+    std::optional<shader::Target> target;  // a language for every pass, besides GLSL
     std::filesystem::path out;
 };
 

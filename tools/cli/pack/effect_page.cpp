@@ -200,6 +200,17 @@ class PageWriter {
             "--eliminate-dead-code-aggressive {0}.spv -o {0}.spv\n\n"
             "The second line is what `gloam render` does as well; drivers of GPUs do without it.\n",
             name);
+        if (effect_.target) translation(*effect_.target);
+    }
+
+    void translation(shader::Target target) {
+        const bool hlsl = target == shader::Target::hlsl;
+        put("\n## {}\n\nEach pass is there a second time, as `{}{}`. A line at its head lists its {}: the "
+            "numbers are those of the bindings above, and the push constants are {}. Their layouts in "
+            "`gloam_effect.h` hold there, too.\n",
+            hlsl ? "HLSL" : "Metal", effect_.passes.back().plan.name, shader::suffix(target),
+            hlsl ? "registers" : "indices",
+            hlsl ? "the constant buffer after the last uniform buffer" : "the buffer after the last binding");
     }
 
     const PackedEffect& effect_;

@@ -19,6 +19,7 @@
 #include "report/output_file.hpp"
 #include "shader/include.hpp"
 #include "shader/pack.hpp"
+#include "shader/translate.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -29,6 +30,7 @@ struct PackOptions {
     std::vector<std::string> files;
     std::vector<std::string> functions;
     std::string version = "450";
+    std::string target;  // empty: GLSL
     fs::path out;
     bool lines = false;
     bool effect = false;
@@ -65,6 +67,25 @@ std::string within_limits(const std::function<std::string()>& work, const std::s
     }
 }
 
+// A GLSL text in the language of --target; the name of its first file names it.
+std::string in_language(const std::string& text, const fs::path& file, std::optional<shader::Target> target,
+                        std::optional<shader::Stage> stage) {
+    if (!target) return text;
+    return shader::translated({.name = file.string(), .text = text}, *target,
+                              stage.value_or(shader::Stage::compute));
+}
+
+std::optional<shader::Target> target_of(const PackOptions& options) {
+    if (options.target.empty()) return std::nullopt;
+    const auto target = shader::target_from(options.target);
+    if (!target)
+        throw std::invalid_argument("unknown target \"" + options.target + "\": expected hlsl or msl");
+    if (options.version != "450")
+        throw std::invalid_argument("--target " + options.target +
+                                    " translates GLSL 450; it takes no --version");
+    return target;
+}
+
 void pack_files(const PackOptions& options) {
     if (options.files.empty())
         throw std::invalid_argument("nothing to pack: give files, or --effect for all passes of the effect");
@@ -73,14 +94,18 @@ void pack_files(const PackOptions& options) {
         throw std::invalid_argument("unknown GLSL version \"" + options.version +
                                     "\": expected 450, 330, 300es, 310es or 320es");
     }
+    const std::optional<shader::Target> target = target_of(options);
     const std::vector<fs::path> roots{glsl_directory()};
     std::vector<fs::path> files;
     for (const std::string& name : options.files) files.push_back(find_file(name, roots));
     const report::OutputFile out(options.out);
     const shader::PackRequest request{
         .language = *language, .functions = options.functions, .stage = stage_of(files)};
-    const std::string text =
-        within_limits([&] { return shader::pack(files, request, roots); }, files.front().string());
+    const std::string text = within_limits(
+        [&] {
+            return in_language(shader::pack(files, request, roots), files.front(), target, request.stage);
+        },
+        files.front().string());
     if (options.out.empty()) {
         fmt::print("{}", text);
     } else {
@@ -91,9 +116,12 @@ void pack_files(const PackOptions& options) {
 void run_pack(PackOptions& options) {
     if (options.effect) {
         options.of_effect.out = options.out;
+        options.of_effect.target = target_of(options);
         return pack_effect(options.of_effect);
     }
     if (options.lines) {
+        if (!options.target.empty())
+            throw std::invalid_argument("--lines counts lines of GLSL: it takes no --target");
         fmt::print("{}", line_table(glsl_directory(), options.files));
         return;
     }
@@ -131,8 +159,8 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
 
 void add_pack(CLI::App& app) {
     auto options = std::make_shared<PackOptions>();
-    CLI::App* command =
-        app.add_subcommand("pack", "one self-contained GLSL file of what is used, or the whole effect");
+    CLI::App* command = app.add_subcommand(
+        "pack", "one self-contained file of what is used, in GLSL or another language, or the whole effect");
     command->add_option("file", options->files, "includes or whole shaders, as paths or as gloam/...");
     command
         ->add_option("--function", options->functions,
@@ -141,6 +169,9 @@ void add_pack(CLI::App& app) {
         ->allow_extra_args(false);
     command->add_option("--version", options->version, "450, 330, 300es, 310es or 320es")
         ->capture_default_str();
+    command->add_option("--target", options->target,
+                        "hlsl or msl: translated to HLSL of shader model 6.0, or to Metal's language; with "
+                        "--effect both are written");
     command->add_option("--out", options->out,
                         "file to write (standard output when not given); with --effect the folder");
     command->add_flag(
