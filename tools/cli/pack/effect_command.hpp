@@ -17,6 +17,7 @@ struct EffectPackOptions {
     bool orthographic = false;
     bool reconstruct_normals = false;
     bool tiles = false;
+    std::string version = "450";  // of the passes: or 310es, 320es
     std::filesystem::path out;
 };
 

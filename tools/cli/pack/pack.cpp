@@ -91,6 +91,7 @@ void pack_files(const PackOptions& options) {
 void run_pack(PackOptions& options) {
     if (options.effect) {
         options.of_effect.out = options.out;
+        options.of_effect.version = options.version;
         return pack_effect(options.of_effect);
     }
     if (options.lines) {
