@@ -54,11 +54,11 @@ layout(constant_id = 17) const uint method_steps = 4u;        // in the place of
 layout(constant_id = 18) const uint samples_unit = 1u;  // samples are taken in whole units of so many, at least one
 layout(constant_id = 19) const bool rounds_up = false;        // to the next whole unit; else down
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 2, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE history_before;
-layout(binding = 3, GLOAM_HISTORY) uniform GLOAM_HISTORY_IMAGE history_after;
-layout(binding = 5, rgba32f) uniform readonly image2D previous_position_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_before;
+layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history_after;
+layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
@@ -103,9 +103,9 @@ layout(push_constant) uniform Parameters {
 #include "gloam/sampling/whole_samples.glsl"
 #include "method_values.glsl"
 
-layout(binding = 8, rgba32f) uniform readonly image2D layer_image;
+layout(binding = 8 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
 layout(binding = 6, std430) readonly buffer MethodSettings { MethodValues method_values; };
-layout(binding = 7, GLOAM_PREPARED) uniform readonly image2D prepared_image;
+layout(binding = 7 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT prepared_image;
 
 const bool ends_marches = skip_closed && !moving_objects;  // probes are taps that must be taken
 
@@ -113,7 +113,7 @@ const bool ends_marches = skip_closed && !moving_objects;  // probes are taps th
 #include "tiles/listed.glsl"
 #define GLOAM_STATE_BINDING 4
 #include "tiles/tally.glsl"
-layout(binding = 10, r32f) uniform writeonly image2D shown_image;
+layout(binding = 10, r32f) uniform writeonly highp image2D shown_image;
 
 #include "samples/table.glsl"
 
@@ -157,7 +157,7 @@ GloamCamera this_camera() {
 void probe(ivec2 pixel, float depth) {
     vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / vec2(parameters.size) / parameters.p00_p11;
     vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
-    vec3 before = imageLoad(previous_position_image, pixel).xyz - neighborhood.previous;
+    vec3 before = GLOAM_FETCH(previous_position_image, pixel).xyz - neighborhood.previous;
     float squared = dot(now, now);
     float squared_before = dot(before, before);
     float reach = neighborhood.reach * neighborhood.reach;
@@ -170,24 +170,24 @@ void probe(ivec2 pixel, float depth) {
 
 // Read by the samples, which thereby are the probes.
 float gloam_fetch_depth(ivec2 pixel) {
-    float depth = imageLoad(depth_image, pixel).x;
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
     if (moving_objects && parameters.invalidation != 0u) probe(pixel, depth);
     return depth;
 }
 
 // Read by the samples where they see more layers than the first.
 vec3 gloam_fetch_layers(ivec2 pixel) {
-    return imageLoad(layer_image, pixel).xyz;
+    return GLOAM_FETCH(layer_image, pixel).xyz;
 }
 
 // Read by methods that prepare something.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return imageLoad(prepared_image, pixel);
+    return GLOAM_FETCH(prepared_image, pixel);
 }
 
 // Read by the methods that look at the surface under a sample.
 vec3 gloam_fetch_normal(ivec2 pixel) {
-    return imageLoad(normal_image, pixel).xyz;
+    return GLOAM_FETCH(normal_image, pixel).xyz;
 }
 
 // Weight that the history keeps after what the probes have seen (TSSAO-SI). seen: the largest change, world units.
@@ -205,7 +205,7 @@ float weight_after_change(float weight, float seen) {
 }
 
 Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
-    vec3 previous = imageLoad(previous_position_image, pixel).xyz;
+    vec3 previous = GLOAM_FETCH(previous_position_image, pixel).xyz;
     return Neighborhood(position, previous, normal, max(radius, method_values.range), 0.0);
 }
 
@@ -214,7 +214,7 @@ GloamEstimate estimated(ivec2 pixel, float depth, GloamHistory before, uint samp
     GloamCamera camera = this_camera();
     GloamKernel kernel = kernel_of(pixel, depth, before, samples);
     vec3 position = gloam_camera_position(pixel, depth, camera);
-    vec3 normal = imageLoad(normal_image, pixel).xyz;
+    vec3 normal = GLOAM_FETCH(normal_image, pixel).xyz;
     if (moving_objects) neighborhood = neighborhood_of(pixel, position, normal, kernel.radius);
     MethodValues values = method_values;
     values.steps = method_steps;
@@ -266,7 +266,7 @@ bool left_out(ivec2 pixel) {
 }
 
 GloamHistory shade(ivec2 pixel) {
-    float depth = imageLoad(depth_image, pixel).x;
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
     if (left_out(pixel)) return gloam_history_empty(depth);
     bool background = gloam_is_background(depth);
     pixel_kinds += background ? COUNT_BACKGROUND : 0u;
@@ -289,8 +289,7 @@ void store(ivec2 pixel, GloamHistory after) {
     }
     GLOAM_STORE_HISTORY(history_after, pixel, after);
     if (!shows) return;
-    GloamHistory stored = gloam_history_sanitize(after);
-    if (GLOAM_HISTORY_ROUNDS) stored = GLOAM_LOAD_HISTORY(history_after, pixel);
+    GloamHistory stored = stored_history(after);
     float convergence = gloam_convergence(stored.weight, parameters.weight_max);
     bool filtered = !gloam_is_background(stored.depth) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
     pixel_kinds += filtered ? COUNT_FILTERED : 0u;

@@ -15,8 +15,8 @@
 
 layout(constant_id = 1) const int interleave = 4;  // side of the blocks whose pixels share a pattern
 
-layout(binding = 4, rgba32f) uniform writeonly image2D bent_image;
-layout(binding = 5, rgba32f) uniform readonly image2D sums_image;
+layout(binding = 4, rgba32f) uniform writeonly highp image2D bent_image;
+layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT sums_image;
 
 // A neighbour's height above the tangent plane is divided by this share of the radius before it is weighted.
 const float PLANE_SHARE = 0.1;
@@ -28,7 +28,7 @@ float weight_of(Shaded shaded, ivec2 at) {
     float depth = gloam_fetch_depth(at);
     if (gloam_is_background(depth)) return 0.0;
     vec3 offset = gloam_camera_position(at, depth, this_camera()) - shaded.position;
-    vec3 normal = gloam_safe_normalize(imageLoad(normal_image, at).xyz, vec3(0.0));
+    vec3 normal = gloam_safe_normalize(GLOAM_FETCH(normal_image, at).xyz, vec3(0.0));
     float height = dot(offset, shaded.normal) / (PLANE_SHARE * parameters.radius);
     return gloam_geometry_weight(shaded.normal, normal, height, NORMAL_POWER, PLANE_POWER);
 }
@@ -46,7 +46,7 @@ void main() {
         ivec2 at = pixel + ivec2(i % interleave, i / interleave) - interleave / 2;
         if (at.x < 0 || at.y < 0 || at.x >= parameters.size.x || at.y >= parameters.size.y) continue;
         float weight = at == pixel ? 1.0 : weight_of(shaded, at);
-        bent += weight * imageLoad(sums_image, at);
+        bent += weight * GLOAM_FETCH(sums_image, at);
     }
     imageStore(bent_image, pixel,
                vec4(gloam_bent_normal(bent, shaded.normal), gloam_cone_angle(gloam_bent_length(bent))));

@@ -14,7 +14,7 @@
 // Side of the blocks whose pixels share a pattern (interleaved sampling): each pixel takes a part of it. 1: no sharing
 layout(constant_id = 1) const int interleave = 1;
 
-layout(binding = 4, rgba32f) uniform writeonly image2D bent_image;
+layout(binding = 4, rgba32f) uniform writeonly highp image2D bent_image;
 
 // i: number of the sample, from 0. The pixels of a block share one sequence without rotation. Each pixel takes
 // consecutive points of it: these cover the half ball also where the other pixels lie on another surface.

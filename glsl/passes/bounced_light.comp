@@ -10,17 +10,17 @@
 #include "directional/points.glsl"
 #include "gloam/shading/directional_occlusion.glsl"
 
-layout(binding = 4, rgba32f) uniform writeonly image2D light_image;
-layout(binding = 5, rgba32f) uniform readonly image2D albedo_image;
-layout(binding = 6, rgba32f) uniform readonly image2D direct_image;
+layout(binding = 4, rgba32f) uniform writeonly highp image2D light_image;
+layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
+layout(binding = 6 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;
 
 // Radiance that the surface at a blocked sample sends to the point.
 vec3 bounced(Shaded shaded, Sample s) {
     float depth = gloam_fetch_depth(s.pixel);
     if (gloam_is_background(depth)) return vec3(0.0);
     vec3 offset = gloam_camera_position(s.pixel, depth, this_camera()) - shaded.position;
-    vec3 sender_normal = gloam_safe_normalize(imageLoad(normal_image, s.pixel).xyz, vec3(0.0));
-    return gloam_ssdo_bounce(offset, shaded.normal, sender_normal, imageLoad(direct_image, s.pixel).xyz,
+    vec3 sender_normal = gloam_safe_normalize(GLOAM_FETCH(normal_image, s.pixel).xyz, vec3(0.0));
+    return gloam_ssdo_bounce(offset, shaded.normal, sender_normal, GLOAM_FETCH(direct_image, s.pixel).xyz,
                              parameters.radius, method_values.epsilon, s.visibility);
 }
 
@@ -38,5 +38,5 @@ void main() {
             count += 1.0;
         }
     }
-    imageStore(light_image, pixel, vec4(gloam_ssdo_light(sum, count, imageLoad(albedo_image, pixel).xyz), 0.0));
+    imageStore(light_image, pixel, vec4(gloam_ssdo_light(sum, count, GLOAM_FETCH(albedo_image, pixel).xyz), 0.0));
 }

@@ -10,12 +10,13 @@
 //   3  rgba32f  written: the sum in xyz; w is 1
 #include "gloam/shading/ambient_light.glsl"
 
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0, rgba32f) uniform readonly image2D ambient_image;
-layout(binding = 1, rgba32f) uniform readonly image2D direct_image;
-layout(binding = 2, r32f) uniform readonly image2D occlusion_image;
-layout(binding = 3, rgba32f) uniform writeonly image2D lit_image;
+layout(binding = 0 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT ambient_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;
+layout(binding = 2 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT occlusion_image;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D lit_image;
 
 layout(push_constant) uniform Parameters {
     ivec2 size;  // of the images, pixels
@@ -24,6 +25,6 @@ layout(push_constant) uniform Parameters {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    vec3 ambient = gloam_ambient_light(imageLoad(ambient_image, pixel).xyz, imageLoad(occlusion_image, pixel).x);
-    imageStore(lit_image, pixel, vec4(ambient + imageLoad(direct_image, pixel).xyz, 1.0));
+    vec3 ambient = gloam_ambient_light(GLOAM_FETCH(ambient_image, pixel).xyz, GLOAM_FETCH(occlusion_image, pixel).x);
+    imageStore(lit_image, pixel, vec4(ambient + GLOAM_FETCH(direct_image, pixel).xyz, 1.0));
 }

@@ -17,8 +17,8 @@
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0, GLOAM_FORMAT) uniform readonly GLOAM_COPIED source_image;
-layout(binding = 1, GLOAM_FORMAT) uniform writeonly GLOAM_COPIED target_image;
+layout(binding = 0, GLOAM_FORMAT) uniform readonly highp GLOAM_COPIED source_image;
+layout(binding = 1, GLOAM_FORMAT) uniform writeonly highp GLOAM_COPIED target_image;
 
 layout(push_constant) uniform Parameters {
     ivec2 size;  // of the images, pixels

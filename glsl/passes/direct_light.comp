@@ -13,18 +13,18 @@
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/shading/directional_occlusion.glsl"
 
-layout(binding = 4, rgba32f) uniform writeonly image2D light_image;
-layout(binding = 5, rgba32f) uniform readonly image2D albedo_image;
-layout(binding = 6, rgba32f) uniform readonly image2D environment_image;
+layout(binding = 4, rgba32f) uniform writeonly highp image2D light_image;
+layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
+layout(binding = 6 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT environment_image;
 
 // direction: view space, unit.
 vec3 environment(vec3 direction) {
     vec3 world =
         mat3(parameters.world_from_view[0].xyz, parameters.world_from_view[1].xyz, parameters.world_from_view[2].xyz) *
         direction;
-    ivec2 size = imageSize(environment_image);
+    ivec2 size = GLOAM_INPUT_SIZE(environment_image);
     vec2 at = vec2(0.5 + gloam_atan2(world.x, -world.z) / 6.283185307, gloam_acos(world.y) / 3.141592654);
-    return imageLoad(environment_image, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1)).xyz;
+    return GLOAM_FETCH(environment_image, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1)).xyz;
 }
 
 void main() {
@@ -41,5 +41,5 @@ void main() {
             count += 1.0;
         }
     }
-    imageStore(light_image, pixel, vec4(gloam_ssdo_light(sum, count, imageLoad(albedo_image, pixel).xyz), 0.0));
+    imageStore(light_image, pixel, vec4(gloam_ssdo_light(sum, count, GLOAM_FETCH(albedo_image, pixel).xyz), 0.0));
 }

@@ -15,6 +15,7 @@
 //   3  rgba32f  normal of the other view, in its view space
 //   4  r32f     occlusion as it is shown, [0, 1]: read, and written where it becomes larger
 //   5  buffer   a MethodValues
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool orthographic = false;        // this camera; else perspective
@@ -24,11 +25,11 @@ layout(constant_id = 3) const uint method_steps = 4u;           // replaces Meth
 // skip taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 4) const bool reject_taps = false;
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 2, r32f) uniform readonly image2D other_depth_image;
-layout(binding = 3, rgba32f) uniform readonly image2D other_normal_image;
-layout(binding = 4, r32f) uniform image2D occlusion_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 2 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT other_depth_image;
+layout(binding = 3 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT other_normal_image;
+layout(binding = 4, r32f) uniform highp image2D occlusion_image;
 
 layout(push_constant) uniform Parameters {
     mat4 other_from_this;   // this view space to that of the other camera
@@ -62,11 +63,11 @@ const float SEEN_TOLERANCE = 0.02;
 
 // The images that the method reads: those of the other view.
 float gloam_fetch_depth(ivec2 pixel) {
-    return imageLoad(other_depth_image, pixel).x;
+    return GLOAM_FETCH(other_depth_image, pixel).x;
 }
 
 vec3 gloam_fetch_normal(ivec2 pixel) {
-    return imageLoad(other_normal_image, pixel).xyz;
+    return GLOAM_FETCH(other_normal_image, pixel).xyz;
 }
 
 vec3 gloam_fetch_layers(ivec2 pixel) {
@@ -98,7 +99,7 @@ bool seen_there(vec3 position, vec3 normal, GloamCamera camera) {
 float occlusion_there(ivec2 pixel, float depth) {
     vec3 here = gloam_camera_position(pixel, depth, GloamCamera(parameters.p00_p11, parameters.size, orthographic));
     vec3 position = (parameters.other_from_this * vec4(here, 1.0)).xyz;
-    vec3 normal = mat3(parameters.other_from_this) * imageLoad(normal_image, pixel).xyz;
+    vec3 normal = mat3(parameters.other_from_this) * GLOAM_FETCH(normal_image, pixel).xyz;
     GloamCamera camera = GloamCamera(parameters.other_p00_p11, parameters.other_size, other_orthographic);
     if (!seen_there(position, normal, camera)) return 0.0;
     float bias = max(parameters.bias, gloam_depth_bias(parameters.bias_depth, -position.z, 1.0));
@@ -115,7 +116,7 @@ float occlusion_there(ivec2 pixel, float depth) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    float depth = imageLoad(depth_image, pixel).x;
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
     if (gloam_is_background(depth)) return;
     float before = imageLoad(occlusion_image, pixel).x;
     float there = occlusion_there(pixel, depth);

@@ -3,19 +3,24 @@
 #define GLOAM_PASSES_HISTORY_IMAGE_GLSL
 
 // The image format of a history. Define GLOAM_HISTORY as rgba16f for four half floats, or GLOAM_PACKED_HISTORY for four
-// fixed-point numbers of 16 bits (gloam/temporal/packed_history.glsl). The default is four floats.
-//   layout(binding = B, GLOAM_HISTORY) uniform GLOAM_HISTORY_IMAGE image;
+// fixed-point numbers of 16 bits (gloam/temporal/packed_history.glsl). The default is four floats. A pass reads one
+// history and writes another, so none is both read and written.
+//   layout(binding = B GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT image;
+//   layout(binding = B, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE image;
 //   GLOAM_LOAD_HISTORY(image, pixel)          a GloamHistory
 //   GLOAM_LOAD_HISTORY_TEXEL(image, pixel)    the same as a vec4, as gloam_history_pack gives it, but not sanitized
 //   GLOAM_STORE_HISTORY(image, pixel, history)
-// GLOAM_HISTORY_ROUNDS: true where a loaded value may differ from the stored one.
+// stored_history(history) is what a load gives after a store. GLOAM_HISTORY_ROUNDS: true where that may differ from the
+// history, sanitized.
 
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/packed_history.glsl"
+#include "passes/input_image.glsl"
 
 #ifdef GLOAM_PACKED_HISTORY
 #define GLOAM_HISTORY rgba16ui
-#define GLOAM_HISTORY_IMAGE uimage2D
+#define GLOAM_HISTORY_IMAGE highp uimage2D
+#define GLOAM_HISTORY_INPUT GLOAM_UINT_INPUT
 #define GLOAM_HISTORY_ROUNDS true
 
 GloamPackedHistory packed_in(uvec4 texel) {
@@ -26,33 +31,45 @@ GloamHistory history_from_texel(uvec4 texel) {
     return gloam_history_decode(packed_in(texel));
 }
 
-#define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) gloam_packed_texel(packed_in(imageLoad(image, pixel)))
+#define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) gloam_packed_texel(packed_in(GLOAM_FETCH(image, pixel)))
 
 uvec4 texel_from_history(GloamHistory history) {
     GloamPackedHistory texel = gloam_history_encode(history);
     return uvec4(texel.occlusion, texel.weight, texel.index, texel.depth);
 }
 #else
+#define GLOAM_HISTORY_IMAGE highp image2D
+#define GLOAM_HISTORY_INPUT GLOAM_INPUT
+
 #ifdef GLOAM_HISTORY
 #define GLOAM_HISTORY_ROUNDS true
+
+// Rounded here, so that stored_history() does not depend on how an image rounds.
+vec4 texel_from_history(GloamHistory history) {
+    vec4 texel = gloam_history_pack(history);
+    return vec4(unpackHalf2x16(packHalf2x16(texel.xy)), unpackHalf2x16(packHalf2x16(texel.zw)));
+}
 #else
 #define GLOAM_HISTORY rgba32f
 #define GLOAM_HISTORY_ROUNDS false
-#endif
-#define GLOAM_HISTORY_IMAGE image2D
-
-GloamHistory history_from_texel(vec4 texel) {
-    return gloam_history_unpack(texel);
-}
-
-#define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) imageLoad(image, pixel)
 
 vec4 texel_from_history(GloamHistory history) {
     return gloam_history_pack(history);
 }
 #endif
 
-#define GLOAM_LOAD_HISTORY(image, pixel) history_from_texel(imageLoad(image, pixel))
+GloamHistory history_from_texel(vec4 texel) {
+    return gloam_history_unpack(texel);
+}
+
+#define GLOAM_LOAD_HISTORY_TEXEL(image, pixel) GLOAM_FETCH(image, pixel)
+#endif
+
+#define GLOAM_LOAD_HISTORY(image, pixel) history_from_texel(GLOAM_FETCH(image, pixel))
 #define GLOAM_STORE_HISTORY(image, pixel, history) imageStore(image, pixel, texel_from_history(history))
+
+GloamHistory stored_history(GloamHistory history) {
+    return GLOAM_HISTORY_ROUNDS ? history_from_texel(texel_from_history(history)) : gloam_history_sanitize(history);
+}
 
 #endif

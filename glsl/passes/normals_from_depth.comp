@@ -5,10 +5,11 @@
 // Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  written: unit view-space normal facing the eye in xyz, 0 at the background; w is 0
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform writeonly image2D normal_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1, rgba32f) uniform writeonly highp image2D normal_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;       // elements [0][0] and [1][1] of the projection, y down
@@ -21,7 +22,7 @@ layout(push_constant) uniform Parameters {
 
 vec3 position_at(ivec2 pixel, GloamCamera camera) {
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= camera.size.x || pixel.y >= camera.size.y) return vec3(0.0);
-    return gloam_camera_position(pixel, imageLoad(depth_image, pixel).x, camera);
+    return gloam_camera_position(pixel, GLOAM_FETCH(depth_image, pixel).x, camera);
 }
 
 void main() {

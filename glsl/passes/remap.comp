@@ -12,13 +12,13 @@
 #include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 #ifdef GLOAM_SOURCE
-layout(binding = 1, GLOAM_SOURCE) uniform readonly image2D source_image;
+layout(binding = 1 GLOAM_FORMAT(GLOAM_SOURCE)) uniform GLOAM_INPUT source_image;
 #else
-layout(binding = 1, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE source_image;
+layout(binding = 1 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT source_image;
 #endif
-layout(binding = 2, r32f) uniform writeonly image2D mapped_image;
+layout(binding = 2, r32f) uniform writeonly highp image2D mapped_image;
 
 #define GLOAM_LIST_BINDING 3
 #include "tiles/listed.glsl"
@@ -36,11 +36,11 @@ layout(push_constant) uniform Parameters {
 void map(ivec2 pixel) {
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
 #ifdef GLOAM_SOURCE
-    float occlusion = imageLoad(source_image, pixel).x;
+    float occlusion = GLOAM_FETCH(source_image, pixel).x;
 #else
     float occlusion = GLOAM_LOAD_HISTORY_TEXEL(source_image, pixel).x;
 #endif
-    if (!gloam_is_background(imageLoad(depth_image, pixel).x)) {
+    if (!gloam_is_background(GLOAM_FETCH(depth_image, pixel).x)) {
         occlusion = 1.0 - gloam_remap(1.0 - occlusion, parameters.a, parameters.b, parameters.c);
     }
     imageStore(mapped_image, pixel, vec4(occlusion));

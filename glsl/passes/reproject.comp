@@ -23,9 +23,9 @@ layout(constant_id = 2) const bool nearest_index = true;
 layout(constant_id = 3) const bool orthographic = false;           // this frame's camera; else perspective
 layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform readonly image2D previous_position_image;
-layout(binding = 2, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE previous_history;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
+layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT previous_history;
 layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history;
 
 #define GLOAM_LIST_BINDING 4
@@ -50,7 +50,7 @@ vec4 gloam_fetch_history(ivec2 pixel) {
 }
 
 vec3 previous_position(ivec2 pixel, float depth) {
-    if (moving_objects) return imageLoad(previous_position_image, pixel).xyz;
+    if (moving_objects) return GLOAM_FETCH(previous_position_image, pixel).xyz;
     GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
     return (parameters.previous_from_current * vec4(gloam_camera_position(pixel, depth, camera), 1.0)).xyz;
 }
@@ -80,7 +80,7 @@ GloamHistory history_at(vec2 uv, float expected_depth) {
 }
 
 GloamHistory reprojected(ivec2 pixel) {
-    float depth = imageLoad(depth_image, pixel).x;
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
     if (gloam_is_background(depth)) return gloam_history_empty(depth);
     vec3 previous = previous_position(pixel, depth);
     GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);

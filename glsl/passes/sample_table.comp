@@ -7,7 +7,7 @@
 //   0  rgba32f  written: the samples first to last (samples/table.glsl), 0 in w
 layout(local_size_x = 64) in;
 
-layout(binding = 0, rgba32f) uniform writeonly image2D table_image;
+layout(binding = 0, rgba32f) uniform writeonly highp image2D table_image;
 
 layout(push_constant) uniform Parameters {
     uint first;  // number of a sample, 1 for the first

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 450
+#ifndef GL_ES
 #extension GL_EXT_control_flow_attributes : require
+#endif
 // Smooths the occlusion in the image along one axis: run it along x, then along y on the result. Only for display: the
 // history must not contain the result. A file of the folder filters defines the weights: by convergence (TSSAO-10), by
 // normal and depth (CS-BLUR), by distance and depth (ISSAO-7), or those of SAO.
@@ -27,28 +29,39 @@
 // read again for each pixel.
 #if GLOAM_HALF_WIDTH <= 8
 #define HOLDS_ROW true
-#define UNROLL [[unroll]]
+#define LOOP_HINT unroll
 #else
 #define HOLDS_ROW false
-#define UNROLL [[dont_unroll]]
+#define LOOP_HINT dont_unroll
+#endif
+#ifdef GL_ES
+#define UNROLL
+#else
+#define UNROLL [[LOOP_HINT]]
 #endif
 const int HALF_WIDTH = GLOAM_HALF_WIDTH;
-const int PIXELS = HALF_WIDTH <= 2 ? 8 : 4;  // of an invocation; divides the side of a tile
+#if GLOAM_HALF_WIDTH <= 2
+const int PIXELS = 8;           // of an invocation; divides the side of a tile
+#define FILTER_INVOCATIONS 64   // of a group: TILE_ROWS for each of FILTER_TILES tiles
+#else
+const int PIXELS = 4;
+#define FILTER_INVOCATIONS 128
+#endif
 
 layout(constant_id = 0) const bool along_y = false;       // the second of the two passes
 layout(constant_id = 1) const bool orthographic = false;  // else perspective
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE history_image;
-layout(binding = 2, r32f) uniform writeonly image2D filtered_image;
-layout(binding = 3, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 5, r32f) uniform readonly image2D along_x_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_image;
+layout(binding = 2, r32f) uniform writeonly highp image2D filtered_image;
+layout(binding = 3 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 5 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT along_x_image;
 
 #define GLOAM_LIST_BINDING 4
 #include "tiles/listed.glsl"
 
 const int TILE_ROWS = int(TILE_SIDE * TILE_SIDE) / PIXELS;  // rows of a tile, one for each invocation
-layout(local_size_x = int(FILTER_TILES) * TILE_ROWS) in;
+layout(local_size_x = FILTER_INVOCATIONS) in;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;        // elements [0][0] and [1][1] of the projection, y down
@@ -71,8 +84,8 @@ struct Source {
 
 Source source_at(ivec2 pixel) {
     vec4 texel = GLOAM_LOAD_HISTORY_TEXEL(history_image, pixel);
-    if (along_y) texel.x = imageLoad(along_x_image, pixel).x;
-    if (GLOAM_HISTORY_ROUNDS) texel.w = imageLoad(depth_image, pixel).x;
+    if (along_y) texel.x = GLOAM_FETCH(along_x_image, pixel).x;
+    if (GLOAM_HISTORY_ROUNDS) texel.w = GLOAM_FETCH(depth_image, pixel).x;
     return Source(texel.x, texel.y, texel.w);
 }
 

@@ -24,9 +24,9 @@ void require(std::size_t found, std::size_t expected, const char* what) {
 
 Composite::Composite(const gpu::Device& device, const scene::PassLibrary& passes)
     : device_(&device),
-      pipeline_(device, {.spirv = passes.compile("composite.comp"),
-                         .bindings = {storage_image, storage_image, storage_image, storage_image},
-                         .push_constant_bytes = sizeof(glm::ivec2)}) {}
+      pipeline_(pipeline_of(device, passes, {.file = "composite.comp"},
+                            {sampled_image, sampled_image, sampled_image, storage_image},
+                            sizeof(glm::ivec2))) {}
 
 void Composite::watch(PassWatcher watcher) {
     watcher_ = std::move(watcher);

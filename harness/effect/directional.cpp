@@ -45,17 +45,12 @@ DirectionalParameters parameters_of(const scene::GBuffer& view, const Settings& 
 
 gpu::ComputePipeline make_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
                                    const DirectionalProgram& program) {
-    std::vector<gpu::BindingKind> bindings{storage_image, storage_image, storage_image, storage_buffer,
+    std::vector<gpu::BindingKind> bindings{sampled_image, sampled_image, sampled_image, storage_buffer,
                                            storage_image};
-    bindings.insert(bindings.end(), program.reads, storage_image);
-    std::vector<gpu::SpecializationConstant> constants{{.id = 0, .bits = program.layers}};
-    if (program.interleave > 0) constants.push_back({.id = 1, .bits = program.interleave});
-    const shader::Spirv spirv = library.compile(program.pass + ".comp");
-    return {device,
-            {.spirv = spirv,
-             .bindings = bindings,
-             .push_constant_bytes = sizeof(DirectionalParameters),
-             .constants = std::move(constants)}};
+    bindings.insert(bindings.end(), program.reads, sampled_image);
+    PassSource source{.file = program.pass + ".comp", .constants = {{.id = 0, .bits = program.layers}}};
+    if (program.interleave > 0) source.constants.push_back({.id = 1, .bits = program.interleave});
+    return pipeline_of(device, library, source, std::move(bindings), sizeof(DirectionalParameters));
 }
 
 void require(const scene::GBuffer& view, const Settings& settings) {

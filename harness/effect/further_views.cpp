@@ -78,7 +78,7 @@ struct FurtherViews::Impl {
         if (known != pipelines.end()) return known->second;
         return pipelines
             .emplace(key, pipeline_of(*device, library, further_view_source(program, other_orthographic),
-                                      {storage_image, storage_image, storage_image, storage_image,
+                                      {sampled_image, sampled_image, sampled_image, sampled_image,
                                        storage_image, storage_buffer},
                                       sizeof(FurtherViewParameters)))
             .first->second;

@@ -52,19 +52,15 @@ std::vector<gpu::SpecializationConstant> constants_of(std::optional<TileLists> l
             {.id = list_constant, .bits = static_cast<std::uint32_t>(list.value_or(TileLists::shaded))}};
 }
 
-bool is_cpu(const gpu::Device& device) {
-    return device.info().type == "cpu";
-}
-
 // How ambient_occlusion.comp counts on a device. The buffers of counts are in the CPU's memory.
 Counting counting_on(const gpu::Device& device) {
-    return is_cpu(device) ? Counting::each_invocation : Counting::each_group;
+    return runs_on_cpu(device) ? Counting::each_invocation : Counting::each_group;
 }
 
 // Open tiles of one group. A CPU runs a group's invocations one after another; fewer invocations have less
 // cost of their own.
 std::uint32_t open_tiles_each_on(const gpu::Device& device) {
-    return is_cpu(device) ? 8U : 1U;
+    return runs_on_cpu(device) ? 8U : 1U;
 }
 
 // Whether the loops over samples have a length that is a constant, and so few rounds that their code stays
@@ -279,20 +275,8 @@ PassSource selection_source(std::uint32_t open_tiles_each) {
     return {.file = "tiles/select.comp", .constants = {{.id = open_tiles_constant, .bits = open_tiles_each}}};
 }
 
-gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
-                                 const PassSource& source, std::vector<gpu::BindingKind> bindings,
-                                 std::size_t push_constant_bytes) {
-    const scene::PassLibrary& optimized = source.unrolls ? library.unrolled() : library;
-    const shader::Spirv spirv = optimized.compile(source.file, source.defines, source.replaced);
-    return {device,
-            {.spirv = spirv,
-             .bindings = std::move(bindings),
-             .push_constant_bytes = static_cast<std::uint32_t>(push_constant_bytes),
-             .constants = source.constants}};
-}
-
 gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::PassLibrary& library) {
-    return pipeline_of(device, library, normals_source(), {storage_image, storage_image},
+    return pipeline_of(device, library, normals_source(), {sampled_image, storage_image},
                        sizeof(NormalParameters));
 }
 
@@ -300,15 +284,15 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
                                        const Program& program) {
     return pipeline_of(
         device, library, occlusion_source(program, counting_on(device), open_tiles_each_on(device)),
-        {storage_image, storage_image, storage_image, storage_image, storage_buffer, storage_image,
-         storage_buffer, storage_image, storage_image, storage_buffer, storage_image, storage_image},
+        {sampled_image, sampled_image, sampled_image, storage_image, storage_buffer, sampled_image,
+         storage_buffer, sampled_image, sampled_image, storage_buffer, storage_image, sampled_image},
         sizeof(OcclusionParameters));
 }
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
                                const ReprojectionProgram& program) {
     return pipeline_of(device, library, reprojection_source(program),
-                       {storage_image, storage_image, storage_image, storage_image, storage_buffer},
+                       {sampled_image, sampled_image, sampled_image, storage_image, storage_buffer},
                        sizeof(ReprojectionParameters));
 }
 
@@ -316,25 +300,25 @@ gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::Pass
                                     const FilterProgram& program) {
     return pipeline_of(
         device, library, filter_source(program),
-        {storage_image, storage_image, storage_image, storage_image, storage_buffer, storage_image},
+        {sampled_image, sampled_image, storage_image, sampled_image, storage_buffer, sampled_image},
         sizeof(FilterParameters));
 }
 
 gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
                            std::optional<HistoryPrecision> history, std::optional<TileLists> list) {
     return pipeline_of(device, library, remap_source(history, list),
-                       {storage_image, storage_image, storage_image, storage_buffer},
+                       {sampled_image, sampled_image, storage_image, storage_buffer},
                        sizeof(RemapParameters));
 }
 
 gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
     return pipeline_of(device, library, selection_source(open_tiles_each_on(device)),
-                       {storage_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer},
+                       {sampled_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer},
                        sizeof(SelectParameters));
 }
 
 gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
-    return pipeline_of(device, library, {.file = "tiles/bound.comp"}, {storage_image, storage_buffer},
+    return pipeline_of(device, library, {.file = "tiles/bound.comp"}, {sampled_image, storage_buffer},
                        sizeof(BoundParameters));
 }
 
@@ -345,7 +329,7 @@ gpu::ComputePipeline merge_bounds(const gpu::Device& device, const scene::PassLi
 
 gpu::ComputePipeline open_tiles(const gpu::Device& device, const scene::PassLibrary& library) {
     return pipeline_of(device, library, {.file = "tiles/open.comp"},
-                       {storage_image, storage_image, storage_buffer, storage_buffer},
+                       {sampled_image, sampled_image, storage_buffer, storage_buffer},
                        sizeof(OpenParameters));
 }
 

@@ -260,7 +260,7 @@ class Planner {
                    moment_.view.extent.width)
                 side *= 2;
             pass(step.name.c_str(), preparation_source(step.file, program, preparation_->format),
-                 {"depth", "normal", history(), "prepared", "method", present("layers")},
+                 {"depth", "normal", history(), "prepared", "method", present("layers"), "prepared"},
                  bytes_of_parameters(preparation_parameters(moment_.view, settings_, step.level)),
                  {side, side});
         }

@@ -76,8 +76,8 @@ const gpu::ComputePipeline& PreparedImage::pipeline(const std::string& file) {
     return pipelines_
         .emplace(key,
                  pipeline_of(*device_, library_, preparation_source(file, program_, preparation_->format),
-                             {storage_image, storage_image, storage_image, storage_image, storage_buffer,
-                              storage_image},
+                             {sampled_image, sampled_image, sampled_image, storage_image, storage_buffer,
+                              sampled_image, sampled_image},
                              sizeof(PreparationParameters)))
         .first->second;
 }
@@ -89,7 +89,7 @@ void PreparedImage::append_steps(const Sources& sources, std::vector<Step>& step
         steps.push_back({.name = pass.name,
                          .pipeline = &pipeline(pass.file),
                          .resources = {sources.depth, sources.normal, sources.history, *image_,
-                                       sources.method, sources.layers},
+                                       sources.method, sources.layers, *image_},
                          .parameters = bytes_of(constants_[i]),
                          .groups = groups_for(pass.invocations)});
     }

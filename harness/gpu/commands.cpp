@@ -20,18 +20,16 @@ Recording create(const Context& context) {
     return {.buffers = std::move(buffers), .descriptors = {}, .timestamps = {}, .framebuffers = {}};
 }
 
-BindingKind kind_of(const Resource& resource) {
-    return std::holds_alternative<std::reference_wrapper<const Buffer>>(resource)
-               ? BindingKind::storage_buffer
-               : BindingKind::storage_image;
+bool is_buffer(const Resource& resource) {
+    return std::holds_alternative<std::reference_wrapper<const Buffer>>(resource);
 }
 
 void check_resource(const ComputePipeline::Impl& pipeline, const Resource& resource, std::size_t binding) {
     const auto wanted = pipeline.bindings[binding];
-    if (kind_of(resource) != wanted) {
+    if (is_buffer(resource) != (wanted == BindingKind::storage_buffer)) {
         throw std::invalid_argument(
-            fmt::format("dispatch: resource {} is a {}, the pipeline's binding is a {}", binding,
-                        name_of(kind_of(resource)), name_of(wanted)));
+            fmt::format("dispatch: resource {} is {}, the pipeline's binding is a {}", binding,
+                        is_buffer(resource) ? "a storage buffer" : "an image", name_of(wanted)));
     }
     if (wanted == BindingKind::storage_buffer) {
         const Buffer& buffer = std::get<std::reference_wrapper<const Buffer>>(resource);
@@ -105,7 +103,7 @@ void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resou
     commands.bindPipeline(point, *program.handles->pipeline);
     if (!resources.empty()) {
         const auto& set = handles->descriptors.allocate(program);
-        write_descriptors(context, set, resources);
+        write_descriptors(context, set, program.bindings, resources);
         commands.bindDescriptorSets(point, *program.handles->layout, 0, *set, nullptr);
     }
     if (!push_constants.empty()) {

@@ -24,6 +24,8 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, const Comp
     const auto& limits = context.physical.properties.limits;
     check_count(context, program, BindingKind::storage_buffer, limits.maxPerStageDescriptorStorageBuffers);
     check_count(context, program, BindingKind::storage_image, limits.maxPerStageDescriptorStorageImages);
+    check_count(context, program, BindingKind::sampled_image,
+                std::min(limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers));
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
     for (const auto kind : program.bindings) {
         bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
@@ -81,19 +83,34 @@ ComputeHandles create(const Context& context, const ComputeProgram& program) {
 }  // namespace
 
 vk::DescriptorType descriptor_type(BindingKind kind) {
-    return kind == BindingKind::storage_buffer ? vk::DescriptorType::eStorageBuffer
-                                               : vk::DescriptorType::eStorageImage;
+    switch (kind) {
+        case BindingKind::storage_buffer:
+            return vk::DescriptorType::eStorageBuffer;
+        case BindingKind::storage_image:
+            return vk::DescriptorType::eStorageImage;
+        case BindingKind::sampled_image:
+            return vk::DescriptorType::eCombinedImageSampler;
+    }
+    throw std::invalid_argument("unknown kind of binding");
 }
 
 const char* name_of(BindingKind kind) {
-    return kind == BindingKind::storage_buffer ? "storage buffer" : "storage image";
+    switch (kind) {
+        case BindingKind::storage_buffer:
+            return "storage buffer";
+        case BindingKind::storage_image:
+            return "storage image";
+        case BindingKind::sampled_image:
+            return "sampled image";
+    }
+    throw std::invalid_argument("unknown kind of binding");
 }
 
 ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)
     : context(owner),
       bindings(made_of.bindings),
       push_constant_bytes(made_of.push_constant_bytes),
-      program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants},
+      program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants, made_of.bindings},
       handles(owner, create(owner, made_of)) {}
 
 const PipelineProgram& program_of(const ComputePipeline& pipeline) {

@@ -15,7 +15,8 @@
 
 namespace gloam::gpu {
 
-enum class BindingKind { storage_buffer, storage_image };
+// sampled_image: read by texelFetch; it has a sampler, which no fetch uses.
+enum class BindingKind { storage_buffer, storage_image, sampled_image };
 
 struct SpecializationConstant {
     std::uint32_t id = 0;
@@ -47,7 +48,8 @@ class ComputePipeline {
     std::unique_ptr<Impl> impl_;
 };
 
-// The resource of a binding: a whole storage buffer, or a storage image. Shaders may write to either.
+// The resource of a binding: a whole storage buffer, or an image. Shaders may write to buffers and storage
+// images.
 using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>>;
 
 }  // namespace gloam::gpu

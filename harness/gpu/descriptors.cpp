@@ -16,36 +16,34 @@ constexpr std::uint32_t descriptors_per_pool = 256;  // of each kind
 }  // namespace
 
 const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const ComputePipeline::Impl& pipeline) {
-    const auto count = [&](BindingKind kind) {
-        return static_cast<std::uint32_t>(std::ranges::count(pipeline.bindings, kind));
-    };
-    return allocate(pipeline.context, pipeline.handles->set_layout, count(BindingKind::storage_buffer),
-                    count(BindingKind::storage_image));
+    return allocate(pipeline.context, pipeline.handles->set_layout, pipeline.bindings);
 }
 
 const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const Context& context,
                                                              const vk::raii::DescriptorSetLayout& layout,
-                                                             std::uint32_t buffers, std::uint32_t images) {
-    if (sets_left_ == 0 || buffers_left_ < buffers || images_left_ < images) {
-        add_pool(context, buffers, images);
-    }
+                                                             std::span<const BindingKind> bindings) {
+    Counts needed{};
+    for (const BindingKind kind : bindings) ++needed.at(static_cast<std::size_t>(kind));
+    bool fits = sets_left_ > 0;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) fits = fits && needed[kind] <= left_[kind];
+    if (!fits) add_pool(context, needed);
     vk::raii::DescriptorSets sets(
         context.device,
         vk::DescriptorSetAllocateInfo{
             .descriptorPool = *pools_.back(), .descriptorSetCount = 1, .pSetLayouts = &*layout});
     sets_left_ -= 1;
-    buffers_left_ -= buffers;
-    images_left_ -= images;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) left_[kind] -= needed[kind];
     return sets_.emplace_back(std::move(sets.front()));
 }
 
-void DescriptorAllocator::add_pool(const Context& context, std::uint32_t buffers, std::uint32_t images) {
+void DescriptorAllocator::add_pool(const Context& context, const Counts& needed) {
     sets_left_ = sets_per_pool;
-    buffers_left_ = std::max(buffers, descriptors_per_pool);
-    images_left_ = std::max(images, descriptors_per_pool);
-    const std::array sizes{
-        vk::DescriptorPoolSize{.type = vk::DescriptorType::eStorageBuffer, .descriptorCount = buffers_left_},
-        vk::DescriptorPoolSize{.type = vk::DescriptorType::eStorageImage, .descriptorCount = images_left_}};
+    std::array<vk::DescriptorPoolSize, binding_kinds> sizes;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) {
+        left_[kind] = std::max(needed[kind], descriptors_per_pool);
+        sizes[kind] = {.type = descriptor_type(static_cast<BindingKind>(kind)),
+                       .descriptorCount = left_[kind]};
+    }
     pools_.emplace_back(context.device, vk::DescriptorPoolCreateInfo{
                                             .flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
                                             .maxSets = sets_left_,
@@ -54,22 +52,24 @@ void DescriptorAllocator::add_pool(const Context& context, std::uint32_t buffers
 }
 
 void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
-                       std::span<const Resource> resources) {
+                       std::span<const BindingKind> bindings, std::span<const Resource> resources) {
     std::vector<vk::DescriptorBufferInfo> buffers(resources.size());
     std::vector<vk::DescriptorImageInfo> images(resources.size());
     std::vector<vk::WriteDescriptorSet> writes;
     for (std::uint32_t i = 0; i < resources.size(); ++i) {
-        vk::WriteDescriptorSet write{.dstSet = *set, .dstBinding = i, .descriptorCount = 1};
+        vk::WriteDescriptorSet write{.dstSet = *set,
+                                     .dstBinding = i,
+                                     .descriptorCount = 1,
+                                     .descriptorType = descriptor_type(bindings[i])};
         if (const auto* buffer = std::get_if<std::reference_wrapper<const Buffer>>(&resources[i])) {
             buffers[i] = vk::DescriptorBufferInfo{.buffer = *buffer->get().impl().handles->buffer,
                                                   .range = VK_WHOLE_SIZE};
-            write.descriptorType = vk::DescriptorType::eStorageBuffer;
             write.pBufferInfo = &buffers[i];
         } else {
             const Image& image = std::get<std::reference_wrapper<const Image>>(resources[i]);
-            images[i] = vk::DescriptorImageInfo{.imageView = *image.impl().handles->view,
+            images[i] = vk::DescriptorImageInfo{.sampler = *context.sampler,
+                                                .imageView = *image.impl().handles->view,
                                                 .imageLayout = vk::ImageLayout::eGeneral};
-            write.descriptorType = vk::DescriptorType::eStorageImage;
             write.pImageInfo = &images[i];
         }
         writes.push_back(write);

@@ -70,6 +70,7 @@ Device::Impl::Impl(const DeviceOptions& options)
       command_pool(device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eTransient,
                                                      .queueFamilyIndex = physical.queue_family}),
       fence(device, vk::FenceCreateInfo{}),
+      sampler(device, vk::SamplerCreateInfo{}),
       cache(device, physical.properties, options.cache_directory, physical.info.identity),
       timeout(options.timeout) {}
 

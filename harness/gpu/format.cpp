@@ -8,14 +8,14 @@ namespace gloam::gpu {
 const FormatTraits& traits(Format format) {
     using Aspect = vk::ImageAspectFlagBits;
     using Usage = vk::ImageUsageFlagBits;
-    static constexpr auto color = Usage::eStorage | Usage::eColorAttachment;
+    static constexpr auto color = Usage::eStorage | Usage::eSampled | Usage::eColorAttachment;
     static constexpr FormatTraits r32f{"r32f", vk::Format::eR32Sfloat, 1, 4, Aspect::eColor, color};
     static constexpr FormatTraits rgba32f{"rgba32f", vk::Format::eR32G32B32A32Sfloat, 4, 16, Aspect::eColor,
                                           color};
     static constexpr FormatTraits rgba16f{"rgba16f", vk::Format::eR16G16B16A16Sfloat, 4, 8, Aspect::eColor,
                                           color};
-    static constexpr FormatTraits rgba16ui{
-        "rgba16ui", vk::Format::eR16G16B16A16Uint, 4, 8, Aspect::eColor, Usage::eStorage};
+    static constexpr FormatTraits rgba16ui{"rgba16ui",     vk::Format::eR16G16B16A16Uint,    4, 8,
+                                           Aspect::eColor, Usage::eStorage | Usage::eSampled};
     static constexpr FormatTraits depth32f{"depth32f",     vk::Format::eD32Sfloat,        1, 4,
                                            Aspect::eDepth, Usage::eDepthStencilAttachment};
     switch (format) {

@@ -12,6 +12,7 @@ namespace gloam::gpu {
 struct PipelineProgram {
     std::vector<std::uint32_t> spirv;
     std::vector<SpecializationConstant> constants;
+    std::vector<BindingKind> bindings;
 };
 [[nodiscard]] const PipelineProgram& program_of(const ComputePipeline& pipeline);
 

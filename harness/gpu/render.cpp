@@ -98,10 +98,10 @@ void begin_pass(const vk::raii::CommandBuffer& commands, const RasterPipeline::I
 void bind_images(Recording& handles, const vk::raii::CommandBuffer& commands,
                  const RasterPipeline::Impl& pipeline, const Draw& draw) {
     if (draw.images.empty()) return;
-    const auto& set =
-        handles.descriptors.allocate(pipeline.context, pipeline.handles->set_layout, 0, pipeline.image_count);
+    const std::vector<BindingKind> kinds(pipeline.image_count, BindingKind::storage_image);
+    const auto& set = handles.descriptors.allocate(pipeline.context, pipeline.handles->set_layout, kinds);
     const std::vector<Resource> resources(draw.images.begin(), draw.images.end());
-    write_descriptors(pipeline.context, set, resources);
+    write_descriptors(pipeline.context, set, kinds, resources);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline.handles->layout, 0, *set,
                                 nullptr);
 }

@@ -51,6 +51,12 @@ PassLibrary PassLibrary::with(shader::Optimization optimization) const {
     return other;
 }
 
+PassLibrary PassLibrary::reading(Inputs inputs) const {
+    PassLibrary other = *this;
+    other.inputs_ = inputs;
+    return other;
+}
+
 PassLibrary PassLibrary::unrolled() const {
     return optimization_ == shader::Optimization::hoisting ? with(shader::Optimization::unrolling) : *this;
 }
@@ -65,9 +71,10 @@ shader::Source PassLibrary::source(const std::string& name, const std::vector<st
 
 std::string PassLibrary::text(const std::string& name, const std::vector<std::string>& defines,
                               const std::vector<Replacement>& replacements,
-                              const std::map<std::uint32_t, std::uint32_t>& constants) const {
+                              const std::map<std::uint32_t, std::uint32_t>& constants,
+                              shader::Language language) const {
     return shader::pack({{.name = "defines", .text = lines_of(defines)}, source(name, {}, replacements)},
-                        {.stage = stage_of(name), .constants = constants}, {glsl_});
+                        {.language = language, .stage = stage_of(name), .constants = constants}, {glsl_});
 }
 
 shader::Spirv PassLibrary::compile(const std::string& name, const std::vector<std::string>& defines,

@@ -8,8 +8,13 @@
 #include <vector>
 
 #include "shader/cache.hpp"
+#include "shader/language.hpp"
 
 namespace gloam::scene {
+
+// How passes read images that they do not write (passes/input_image.glsl): as sampled images or as storage
+// images. by_device: as storage images on drivers that run on the CPU, which read these in less time.
+enum class Inputs { by_device, sampled, storage };
 
 // The passes of glsl/passes, compiled on demand.
 class PassLibrary {
@@ -25,6 +30,10 @@ class PassLibrary {
     // The same passes; where loop invariants are hoisted, drivers are asked to unroll the loops as well.
     [[nodiscard]] PassLibrary unrolled() const;
 
+    // The same passes, which read their inputs like this where pipelines are made of them.
+    [[nodiscard]] PassLibrary reading(Inputs inputs) const;
+    [[nodiscard]] Inputs inputs() const { return inputs_; }
+
     // An #include of a pass, as written, and its replacement.
     struct Replacement {
         std::string include;
@@ -38,11 +47,12 @@ class PassLibrary {
     [[nodiscard]] shader::Spirv compile(const std::string& name, const std::vector<std::string>& defines = {},
                                         const std::vector<Replacement>& replacements = {}) const;
 
-    // The same pass as one text without #include and #if, with its constants set (shader::pack()). Throws
-    // like compile().
+    // The same pass as one text of this version without #include and #if, with its constants set
+    // (shader::pack()). Throws like compile().
     [[nodiscard]] std::string text(const std::string& name, const std::vector<std::string>& defines = {},
                                    const std::vector<Replacement>& replacements = {},
-                                   const std::map<std::uint32_t, std::uint32_t>& constants = {}) const;
+                                   const std::map<std::uint32_t, std::uint32_t>& constants = {},
+                                   shader::Language language = shader::Language::vulkan450) const;
 
   private:
     [[nodiscard]] shader::Source source(const std::string& name, const std::vector<std::string>& defines,
@@ -51,6 +61,7 @@ class PassLibrary {
     std::filesystem::path glsl_;
     shader::SpirvCache cache_;
     shader::Optimization optimization_;
+    Inputs inputs_ = Inputs::by_device;
 };
 
 }  // namespace gloam::scene

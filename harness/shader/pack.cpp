@@ -217,6 +217,15 @@ std::string with_value(const std::string& text, const std::map<std::uint32_t, st
            found[5].str() + literal(found[4], value->second) + ";" + found.suffix().str();
 }
 
+// Interfaces as OpenGL has them: constants of their values, and a uniform block in the place of push
+// constants. The members that push constants may have here have the same offsets in std140.
+std::string for_opengl(const std::string& text) {
+    static const std::regex constant(R"(layout\s*\(\s*constant_id\s*=\s*\d+\s*\)\s*const\b)");
+    static const std::regex pushed(R"(layout\s*\(\s*push_constant\s*\)\s*uniform\b)");
+    return std::regex_replace(std::regex_replace(text, constant, "const"), pushed,
+                              "layout(binding = 0, std140) uniform");
+}
+
 std::string written(const Outline& outline, const std::vector<const Piece*>& pieces,
                     const PackRequest& request) {
     const std::string preamble = shader::preamble(request.language);
@@ -231,7 +240,9 @@ std::string written(const Outline& outline, const std::vector<const Piece*>& pie
     for (const Piece* piece : pieces) {
         const bool same = before && before->paragraph == piece->paragraph && before->file == piece->file;
         const bool adjustable = piece->kind == Kind::interface;
-        add_block(text, adjustable ? with_value(piece->text, request.constants) : piece->text, !same);
+        const std::string set = adjustable ? with_value(piece->text, request.constants) : piece->text;
+        const bool vulkan = request.language == Language::vulkan450;
+        add_block(text, adjustable && !vulkan ? for_opengl(set) : set, !same);
         before = piece;
     }
     return text + "\n";

@@ -223,6 +223,27 @@ TEST_F(Layouts, Buffers) {
               (std::vector{MEMBER(L, columns), MEMBER(L, rows), MEMBER(L, layers), MEMBER(L, tiles)}));
 }
 
+// Engines have sampled images, and OpenGL ES 3.1 lets no pass read an image of four channels that it writes.
+TEST_F(Layouts, NoImageIsReadAndWritten) {
+    std::set<std::string> seen;
+    for (const char* method :
+         {"dual_resolution", "sao_chain", "separable", "mssao", "volumetric_area", "disc_proxy_two"}) {
+        Settings settings = with_method({}, method);
+        settings.remap_b = 2.0F;
+        settings.layers = 2;
+        const PlanOptions options{.moving_objects = true, .tiles = true, .normals = false};
+        for (const PlannedPass& pass : plan_of(settings, options).passes) {
+            for (const shader::Binding& binding : interface_of(pass.source).bindings) {
+                const bool stored = binding.type == shader::BindingType::storage_image;
+                EXPECT_TRUE(!stored || (binding.writes && !binding.reads))
+                    << pass.source.file << " " << binding.name;
+            }
+            seen.insert(pass.source.file);
+        }
+    }
+    EXPECT_EQ(seen.size(), 15U);
+}
+
 // A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
 // those of several methods count; the preparation passes share theirs.
 TEST_F(Layouts, SpecializationConstants) {

@@ -49,7 +49,7 @@ TEST_F(MismatchTest, KindOfResource) {
     expect_refused(commands, pipeline, {buffer, image, buffer}, {1, 1, 1}, {},
                    {"resource 0", "storage buffer", "storage image"});
     expect_refused(commands, pipeline, {image, image, image}, {1, 1, 1}, {},
-                   {"resource 2", "storage image", "storage buffer"});
+                   {"resource 2", "an image", "storage buffer"});
 }
 
 TEST_F(MismatchTest, DepthImagesAreNoStorageImages) {

@@ -116,7 +116,10 @@ TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
     for (const nlohmann::json& pass : all.at("passes")) {
         for (const nlohmann::json& binding : pass.at("bindings")) {
             if (!binding["resource"].get<std::string>().starts_with("history")) continue;
-            EXPECT_EQ(binding["format"], "rgba16ui") << pass["name"];
+            if (binding["writes"])
+                EXPECT_EQ(binding["format"], "rgba16ui") << pass["name"];
+            else
+                EXPECT_EQ(binding["type"], "VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER") << pass["name"];
         }
     }
     pack({"--preset", "paper"});
@@ -162,6 +165,17 @@ TEST_F(PackEffect, PreparationComesWithTheMethod) {
     EXPECT_FALSE(named(json()["images"], "prepared").is_null());
 }
 
+// tests/effect/es_passes_test.cpp compiles them with a driver.
+TEST_F(PackEffect, PassesInES) {
+    pack({"--version", "310es", "--tiles", "--preset", "moving"});
+    const std::string shader = read(out() / "reproject.comp");
+    EXPECT_THAT(shader, testing::StartsWith("#version 310 es\n"));
+    EXPECT_THAT(shader, HasSubstr("layout(binding = 0, std140) uniform Parameters {"));
+    EXPECT_THAT(shader, HasSubstr("const bool listed = true;"));
+    EXPECT_THAT(shader, Not(HasSubstr("constant_id")));
+    EXPECT_THAT(read(out() / "README.md"), HasSubstr("GLSL ES file"));
+}
+
 TEST_F(PackEffect, SettingsStandAtTheHead) {
     pack({"--preset", "crytek-quality", "--radius", "0.25", "--set", "weight_max=77"});
     const std::string page = read(out() / "README.md");
@@ -186,6 +200,7 @@ TEST_F(PackEffect, BadInputLeavesNothing) {
     refused({"--out", folder, "--preset", "magic"}, "magic");
     refused({"--out", folder, "--method", "magic"}, "magic");
     refused({"--out", folder, "--size", "0x3"}, "--size 0x3");
+    refused({"--out", folder, "--version", "330"}, "--version 330");
     refused({"--out", folder, "--set", "samples=0"}, "samples");
     refused({"--out", "/dev/null/effect"}, "/dev/null");
 }

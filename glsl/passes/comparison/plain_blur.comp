@@ -7,11 +7,12 @@
 //   0  r32f  eye-linear depth, world units; background +infinity
 //   1  r32f  occlusion
 //   2  r32f  written: the mean
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, r32f) uniform readonly image2D occlusion_image;
-layout(binding = 2, r32f) uniform writeonly image2D blurred_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT occlusion_image;
+layout(binding = 2, r32f) uniform writeonly highp image2D blurred_image;
 
 layout(push_constant) uniform Parameters {
     ivec2 size;       // of the images, pixels
@@ -21,7 +22,7 @@ layout(push_constant) uniform Parameters {
 const float far = 1e9;  // background is there, world units
 
 float depth_at(ivec2 pixel) {
-    return min(imageLoad(depth_image, pixel).x, far);
+    return min(GLOAM_FETCH(depth_image, pixel).x, far);
 }
 
 void main() {
@@ -29,14 +30,14 @@ void main() {
     if (any(greaterThanEqual(pixel, parameters.size))) return;
     float depth = depth_at(pixel);
     float scale = 1.0 / (parameters.tolerance * depth);
-    float sum = imageLoad(occlusion_image, pixel).x;
+    float sum = GLOAM_FETCH(occlusion_image, pixel).x;
     float whole = 1.0;
     for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
             if (x == 0 && y == 0) continue;
             ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), parameters.size - 1);
             float weight = max(1.0 - abs(depth_at(at) - depth) * scale, 0.0);
-            sum += weight > 0.0 ? weight * imageLoad(occlusion_image, at).x : 0.0;
+            sum += weight > 0.0 ? weight * GLOAM_FETCH(occlusion_image, at).x : 0.0;
             whole += weight > 0.0 ? weight : 0.0;
         }
     }

@@ -11,14 +11,15 @@
 //   0  r32f     eye-linear depth, world units; background +infinity
 //   1  rgba32f  view-space normal in xyz, unit
 //   2  r32f     written: occlusion
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const int slices = 9;
 layout(constant_id = 1) const int steps = 3;  // taps on each side of a slice
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 2, r32f) uniform writeonly image2D occlusion_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 2, r32f) uniform writeonly highp image2D occlusion_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;  // elements [0][0] and [1][1] of the projection, y down
@@ -37,7 +38,7 @@ float short_acos(float x) {
 }
 
 float depth_at(ivec2 pixel) {
-    return min(imageLoad(depth_image, pixel).x, far);
+    return min(GLOAM_FETCH(depth_image, pixel).x, far);
 }
 
 vec3 position_at(ivec2 pixel, float depth) {
@@ -66,7 +67,7 @@ void main() {
         return;
     }
     vec3 position = position_at(pixel, depth);
-    vec3 normal = imageLoad(normal_image, pixel).xyz;
+    vec3 normal = GLOAM_FETCH(normal_image, pixel).xyz;
     vec3 view = normalize(-position);
     float turn = noise_at(pixel);
     float shift = fract(dot(vec2(pixel), vec2(0.75487767, 0.56984029)));

@@ -12,13 +12,14 @@
 //   2  rgba32f  further depth layers, as ambient_occlusion.comp has them; read when layers is more than 1
 //   3  buffer   a MethodValues
 //   4 and on    as the pass says
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const int layers = 1;  // depth layers that the samples see, 1 to 4
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 2, rgba32f) uniform readonly image2D layer_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;           // elements [0][0] and [1][1] of the projection, y down
@@ -46,7 +47,7 @@ layout(push_constant) uniform Parameters {
 layout(binding = 3, std430) readonly buffer MethodSettings { MethodValues method_values; };
 
 float gloam_fetch_depth(ivec2 pixel) {
-    return imageLoad(depth_image, pixel).x;
+    return GLOAM_FETCH(depth_image, pixel).x;
 }
 
 // The shaded point.
@@ -72,7 +73,7 @@ GloamCamera this_camera() {
 
 // Whether a pixel has a surface to shade. shaded: written; complete only where the result is true.
 bool shaded_at(ivec2 pixel, out Shaded shaded) {
-    vec3 normal = imageLoad(normal_image, pixel).xyz;
+    vec3 normal = GLOAM_FETCH(normal_image, pixel).xyz;
     shaded.position = gloam_camera_position(pixel, gloam_fetch_depth(pixel), this_camera());
     shaded.normal = gloam_safe_normalize(normal, vec3(0.0));
     shaded.turn = gloam_sincos(gloam_hash_rotation(pixel));
@@ -85,7 +86,7 @@ bool shaded_at(ivec2 pixel, out Shaded shaded) {
 // Whether the layers at a pixel block a point, 1 or 0. depth: of the point, moved to the pixel's centre.
 float blocked_at(ivec2 pixel, float depth) {
     float first = gloam_fetch_depth(pixel);
-    vec3 further = layers > 1 ? imageLoad(layer_image, pixel).xyz : vec3(0.0);
+    vec3 further = layers > 1 ? GLOAM_FETCH(layer_image, pixel).xyz : vec3(0.0);
     GloamLayersSeen seen = GloamLayersSeen(0.0, 0.0, true);
     for (int layer = 0; layer < layers; ++layer) {
         float blocked =

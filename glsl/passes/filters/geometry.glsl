@@ -29,7 +29,7 @@ Tap weightless(Tap tap) {
 Tap tap_at(ivec2 pixel) {
     Source source = source_at(pixel);
     float depth = source.depth / parameters.depth_scale;
-    return Tap(source.occlusion, depth, !gloam_is_background(depth), imageLoad(normal_image, pixel).xyz);
+    return Tap(source.occlusion, depth, !gloam_is_background(depth), GLOAM_FETCH(normal_image, pixel).xyz);
 }
 
 #include "passes/tiles/row.glsl"

@@ -10,9 +10,9 @@
 
 #include "gloam/methods/volumetric_area.glsl"
 
-// The image that this pass writes, as the method reads it.
+// What earlier passes have written, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 texel) {
-    return imageLoad(prepared_image, texel);
+    return GLOAM_FETCH(earlier_image, texel);
 }
 
 // A texel of the level before; without a surface outside it.

@@ -9,9 +9,9 @@
 
 #include "gloam/methods/sao_chain.glsl"
 
-// The image that this pass writes, as the method reads it.
+// What earlier passes have written, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return imageLoad(prepared_image, pixel);
+    return GLOAM_FETCH(earlier_image, pixel);
 }
 
 void main() {

@@ -9,13 +9,13 @@
 
 #include "gloam/methods/disc_proxy_two.glsl"
 
-// The image that this pass writes, as the method reads it.
+// What earlier passes have written, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return imageLoad(prepared_image, pixel);
+    return GLOAM_FETCH(earlier_image, pixel);
 }
 
 vec3 gloam_fetch_normal(ivec2 pixel) {
-    return imageLoad(normal_image, pixel).xyz;
+    return GLOAM_FETCH(normal_image, pixel).xyz;
 }
 
 float prepared(ivec2 pixel) {

@@ -9,9 +9,9 @@
 
 #include "gloam/methods/separable.glsl"
 
-// The image that this pass writes, as the method reads it.
+// What earlier passes have written, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return imageLoad(prepared_image, pixel);
+    return GLOAM_FETCH(earlier_image, pixel);
 }
 
 float prepared(ivec2 pixel) {
@@ -19,7 +19,7 @@ float prepared(ivec2 pixel) {
     if (gloam_is_background(depth) || below_limit(depth)) return 0.0;
     GloamCamera camera = this_camera();
     vec3 position = gloam_camera_position(pixel, depth, camera);
-    return gloam_separable_slice(position, imageLoad(normal_image, pixel).xyz, camera, kernel_at(pixel), false);
+    return gloam_separable_slice(position, GLOAM_FETCH(normal_image, pixel).xyz, camera, kernel_at(pixel), false);
 }
 
 void main() {

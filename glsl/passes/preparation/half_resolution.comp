@@ -9,9 +9,9 @@
 
 #include "gloam/methods/dual_resolution.glsl"
 
-// The image that this pass writes, as the method reads it.
+// What earlier passes have written, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return imageLoad(prepared_image, pixel);
+    return GLOAM_FETCH(earlier_image, pixel);
 }
 
 // Distance in pixels up to which a pixel of the frame reads its neighbourhood of 3 x 3 half-resolution pixels.
@@ -20,7 +20,7 @@ const int REACH = 4;
 vec4 prepared(ivec2 pixel) {
     float depth = gloam_fetch_depth(pixel);
     if (gloam_is_background(depth) || far_from_frame(pixel, REACH)) return vec4(0.0);
-    vec3 normal = imageLoad(normal_image, pixel).xyz;
+    vec3 normal = GLOAM_FETCH(normal_image, pixel).xyz;
     if (below_limit(depth)) return vec4(0.0, normal);
     GloamCamera camera = this_camera();
     vec3 position = gloam_camera_position(pixel, depth, camera);

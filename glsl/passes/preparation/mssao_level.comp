@@ -10,7 +10,7 @@
 #include "gloam/methods/mssao.glsl"
 
 vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return imageLoad(prepared_image, pixel);
+    return GLOAM_FETCH(earlier_image, pixel);
 }
 
 // The pixel at the middle of a texel. Its history determines which samples come next.

@@ -18,7 +18,7 @@ struct Surface {
 };
 
 vec4 gloam_fetch_prepared(ivec2 pixel) {
-    return imageLoad(prepared_image, pixel);
+    return GLOAM_FETCH(earlier_image, pixel);
 }
 
 // A texel of the level before; zeros outside it.
@@ -27,8 +27,8 @@ Surface finer(ivec2 texel) {
     ivec2 size = gloam_level_size(parameters.size, level);
     if (texel.x >= size.x || texel.y >= size.y) return Surface(vec3(0.0), vec3(0.0));
     vec3 position = gloam_pyramid_position(texel, level, this_camera());
-    vec3 normal = level == 0 ? imageLoad(normal_image, texel).xyz
-                             : imageLoad(prepared_image, gloam_pyramid_texel(texel, level, parameters.size,
+    vec3 normal = level == 0 ? GLOAM_FETCH(normal_image, texel).xyz
+                             : GLOAM_FETCH(earlier_image, gloam_pyramid_texel(texel, level, parameters.size,
                                                                              GLOAM_PYRAMID_NORMALS)).xyz;
     return Surface(position, normal);
 }

@@ -13,10 +13,11 @@
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used,
 //               depth)
-//   3  prepared the prepared image, written and, by passes that build on others, read
+//   3  prepared the prepared image, written
 //   4  buffer   a MethodValues
 //   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is
 //               more than 1
+//   6  prepared the image of binding 3: read by passes that build on others, where earlier passes have written
 #include "../history_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
@@ -34,10 +35,10 @@ const bool fewer_samples = true;
 const bool caps_radius = true;
 const bool ends_marches = false;
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
-layout(binding = 2, GLOAM_HISTORY) uniform readonly GLOAM_HISTORY_IMAGE history_before;
-layout(binding = 3, GLOAM_PREPARED) uniform image2D prepared_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_before;
+layout(binding = 3, GLOAM_PREPARED) uniform writeonly highp image2D prepared_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
@@ -68,10 +69,11 @@ layout(push_constant) uniform Parameters {
 #include "passes/method_values.glsl"
 
 layout(binding = 4, std430) readonly buffer MethodSettings { MethodValues method_values; };
-layout(binding = 5, rgba32f) uniform readonly image2D layer_image;
+layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
+layout(binding = 6 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT earlier_image;
 
 vec3 gloam_fetch_layers(ivec2 pixel) {
-    return imageLoad(layer_image, pixel).xyz;
+    return GLOAM_FETCH(layer_image, pixel).xyz;
 }
 
 GloamCamera this_camera() {
@@ -81,7 +83,7 @@ GloamCamera this_camera() {
 #include "../pixel_samples.glsl"
 
 float gloam_fetch_depth(ivec2 pixel) {
-    return imageLoad(depth_image, pixel).x;
+    return GLOAM_FETCH(depth_image, pixel).x;
 }
 
 // The samples that ambient_occlusion.comp takes at a pixel in this frame.

@@ -15,10 +15,11 @@ ivec2 sample_table_texel(uint index) {
 }
 
 #ifdef GLOAM_SAMPLE_TABLE
-layout(binding = GLOAM_SAMPLE_TABLE, rgba32f) uniform readonly image2D sample_table;
+#include "passes/input_image.glsl"
+layout(binding = GLOAM_SAMPLE_TABLE GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT sample_table;
 
 vec3 SAMPLE_POINT(uint index) {
-    return imageLoad(sample_table, sample_table_texel(index)).xyz;
+    return GLOAM_FETCH(sample_table, sample_table_texel(index)).xyz;
 }
 #endif
 

@@ -6,12 +6,13 @@
 // Dispatch ceil(tiles / 8) groups. Descriptor set 0:
 //   0  r32f    eye-linear depth, world units; background 0 or not finite
 //   1  buffer  written: the tiles' bounds, from the start on (bounds.glsl)
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "gloam/geometry/background.glsl"
 #include "bounds.glsl"
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1, std430) writeonly buffer Bounds { vec4 bounds[]; };
 
 layout(push_constant) uniform Parameters {
@@ -20,7 +21,7 @@ layout(push_constant) uniform Parameters {
 
 // Inverse depth of the surface at a pixel, 1 / world units; 0 for background.
 float inverse_at(ivec2 pixel) {
-    float depth = imageLoad(depth_image, pixel).x;
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
     return gloam_is_background(depth) ? 0.0 : 1.0 / depth;
 }
 

@@ -34,10 +34,11 @@
 //   1  rgba32f  view-space normal in xyz
 //   2  buffer   the pyramid of bounds (bounds.glsl)
 //   3  buffer   written: for each tile 1 where that is certain, else 0
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, rgba32f) uniform readonly image2D normal_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
 layout(binding = 2, std430) readonly buffer Bounds { vec4 bounds[]; };
 layout(binding = 3, std430) writeonly buffer OpenTiles { uint open_tile[]; };
 
@@ -203,7 +204,7 @@ bool any_rises() {
 // The tangent plane of a pixel with geometry; its height is 0 where it cannot be used.
 TangentPlane plane_at(ivec2 pixel, float depth) {
     GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, false);
-    vec3 normal = imageLoad(normal_image, pixel).xyz;
+    vec3 normal = GLOAM_FETCH(normal_image, pixel).xyz;
     TangentPlane plane = tangent_plane(pixel, depth, normal, camera);
     bool able = gloam_can_gather(gloam_camera_position(pixel, depth, camera), normal, parameters.radius, camera) &&
                 plane.height > NEARER * parameters.radius;
@@ -228,7 +229,7 @@ void include(TangentPlane plane) {
 bool include_all(Block tile) {
     for (int y = tile.first.y; y <= tile.last.y; ++y) {
         for (int x = tile.first.x; x <= tile.last.x; ++x) {
-            float depth = imageLoad(depth_image, ivec2(x, y)).x;
+            float depth = GLOAM_FETCH(depth_image, ivec2(x, y)).x;
             if (gloam_is_background(depth)) continue;
             TangentPlane plane = plane_at(ivec2(x, y), depth);
             if (plane.height <= 0.0) return false;
@@ -246,7 +247,7 @@ bool is_open(ivec2 at) {
     float nearest = 0.999 / (bound.x + climbs.x + climbs.y);
     if (bound.w == 0.0 || !(nearest > NEARER * parameters.radius)) return false;
     ivec2 middle = (tile.first + tile.last + 1) / 2;
-    float depth = imageLoad(depth_image, middle).x;
+    float depth = GLOAM_FETCH(depth_image, middle).x;
     if (gloam_is_background(depth)) return false;
     TangentPlane plane = plane_at(middle, depth);
     if (plane.height <= 0.0) return false;

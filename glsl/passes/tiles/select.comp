@@ -11,13 +11,14 @@
 //   2  buffer  written: the states after this frame; the counts of shaded tiles become 0
 //   3  buffer  the lists, with counts of 0 and `layers` of 1; all lists are filled except those of the filter
 //   4  buffer  for each tile 1 where nothing can block any tap of its pixels, else 0; read when open_tiles is set
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #define GLOAM_LIST_BINDING 3
 #include "append.glsl"
 #include "state.glsl"
 
-layout(binding = 0, r32f) uniform readonly image2D depth_image;
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1, std430) readonly buffer StatesBefore { TileState states_before[]; };
 layout(binding = 2, std430) writeonly buffer StatesAfter { TileState states_after[]; };
 layout(binding = 4, std430) readonly buffer OpenTiles { uint open_tile[]; };
@@ -38,7 +39,7 @@ bool without_geometry(uvec2 tile) {
     ivec2 end = min(first + int(TILE_SIDE), parameters.size);
     for (int y = first.y; y < end.y; ++y) {
         for (int x = first.x; x < end.x; ++x) {
-            if (!gloam_is_background(imageLoad(depth_image, ivec2(x, y)).x)) return false;
+            if (!gloam_is_background(GLOAM_FETCH(depth_image, ivec2(x, y)).x)) return false;
         }
     }
     return true;

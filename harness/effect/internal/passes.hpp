@@ -212,7 +212,11 @@ enum class Counting : std::uint32_t { none, each_invocation, each_group };
 [[nodiscard]] PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list);
 [[nodiscard]] PassSource selection_source(std::uint32_t open_tiles_each);
 
-// Compiles a pass to a pipeline with these bindings.
+// Whether the device is a driver on the CPU.
+[[nodiscard]] bool runs_on_cpu(const gpu::Device& device);
+
+// Compiles a pass to a pipeline with these bindings. sampled_image: an image that the pass only reads; on
+// some devices that becomes a storage image (scene::Inputs).
 [[nodiscard]] gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
                                                const PassSource& source,
                                                std::vector<gpu::BindingKind> bindings,

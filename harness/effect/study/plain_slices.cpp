@@ -25,19 +25,16 @@ gpu::ComputePipeline slices_pipeline(const gpu::Device& device, const scene::Pas
         throw std::invalid_argument(
             fmt::format("{} slices of {} steps: expected 1 or more", taps.slices, taps.steps));
     require_timestamps(device.info());
-    return {device,
-            {.spirv = passes.compile("comparison/plain_slices.comp"),
-             .bindings = {storage_image, storage_image, storage_image},
-             .push_constant_bytes = push_constant_bytes,
-             .constants = {{.id = 0, .bits = taps.slices}, {.id = 1, .bits = taps.steps}}}};
+    return pipeline_of(device, passes,
+                       {.file = "comparison/plain_slices.comp",
+                        .constants = {{.id = 0, .bits = taps.slices}, {.id = 1, .bits = taps.steps}}},
+                       {sampled_image, sampled_image, storage_image}, push_constant_bytes);
 }
 
 gpu::ComputePipeline blur_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
                                    std::uint32_t push_constant_bytes) {
-    return {device,
-            {.spirv = passes.compile("comparison/plain_blur.comp"),
-             .bindings = {storage_image, storage_image, storage_image},
-             .push_constant_bytes = push_constant_bytes}};
+    return pipeline_of(device, passes, {.file = "comparison/plain_blur.comp"},
+                       {sampled_image, sampled_image, storage_image}, push_constant_bytes);
 }
 
 void require(bool holds, const char* found, const char* expected) {

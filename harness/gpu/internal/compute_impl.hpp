@@ -23,6 +23,8 @@ struct ComputePipeline::Impl {
     Guarded<ComputeHandles> handles;
 };
 
+constexpr std::size_t binding_kinds = 3;
+
 [[nodiscard]] vk::DescriptorType descriptor_type(BindingKind kind);
 [[nodiscard]] const char* name_of(BindingKind kind);
 

@@ -22,6 +22,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
+scene::Inputs inputs_named(const std::string& name) {
+    if (name == "sampled") return scene::Inputs::sampled;
+    if (name == "storage") return scene::Inputs::storage;
+    return scene::Inputs::by_device;
+}
+
 std::string pass_table(const effect::PassStudy& study) {
     std::string text = "| state | | pass | copies |\n|---|---|---|--:|\n";
     for (const effect::PassCost& copy : study.history_copies)
@@ -58,7 +64,8 @@ int run_bench_passes(const BenchPassesOptions& options) {
     const gpu::Extent extent = image_size(options.size);
     const report::OutputFile json(options.json);
     gpu::Device device = open_device(options.device, options.validation);
-    const scene::PassLibrary passes(glsl_directory(), cache_directory());
+    const scene::PassLibrary passes =
+        scene::PassLibrary(glsl_directory(), cache_directory()).reading(inputs_named(options.inputs));
     const effect::PassStudy study = effect::study_passes(device, passes, extent, options.rounds);
     fmt::print("{}, {} x {} pixels, a copy takes {:.3f} ms\n\n{}", device.info().name, extent.width,
                extent.height, study.copy_ms, pass_table(study));
@@ -77,6 +84,11 @@ void add_bench_passes(CLI::App& bench, int& status) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the images")->capture_default_str();
     command->add_option("--rounds", options->rounds, "over all states of the history")
         ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command
+        ->add_option("--inputs", options->inputs,
+                     "images that passes only read: sampled, storage, or device (storage on a CPU)")
+        ->check(CLI::IsMember({"device", "sampled", "storage"}))
         ->capture_default_str();
     add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");

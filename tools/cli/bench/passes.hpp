@@ -13,7 +13,8 @@ namespace gloam::cli {
 // The options of `gloam bench passes`.
 struct BenchPassesOptions {
     std::string size = "1280x720";
-    int rounds = 5;  // over all cases
+    int rounds = 5;                 // over all cases
+    std::string inputs = "device";  // "device", "sampled" or "storage": scene::Inputs
     std::string device;
     bool validation = false;
     std::filesystem::path json;  // empty: not written

@@ -20,12 +20,18 @@ std::map<std::uint32_t, std::uint32_t> values_of(const std::vector<gpu::Speciali
     return values;
 }
 
-PackedPass packed_pass(const effect::PlannedPass& planned, const scene::PassLibrary& library) {
+PackedPass packed_pass(const effect::PlannedPass& planned, const scene::PassLibrary& library,
+                       shader::Language language) {
     const effect::PassSource& source = planned.source;
     PackedPass pass{.plan = planned, .file = planned.name + ".comp"};
-    pass.text = library.text(source.file, source.defines, source.replaced, values_of(source.constants));
+    const auto text_in = [&](shader::Language version) {
+        return library.text(source.file, source.defines, source.replaced, values_of(source.constants),
+                            version);
+    };
+    pass.text = text_in(shader::Language::vulkan450);
     pass.interface = shader::reflect(
         shader::compile({.name = pass.file, .text = pass.text}, {.stage = shader::Stage::compute}));
+    if (language != shader::Language::vulkan450) pass.text = text_in(language);
     return pass;
 }
 
@@ -57,11 +63,12 @@ void bind_nothing(PackedPass& pass, std::vector<effect::PlannedImage>& images) {
 }  // namespace
 
 PackedEffect packed_effect(const effect::Settings& settings, const effect::PlanOptions& options,
-                           const scene::PassLibrary& library) {
-    PackedEffect effect{.settings = settings, .options = options, .plan = plan_of(settings, options)};
+                           const scene::PassLibrary& library, shader::Language language) {
+    PackedEffect effect{
+        .language = language, .settings = settings, .options = options, .plan = plan_of(settings, options)};
     std::set<std::string> bound{effect.plan.result};
     for (const effect::PlannedPass& planned : effect.plan.passes) {
-        effect.passes.push_back(packed_pass(planned, library));
+        effect.passes.push_back(packed_pass(planned, library, language));
         bind_nothing(effect.passes.back(), effect.plan.images);
         for (const shader::Binding& binding : effect.passes.back().interface.bindings)
             bound.insert(resource_at(effect.passes.back(), binding));

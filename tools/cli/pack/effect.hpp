@@ -25,8 +25,9 @@ struct PackedPass {
 // The effect in the form in which it is written.
 struct PackedEffect {
     std::string preset;
-    std::string version;                   // of gloam
-    std::optional<shader::Target> target;  // each pass is there in this language, too
+    std::string version;                                      // of gloam
+    shader::Language language = shader::Language::vulkan450;  // of the passes
+    std::optional<shader::Target> target;                     // each pass is there in this language, too
     effect::Settings settings;
     effect::PlanOptions options;
     effect::Plan plan;
@@ -36,7 +37,8 @@ struct PackedEffect {
 // The passes of the settings' plan, packed and compiled, with the images and buffers of their bindings.
 // Throws like plan_of() and shader::pack().
 [[nodiscard]] PackedEffect packed_effect(const effect::Settings& settings, const effect::PlanOptions& options,
-                                         const scene::PassLibrary& library);
+                                         const scene::PassLibrary& library,
+                                         shader::Language language = shader::Language::vulkan450);
 
 // The image or buffer at a binding of a pass. Throws std::logic_error if the plan does not have it.
 [[nodiscard]] const std::string& resource_at(const PackedPass& pass, const shader::Binding& binding);

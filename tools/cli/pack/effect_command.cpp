@@ -22,8 +22,12 @@ void pack_effect(const EffectPackOptions& options) {
                                    .orthographic = options.orthographic,
                                    .tiles = options.tiles,
                                    .normals = !options.reconstruct_normals};
+    const auto language = shader::language_from(options.version);
+    if (!language || shader::usual_stage(*language) != shader::Stage::compute)
+        throw std::invalid_argument("--effect --version " + options.version +
+                                    ": expected 450, 310es or 320es");
     report::OutputFolder folder(options.out);
-    PackedEffect effect = packed_effect(settings, plan, scene::PassLibrary(glsl_directory()));
+    PackedEffect effect = packed_effect(settings, plan, scene::PassLibrary(glsl_directory()), *language);
     effect.preset = options.preset;
     effect.version = GLOAM_VERSION;
     effect.target = options.target;

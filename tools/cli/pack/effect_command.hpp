@@ -21,6 +21,7 @@ struct EffectPackOptions {
     bool reconstruct_normals = false;
     bool tiles = false;
     std::optional<shader::Target> target;  // a language for every pass, besides GLSL
+    std::string version = "450";           // of the passes: or 310es, 320es
     std::filesystem::path out;
 };
 

@@ -67,13 +67,22 @@ class PageWriter {
 
     void head() {
         put("# Ambient occlusion: preset {}, method {}\n\n", effect_.preset, effect_.settings.method);
-        put("Written by `gloam pack --effect` of gloam {}. Each pass is one GLSL 4.50 file without includes. "
+        put("Written by `gloam pack --effect` of gloam {}. Each pass is one GLSL {} file without includes. "
             "`gloam_effect.h` holds the layouts of push constants and buffers, the preset's values and the "
-            "tables below "
-            "for C and C++; `effect.json` holds the same for other languages. All of it was read from the "
-            "compiled "
-            "passes.\n\n",
-            effect_.version);
+            "tables below for C and C++; `effect.json` holds the same for other languages. All of it was "
+            "read "
+            "from the compiled passes.\n\n",
+            effect_.version, effect_.language == shader::Language::vulkan450 ? "4.50" : "ES");
+        if (effect_.language == shader::Language::vulkan450) return;
+        text_ +=
+            "In OpenGL ES, specialization constants are constants of the passes, and push constants are the "
+            "uniform block at binding 0, with the same offsets. Images that are written are image units, "
+            "images "
+            "that are read are texture units, and buffers are storage blocks; each kind has its own binding "
+            "numbers. A device may have only four image units: give `layout(binding = N)` of a written image "
+            "another number there. Between passes, instead of the barriers below: "
+            "`glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | "
+            "GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT)`.\n\n";
     }
 
     void settings() {
@@ -194,6 +203,7 @@ class PageWriter {
     }
 
     void compile() {
+        if (effect_.language != shader::Language::vulkan450) return;
         const std::string& name = effect_.passes.back().plan.name;
         put("\n## Compile\n\n    glslangValidator -V --target-env vulkan1.2 {0}.comp -o {0}.spv\n"
             "    spirv-opt -O --loop-invariant-code-motion --redundancy-elimination "

@@ -117,6 +117,7 @@ void run_pack(PackOptions& options) {
     if (options.effect) {
         options.of_effect.out = options.out;
         options.of_effect.target = target_of(options);
+        options.of_effect.version = options.version;
         return pack_effect(options.of_effect);
     }
     if (options.lines) {
