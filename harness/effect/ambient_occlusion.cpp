@@ -13,6 +13,7 @@
 #include "effect/internal/open_search.hpp"
 #include "effect/internal/pipelines.hpp"
 #include "effect/internal/prepared_image.hpp"
+#include "effect/internal/progress.hpp"
 #include "effect/internal/require_view.hpp"
 #include "effect/internal/sample_table.hpp"
 #include "effect/internal/steps.hpp"
@@ -34,7 +35,7 @@ struct AmbientOcclusion::Impl {
         : device(&the_device),
           pipelines(the_device, passes),
           nothing(the_device, {1, 1}, gpu::Format::rgba32f),
-          method(the_device, sizeof(MethodParameters)),
+          method(the_device, sizeof(MethodValues)),
           prepared(the_device, passes),
           samples(the_device, passes) {
         allocate(size);
@@ -45,16 +46,13 @@ struct AmbientOcclusion::Impl {
     View view;
     View previous_view;
     Settings settings;
-    bool begun = false;
-    bool reconstruct_normals = false;
-    bool moved = false;  // the history has not been reprojected to the last view yet
-    bool shown = false;  // at least one frame of the last view has run
-    bool still = false;  // at least two frames of the last view have run
+    Progress progress;
+    bool lacks_normals = false;  // the last view: they are reconstructed from depth
     Listing listing;
     OpenSearch open_search;
     bool second_is_after = false;  // which of the two images of the history, which are swapped
     gpu::Image nothing;            // for bindings that are not read
-    gpu::Buffer method;            // MethodParameters
+    gpu::Buffer method;            // MethodValues
     PreparedImage prepared;
     SampleTable samples;
     std::optional<FrameImages> images;
@@ -69,9 +67,11 @@ struct AmbientOcclusion::Impl {
 
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
-    [[nodiscard]] bool moves_history() const { return moved && settings.history; }
+    [[nodiscard]] bool moves_history() const { return progress.history_lags() && settings.history; }
     [[nodiscard]] bool watches_objects() const;
-    [[nodiscard]] bool lists_tiles() const { return selects_tiles(settings) && listing.due(moved); }
+    [[nodiscard]] bool lists_tiles() const {
+        return selects_tiles(settings) && listing.due(progress.history_lags());
+    }
     [[nodiscard]] Program program() const;
     [[nodiscard]] ReprojectionProgram reprojection_program() const;
     [[nodiscard]] const gpu::Image& history() const;
@@ -104,11 +104,11 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     images->take(*device, new_view);
     view.camera = new_view.camera;
     view.border = new_view.border;
-    reconstruct_normals = new_view.normal.empty();
+    lacks_normals = new_view.normal.empty();
     if (remaps(settings)) images->map(*device);
     normal_constants = normal_parameters(view);
     occlusion_constants = occlusion_parameters(view, settings);
-    method.as<MethodParameters>()[0] = method_parameters(settings);
+    method.as<MethodValues>()[0] = settings.own;
     prepared.take(view, settings);
     samples.take(settings);
     filter_constants = filter_parameters(view, settings);
@@ -116,7 +116,6 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     const std::int32_t reach = filter_reach(settings);
     select_filtered_constants = {.size = words_of_size(view.extent), .reach = {reach, reach}};
     open_search.take(view, settings);
-    shown = still = false;
 }
 
 // Whether the view holds the positions of its points in the previous view, and a history depends on them.
@@ -199,7 +198,7 @@ SelectParameters AmbientOcclusion::Impl::select_parameters() const {
             .band = words_of_size(unshaded_band()),
             .written = written,
             .background = settings.skip_background ? 1U : 0U,
-            .settled = settings.skip_settled && still ? 1U : 0U,
+            .settled = settings.skip_settled && progress.settled() ? 1U : 0U,
             .open_tiles = finds_open_tiles() ? 1U : 0U};
 }
 
@@ -207,7 +206,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     const gpu::Image& positions = images->previous_position ? *images->previous_position : nothing;
     const Tiles& tiles = images->tiles;
     std::vector<Step> passes;
-    if (reconstruct_normals) {
+    if (lacks_normals && progress.first_of_view()) {
         passes.push_back({"normals_from_depth",
                           &pipelines.normals(),
                           {images->depth, images->normal},
@@ -224,7 +223,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     const gpu::Image& layers = images->layers ? *images->layers : nothing;
     prepared.append_steps({images->depth, images->normal, history(), method, layers}, passes);
     samples.append_step(passes);
-    occlusion_constants.still = shown ? 1 : 0;
+    occlusion_constants.still = progress.first_of_view() ? 0 : 1;
     const auto occlusion = [&](const char* name, TileLists list) {
         Program of_list = program();
         of_list.list = list;
@@ -346,25 +345,24 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
     impl.settings = settings;
     if (reformat) impl.allocate(impl.view.extent);
     impl.take(view);
-    impl.moved = false;
     impl.samples.restart();
     impl.listing.restart();
     impl.open_search.restart();
     impl.images->tiles.forget();
     impl.images->before.upload(std::vector<float>(4 * pixels_of(impl.view.extent), 0.0F));
-    impl.begun = true;
+    impl.progress.begin();
 }
 
 void AmbientOcclusion::advance(const scene::GBuffer& view) {
     Impl& impl = *impl_;
-    if (!impl.begun) throw std::logic_error("no view: begin() must come before advance()");
+    if (!impl.progress.has_view()) throw std::logic_error("no view: begin() must come before advance()");
     const bool resized = view.extent != impl.view.extent;
     if (resized) impl.allocate(view.extent);
     if (resized || !view.camera.previous_from_current) return begin(view, impl.settings);
     impl.previous_view = impl.view;
     impl.take(view);
     impl.reprojection_constants = reprojection_parameters(impl.view, impl.previous_view, impl.settings);
-    impl.moved = true;
+    impl.progress.advance();
 }
 
 void AmbientOcclusion::watch(PassWatcher watcher) {
@@ -373,7 +371,7 @@ void AmbientOcclusion::watch(PassWatcher watcher) {
 
 Frame AmbientOcclusion::next(int repeat) {
     Impl& impl = *impl_;
-    if (!impl.begun) throw std::logic_error("no view: begin() must come before next()");
+    if (!impl.progress.has_view()) throw std::logic_error("no view: begin() must come before next()");
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
     // Each run reads the same history and writes the same images, so a repeated run changes nothing.
     const std::vector<Step> steps = impl.steps();
@@ -383,13 +381,10 @@ Frame AmbientOcclusion::next(int repeat) {
     Frame frame = impl.collect();
     frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);
-    impl.reconstruct_normals = false;
     const SelectedTiles found = impl.images->tiles.counts();
     impl.open_search.advance(impl.finds_open_tiles(), found);
     impl.listing.advance(impl.lists_tiles(), found, frame.work.tiles);
-    impl.moved = false;
-    impl.still = impl.shown;
-    impl.shown = true;
+    impl.progress.count_frame();
     impl.samples.advance();
     std::swap(impl.images->before, impl.images->after);
     impl.second_is_after = !impl.second_is_after;

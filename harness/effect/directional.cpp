@@ -70,7 +70,7 @@ struct Directional::Impl {
           library(passes),
           normals(normals_from_depth(the_device, passes)),
           nothing(the_device, {1, 1}, rgba32f),
-          method(the_device, sizeof(MethodParameters)) {}
+          method(the_device, sizeof(MethodValues)) {}
 
     const gpu::Device* device;
     scene::PassLibrary library;
@@ -91,7 +91,7 @@ struct Directional::Impl {
         require(view, settings);
         FrameImages images(*device, view.extent, HistoryPrecision::float32);
         images.take(*device, view);
-        method.as<MethodParameters>()[0] = method_parameters(settings);
+        method.as<MethodValues>()[0] = settings.own;
         if (view.normal.empty()) {
             const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
             const Step step{

@@ -40,7 +40,7 @@ struct DirectionalLight {
 // Results by direction, from the depth buffer. The samples are points of the half ball around each pixel,
 // uniform in direction and radius; each is blocked or open as in the method hemisphere. A result is that of
 // one frame of Settings::samples samples, with the settings' radius, bias, range and layers, and without
-// history. Settings::epsilon is the least distance of a surface that sends light.
+// history. MethodValues::epsilon is the least distance of a surface that sends light.
 class Directional {
   public:
     // The device must outlive this object. Throws std::runtime_error when a shader does not compile.

@@ -63,7 +63,7 @@ struct FurtherViews::Impl {
         : device(&the_device),
           library(passes),
           normals(normals_from_depth(the_device, passes)),
-          method(the_device, sizeof(MethodParameters)) {}
+          method(the_device, sizeof(MethodValues)) {}
 
     const gpu::Device* device;
     scene::PassLibrary library;
@@ -112,7 +112,7 @@ std::vector<float> FurtherViews::raised(const scene::GBuffer& view, const std::v
     for (const scene::GBuffer& other : others) require(other);
     Program program = program_for(settings);
     program.orthographic = view.camera.orthographic();
-    impl_->method.as<MethodParameters>()[0] = method_parameters(settings);
+    impl_->method.as<MethodValues>()[0] = settings.own;
     gpu::Image result(*impl_->device, view.extent, gpu::Format::r32f);
     result.upload(occlusion);
     const FrameImages images = impl_->taken(view);

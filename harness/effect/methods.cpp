@@ -92,7 +92,7 @@ Settings blurred(Settings settings, int half_width) {
 
 Settings rays(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
     Settings settings = configuration(method, count * steps);
-    settings.steps = steps;
+    settings.own.steps = steps;
     return settings;
 }
 

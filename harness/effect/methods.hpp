@@ -34,8 +34,8 @@ enum class SampleUnit {
     one,
     pair,   // an odd number is rounded up to an even one
     cross,  // of four taps: two slices of one frame, or a pair at two radii
-    ray,    // of Settings::steps taps
-    slice   // of Settings::steps taps to both sides
+    ray,    // of MethodValues::steps taps
+    slice   // of MethodValues::steps taps to both sides
 };
 
 // A method: everything about it that the effect, the command line, the tests and the benchmark use.
@@ -69,7 +69,7 @@ struct MethodInfo {
 // The settings, changed to use another method; lengths are for a radius of 1. Throws like method_named().
 [[nodiscard]] Settings with_method(Settings settings, std::string_view name);
 
-// Number of samples in one unit of the method. steps: Settings::steps.
+// Number of samples in one unit of the method. steps: MethodValues::steps.
 [[nodiscard]] std::uint32_t unit_of(const MethodInfo& method, std::uint32_t steps);
 
 // Samples that the method takes if `count` are asked for: whole units, at least one; 0 for 0.

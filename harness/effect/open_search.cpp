@@ -10,7 +10,8 @@ namespace gloam::effect {
 void OpenSearch::take(const View& view, const Settings& settings) {
     const OpenProof proof = method_named(settings.method).open_proof;
     provable_ = settings.skip_open && settings.layers == 1 && !settings.reject_taps &&
-                !(settings.mip_distance > 0.0F) && proof != OpenProof::none && !view.camera.orthographic();
+                !(settings.own.mip_distance > 0.0F) && proof != OpenProof::none &&
+                !view.camera.orthographic();
     known_ = false;
     extent_ = view.extent;
     const std::array<std::int32_t, 2> size{static_cast<std::int32_t>(extent_.width),

@@ -98,7 +98,7 @@ Program program_for(const Settings& settings) {
             .shows_alone = shows_alone(settings),
             .samples = settings.samples,
             .samples_converged = settings.samples_converged,
-            .steps = settings.steps};
+            .steps = settings.own.steps};
 }
 
 FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list) {
@@ -154,18 +154,6 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .smoothing = settings.smoothing,
             .c_filter = c_filter(settings),
             .bias_depth = settings.bias_depth};
-}
-
-MethodParameters method_parameters(const Settings& settings) {
-    return {.range = settings.range,
-            .epsilon = settings.epsilon,
-            .intensity = settings.intensity,
-            .thickness = settings.thickness,
-            .angle_bias = settings.angle_bias,
-            .mip_distance = settings.mip_distance,
-            .steps = settings.steps,
-            .disagreement = settings.disagreement,
-            .feature_thickness = settings.feature_thickness};
 }
 
 ReprojectionParameters reprojection_parameters(const View& view, const View& previous,

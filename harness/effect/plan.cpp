@@ -144,8 +144,8 @@ class Planner {
     void buffers() {
         plan_.buffers.push_back({.name = "method",
                                  .meaning = "the method's settings",
-                                 .bytes = sizeof(MethodParameters),
-                                 .contents = bytes_of_parameters(method_parameters(settings_))});
+                                 .bytes = sizeof(MethodValues),
+                                 .contents = bytes_of_parameters(settings_.own)});
         if (!options_.tiles) {
             plan_.buffers.push_back({.name = nothing_buffer,
                                      .meaning = "for bindings that these settings do not read",

@@ -33,7 +33,7 @@ PreparationProgram preparation_program_for(const Settings& settings) {
             .keeps_history = settings.history,
             .samples = settings.samples,
             .samples_converged = settings.samples_converged,
-            .steps = settings.steps};
+            .steps = settings.own.steps};
 }
 
 PassSource preparation_source(const std::string& file, const PreparationProgram& program,

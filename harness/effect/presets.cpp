@@ -26,13 +26,20 @@ Settings moving() {
 }
 
 // Three points on the front of error against time over moving cameras (docs/benchmark.md). All reduce noise
-// by the mean, which is free, and not by a filter, which costs as much as several samples. All hold the
-// history in half the bytes: its rounding error is far smaller than its lag.
-Settings unfiltered(Settings settings, std::uint32_t samples) {
+// by the mean, which is free. All hold the history in half the bytes: its rounding error is far smaller than
+// its lag.
+Settings packed(Settings settings, std::uint32_t samples) {
     settings.samples = samples;
     settings.samples_converged = samples;
-    settings.filter = Filter::none;
     settings.precision = HistoryPrecision::packed;
+    return settings;
+}
+
+// Pixels with few samples, in the first frames and where a surface comes into view, are filtered. The filter
+// costs as much as several samples, so it ends where the mean is better without it (docs/temporal.md).
+Settings filtered_at_first(Settings settings) {
+    settings.filter = Filter::convergence;
+    settings.c_adaptive = 0.2F;
     return settings;
 }
 
@@ -41,23 +48,24 @@ Settings unfiltered(Settings settings, std::uint32_t samples) {
 // has larger errors where little is hidden.
 Settings fast() {
     Settings settings = with_method(moving(), "alchemy");
-    settings.intensity = 0.35F;
-    return unfiltered(settings, 3);
+    settings.own.intensity = 0.35F;
+    return filtered_at_first(packed(settings, 3));
 }
 
 // With more samples the paper's points are more exact, if blockers further in front than the radius do not
 // count.
 Settings balanced() {
     Settings settings = moving();
-    settings.range = 1.0F;
-    return unfiltered(settings, 8);
+    settings.own.range = 1.0F;
+    return filtered_at_first(packed(settings, 8));
 }
 
 // Four slices of 12 steps to each side, in a mean over two frames: with so many samples, lag causes more
 // error than noise.
 Settings reference() {
-    Settings settings = unfiltered(with_method(moving(), "sweep"), 96);
-    settings.steps = 12;
+    Settings settings = packed(with_method(moving(), "sweep"), 96);
+    settings.filter = Filter::none;
+    settings.own.steps = 12;
     settings.weight_max = 192.0F;
     return settings;
 }
@@ -68,8 +76,8 @@ std::vector<Preset> presets() {
     std::vector<Preset> all{
         {"paper", "the TSSAO paper's table 1: 32 samples a frame, 500 in the mean", paper()},
         {"moving", "32 samples a frame, 128 in the mean: for cameras and objects that move", moving()},
-        {"fast", "Alchemy's taps, 3 a frame, 128 in the mean, no filter: for the least time", fast()},
-        {"balanced", "8 samples a frame, 128 in the mean, no filter", balanced()},
+        {"fast", "Alchemy's taps, 3 a frame, 128 in the mean, filtered until 26: for the least time", fast()},
+        {"balanced", "8 samples a frame, 128 in the mean, filtered until 26", balanced()},
         {"reference",
          "sweep, 4 slices of 12 steps to each side, a frame; 192 samples in the mean, no filter: for the "
          "least error",

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "effect/internal/named.hpp"
 #include "effect/methods.hpp"
@@ -26,16 +27,30 @@ constexpr SettingRange whole(double least, double most) {
     return {.least = least, .most = most, .whole = true};
 }
 
-template <class Number>
-Setting number(const char* name, const char* unit, const char* meaning, Number Settings::*member,
+// The struct that has a setting: the settings, or what is a method's own.
+template <class Owner, class Any>
+auto& part_of(Any& settings) {
+    if constexpr (std::is_same_v<Owner, MethodValues>)
+        return settings.own;
+    else
+        return settings;
+}
+
+template <class Number, class Owner>
+Setting number(const char* name, const char* unit, const char* meaning, Number Owner::*member,
                const SettingRange& range) {
     return {.name = name,
             .unit = unit,
             .meaning = meaning,
             .range = range,
-            .get = [member](const Settings& s) { return SettingValue(static_cast<double>(s.*member)); },
-            .put = [member](Settings& s,
-                            const SettingValue& v) { s.*member = static_cast<Number>(std::get<double>(v)); }};
+            .get =
+                [member](const Settings& s) {
+                    return SettingValue(static_cast<double>(part_of<Owner>(s).*member));
+                },
+            .put =
+                [member](Settings& s, const SettingValue& v) {
+                    part_of<Owner>(s).*member = static_cast<Number>(std::get<double>(v));
+                }};
 }
 
 Setting flag(const char* name, const char* meaning, bool Settings::*member) {
@@ -81,32 +96,32 @@ void add_estimator(std::vector<Setting>& table) {
                            "the bias is at least this share of the depth: 0.002 for depths from halves",
                            &S::bias_depth, {.most = 1.0}));
     table.push_back(number("range", "world units", "blockers further in front than this are other objects",
-                           &S::range, positive));
+                           &MethodValues::range, positive));
     table.push_back(number("epsilon", "world units",
                            "distance at which a patch counts fully, or that keeps a quotient finite",
-                           &S::epsilon, positive));
+                           &MethodValues::epsilon, positive));
     table.push_back(number("intensity", "", "factor of the estimate, for methods that have one",
-                           &S::intensity, not_negative));
+                           &MethodValues::intensity, not_negative));
     table.push_back(number("thickness", "world units",
-                           "how far behind its front a surface blocks, for bitmasks", &S::thickness,
-                           positive));
-    table.push_back(number("angle_bias", "radians", "above the tangent plane, for horizons", &S::angle_bias,
-                           {.most = 1.5707964}));
+                           "how far behind its front a surface blocks, for bitmasks",
+                           &MethodValues::thickness, positive));
+    table.push_back(number("angle_bias", "radians", "above the tangent plane, for horizons",
+                           &MethodValues::angle_bias, {.most = 1.5707964}));
     table.push_back(number("mip_distance", "pixels",
                            "from which level 1 of the depth chain is read, for taps; 0: never",
-                           &S::mip_distance, any_from_0));
+                           &MethodValues::mip_distance, any_from_0));
     table.push_back(number("layers", "layers", "of depth that samples see; 1: what the eye sees", &S::layers,
                            whole(1, 1 + scene::most_further_layers)));
     table.push_back(number("steps", "taps",
-                           "along each half of a slice, for horizons; resolutions, for mssao", &S::steps,
-                           whole(1, 64)));
+                           "along each half of a slice, for horizons; resolutions, for mssao",
+                           &MethodValues::steps, whole(1, 64)));
     table.push_back(number("disagreement", "of the occlusion",
                            "of neighbours at half the resolution, beyond which a pixel is sampled in full",
-                           &S::disagreement, {.most = 1.0}));
+                           &MethodValues::disagreement, {.most = 1.0}));
     table.push_back(
         number("feature_thickness", "widths",
                "of what stands in front of the rest, for sweeps; 1e18: solid behind every surface",
-               &S::feature_thickness, not_negative));
+               &MethodValues::feature_thickness, not_negative));
 }
 
 void add_samples(std::vector<Setting>& table) {

@@ -47,27 +47,33 @@ constexpr std::uint32_t most_samples = 2'048;
 // A cap above every projected radius, in pixels: no cap.
 constexpr float no_radius_cap = 1e18F;
 
-// All settings that affect a frame. Unless its comment says otherwise, a default is that of the preset
-// `paper` for a radius of 1. Each setting has a line in setting_table(), with its range.
-struct Settings {
-    std::string method = "hemisphere";  // estimator of the occlusion: a name of methods()
-    float radius = 1.0F;                // of influence, world units, > 0
-    float bias = 0.001F;      // world units, >= 0: differences below it count as rounding, not as occlusion
-    float bias_depth = 0.0F;  // the bias is at least this share of the depth, 0 to 1: for depths that are
-                              // rounded coarsely, 0.002 for those from halves
+// What single methods take beside what all of them take, in the layout of MethodValues in the passes' buffer
+// (passes/method_values.glsl). The descriptor of a method names those that it reads (MethodInfo::reads).
+struct MethodValues {
     float range =
         2.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
     float epsilon = 0.5F;       // disc: distance at which a patch counts fully, world units, > 0
-    float intensity = 1.0F;     // factor of the estimate, for methods with one, >= 0
+    float intensity = 1.0F;     // factor of the estimate, >= 0
     float thickness = 0.5F;     // bitmask: how far behind its front a surface blocks, world units, > 0
     float angle_bias = 0.0F;    // horizons: radians above the tangent plane, 0 to pi / 2
     float mip_distance = 0.0F;  // taps: pixels from which level 1 of the depth chain is read; 0: never
-    std::uint32_t layers = 1;   // depth layers that samples see, 1 to 4: the view must have as many
     std::uint32_t steps = 4;    // horizons: taps along each half of a slice; mssao: resolutions; 1 to 64
     float disagreement = 0.1F;  // dual resolution: of neighbours at half the resolution, in occlusion, beyond
                                 // which a pixel is sampled in full; 0 to 1
     float feature_thickness = 1.0F;  // sweep: of what stands in front of the rest, in its own widths, >= 0;
                                      // 1e18: solid behind every surface
+};
+
+// All settings that affect a frame. Unless its comment says otherwise, a default is that of the preset
+// `paper` for a radius of 1. Each setting has a line in setting_table(), with its range.
+struct Settings {
+    std::string method = "hemisphere";  // estimator of the occlusion: a name of methods()
+    float radius = 1.0F;                // of influence, world units, > 0
+    float bias = 0.001F;       // world units, >= 0: differences below it count as rounding, not as occlusion
+    float bias_depth = 0.0F;   // the bias is at least this share of the depth, 0 to 1: for depths that are
+                               // rounded coarsely, 0.002 for those from halves
+    MethodValues own;          // the method's own
+    std::uint32_t layers = 1;  // depth layers that samples see, 1 to 4: the view must have as many
     std::uint32_t samples =
         32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples
     std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, 1 to most_samples

@@ -61,7 +61,7 @@ class EffectOf : public Effect, public testing::WithParamInterface<std::string> 
 
 TEST_P(EffectOf, LeavesAnOpenPlaneOpen) {
     Settings settings = with_method(settings_for(1.0F), GetParam());
-    settings.steps = 2;  // whole slices and rays of it make up the 32 samples
+    settings.own.steps = 2;  // whole slices and rays of it make up the 32 samples
     for (const bool normals : {true, false}) {
         scene::GBuffer view = wall({63, 47}, 3.0F);
         if (!normals) view.normal.clear();
@@ -191,7 +191,7 @@ TEST_P(EffectOf, TakesTheMostSamples) {
     // Of whole slices or rays there may be fewer, by less than one.
     const std::uint64_t samples = run(wall({9, 3}, 3.0F), settings).work.samples;
     EXPECT_LE(samples, 9U * 3U * most_samples);
-    EXPECT_GT(samples, 9U * 3U * (most_samples - 2U * settings.steps));
+    EXPECT_GT(samples, 9U * 3U * (most_samples - 2U * settings.own.steps));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EffectOf, testing::ValuesIn(test::method_names()), test::parameter_name);

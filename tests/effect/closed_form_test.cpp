@@ -31,7 +31,7 @@ TEST_P(ClosedForm, ConvergesToItsOwnValue) {
     const ClosedFormOptions options{.frames = 8};
     ClosedFormStudy study(device_, passes_, options.pixels);
     Settings settings = with_method(Settings{}, GetParam());
-    settings.mip_distance = 0.0F;  // whose taps lie elsewhere; see method_gathers_test
+    settings.own.mip_distance = 0.0F;  // whose taps lie elsewhere; see method_gathers_test
     for (const scene::Projection projection :
          {scene::Projection::perspective, scene::Projection::orthographic}) {
         for (const scene::ClosedFormView& view : scene::closed_form_views(projection)) {

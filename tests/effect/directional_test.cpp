@@ -217,12 +217,12 @@ glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, 
         const double depth = reference::gloam_plane_depth(seen, there, normal, camera);
         const double buffer = double{view.depth[at(seen)]};
         const double blocked =
-            reference::gloam_sample_blocked(depth, buffer, double{settings.bias}, double{settings.range});
+            reference::gloam_sample_blocked(depth, buffer, double{settings.bias}, double{settings.own.range});
         if (blocked == 0.0) continue;
         const glm::dvec3 offset = reference::gloam_camera_position(seen, buffer, camera) - position;
         sum += reference::gloam_ssdo_bounce(offset, normal, glm::dvec3(view.normal[at(seen)]),
                                             glm::dvec3(light.direct[at(seen)]), radius,
-                                            double{settings.epsilon}, 1.0 - blocked);
+                                            double{settings.own.epsilon}, 1.0 - blocked);
     }
     return glm::dvec3(view.color[at(pixel)]) * sum / double{count};
 }

@@ -103,7 +103,7 @@ TEST_F(EndedMarches, OfEveryLength) {
         for (const std::uint32_t steps : {1U, 5U, 64U}) {
             SCOPED_TRACE(fmt::format("radius {} times that of the scene, {} steps", factor, steps));
             Settings changed = with_radius(settings_for("far", "bitmask"), factor * settings.radius);
-            changed.steps = steps;
+            changed.own.steps = steps;
             changed.samples = 3 * steps;
             pixels += ended({far}, changed).front();
         }
@@ -114,7 +114,7 @@ TEST_F(EndedMarches, OfEveryLength) {
 TEST_F(EndedMarches, WithRejectedTapsThinSurfacesAndAGuardBand) {
     Settings settings = settings_for("grass", "bitmask");
     settings.reject_taps = true;
-    settings.thickness = 0.1F * settings.radius;
+    settings.own.thickness = 0.1F * settings.radius;
     settings.guard = 0.1F;
     EXPECT_GT(ended({view("grass", 0, 0.1)}, settings).front(), 0U);
 }
@@ -130,7 +130,7 @@ TEST_F(EndedMarches, WhereAllSectorsAreCovered) {
     }
     Settings settings = settings_for("far", "bitmask");
     settings.radius = 20.0F;
-    settings.thickness = 100.0F;
+    settings.own.thickness = 100.0F;
     EXPECT_GT(ended({pit}, settings).front(), 0U);
 }
 

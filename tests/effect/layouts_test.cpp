@@ -199,7 +199,7 @@ TEST_F(Layouts, FurtherViewsAndDirections) {
 }
 
 TEST_F(Layouts, Buffers) {
-    using M = MethodParameters;
+    using M = MethodValues;
     const std::vector<LaidOut> method = buffer_of(occlusion(), "MethodSettings");
     ASSERT_EQ(method.size(), 1U);
     EXPECT_EQ(method[0].size, sizeof(M));

@@ -37,7 +37,7 @@ TEST_F(MultiResolution, CoarserLevelsReachFurther) {
     Settings settings = settings_of(0.9F);
     std::vector<float> at_the_middle;
     for (const std::uint32_t resolutions : {1U, 2U, 3U, 4U, 5U, 9U}) {
-        settings.steps = resolutions;
+        settings.own.steps = resolutions;
         at_the_middle.push_back(run(view, settings, 8).occlusion[129 * 32 + 64]);
     }
     EXPECT_EQ(at_the_middle[0], 0.0F);
@@ -55,7 +55,7 @@ TEST_F(MultiResolution, OneLevelIsItsOwnMaximumAndMean) {
     view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     Settings settings = settings_of(0.15F);  // 5 pixels
     settings.bias = 0.0F;
-    settings.steps = 1;
+    settings.own.steps = 1;
     settings.samples = 256;
     settings.samples_converged = 256;
     settings.weight_max = 1e6F;
@@ -88,7 +88,7 @@ TEST_F(MultiResolution, NothingDriftsWithTheLevels) {
             view.normal.emplace_back(glm::normalize(glm::dvec3(-0.6 * glm::sign(side), 0, 1)));
         }
         Settings settings = settings_of(0.8F);
-        settings.range = 1.0F;
+        settings.own.range = 1.0F;
         const Frame frame = run(view, settings, 16);
         double sum = 0.0;
         double moment = 0.0;
@@ -121,7 +121,7 @@ TEST_F(MultiResolution, OneOfThreeLevelsIsAThirdOfTheMean) {
     Settings settings = settings_of(0.9F);
     std::vector<double> found{0.0};
     for (const std::uint32_t resolutions : {1U, 2U, 3U}) {
-        settings.steps = resolutions;
+        settings.own.steps = resolutions;
         found.push_back(double{run(view, settings, 8).occlusion[extent.width * 34 + 66]});
     }
     EXPECT_EQ(found[1], 0.0);
@@ -140,7 +140,7 @@ TEST_F(MultiResolution, TheCapOfACoarserLevelIsThatOfItsSurface) {
     for (unsigned y = 1; y < extent.height; y += 2)
         for (unsigned x = 1; x < extent.width; x += 2) view.depth[extent.width * y + x] = 20.0F;
     Settings settings = settings_of(0.4F);
-    settings.steps = 2;
+    settings.own.steps = 2;
     Settings capped = settings;
     capped.radius = 2.0F;
     capped.radius_cap = 0.4F * 34.0F / std::abs(tan_half);  // pixels of 0.4 at depth 1

@@ -138,12 +138,12 @@ TEST(OwnValues, EveryMethodHasOneOrSaysWhyNot) {
 Settings ideal(const std::string& method) {
     Settings settings = with_method(Settings{}, method);
     settings.bias = 1e-9F;  // what rounding in double may do to a plane
-    settings.angle_bias = 0.0F;
-    settings.epsilon = method == "sao" ? settings.epsilon : 0.0F;
-    settings.intensity = method == "hbao" || method == "hbao_study" || method == "hsao" ? 1.0F : 0.2F;
-    settings.range = 1e6F;
-    settings.thickness = 1e6F;
-    settings.steps = method == "ssdo" ? 1 : 64;
+    settings.own.angle_bias = 0.0F;
+    settings.own.epsilon = method == "sao" ? settings.own.epsilon : 0.0F;
+    settings.own.intensity = method == "hbao" || method == "hbao_study" || method == "hsao" ? 1.0F : 0.2F;
+    settings.own.range = 1e6F;
+    settings.own.thickness = 1e6F;
+    settings.own.steps = method == "ssdo" ? 1 : 64;
     return settings;
 }
 
@@ -248,7 +248,7 @@ TEST(OwnValues, OfASweepAreTheTruthInTheLimitAndNearlySoBefore) {
             const auto limit = own_value(view, settings, 0, tolerance);
             EXPECT_NEAR(limit->value, view.occlusion, 4.0 * limit->error + 0.004) << view.name;
             if (view.name == "ceiling") continue;
-            settings.steps = 6;
+            settings.own.steps = 6;
             const auto six = own_value(view, settings, 0, tolerance);
             EXPECT_NEAR(six->value, view.occlusion, 4.0 * six->error + 0.012) << view.name;
         }

@@ -62,7 +62,7 @@ Frame follow(AmbientOcclusion& effect, const scene::GBuffer& view, const Setting
 TEST_P(Prepared, ABarePlaneIsOpen) {
     Settings settings = settings_for(GetParam(), 0.5F);
     settings.bias = 2e-5F;
-    settings.angle_bias = 0.0F;
+    settings.own.angle_bias = 0.0F;
     settings.least_radius = 0.0F;
     for (const gpu::Extent extent : {gpu::Extent{67, 51}, gpu::Extent{5, 1}, gpu::Extent{1, 3}}) {
         AmbientOcclusion& effect = effect_for(extent);
@@ -106,7 +106,7 @@ TEST_P(Prepared, SettingsOfSamplesReachThePreparation) {
     };
     Settings fewer = settings_for(GetParam(), 0.5F);
     fewer.least_radius = 0.0F;
-    fewer.steps = 3;
+    fewer.own.steps = 3;
     Settings cap = fewer;
     const float pixels = 0.5F * 64.0F / static_cast<float>(view_height);  // of the radius, in the image
     cap.radius = 2.0F * fewer.radius;
@@ -190,19 +190,19 @@ TEST_F(DepthChain, IsTheFullImageToTheBit) {
     for (const gpu::Extent extent : {gpu::Extent{96, 54}, gpu::Extent{97, 53}, gpu::Extent{61, 1}}) {
         const scene::GBuffer view = rasterized("corner", extent);
         Settings settings = settings_for("sao", 1.5F);
-        settings.mip_distance = 2.0F;
+        settings.own.mip_distance = 2.0F;
         const Frame full = run(view, settings, 3);
         settings.method = "sao_chain";
         EXPECT_EQ(run(view, settings, 3).occlusion, full.occlusion) << extent.width;
         settings.reject_taps = true;
-        settings.range = 0.2F;
+        settings.own.range = 0.2F;
         const Frame rejected = run(view, settings, 3);
         settings.method = "sao";
         EXPECT_EQ(rejected.occlusion, run(view, settings, 3).occlusion) << extent.width;
         settings.method = "sao_chain";
         settings.reject_taps = false;
         if (extent.height == 1) continue;  // nothing is occluded in it
-        settings.mip_distance = 0.0F;
+        settings.own.mip_distance = 0.0F;
         EXPECT_NE(run(view, settings, 3).occlusion, full.occlusion) << extent.width;
     }
 }
@@ -236,7 +236,7 @@ TEST_F(Separable, AllPairsOfDirectionsAreTheHemisphere) {
     settings.samples = 64;
     settings.samples_converged = 64;
     settings.weight_max = 8192.0F;
-    settings.epsilon = 1e-3F;  // nothing is carried
+    settings.own.epsilon = 1e-3F;  // nothing is carried
     const Frame frame = run(groove({129, 129}), settings, 16);
     EXPECT_NEAR(frame.occlusion[129 * 64 + 64], 0.146447, 0.03);
 }
@@ -266,7 +266,7 @@ TEST_F(DualResolution, IsHbaoWhereItIsNotInterpolated) {
         const std::vector<float> full = run(view, settings).occlusion;
         for (const float tolerance : {0.0F, 0.05F, 1.0F}) {
             settings.method = "dual_resolution";
-            settings.disagreement = tolerance;
+            settings.own.disagreement = tolerance;
             const std::vector<float> dual = run(view, settings).occlusion;
             int in_full = 0;
             int interpolated = 0;
@@ -298,7 +298,7 @@ TEST_F(DualResolution, ADuplicateChangesNothing) {
     const scene::GBuffer view = groove(extent);
     const Frame full = run(view, settings);
     settings.method = "dual_resolution";
-    settings.disagreement = 1.0F;
+    settings.own.disagreement = 1.0F;
     const Frame dual = run(view, settings);
     for (unsigned y = 8; y < 25; ++y) {
         for (unsigned x = 0; x < 65; x += 2)

@@ -83,7 +83,7 @@ TEST_F(SampleSettings, WhatIsCountedWasTaken) {
                                {"curvature", 1, 4, 4}}) {
         Settings settings = plain(asked.method);
         settings.samples = settings.samples_converged = asked.samples;
-        settings.steps = asked.steps;
+        settings.own.steps = asked.steps;
         settings.filter = Filter::none;
         settings.weight_max = 3.0F * static_cast<float>(asked.taken);
         EXPECT_EQ(per_pixel(frame_of(settings)), asked.taken) << asked.method << ' ' << asked.samples;
@@ -159,14 +159,14 @@ TEST_F(SampleSettings, TheCapOfTheRadiusIsASmallerRadius) {
 TEST_F(SampleSettings, RejectedTapsDoNotCount) {
     for (const char* method : {"hemisphere", "alchemy"}) {
         Settings settings = plain(method);
-        settings.range = 0.1F;
+        settings.own.range = 0.1F;
         const Frame all = frame_of(settings);
         settings.reject_taps = true;
         const Frame some = frame_of(settings);
         EXPECT_LT(some.work.samples, all.work.samples * 99 / 100) << method;
         EXPECT_GT(some.work.samples, all.work.samples / 2) << method;
         EXPECT_LT(mean_of(some.convergence), mean_of(all.convergence)) << method;
-        settings.range = 1e6F;
+        settings.own.range = 1e6F;
         EXPECT_EQ(frame_of(settings).work.samples, all.work.samples) << method;
     }
 }
@@ -176,7 +176,7 @@ TEST_F(SampleSettings, RejectedStepsAreOpen) {
     Settings settings = plain("gtao");
     const Frame all = frame_of(settings);
     settings.reject_taps = true;
-    settings.range = 0.02F;
+    settings.own.range = 0.02F;
     const Frame some = frame_of(settings);
     EXPECT_EQ(some.work.samples, all.work.samples);
     EXPECT_LT(mean_of(some.occlusion), 0.9 * mean_of(all.occlusion));

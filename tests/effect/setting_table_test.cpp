@@ -41,7 +41,8 @@ constexpr std::size_t member_count() {
 }
 
 TEST(SettingTable, HasEveryMemberOnce) {
-    EXPECT_EQ(setting_table().size(), member_count<Settings>());
+    // One member of Settings holds what is a method's own.
+    EXPECT_EQ(setting_table().size(), member_count<Settings>() - 1 + member_count<MethodValues>());
     std::set<std::string> names;
     for (const Setting& setting : setting_table()) {
         EXPECT_TRUE(names.insert(setting.name).second) << setting.name;

@@ -294,7 +294,7 @@ TEST_F(Skips, SurfacesReadFromTheDepthChainMayLieBeyondTheRadius) {
     Settings settings = with_method(quick(Settings{}), "alchemy");
     const std::vector<Stay> stays{{floor_view({160, 90}, 0.0F), 2}};
     EXPECT_GT(expect_same(stays, settings).front().work.tiles_open, 0U);
-    settings.mip_distance = 4.0F;
+    settings.own.mip_distance = 4.0F;
     EXPECT_EQ(expect_same(stays, settings).front().work.tiles_open, 0U);
 }
 

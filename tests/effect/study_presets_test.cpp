@@ -43,9 +43,9 @@ TEST(StudyPresets, PerformanceHasItsBlurAndNoHistory) {
 // 6 steps to each side of 4 slices, a bias of 0.3 radians.
 TEST(StudyPresets, ItsHorizons) {
     const Settings settings = preset_named("hbao-quality").settings;
-    EXPECT_EQ(settings.steps, 6U);
-    EXPECT_EQ(settings.angle_bias, 0.3F);
-    EXPECT_EQ(settings.intensity, 1.0F);
+    EXPECT_EQ(settings.own.steps, 6U);
+    EXPECT_EQ(settings.own.angle_bias, 0.3F);
+    EXPECT_EQ(settings.own.intensity, 1.0F);
 }
 
 }  // namespace

@@ -259,7 +259,7 @@ struct MovingHalf {
 TEST_F(Temporal, ProbesReachAsFarAsWhatBlocks) {
     const MovingHalf plate(4.2, 3.0);
     Settings settings = with_radius(with_method(paper(), "hemisphere"), 0.2F);
-    settings.range = 1.0F;
+    settings.own.range = 1.0F;
     settings.invalidation = Invalidation::clamp;
     settings.weight_small = 1.0F;
     AmbientOcclusion& effect = effect_for(extent);

@@ -20,7 +20,7 @@ const std::vector<ViewInfo> four_views{{"a", "kind", "", ViewHalf::tuning},
                                        {"d", "kind", "", ViewHalf::unseen}};
 
 TuneTask intensity_task() {
-    return {.start = Settings{.intensity = 0.1F},
+    return {.start = Settings{.own = {.intensity = 0.1F}},
             .parameters = {{.name = "intensity", .least = 0.0, .most = 2.0}}};
 }
 
@@ -103,61 +103,61 @@ TEST(Tuning, TheUnseenHalfIsMeasuredOnlyAfterTheSearch) {
     std::vector<Call> calls;
     const TuneOutcome outcome =
         tune(intensity_task(), four_views, [&](const ViewInfo& view, const Settings& settings) {
-            calls.push_back({view.name, settings.intensity});
+            calls.push_back({view.name, settings.own.intensity});
             // The halves have different minima: 1.5 and 0.5.
             const double aim = view.half == ViewHalf::tuning ? 1.5 : 0.5;
-            return ViewMeasure{.rmse = 0.01 + std::abs(double{settings.intensity} - aim)};
+            return ViewMeasure{.rmse = 0.01 + std::abs(double{settings.own.intensity} - aim)};
         });
-    EXPECT_NEAR(outcome.settings.intensity, 1.5F, 2.0F / 64.0F);
+    EXPECT_NEAR(outcome.settings.own.intensity, 1.5F, 2.0F / 64.0F);
     const auto is_unseen = [](const Call& call) { return call.view == "b" || call.view == "d"; };
     const auto first_unseen = std::ranges::find_if(calls, is_unseen);
     ASSERT_EQ(calls.end() - first_unseen, 4);
     EXPECT_TRUE(std::all_of(first_unseen, calls.end(), is_unseen));
     EXPECT_EQ(outcome.search.points.size() * 2U, static_cast<std::size_t>(first_unseen - calls.begin()));
     for (auto call = first_unseen; call != calls.end(); ++call)
-        EXPECT_TRUE(call->intensity == 0.1F || call->intensity == outcome.settings.intensity);
+        EXPECT_TRUE(call->intensity == 0.1F || call->intensity == outcome.settings.own.intensity);
 }
 
 TEST(Tuning, EachViewHasItsErrorsBeforeAndAfter) {
     const TuneOutcome outcome =
         tune(intensity_task(), four_views, [](const ViewInfo& view, const Settings& settings) {
             const double offset = view.name == "d" ? 0.5 : 0.0;
-            return ViewMeasure{.rmse = offset + std::abs(double{settings.intensity} - 1.0)};
+            return ViewMeasure{.rmse = offset + std::abs(double{settings.own.intensity} - 1.0)};
         });
     ASSERT_EQ(outcome.views.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
         const double offset = i == 3 ? 0.5 : 0.0;
         EXPECT_EQ(outcome.views[i].view.name, four_views[i].name);
         EXPECT_NEAR(outcome.views[i].before.rmse, offset + 0.9, 1e-6);
-        EXPECT_NEAR(outcome.views[i].after.rmse, offset + std::abs(double{outcome.settings.intensity} - 1.0),
-                    1e-6);
+        EXPECT_NEAR(outcome.views[i].after.rmse,
+                    offset + std::abs(double{outcome.settings.own.intensity} - 1.0), 1e-6);
     }
 }
 
 // One view has errors a hundred times as large: the mean follows it, the ratios do not.
 TEST(Tuning, TheObjectiveWeighsTheViews) {
     const auto measure = [](const ViewInfo& view, const Settings& settings) {
-        const double x = double{settings.intensity};
+        const double x = double{settings.own.intensity};
         const bool large = view.name == "a";
         const double aim = large ? 1.8 : 0.4;
         return ViewMeasure{.rmse =
                                (large ? 100.0 : 1.0) * (1.0 + (large ? 1.0 : 3.0) * (x - aim) * (x - aim))};
     };
     TuneTask task = intensity_task();
-    EXPECT_GT(tune(task, four_views, measure).settings.intensity, 1.6F);
+    EXPECT_GT(tune(task, four_views, measure).settings.own.intensity, 1.6F);
     task.objective = TuneObjective::relative;
-    EXPECT_LT(tune(task, four_views, measure).settings.intensity, 1.2F);
+    EXPECT_LT(tune(task, four_views, measure).settings.own.intensity, 1.2F);
 }
 
 TEST(Tuning, TheLimitOfTimeHolds) {
     TuneTask task = intensity_task();
     task.copies = 10.0;
     const TuneOutcome outcome = tune(task, four_views, [](const ViewInfo&, const Settings& settings) {
-        const double x = double{settings.intensity};
+        const double x = double{settings.own.intensity};
         return ViewMeasure{.rmse = 3.0 - x, .copies = 10.0 * x};
     });
-    EXPECT_LE(outcome.settings.intensity, 1.0F);
-    EXPECT_GT(outcome.settings.intensity, 0.9F);
+    EXPECT_LE(outcome.settings.own.intensity, 1.0F);
+    EXPECT_GT(outcome.settings.own.intensity, 0.9F);
     expect_refused<std::invalid_argument>(
         [&] {
             (void)tune(task, four_views, [](const ViewInfo&, const Settings&) {

@@ -56,7 +56,7 @@ ordered_json settings_json(const effect::Settings& settings, const effect::Metho
     ordered_json json = ordered_json::object();
     for (const effect::Setting& setting : effect::setting_table())
         json[setting.name] = value_json(setting.get(settings));
-    json["samples_unit"] = effect::unit_of(method, settings.steps);
+    json["samples_unit"] = effect::unit_of(method, settings.own.steps);
     json["rounds_up"] = method.unit == effect::SampleUnit::pair;
     return json;
 }

@@ -56,7 +56,7 @@ using Gather = check::Kernel<glm::vec2(glm::vec3, glm::vec3, Camera, GatherKerne
                                                                            unsigned resolutions) {
     effect::Settings settings;
     settings.method = method.name;
-    settings.steps = resolutions;
+    settings.own.steps = resolutions;
     return effect::preparation_of(settings,
                                   {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)});
 }

@@ -105,8 +105,8 @@ void append_refusals(const Context& context, Rows& rows) {
     for (const float bad : {0.0F, -0.0F, -1.0F, Limits::denorm_min(), Limits::max(), Limits::infinity(),
                             -Limits::infinity(), Limits::quiet_NaN()}) {
         attempts.push_back(with([bad](effect::Settings& s) { s.radius = bad; }));
-        attempts.push_back(with([bad](effect::Settings& s) { s.range = bad; }));
-        attempts.push_back(with([bad](effect::Settings& s) { s.epsilon = bad; }));
+        attempts.push_back(with([bad](effect::Settings& s) { s.own.range = bad; }));
+        attempts.push_back(with([bad](effect::Settings& s) { s.own.epsilon = bad; }));
         attempts.push_back(with([bad](effect::Settings& s) { s.weight_max = bad; }));
     }
     for (const std::uint32_t bad : {0U, effect::most_samples + 1, ~0U})
@@ -145,11 +145,11 @@ void append_counts(const Context& context, effect::AmbientOcclusion& effect, Row
             if (method.takes_fewer) continue;  // of a few pixels all samples share some
             effect::Settings settings = settings_for(method);
             settings.samples = samples;
-            settings.steps = 1;
+            settings.own.steps = 1;
             settings.weight_max = 8'388'608.0F;
             effect.begin(plane(size), settings);
-            const auto expected =
-                static_cast<double>(pixels_of(size)) * effect::samples_taken(method, samples, settings.steps);
+            const auto expected = static_cast<double>(pixels_of(size)) *
+                                  effect::samples_taken(method, samples, settings.own.steps);
             missing = std::max(missing, std::abs(expected - static_cast<double>(effect.next().work.samples)));
         }
         rows.push_back(

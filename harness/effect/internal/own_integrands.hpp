@@ -30,14 +30,14 @@ namespace gloam::effect::own {
 [[nodiscard]] Integrand angle(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand depth_darkening(const SeenSurface& seen, const Settings& settings);
 
-// Methods that sample slices through the eye. Settings::steps: steps to each side.
+// Methods that sample slices through the eye. MethodValues::steps: steps to each side.
 [[nodiscard]] Integrand hbao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand hbao_study(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand gtao(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand sweep(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand bitmask(const SeenSurface& seen, const Settings& settings);
 
-// Methods that sample rays. Settings::steps: steps of a ray.
+// Methods that sample rays. MethodValues::steps: steps of a ray.
 [[nodiscard]] Integrand poisson(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand ssdo(const SeenSurface& seen, const Settings& settings);
 [[nodiscard]] Integrand hsao(const SeenSurface& seen, const Settings& settings);

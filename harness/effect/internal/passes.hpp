@@ -53,19 +53,6 @@ struct OcclusionParameters {
     float bias_depth;
 };
 
-// The layout of MethodValues in the passes' buffer.
-struct MethodParameters {
-    float range;
-    float epsilon;
-    float intensity;
-    float thickness;
-    float angle_bias;
-    float mip_distance;
-    std::uint32_t steps;
-    float disagreement;
-    float feature_thickness;
-};
-
 struct ReprojectionParameters {
     glm::mat4 previous_from_current;
     glm::vec2 p00_p11;
@@ -126,7 +113,6 @@ struct View {
 
 [[nodiscard]] NormalParameters normal_parameters(const View& view);
 [[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
-[[nodiscard]] MethodParameters method_parameters(const Settings& settings);
 [[nodiscard]] ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
                                                              const Settings& settings);
 [[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings);

@@ -76,7 +76,7 @@ std::vector<MethodInfo> pair_methods() {
          .reads = {"range", "angle_bias"},
          .points = "disc",
          .unit = SampleUnit::pair,
-         .adapt = [](Settings& s) { s.angle_bias = 0.08F; },
+         .adapt = [](Settings& s) { s.own.angle_bias = 0.08F; },
          .presets = angle_presets},
         {.name = "depth_darkening",
          .description = "unsharp mask of the depth (Luft, Colditz and Deussen 2006)",

@@ -8,14 +8,14 @@ using enum Measure;
 
 // The values of hbao.
 void adapt_hsao(Settings& s) {
-    s.angle_bias = 0.3F;
-    s.steps = 6;
+    s.own.angle_bias = 0.3F;
+    s.own.steps = 6;
 }
 
 // The engine's values: 0.8 of its unit, up to 3 steps on each side.
 void adapt_unreal(Settings& s) {
-    s.epsilon = 0.8F;
-    s.steps = 3;
+    s.own.epsilon = 0.8F;
+    s.own.steps = 3;
 }
 
 std::vector<Preset> poisson_presets(const MethodInfo& method) {
@@ -57,7 +57,7 @@ std::vector<MethodInfo> ray_methods() {
          .reads = {"range", "steps"},
          .points = "halton",
          .unit = SampleUnit::ray,
-         .adapt = [](Settings& s) { s.steps = 1; }},
+         .adapt = [](Settings& s) { s.own.steps = 1; }},
         {.name = "unreal",
          .description = "nearest steps to both sides, the later shader of Unreal Engine 4",
          .measure = shape,

@@ -8,8 +8,8 @@ using enum Measure;
 
 // The study's values: 6 steps, a bias of 0.3 radians.
 void adapt_hbao(Settings& s) {
-    s.angle_bias = 0.3F;
-    s.steps = 6;
+    s.own.angle_bias = 0.3F;
+    s.own.steps = 6;
 }
 
 // hbao at half the resolution: every other pixel in x and y has a result. A pixel reads 3 x 3 of them.
@@ -25,7 +25,7 @@ Preparation first_direction(const Settings& settings, gpu::Extent view) {
             .format = gpu::Format::r32f,
             .passes = {{"first_direction", "first_direction.comp", view}},
             .spread = 1,
-            .reach = 2.0F * settings.epsilon};
+            .reach = 2.0F * settings.own.epsilon};
 }
 
 std::vector<Preset> hbao_study_presets(const MethodInfo& method) {
@@ -49,24 +49,27 @@ std::vector<Preset> gtao_presets(const MethodInfo& method) {
 }
 
 // Settings with a history, like those of the general presets: a mean over 128 samples, kernels always
-// rotated, no filter.
+// rotated, a filter for pixels with few samples.
 Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
     Settings settings = slices(method, count, steps);
     settings.weight_max = 128.0F;
     settings.c_rot = 2.0F;
-    settings.filter = Filter::none;
+    settings.filter = Filter::convergence;
+    settings.c_adaptive = 0.2F;
     settings.precision = HistoryPrecision::packed;
     return settings;
 }
 
 std::vector<Preset> sweep_presets(const MethodInfo& method) {
-    return {
-        {"sweep-performance", "1 slice of 2 steps to each side, a frame; 128 samples in the mean, no filter",
-         swept(method, 1, 2)},
-        {"sweep-balanced", "1 slice of 6 steps to each side, a frame; 128 samples in the mean, no filter",
-         swept(method, 1, 6)},
-        {"sweep-quality", "4 slices of 6 steps to each side, a frame; 128 samples in the mean, no filter",
-         swept(method, 4, 6)}};
+    return {{"sweep-performance",
+             "1 slice of 2 steps to each side, a frame; 128 samples in the mean, filtered until 26",
+             swept(method, 1, 2)},
+            {"sweep-balanced",
+             "1 slice of 6 steps to each side, a frame; 128 samples in the mean, filtered until 26",
+             swept(method, 1, 6)},
+            {"sweep-quality",
+             "4 slices of 6 steps to each side, a frame; 128 samples in the mean, filtered until 26",
+             swept(method, 4, 6)}};
 }
 
 }  // namespace
@@ -134,7 +137,7 @@ std::vector<MethodInfo> slice_methods() {
          .reads = {"epsilon"},
          .points = "halton",
          .unit = SampleUnit::cross,
-         .adapt = [](Settings& s) { s.epsilon = 0.1F; },
+         .adapt = [](Settings& s) { s.own.epsilon = 0.1F; },
          .prepare = first_direction},
         {.name = "bitmask",
          .description = "slices of 32 sectors between front and back (Therrien et al. 2023)",

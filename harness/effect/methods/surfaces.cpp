@@ -39,7 +39,7 @@ gpu::Extent pyramid_size(gpu::Extent view, std::uint32_t coarsest) {
 // Passes: the surfaces of all coarser levels, each from the level before, then their occlusion, coarsest
 // level first.
 Preparation resolutions(const Settings& settings, gpu::Extent view) {
-    const std::uint32_t coarsest = std::clamp(settings.steps, 1U, most_resolutions) - 1;
+    const std::uint32_t coarsest = std::clamp(settings.own.steps, 1U, most_resolutions) - 1;
     if (coarsest == 0) return {.image = {1, 1}};
     Preparation all{.image = pyramid_size(view, coarsest)};
     for (std::uint32_t level = 1; level <= coarsest; ++level) {
@@ -91,7 +91,7 @@ std::vector<MethodInfo> surface_methods() {
          .own_settings = "GloamMssao",
          .reads = {"steps"},
          .points = "disc",
-         .adapt = [](Settings& s) { s.range = 0.25F, s.steps = 5; },
+         .adapt = [](Settings& s) { s.own.range = 0.25F, s.own.steps = 5; },
          .prepare = resolutions},
         {.name = "volumetric_area",
          .description =
@@ -136,7 +136,7 @@ std::vector<MethodInfo> surface_methods() {
          .own_settings = "GloamMixture",
          .reads = {"angle_bias", "intensity"},
          .points = "halton",
-         .adapt = [](Settings& s) { s.angle_bias = 0.3F; }},
+         .adapt = [](Settings& s) { s.own.angle_bias = 0.3F; }},
         {.name = "curvature",
          .description = "the quadric through the pixel's surroundings (after Hattori et al. 2012)",
          .measure = shape,

@@ -11,25 +11,25 @@ using enum Measure;
 
 // An intensity with which the result is close to the occlusion; the published values are presets.
 void adapt_alchemy(Settings& s) {
-    s.intensity = 0.4F;
+    s.own.intensity = 0.4F;
     s.bias = 0.005F;
-    s.epsilon = 3.2e-4F;
+    s.own.epsilon = 3.2e-4F;
 }
 
 // The paper's lengths, at its radius of 1 m. Its intensity of 1 is too dark for one radius, so this one is
 // lower.
 void adapt_sao(Settings& s) {
-    s.intensity = 0.3F;
+    s.own.intensity = 0.3F;
     s.bias = 0.01F;
-    s.epsilon = 0.1F;
-    s.mip_distance = 16.0F;
+    s.own.epsilon = 0.1F;
+    s.own.mip_distance = 16.0F;
 }
 
 // The values of the paper's figure 3: radius 1.75, phi 0.4, psi 0.022, lambda 1.06, sigma 0.00016.
 void adapt_issao(Settings& s) {
-    s.intensity = 1.06F * 0.4F / 1.75F;
+    s.own.intensity = 1.06F * 0.4F / 1.75F;
     s.bias = 0.022F / 1.75F;
-    s.epsilon = 0.0126491F / 1.75F;
+    s.own.epsilon = 0.0126491F / 1.75F;
 }
 
 // GLOAM_LAST_TAP_LEVEL of gloam/sampling/tap_pixel.glsl.
@@ -63,9 +63,9 @@ std::vector<Preset> sao_presets(const MethodInfo& method) {
 // The study's values at its radius of 10: sigma 2, bias 1, epsilon^2 1e-5.
 Settings study_alchemy(const MethodInfo& method, std::uint32_t samples) {
     Settings settings = configuration(method, samples);
-    settings.intensity = 0.2F;
+    settings.own.intensity = 0.2F;
     settings.bias = 0.1F;
-    settings.epsilon = 3.2e-4F;
+    settings.own.epsilon = 3.2e-4F;
     return settings;
 }
 
@@ -90,9 +90,9 @@ struct Figure {
 
 Settings of_figure(const MethodInfo& method, const Figure& figure) {
     Settings settings = configuration(method, 12);
-    settings.intensity = figure.lambda * figure.phi / figure.radius;
+    settings.own.intensity = figure.lambda * figure.phi / figure.radius;
     settings.bias = figure.psi / figure.radius;
-    settings.epsilon = figure.sigma_root / figure.radius;
+    settings.own.epsilon = figure.sigma_root / figure.radius;
     settings.filter = Filter::bilateral;
     // Radii are uniform: if there are more taps than the radius has pixels, some taps read the same pixel.
     settings.samples_radius = 12.0F;
@@ -111,7 +111,7 @@ std::vector<Preset> issao_presets(const MethodInfo& method) {
 
 std::vector<Preset> basic_presets(const MethodInfo& method) {
     Settings settings = of_figure(method, figure4);
-    settings.intensity = 1.0F;  // eq. 3 has none
+    settings.own.intensity = 1.0F;  // eq. 3 has none
     return {{"issao-figure4-basic", "its figure 4 on the left, by eq. 3", settings}};
 }
 

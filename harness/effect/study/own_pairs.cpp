@@ -112,7 +112,8 @@ Integrand tangent_sphere(const SeenSurface& seen, const Settings&) {
 // CS-P: 1 less the angles over pi. One sample of two that lies too near the eye is replaced by its partner's
 // mirror image, at half the weight.
 Integrand angle(const SeenSurface& seen, const Settings& s) {
-    return [seen, range = double{s.range}, bias = double{s.angle_bias}](const std::array<double, 3>& u) {
+    return [seen, range = double{s.own.range},
+            bias = double{s.own.angle_bias}](const std::array<double, 3>& u) {
         const Pair pair = pair_at(seen, u);
         const glm::dvec3 first = pair.aim + glm::dvec3(0, 0, pair.first);
         const glm::dvec3 second = -pair.aim + glm::dvec3(0, 0, pair.second);
@@ -133,10 +134,10 @@ Integrand depth_darkening(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const Pair pair = pair_at(seen, u);
         const double weight = std::exp(-2.0 * u[0]);
-        const double range = double{s.range};
+        const double range = double{s.own.range};
         const double mean =
             0.5 * (std::clamp(pair.first, -range, range) + std::clamp(pair.second, -range, range));
-        return weight * glm::dvec2(double{s.intensity} * (mean - double{s.bias}), 1.0);
+        return weight * glm::dvec2(double{s.own.intensity} * (mean - double{s.bias}), 1.0);
     };
 }
 

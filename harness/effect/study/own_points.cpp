@@ -31,7 +31,7 @@ glm::dvec2 at_point(const SeenSurface& seen, const glm::dvec3& offset, const Con
 
 // TSSAO-3 with TSSAO-14: uniform radii, cosine-weighted directions.
 Integrand hemisphere(const SeenSurface& seen, const Settings& s) {
-    return [seen, bias = double{s.bias}, range = double{s.range}](const std::array<double, 3>& u) {
+    return [seen, bias = double{s.bias}, range = double{s.own.range}](const std::array<double, 3>& u) {
         const auto offset = half_ball_point(seen.normal(), turn * u[0], u[1], std::sqrt(u[2]));
         return at_point(seen, offset,
                         [&](double in_front) { return in_front > bias && in_front <= range ? 1.0 : 0.0; });

@@ -24,12 +24,12 @@ glm::dvec2 place_of(const SeenSurface& seen, const glm::dvec3& point) {
 
 // Whether one of the steps is behind the visible surface, by more than the bias and by at most the range.
 bool blocked(const SeenSurface& seen, const Settings& s, const glm::dvec3& direction, double jitter) {
-    for (std::uint32_t i = 0; i < s.steps; ++i) {
-        const glm::dvec3 at = seen.view().point + (i + jitter) / s.steps * direction;
+    for (std::uint32_t i = 0; i < s.own.steps; ++i) {
+        const glm::dvec3 at = seen.view().point + (i + jitter) / s.own.steps * direction;
         if (!(at.z < 0.0) || seen.at(place_of(seen, at)).own_pixel) continue;
         const SeenSurface::Compared compared = seen.compared(at);
         const double in_front = compared.depth - compared.buffer;
-        if (in_front > double{s.bias} && in_front <= double{s.range}) return true;
+        if (in_front > double{s.bias} && in_front <= double{s.own.range}) return true;
     }
     return false;
 }
@@ -39,8 +39,8 @@ bool blocked(const SeenSurface& seen, const Settings& s, const glm::dvec3& direc
 template <class Visit>
 void along_the_image(const SeenSurface& seen, const Settings& s, const glm::dvec3& direction, double jitter,
                      const Visit& visit) {
-    for (std::uint32_t i = 0; i < s.steps; ++i) {
-        const double share = (i + jitter) / s.steps;
+    for (std::uint32_t i = 0; i < s.own.steps; ++i) {
+        const double share = (i + jitter) / s.own.steps;
         const Seen surface = seen.at(share * seen.reach() * glm::dvec2(direction));
         if (surface.background || surface.own_pixel) continue;
         if (glm::dot(surface.offset, seen.normal()) > double{s.bias}) visit(surface.offset);
@@ -76,7 +76,7 @@ Integrand hsao(const SeenSurface& seen, const Settings& s) {
         const double steep = 1.0 - turned * turned;
         const glm::dvec3 across = steep > 1e-3 ? (aside - turned * n) / steep : aside;
         const double tangent = std::atan2(-glm::dot(n, along), n.z);
-        double horizon = std::sin(std::min(tangent + double{s.angle_bias}, right_angle));
+        double horizon = std::sin(std::min(tangent + double{s.own.angle_bias}, right_angle));
         double occlusion = 0.0;
         along_the_image(seen, s, along, u[1], [&](const glm::dvec3& v) {
             const glm::dvec3 offset = v - glm::dot(v, aside) * across;
@@ -85,7 +85,8 @@ Integrand hsao(const SeenSurface& seen, const Settings& s) {
             occlusion += (offset.z / length - horizon) * (1.0 - length * length);
             horizon = offset.z / length;
         });
-        return glm::dvec2(double{s.intensity} * occlusion / (1.0 - std::sin(double{s.angle_bias})), 1.0);
+        return glm::dvec2(double{s.own.intensity} * occlusion / (1.0 - std::sin(double{s.own.angle_bias})),
+                          1.0);
     };
 }
 
@@ -96,11 +97,11 @@ Integrand unreal(const SeenSurface& seen, const Settings& s) {
         const glm::dvec3 along(std::cos(turn * u[0]), std::sin(turn * u[0]), 0.0);
         double occlusion = 0.0;
         along_the_image(seen, s, along, u[1], [&](const glm::dvec3& v) {
-            const double tap = double{s.epsilon} * glm::dot(v, seen.normal()) / glm::dot(v, v);
+            const double tap = double{s.own.epsilon} * glm::dot(v, seen.normal()) / glm::dot(v, v);
             occlusion = std::max(occlusion, std::min(tap, 1.0));
         });
         const double open = 1.0 - occlusion;
-        return glm::dvec2(std::min(double{s.intensity}, 1.0) * (1.0 - open * open), 1.0);
+        return glm::dvec2(std::min(double{s.own.intensity}, 1.0) * (1.0 - open * open), 1.0);
     };
 }
 

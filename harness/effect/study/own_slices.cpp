@@ -50,8 +50,8 @@ std::vector<Step> taps_of(const SeenSurface& seen, const Settings& settings, con
     const double turned = glm::dot(aside, n);
     const glm::dvec3 across = (aside - turned * n) / (1.0 - turned * turned);
     std::vector<Step> found;
-    for (std::uint32_t i = 0; i < settings.steps; ++i) {
-        const double share = (i + jitter) / settings.steps;
+    for (std::uint32_t i = 0; i < settings.own.steps; ++i) {
+        const double share = (i + jitter) / settings.own.steps;
         const double place = even ? share : share * share;
         const Seen surface = seen.at(side * place * seen.reach() * glm::dvec2(slice.along));
         if (surface.background || surface.own_pixel) continue;
@@ -171,7 +171,7 @@ double share_below(double angle, double n) {
 Integrand hbao(const SeenSurface& seen, const Settings& s) {
     return [seen, s](const std::array<double, 3>& u) {
         const Slice slice = slice_at(seen, pi * u[0]);
-        const double bias = double{s.angle_bias};
+        const double bias = double{s.own.angle_bias};
         const double slope = -glm::dot(glm::dvec2(seen.normal()), glm::dvec2(slice.along));
         double occlusion = 0.0;
         for (const double side : {1.0, -1.0}) {
@@ -179,7 +179,7 @@ Integrand hbao(const SeenSurface& seen, const Settings& s) {
             const double start = std::min(tangent + bias, right_angle);
             occlusion += 0.5 * hbao_side(steps_of(seen, s, slice, side, u[1]), start);
         }
-        return glm::dvec2(std::min(double{s.intensity} * occlusion / (1.0 - std::sin(bias)), 1.0), 1.0);
+        return glm::dvec2(std::min(double{s.own.intensity} * occlusion / (1.0 - std::sin(bias)), 1.0), 1.0);
     };
 }
 
@@ -191,10 +191,11 @@ Integrand hbao_study(const SeenSurface& seen, const Settings& s) {
         const double slope = -glm::dot(glm::dvec2(seen.normal()), glm::dvec2(slice.along));
         double occlusion = 0.0;
         for (const double side : {1.0, -1.0}) {
-            const double start = std::atan(side * slope / seen.normal().z + std::tan(double{s.angle_bias}));
+            const double start =
+                std::atan(side * slope / seen.normal().z + std::tan(double{s.own.angle_bias}));
             occlusion += 0.5 * hbao_side(steps_of(seen, s, slice, side, u[1], true), start);
         }
-        return glm::dvec2(std::min(double{s.intensity} * occlusion, 1.0), 1.0);
+        return glm::dvec2(std::min(double{s.own.intensity} * occlusion, 1.0), 1.0);
     };
 }
 
@@ -218,7 +219,7 @@ Integrand sweep(const SeenSurface& seen, const Settings& s) {
         double occluded = 0.0;
         for (const double side : {1.0, -1.0})
             occluded += sweep_side(taps_of(seen, s, slice, side, u[1], false), side, slice.normal_angle,
-                                   double{s.feature_thickness});
+                                   double{s.own.feature_thickness});
         return slice.weight * glm::dvec2(occluded, cosine_whole(slice.normal_angle));
     };
 }
@@ -234,7 +235,7 @@ Integrand bitmask(const SeenSurface& seen, const Settings& s) {
             for (const Step& step : steps_of(seen, s, slice, side, u[1])) {
                 if (!(step.length() < u[2])) continue;
                 const double front = step.angle();
-                const double back = Step{step.along, step.up - double{s.thickness}}.angle();
+                const double back = Step{step.along, step.up - double{s.own.thickness}}.angle();
                 cover(covered, share_below(std::min(front, back), n), share_below(std::max(front, back), n));
             }
         }

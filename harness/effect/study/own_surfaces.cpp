@@ -44,7 +44,7 @@ Integrand pieces(const SeenSurface& seen, const Settings& s, const Contribution&
         const double disc =
             pi * seen.reach() * seen.reach() * 2.0 * u[0];  // area on the image plane, per radius
         const double occlusion = disc * scale * scale * contribution(piece, s, seen.normal(), v);
-        return glm::dvec2(double{s.intensity} * occlusion, 1.0);
+        return glm::dvec2(double{s.own.intensity} * occlusion, 1.0);
     };
 }
 
@@ -111,7 +111,7 @@ Integrand mixture(const SeenSurface& seen, const Settings& s) {
         seen, s, [](const Piece& piece, const Settings& settings, const glm::dvec3& n, const glm::dvec3& v) {
             const double across = glm::length(glm::dvec2(v));
             const double slope = across > 0.0 ? -glm::dot(glm::dvec2(n), glm::dvec2(v)) / across : 0.0;
-            const double least = std::atan2(slope, n.z) + double{settings.angle_bias};
+            const double least = std::atan2(slope, n.z) + double{settings.own.angle_bias};
             if (!(std::atan2(v.z, across) > std::min(least, 0.5 * pi))) return 0.0;
             return ball_fraction(piece) * piece.cosine * (1.0 - piece.distance);
         });
@@ -120,7 +120,7 @@ Integrand mixture(const SeenSurface& seen, const Settings& s) {
 // CS-K: the mean over directions of sin^2 of the quadric's horizon. The crosses have half the radius to the
 // whole radius.
 Integrand curvature(const SeenSurface& seen, const Settings& s) {
-    return [seen, range = double{s.range}](const std::array<double, 3>& u) {
+    return [seen, range = double{s.own.range}](const std::array<double, 3>& u) {
         const double share = (0.5 + 0.5 * u[0]) * seen.reach();
         // The image's y axis points down, and so does that of the crosses.
         const glm::dvec2 arm =

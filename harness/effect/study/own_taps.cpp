@@ -31,7 +31,7 @@ Integrand taps(const SeenSurface& seen, Radii radii, const Contribution& contrib
 // TSSAO-12 times epsilon, for surface points of the ball.
 Integrand disc(const SeenSurface& seen, const Settings& s) {
     return taps(seen, Radii::area,
-                [bias = double{s.bias}, epsilon = double{s.epsilon}](double distance, double height) {
+                [bias = double{s.bias}, epsilon = double{s.own.epsilon}](double distance, double height) {
                     if (!(distance <= 1.0 && height > bias)) return 0.0;
                     return height / distance * std::min(1.0, epsilon / distance);
                 });
@@ -40,7 +40,7 @@ Integrand disc(const SeenSurface& seen, const Settings& s) {
 // CS-3.10 with its factor 2 sigma.
 Integrand alchemy(const SeenSurface& seen, const Settings& s) {
     return taps(seen, Radii::area,
-                [sigma = double{s.intensity}, bias = double{s.bias}, epsilon = double{s.epsilon}](
+                [sigma = double{s.own.intensity}, bias = double{s.bias}, epsilon = double{s.own.epsilon}](
                     double distance, double height) {
                     const double squared = distance * distance + epsilon * epsilon;
                     return height > bias ? 2.0 * sigma * (height - bias) / squared : 0.0;
@@ -50,7 +50,7 @@ Integrand alchemy(const SeenSurface& seen, const Settings& s) {
 // The recommended variant: 5 sigma (1 - v^2)^3 (v . n - bias) / (v^2 + epsilon^2).
 Integrand sao(const SeenSurface& seen, const Settings& s) {
     return taps(seen, Radii::uniform,
-                [sigma = double{s.intensity}, bias = double{s.bias}, epsilon = double{s.epsilon}](
+                [sigma = double{s.own.intensity}, bias = double{s.bias}, epsilon = double{s.own.epsilon}](
                     double distance, double height) {
                     const double squared = distance * distance;
                     if (!(squared < 1.0 && height > bias)) return 0.0;
@@ -62,7 +62,7 @@ Integrand sao(const SeenSurface& seen, const Settings& s) {
 // ISSAO-6. On the optical axis the covering circle is the disc itself.
 Integrand issao(const SeenSurface& seen, const Settings& s) {
     return taps(seen, Radii::uniform,
-                [phi = double{s.intensity}, psi = double{s.bias}, epsilon = double{s.epsilon}](
+                [phi = double{s.own.intensity}, psi = double{s.bias}, epsilon = double{s.own.epsilon}](
                     double distance, double height) {
                     if (!(distance < 1.0 && height > psi)) return 0.0;
                     return phi * (height - psi) / (distance * distance + epsilon * epsilon);
@@ -72,8 +72,8 @@ Integrand issao(const SeenSurface& seen, const Settings& s) {
 // ISSAO-4: phi |v| / max(mu, |v|)^2 times the cosine.
 Integrand issao_attenuated(const SeenSurface& seen, const Settings& s) {
     return taps(seen, Radii::uniform,
-                [phi = double{s.intensity}, bias = double{s.bias}, mu = double{s.epsilon}](double distance,
-                                                                                           double height) {
+                [phi = double{s.own.intensity}, bias = double{s.bias}, mu = double{s.own.epsilon}](
+                    double distance, double height) {
                     if (!(distance < 1.0 && height > bias)) return 0.0;
                     return phi * height / std::pow(std::max(mu, distance), 2.0);
                 });

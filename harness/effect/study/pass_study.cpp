@@ -65,7 +65,7 @@ Settings base() {
 Settings few_taps(const std::string& method) {
     Settings settings = with_method(base(), method);
     settings.samples = settings.samples_converged = 4;
-    settings.steps = 2;
+    settings.own.steps = 2;
     settings.filter = Filter::none;
     settings.skip_open = false;
     return settings;

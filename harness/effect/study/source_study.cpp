@@ -123,7 +123,7 @@ class SampleSearch {
         settings.filter = Filter::none;
         settings.history = false;
         std::vector<std::pair<std::uint32_t, double>> errors;
-        for (std::uint32_t samples = unit_of(method_named(settings.method), settings.steps);
+        for (std::uint32_t samples = unit_of(method_named(settings.method), settings.own.steps);
              samples <= most_samples; samples *= 2) {
             set_samples(settings, samples);
             errors.emplace_back(samples, error_of(occlusion(settings)));
