@@ -7,27 +7,10 @@
 #include <limits>
 
 #include "gpu/raster.hpp"
+#include "scene/internal/raster_layouts.hpp"
 
 namespace gloam::scene {
 namespace {
-
-// Push constants, with the layout of peel.frag; gbuffer.vert reads the first member.
-struct PeelConstants {
-    glm::mat4 projection;
-    std::uint32_t reversed_z;
-};
-
-struct Vertex {
-    glm::vec3 position;
-    glm::vec3 normal;
-};
-
-gpu::Buffer vertex_buffer(const gpu::Device& device, const Mesh& mesh) {
-    gpu::Buffer buffer(device, mesh.positions.size() * sizeof(Vertex));
-    const std::span<Vertex> vertices = buffer.as<Vertex>();
-    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {mesh.positions[i], mesh.normals[i]};
-    return buffer;
-}
 
 gpu::Buffer index_buffer(const gpu::Device& device, const Mesh& mesh) {
     gpu::Buffer buffer(device, mesh.indices.size() * sizeof(std::uint32_t));

@@ -9,19 +9,10 @@
 #include "gpu/raster.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/internal/peel.hpp"
+#include "scene/internal/raster_layouts.hpp"
 
 namespace gloam::scene {
 namespace {
-
-// Push constants, with the layout of gbuffer.vert and gbuffer.frag.
-struct RasterConstants {
-    glm::mat4 projection;
-};
-
-struct Vertex {
-    glm::vec3 position;
-    glm::vec3 normal;
-};
 
 // A vertex with GLOAM_MOTION; each corner of each triangle has its own.
 struct MovingVertex {
@@ -30,13 +21,6 @@ struct MovingVertex {
     glm::vec3 previous_position;
     glm::vec2 object_triangle;
 };
-
-gpu::Buffer vertex_buffer(const gpu::Device& device, const Mesh& mesh) {
-    gpu::Buffer buffer(device, mesh.positions.size() * sizeof(Vertex));
-    const std::span<Vertex> vertices = buffer.as<Vertex>();
-    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {mesh.positions[i], mesh.normals[i]};
-    return buffer;
-}
 
 // The object of each triangle, in the order of view_space_mesh().
 std::vector<std::uint32_t> objects_of_triangles(const Scene& scene) {

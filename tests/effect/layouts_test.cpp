@@ -18,6 +18,7 @@
 #include "effect/plan.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
+#include "scene/internal/raster_layouts.hpp"
 #include "shader/reflection.hpp"
 
 namespace gloam::effect {
@@ -242,6 +243,14 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
         }
     }
     EXPECT_EQ(seen.size(), 15U);
+}
+
+TEST_F(Layouts, RasterPasses) {
+    using R = scene::RasterConstants;
+    for (const char* file : {"gbuffer.vert", "gbuffer.frag"})
+        expect_pushed({.file = file}, sizeof(R), {MEMBER(R, projection)});
+    using P = scene::PeelConstants;
+    expect_pushed({.file = "peel.frag"}, sizeof(P), {MEMBER(P, projection), MEMBER(P, reversed_z)});
 }
 
 // A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
