@@ -4,12 +4,31 @@
 #include "gl/internal/context.hpp"
 
 namespace gloam::gl {
+namespace {
+
+void require_compute(const Device& device) {
+    if (!has_compute(device.info().name.version))
+        throw CallFailed(to_string(device.info().name.version) + " has no compute shaders");
+}
+
+GLenum format_of(const Image& image) {
+    switch (image.format()) {
+        case Image::Format::r32f:
+            return GL_R32F;
+        case Image::Format::rgba16f:
+            return GL_RGBA16F;
+        case Image::Format::rgba32f:
+            break;
+    }
+    return GL_RGBA32F;
+}
+
+}  // namespace
 
 void dispatch(const Device& device, const Dispatch& work) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
-    if (!has_compute(device.info().name.version))
-        throw CallFailed(to_string(device.info().name.version) + " has no compute shaders");
+    require_compute(device);
     gl.UseProgram(work.program.handle());
     for (std::size_t i = 0; i < work.storage.size(); ++i)
         gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(i), work.storage[i].get().handle());
@@ -18,6 +37,21 @@ void dispatch(const Device& device, const Dispatch& work) {
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
     gl.Finish();
     context.check("a compute shader");
+}
+
+void dispatch(const Device& device, const ImageDispatch& work) {
+    const internal::Context& context = device.context();
+    const internal::Functions& gl = context.use();
+    require_compute(device);
+    gl.UseProgram(work.program.handle());
+    for (const auto& [binding, image] : work.images)
+        gl.BindImageTexture(binding, image.get().handle(), 0, GL_FALSE, 0, GL_READ_WRITE, format_of(image));
+    for (const auto& [binding, buffer] : work.storage)
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.get().handle());
+    gl.DispatchCompute(work.groups[0], work.groups[1], work.groups[2]);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    gl.Finish();
+    context.check("a compute shader over images");
 }
 
 }  // namespace gloam::gl

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "gl/buffer.hpp"
+#include "gl/image.hpp"
 #include "gl/program.hpp"
 
 namespace gloam::gl {
@@ -23,5 +26,16 @@ struct Dispatch {
 
 // Runs it and waits for its end. Throws OutOfMemory, CallFailed.
 void dispatch(const Device& device, const Dispatch& work);
+
+// A pass over images.
+struct ImageDispatch {
+    const Program& program;
+    std::map<std::uint32_t, std::reference_wrapper<const Image>> images;    // by binding
+    std::map<std::uint32_t, std::reference_wrapper<const Buffer>> storage;  // by binding
+    std::array<std::uint32_t, 3> groups{1, 1, 1};
+};
+
+// The same. Passes that follow see what this one has written.
+void dispatch(const Device& device, const ImageDispatch& work);
 
 }  // namespace gloam::gl

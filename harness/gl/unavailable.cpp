@@ -59,7 +59,27 @@ WordTexture::WordTexture(const Device& device, std::span<const Word> /*words*/) 
 WordTexture::~WordTexture() = default;
 WordTexture::WordTexture(WordTexture&&) noexcept = default;
 
+Image::Image(const Device& device, Format format, std::size_t width, std::size_t height)
+    : device_(&device), format_(format), width_(width), height_(height) {
+    refuse();
+}
+
+Image::~Image() = default;
+Image::Image(Image&&) noexcept = default;
+
+void Image::write(std::span<const float> /*channels*/) {
+    refuse();
+}
+
+std::vector<float> Image::read() const {
+    refuse();
+}
+
 void dispatch(const Device& /*device*/, const Dispatch& /*work*/) {
+    refuse();
+}
+
+void dispatch(const Device& /*device*/, const ImageDispatch& /*work*/) {
     refuse();
 }
 

@@ -78,6 +78,30 @@ std::uint32_t sign_bit(const numeric::Rearranged& x) {
     return sign_bit(x.interval());
 }
 
+template <>
+std::optional<float> exponent_field(const float&) {
+    return std::nullopt;
+}
+template <>
+std::optional<double> exponent_field(const double&) {
+    return std::nullopt;
+}
+template <>
+std::optional<Explained> exponent_field(const Explained&) {
+    return std::nullopt;
+}
+template <>
+std::optional<numeric::Interval> exponent_field(const numeric::Interval& x) {
+    constexpr double largest_power = 0x1p127;
+    if (numeric::is_finite(x)) return numeric::Interval::within(0.0, largest_power);
+    return number_from_bits<numeric::Interval>(exponent_mask);
+}
+template <>
+std::optional<numeric::Rearranged> exponent_field(const numeric::Rearranged& x) {
+    const std::optional<numeric::Interval> field = exponent_field(x.interval());
+    return field ? std::optional(numeric::Rearranged(*field)) : std::nullopt;
+}
+
 std::uint32_t bits_from_number(double x) {
     return std::bit_cast<std::uint32_t>(static_cast<float>(x));
 }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "numeric/interval.hpp"
 #include "numeric/rearranged.hpp"
@@ -43,6 +44,12 @@ template <class Number>
 [[nodiscard]] inline std::uint32_t sign_bit(const Explained& x) {
     return std::signbit(x.value) ? 1U : 0U;
 }
+
+// The bits of the exponent, 0x7f800000, as a number: 0 or a power of two if x is finite, otherwise +infinity.
+// On intervals both are explored if both are possible. nullopt for a type whose numbers have known bits.
+inline constexpr std::uint32_t exponent_mask = 0x7f800000U;
+template <class Number>
+[[nodiscard]] std::optional<Number> exponent_field(const Number& x);
 
 [[nodiscard]] std::uint32_t bits_from_number(double x);
 [[nodiscard]] std::uint32_t bits_from_number(const numeric::Interval& x);

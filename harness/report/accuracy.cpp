@@ -145,6 +145,26 @@ std::string failure_text(const check::Answer& row) {
     return fmt::format("{} {} of {}", row.variant, row.outside(), row.inputs());
 }
 
+// A row for each variant, in the order of the rows: how many of its checks passed on each driver.
+std::string variants_table(const std::vector<CheckReport>& reports) {
+    std::vector<std::string> variants;
+    for (const CheckReport& report : reports)
+        for (const check::Answer& row : report.rows)
+            if (std::ranges::find(variants, row.variant) == variants.end()) variants.push_back(row.variant);
+    std::string text = markdown_header({"checks passed in the variant"}, reports);
+    for (const std::string& variant : variants) {
+        text += fmt::format("| {} |", variant);
+        for (const CheckReport& report : reports) {
+            const auto of_it = [&](const check::Answer& row) { return row.variant == variant; };
+            const auto passed = [&](const check::Answer& row) { return of_it(row) && row.passed(); };
+            text += fmt::format(" {} of {} |", std::ranges::count_if(report.rows, passed),
+                                std::ranges::count_if(report.rows, of_it));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
 // A row for each equation and device.
 std::string failures_table(const std::vector<CheckReport>& reports) {
     std::string text;
@@ -189,7 +209,8 @@ std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports
 std::string to_accuracy_markdown(const std::vector<CheckReport>& reports) {
     const std::vector<EquationAccuracy> equations = accuracies(reports);
     return fmt::format("{} equations.\n", equations.size()) + parts_table(equations, reports) +
-           guarantee_sentence(equations) + nearest_table(equations, reports) + failures_table(reports);
+           guarantee_sentence(equations) + nearest_table(equations, reports) + variants_table(reports) +
+           failures_table(reports);
 }
 
 PageTable accuracy_table(const std::vector<CheckReport>& reports) {

@@ -42,6 +42,20 @@ TEST_F(RulesTest, ARightFunctionPassesAndIsBounded) {
     EXPECT_LE(result.guarantee.ulp, 5.0);
 }
 
+// Hundreds of floats are permitted for a power, and infinity for one that nearly overflows.
+TEST_F(RulesTest, ATestOfTheExponentIsDecidedByTheBounds) {
+    const Answer ordinary = judged<float(float)>("power_or_one", {uniform(60, 80)});
+    EXPECT_TRUE(ordinary.passed()) << ordinary;
+    EXPECT_EQ(ordinary.unbounded, 0U);
+    EXPECT_EQ(ordinary.bounded, 2048U);
+    EXPECT_GT(ordinary.guarantee.ulp, 100.0);
+    const Answer overflows = judged<float(float)>("power_or_one", {uniform(88.7, 88.75)});
+    EXPECT_TRUE(overflows.passed()) << overflows;
+    EXPECT_EQ(overflows.unbounded, 0U);
+    const Answer exponents = judged<float(float)>("exponent", {log_uniform(1e-3, 1e3)});
+    EXPECT_TRUE(exponents.passed()) << exponents;
+}
+
 // The interpreter runs the very module that the driver was given, so a wrong result needs a driver that is
 // wrong: outputs are moved behind its back.
 class TamperedTest : public RulesTest {

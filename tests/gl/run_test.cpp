@@ -48,6 +48,45 @@ void main() { to[gl_GlobalInvocationID.x] = from[gl_GlobalInvocationID.x] + more
     EXPECT_EQ(from.read(), awkward);
 }
 
+TEST_P(OpenGlDispatches, LoadsAndStoresImages) {
+    GLOAM_OPEN_OR_SKIP(GetParam());
+    const bool es = device().info().name.version.api == Api::es;
+    const Program program(
+        device(), Program::Stage::compute,
+        {"copy.comp", std::string(es ? "#version 310 es\nprecision highp float;\n" : "#version 450\n") +
+                          R"(
+precision highp image2D;
+layout(local_size_x = 1) in;
+layout(binding = 1, r32f) uniform readonly image2D from;
+layout(binding = 3, rgba32f) uniform writeonly image2D to;
+layout(std430, binding = 2) buffer Seen { uint seen[]; };
+void main() {
+    ivec2 pixel = ivec2(gl_WorkGroupID.xy);
+    seen[pixel.x + 3 * pixel.y] = gl_WorkGroupID.z + 7u;
+    imageStore(to, pixel, vec4(2.0 * imageLoad(from, pixel).x, vec2(pixel), 0.5));
+}
+)"});
+    Image from(device(), Image::Format::r32f, 3, 2);
+    const Image to(device(), Image::Format::rgba32f, 3, 2);
+    EXPECT_THAT(to.read(), Each(0.0F));
+    from.write(std::vector<float>{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F});
+    EXPECT_THROW(from.write(std::vector<float>(7)), std::invalid_argument);
+    const Buffer seen(device(), 6);
+    dispatch(
+        device(),
+        ImageDispatch{
+            .program = program, .images = {{1, from}, {3, to}}, .storage = {{2, seen}}, .groups = {3, 2, 1}});
+    std::vector<float> want;
+    for (int i = 0; i < 6; ++i) {
+        const float x = static_cast<float>(i % 3);
+        const float y = static_cast<float>(i / 3);
+        want.insert(want.end(), {2.0F * static_cast<float>(i), x, y, 0.5F});
+    }
+    EXPECT_EQ(to.read(), want);
+    EXPECT_EQ(seen.read(), std::vector<Word>(6, 7U));
+    EXPECT_EQ(from.read()[4 * 5], 5.0F);
+}
+
 TEST_P(OpenGlDraws, ReadsTexturesAndWritesEveryTargetBitByBit) {
     GLOAM_OPEN_OR_SKIP(GetParam());
     const bool es = device().info().name.version.api == Api::es;

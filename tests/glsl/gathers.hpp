@@ -2,8 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "check/shader_test.hpp"
+#include "shader/pack.hpp"
 #include "support/method_functions.hpp"
 
 // The methods as functions of one signature, and images for them.
@@ -45,6 +48,19 @@ inline check::ImageSet view_of(
     const Normals& normal = [](glm::ivec2) { return glm::vec3(0, 0, 1); }) {
     return {{"gloam_fetch_depth", check::make_image<float>(size, depth)},
             {"gloam_fetch_normal", check::make_image<glm::vec3>(size, normal)}};
+}
+
+// A method's function as one text.
+inline std::string packed_method(const MethodFunctions& functions, const std::string& file) {
+    return shader::pack(std::vector{functions.folder() / file}, {.functions = {effect::method_function}},
+                        {functions.folder(), GLOAM_GLSL_DIR});
+}
+
+// The images that a packed text declares.
+inline check::ImageSet declared_in(const std::string& text, check::ImageSet images) {
+    std::erase_if(images,
+                  [&text](const auto& image) { return text.find(image.first + "(") == std::string::npos; });
+    return images;
 }
 
 }  // namespace gloam::test

@@ -9,7 +9,6 @@
 
 #include "gathers.hpp"
 #include "gpu/commands.hpp"
-#include "shader/pack.hpp"
 #include "shader/translate.hpp"
 
 namespace gloam {
@@ -111,12 +110,11 @@ std::vector<glm::vec2> by_glsl(const check::Lab& lab, const std::string& file, c
                             Method{.steps = 4});
     }
     const auto clamped = check::Border::clamp;
-    check::ImageSet images{{"gloam_fetch_depth", check::make_image<float>(size, depth, clamped)},
-                           {"gloam_fetch_normal", check::make_image<glm::vec3>(size, normal, clamped)},
-                           {"gloam_fetch_prepared", check::make_image<glm::vec4>(size, prepared, clamped)}};
-    std::erase_if(images,
-                  [&text](const auto& image) { return text.find(image.first + "(") == std::string::npos; });
-    return check::Kernel<Gather>(lab, file, effect::method_function)(inputs, images);
+    const check::ImageSet images{
+        {"gloam_fetch_depth", check::make_image<float>(size, depth, clamped)},
+        {"gloam_fetch_normal", check::make_image<glm::vec3>(size, normal, clamped)},
+        {"gloam_fetch_prepared", check::make_image<glm::vec4>(size, prepared, clamped)}};
+    return check::Kernel<Gather>(lab, file, effect::method_function)(inputs, test::declared_in(text, images));
 }
 
 class HlslMethods : public testing::TestWithParam<std::string> {
@@ -126,9 +124,7 @@ class HlslMethods : public testing::TestWithParam<std::string> {
 
 TEST_P(HlslMethods, GiveTheResultsOfGlsl) {
     const std::string file = test::MethodFunctions::file(GetParam());
-    const std::string glsl =
-        shader::pack(std::vector{functions.folder() / file}, {.functions = {effect::method_function}},
-                     {functions.folder(), GLOAM_GLSL_DIR});
+    const std::string glsl = test::packed_method(functions, file);
     const std::string hlsl = shader::translated({.name = file, .text = glsl}, shader::Target::hlsl);
     const std::vector<Point> given = points();
     const std::vector<glm::vec2> got = by_hlsl(*test::SharedDevice::get(), hlsl, given);

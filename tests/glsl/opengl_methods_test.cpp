@@ -18,11 +18,9 @@ using test::Method;
 using test::Samples;
 using Inputs = std::vector<check::Kernel<Gather>::Inputs>;
 
-// Those that read nothing but depth and normals.
 std::vector<std::string> method_names() {
     std::vector<std::string> names;
-    for (const effect::MethodInfo& method : effect::methods())
-        if (method.prepare == nullptr) names.push_back(method.name);
+    for (const effect::MethodInfo& method : effect::methods()) names.push_back(method.name);
     return names;
 }
 
@@ -37,6 +35,8 @@ class OpenGlMethods : public testing::TestWithParam<std::string> {
     static glm::vec3 normal(glm::ivec2 p) {
         return glm::normalize(glm::vec3(0.2F * std::cos(0.3F * static_cast<float>(p.x)), 0.1F, 1.0F));
     }
+    // Whatever a method makes of it: tests/effect/opengl_passes_test.cpp prepares it.
+    static glm::vec4 prepared(glm::ivec2 p) { return {depth(p), 0.1F * depth(p), -depth(p), 1.0F}; }
 
     static Inputs inputs(const Camera& camera) {
         Inputs all;
@@ -70,9 +70,14 @@ TEST_P(OpenGlMethods, GiveTheResultsOfVulkan) {
     }
     const check::Lab vulkan = functions.lab();
     const Camera camera{glm::vec2(1.8F, -2.0F), glm::ivec2(64, 48), false};
-    const check::ImageSet images = test::view_of(camera.size, depth, normal);
     const Inputs points = inputs(camera);
     const std::string file = test::MethodFunctions::file(method);
+    const auto clamped = check::Border::clamp;
+    const check::ImageSet images = test::declared_in(
+        test::packed_method(functions, file),
+        {{"gloam_fetch_depth", check::make_image<float>(camera.size, depth, clamped)},
+         {"gloam_fetch_normal", check::make_image<glm::vec3>(camera.size, normal, clamped)},
+         {"gloam_fetch_prepared", check::make_image<glm::vec4>(camera.size, prepared, clamped)}});
     const auto got = check::Kernel<Gather>(*opengl, file, effect::method_function)(points, images);
     const auto want = check::Kernel<Gather>(vulkan, file, effect::method_function)(points, images);
     float largest = 0.0F;

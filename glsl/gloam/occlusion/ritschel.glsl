@@ -32,7 +32,9 @@ float gloam_contribution_cosine_directions(float blocked, float falloff) {
 // Returns a contribution in [0, 2] whose mean is the occlusion: clamp the mean, not the contribution. Error: 1.5 ULP.
 // No method or pass here calls it: it is there to be copied.
 float gloam_contribution_uniform_directions(float blocked, float falloff, float cosine) {
-    return 2.0 * gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
+    // 2 V: a factor 2 of the product would be moved behind it by Mesa's OpenGL, and the smaller product flushed to 0.
+    float twice = blocked > 0.0 ? (blocked < 1.0 ? 2.0 * blocked : 2.0) : 0.0;
+    return twice * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
 }
 
 #endif

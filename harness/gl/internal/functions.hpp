@@ -15,8 +15,8 @@
     X(GenVertexArrays) X(GetError) X(GetInteger64v) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv)   \
     X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram)                  \
     X(MapBufferRange) X(PixelStorei) X(ReadBuffer) X(ReadPixels) X(ShaderSource) X(TexImage2D)            \
-    X(TexParameteri) X(Uniform1i) X(Uniform1ui) X(UnmapBuffer) X(UseProgram) X(Viewport)
-#define GLOAM_GL_COMPUTE_FUNCTIONS(X) X(DispatchCompute) X(MemoryBarrier)
+    X(TexParameteri) X(TexSubImage2D) X(Uniform1i) X(Uniform1ui) X(UnmapBuffer) X(UseProgram) X(Viewport)
+#define GLOAM_GL_COMPUTE_FUNCTIONS(X) X(BindImageTexture) X(DispatchCompute) X(MemoryBarrier) X(TexStorage2D)
 // clang-format on
 
 namespace gloam::gl::internal {

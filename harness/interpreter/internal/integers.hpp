@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "interpreter/internal/apply.hpp"
+#include "interpreter/internal/functions.hpp"
 #include "interpreter/internal/state.hpp"
 
 #include "interpreter/internal/opcodes.hpp"
@@ -110,6 +112,38 @@ void shift_right(State<N>& s, const Instruction& i) {
     }
 }
 
+// Whether a float is finite can be known when its bits are not.
+template <class N>
+void bitwise_and(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Value<N>& x = s.slots[i.a + k];
+        const Value<N>& y = s.slots[i.b + k];
+        if (x.is_number() != y.is_number()) {
+            const Value<N>& number = x.is_number() ? x : y;
+            const bool exponent = (x.is_number() ? y : x).bits() == exponent_mask;
+            const auto field = exponent ? exponent_field(number.number()) : std::nullopt;
+            if (field) {
+                s.slots[i.result + k] = Value<N>::of(*field);
+                continue;
+            }
+        }
+        s.set(i, i.result + k, Word{x.bits() & y.bits()});
+    }
+}
+
+// Whether words are equal: a float has the bits of +infinity when it is +infinity.
+template <class N, bool IfEqual>
+void compare_words(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Value<N>& x = s.slots[i.a + k];
+        const Value<N>& y = s.slots[i.b + k];
+        const bool by_number =
+            x.is_number() != y.is_number() && (x.is_number() ? y : x).bits() == exponent_mask;
+        const bool equal = by_number ? apply(Equal{}, x.number(), y.number()) : x.bits() == y.bits();
+        s.set(i, i.result + k, equal == IfEqual);
+    }
+}
+
 template <class N, bool All>
 void reduce(State<N>& s, const Instruction& i) {
     bool result = All;
@@ -163,7 +197,7 @@ template <class N>
         case SpvOpBitwiseXor:
             return on_two<N, ([](Word x, Word y) { return x ^ y; })>;
         case SpvOpBitwiseAnd:
-            return on_two<N, ([](Word x, Word y) { return x & y; })>;
+            return bitwise_and<N>;
         case SpvOpNot:
             return on_one<N, ([](Word x) { return ~x; })>;
         case SpvOpBitFieldInsert:
@@ -185,9 +219,9 @@ template <class N>
 [[nodiscard]] Handler<N> integer_comparison_handler(std::uint16_t opcode) {
     switch (opcode) {
         case SpvOpIEqual:
-            return on_two<N, ([](Word x, Word y) { return x == y; })>;
+            return compare_words<N, true>;
         case SpvOpINotEqual:
-            return on_two<N, ([](Word x, Word y) { return x != y; })>;
+            return compare_words<N, false>;
         case SpvOpUGreaterThan:
             return on_two<N, ([](Word x, Word y) { return x > y; })>;
         case SpvOpUGreaterThanEqual:

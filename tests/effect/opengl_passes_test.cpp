@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// The passes of a frame as compute shaders of OpenGL 4.5: the picture is that of Vulkan.
+#include "effect/plan.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <regex>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
+#include "effect/presets.hpp"
+#include "gl/dispatch.hpp"
+#include "numeric/text.hpp"
+#include "on_device.hpp"
+#include "scene/rasterize.hpp"
+#include "shader/compile.hpp"
+#include "shader/reflection.hpp"
+
+namespace gloam::effect {
+namespace opengl_passes_test {
+
+constexpr std::uint32_t push_constants = 15;  // a binding that no pass has
+
+// The text of a pass for Vulkan in the words of OpenGL: it has no push constants and no specialization
+// constants, and Mesa has no attributes of loops.
+std::string for_opengl(std::string text) {
+    text = std::regex_replace(
+        text, std::regex(R"(layout\(push_constant\) uniform)"),
+        "layout(std430, binding = " + std::to_string(push_constants) + ") readonly buffer");
+    text = std::regex_replace(
+        text, std::regex(R"(#extension GL_EXT_control_flow_attributes[^\n]*|\[\[\w+\]\])"), "");
+    return std::regex_replace(text, std::regex(R"(layout\(constant_id = \d+\) const)"), "const");
+}
+
+std::vector<gl::Word> words_of(std::span<const std::byte> bytes) {
+    std::vector<gl::Word> words((bytes.size() + sizeof(gl::Word) - 1) / sizeof(gl::Word));
+    std::memcpy(words.data(), bytes.data(), bytes.size());
+    return words;
+}
+
+gl::Image::Format format_of(gpu::Format format) {
+    if (format == gpu::Format::r32f) return gl::Image::Format::r32f;
+    return format == gpu::Format::rgba16f ? gl::Image::Format::rgba16f : gl::Image::Format::rgba32f;
+}
+
+// The plan of a first frame, executed on a device of OpenGL.
+class OnOpenGl {
+  public:
+    OnOpenGl(const gl::Device& device, const Plan& plan, const scene::GBuffer& view,
+             const scene::PassLibrary& passes)
+        : device_(device), plan_(plan), view_(view), passes_(passes) {
+        for (const PlannedImage& image : plan.images) {
+            const auto [place, is_new] = images_.try_emplace(image.name, device, format_of(image.format),
+                                                             image.extent.width, image.extent.height);
+            EXPECT_TRUE(is_new) << image.name;
+            if (image.origin == PlannedImage::Origin::engine) fill(image.name, place->second);
+        }
+        for (const PlannedBuffer& buffer : plan.buffers) {
+            const auto place =
+                buffers_.try_emplace(buffer.name, device, buffer.bytes / sizeof(gl::Word) + 1).first;
+            place->second.write(0, words_of(buffer.contents));
+        }
+    }
+
+    [[nodiscard]] std::vector<float> run() {
+        for (const PlannedPass& pass : plan_.passes)
+            if (pass.turn != Turn::moved) run(pass);
+        const std::vector<float> texels = images_.at(plan_.result).read();
+        std::vector<float> occlusion;
+        for (std::size_t i = 0; i < texels.size(); i += 4) occlusion.push_back(texels[i] * plan_.result_unit);
+        return occlusion;
+    }
+
+  private:
+    void fill(const std::string& name, gl::Image& image) const {
+        if (name == "depth") return image.write(view_.depth);
+        ASSERT_EQ(name, "normal");
+        std::vector<float> channels;
+        for (const glm::vec3& normal : view_.normal)
+            channels.insert(channels.end(), {normal.x, normal.y, normal.z, 0.0F});
+        image.write(channels);
+    }
+
+    void run(const PlannedPass& pass) {
+        std::map<std::uint32_t, std::uint32_t> constants;
+        for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
+        const std::string text =
+            passes_.text(pass.source.file, pass.source.defines, pass.source.replaced, constants);
+        const gl::Program program(device_, gl::Program::Stage::compute,
+                                  {.name = pass.source.file, .text = for_opengl(text)});
+        gl::ImageDispatch work{.program = program, .images = {}, .storage = {}, .groups = groups_of(pass)};
+        for (std::uint32_t binding = 0; binding < pass.resources.size(); ++binding) {
+            if (const auto image = images_.find(pass.resources[binding]); image != images_.end())
+                work.images.emplace(binding, image->second);
+            if (const auto buffer = buffers_.find(pass.resources[binding]); buffer != buffers_.end())
+                work.storage.emplace(binding, buffer->second);
+        }
+        gl::Buffer parameters(device_, pass.parameters.size() / sizeof(gl::Word) + 1);
+        parameters.write(0, words_of(with_camera(pass, text)));
+        work.storage.emplace(push_constants, parameters);
+        gl::dispatch(device_, work);
+    }
+
+    // The plan knows the view's size, not its camera.
+    [[nodiscard]] std::vector<std::byte> with_camera(const PlannedPass& pass, const std::string& text) const {
+        std::vector<std::byte> bytes = pass.parameters;
+        const shader::ModuleInterface interface =
+            shader::reflect(shader::compile({.name = pass.source.file, .text = text}, {}));
+        const glm::vec2 camera = view_.camera.p00_p11();
+        for (const shader::LaidOut& member : interface.push_constants.value().members)
+            if (member.name == "p00_p11") std::memcpy(bytes.data() + member.offset, &camera, sizeof camera);
+        return bytes;
+    }
+
+    [[nodiscard]] std::array<std::uint32_t, 3> groups_of(const PlannedPass& pass) const {
+        EXPECT_FALSE(pass.list) << pass.name;
+        if (pass.pixels[0] == 0) return pass.groups;
+        return {(view_.extent.width + pass.pixels[0] - 1) / pass.pixels[0],
+                (view_.extent.height + pass.pixels[1] - 1) / pass.pixels[1], 1};
+    }
+
+    const gl::Device& device_;
+    const Plan& plan_;
+    const scene::GBuffer& view_;
+    const scene::PassLibrary& passes_;
+    std::map<std::string, gl::Image> images_;
+    std::map<std::string, gl::Buffer> buffers_;
+};
+
+// Those that prepare images, and some that do not: tests/glsl/opengl_methods_test.cpp has each as a function.
+std::vector<std::string> method_names() {
+    std::vector<std::string> names{"hemisphere", "gtao", "bitmask"};
+    for (const MethodInfo& method : methods())
+        if (method.prepare != nullptr) names.push_back(method.name);
+    return names;
+}
+
+class OpenGlPasses : public OnDevice<testing::TestWithParam<std::string>> {};
+
+TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
+    std::optional<gl::Device> device;
+    try {
+        device.emplace("gl:llvmpipe-4.5");
+    } catch (const gl::Unavailable& error) {
+        GTEST_SKIP() << error.what();
+    }
+    const gpu::Extent extent{49, 35};
+    const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("room"), extent, {});
+    Settings settings = with_method(preset_named("paper").settings, GetParam());
+    settings.skip_open = settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
+    const Plan plan = plan_of(settings, {.view = extent});
+    AmbientOcclusion& effect = effect_for(extent);
+    effect.begin(view, settings);
+    const std::vector<float> want = effect.next(1).filtered;
+    const std::vector<float> got = OnOpenGl(*device, plan, view, passes_).run();
+    ASSERT_EQ(got.size(), want.size());
+    float largest = 0.0F;
+    for (std::size_t i = 0; i < want.size(); ++i) largest = std::max(largest, std::abs(got[i] - want[i]));
+    const auto [least, most] = std::ranges::minmax(want);
+    EXPECT_GT(most - least, 0.01F);
+    EXPECT_LT(largest, 1e-5F);
+    RecordProperty("largest", numeric::to_short_text(largest));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(method_names()),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace opengl_passes_test
+}  // namespace gloam::effect
