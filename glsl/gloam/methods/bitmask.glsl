@@ -40,7 +40,7 @@ uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
 }
 
 // All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, any length.
+// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). Error: 3e-6, but for samples within rounding of a sector's border or a pixel's.
 GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamBitmask settings) {

@@ -56,7 +56,7 @@ GloamNeighbor gloam_across(GloamFootprint footprint, vec2 arm, vec3 position, ve
 
 // All samples of one pixel in one frame: crosses of arms between half the radius and the radius, turned from one to
 // the next.
-// position: of the surface, view space, world units. normal: view space, any length.
+// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). Error: that of gloam_principal_curvatures, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_curvature(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,

@@ -28,7 +28,7 @@ float gloam_fetch_depth(ivec2 pixel);
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, any length.
+// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). Error: 4e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding
 // of a pixel's border.

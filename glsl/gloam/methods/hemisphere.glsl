@@ -27,7 +27,7 @@ float gloam_fetch_depth(ivec2 pixel);
 vec3 gloam_fetch_layers(ivec2 pixel);
 
 // All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, any length.
+// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). A point behind the eye is not taken. Error: none, but a point within rounding of a pixel's
 // border or of the blocking depth may fall to either side.

@@ -142,7 +142,7 @@ GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera ca
 }
 
 // All samples of one pixel in one frame: kernel.count at every resolution.
-// position: of the surface, view space, world units. normal: view space, any length.
+// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of the levels.
 GloamEstimate gloam_mssao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -81,7 +81,7 @@ float gloam_separable_carried(vec3 position, vec3 normal, GloamCamera camera, Gl
 }
 
 // All samples of one pixel in one frame, the prepared ones counted.
-// position: of the surface, view space, world units. normal: view space, any length.
+// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of gloam_gtao,
 // and 3e-6 of the mean.
 GloamEstimate gloam_separable(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,

@@ -66,7 +66,7 @@ float gloam_area_solid(GloamLinePoint point, vec2 tap, float radius, int level, 
 }
 
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.
-// position: of the surface, view space, world units. normal: view space, any length.
+// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). Error: that of the moments and of gloam_area_occlusion, but for taps within rounding of a block's
 // border.
