@@ -79,7 +79,8 @@ GloamWeightedMean gloam_dual_interpolated(ivec2 pixel, vec3 position, vec3 norma
 }
 
 // All samples of one pixel in one frame; where the small image is taken, those of its pixels.
-// position: of the surface under a pixel's centre, view space, world units. normal: view space, of a length in [1e-15, 1e15].
+// position: of the surface under a pixel's centre, view space, world units. normal: view space, of a length in
+// [1e-15, 1e15].
 // Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of gloam_hbao,
 // or 3e-6 of the weights.
 GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
