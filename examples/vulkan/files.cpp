@@ -77,7 +77,13 @@ View read_view(const std::filesystem::path& file) {
     const std::vector<float> change = numbers_of(json, "previous_from_current");
     if (projection.size() != 16)
         throw std::runtime_error(file.string() + ": expected \"proj_vk\", 16 numbers");
+    const std::vector<float> world = numbers_of(json, "view");
     View view{{"p00_p11", words_of({projection[0], projection[5]})}};
+    view["p22_p32"] = words_of({projection[10], projection[14]});
+    if (world.size() == 16) {
+        view["view_from_world"] = words_of(world);
+        view["view_from_world"].resize(12);  // the rotation alone
+    }
     // There is no guard band, and the view is never that of the frame before.
     for (const char* pair : {"border", "band"}) view[pair] = {0, 0};
     for (const char* flag : {"still", "settled"}) view[flag] = {0};

@@ -33,6 +33,7 @@ float first_channel(const std::byte* texel, VkFormat format) {
         std::memcpy(&value, texel, sizeof value);
         return value;
     }
+    if (format == VK_FORMAT_R8_UNORM) return static_cast<float>(static_cast<unsigned char>(*texel)) / 255.0F;
     std::uint16_t bits = 0;
     std::memcpy(&bits, texel, sizeof bits);
     if (format == VK_FORMAT_R16G16B16A16_UINT) return static_cast<float>(bits);
@@ -224,6 +225,8 @@ class Effect {
         const std::size_t pixels = std::size_t{image.extent.width} * image.extent.height;
         const std::size_t texel = format == VK_FORMAT_R32_SFLOAT            ? 4
                                   : format == VK_FORMAT_R32G32B32A32_SFLOAT ? 16
+                                  : format == VK_FORMAT_R16_SFLOAT          ? 2
+                                  : format == VK_FORMAT_R8_UNORM            ? 1
                                                                             : 8;
         const Buffer staging(device_, texel * pixels, vk::BufferUsageFlagBits::eTransferDst);
         device_.run([&](const vk::raii::CommandBuffer& commands) {

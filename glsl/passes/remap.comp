@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Maps the occlusion to the displayed value (CS-REMAP): visibility v becomes (b (v + a))^c. One invocation a pixel.
-// Only for display: the history must not contain the result.
+// Only for display: the history must not contain the result. a = 0, b = 1, c = 1 change nothing: the pass then only
+// converts to the format of the output.
 //
+// Define GLOAM_OUTPUT as r16f or r8 for an output of fewer bits; the default is r32f.
 // Define GLOAM_SOURCE as r32f if binding 1 is not a history; a history has the format of history_image.glsl.
 // Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  source   occlusion in x: the history, or the filter's result
-//   2  r32f     written: mapped occlusion, in [0, 1]; background as it is
+//   2  output   written: mapped occlusion, in [0, 1]; background as it is
 //   3  buffer   lists of tiles; read when listed is set
 #include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -18,7 +20,10 @@ layout(binding = 1 GLOAM_FORMAT(GLOAM_SOURCE)) uniform GLOAM_INPUT source_image;
 #else
 layout(binding = 1 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT source_image;
 #endif
-layout(binding = 2, r32f) uniform writeonly highp image2D mapped_image;
+#ifndef GLOAM_OUTPUT
+#define GLOAM_OUTPUT r32f
+#endif
+layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D mapped_image;
 
 #define GLOAM_LIST_BINDING 3
 #include "tiles/listed.glsl"

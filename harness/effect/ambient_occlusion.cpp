@@ -17,6 +17,7 @@
 #include "effect/internal/require_view.hpp"
 #include "effect/internal/sample_table.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/internal/surface_inputs.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/internal/work.hpp"
 #include "scene/guard_band.hpp"
@@ -47,7 +48,7 @@ struct AmbientOcclusion::Impl {
     View previous_view;
     Settings settings;
     Progress progress;
-    bool lacks_normals = false;  // the last view: they are reconstructed from depth
+    SurfaceInputs surfaces;
     Listing listing;
     OpenSearch open_search;
     bool second_is_after = false;  // which of the two images of the history, which are swapped
@@ -56,7 +57,6 @@ struct AmbientOcclusion::Impl {
     PreparedImage prepared;
     SampleTable samples;
     std::optional<FrameImages> images;
-    NormalParameters normal_constants{};
     ReprojectionParameters reprojection_constants{};
     OcclusionParameters occlusion_constants{};
     FilterParameters filter_constants{};
@@ -104,9 +104,8 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     images->take(*device, new_view);
     view.camera = new_view.camera;
     view.border = new_view.border;
-    lacks_normals = new_view.normal.empty();
-    if (remaps(settings)) images->map(*device);
-    normal_constants = normal_parameters(view);
+    surfaces.take(new_view, view);
+    if (remaps(settings)) images->map(*device, settings.output);
     occlusion_constants = occlusion_parameters(view, settings);
     method.as<MethodValues>()[0] = settings.own;
     prepared.take(view, settings);
@@ -206,12 +205,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     const gpu::Image& positions = images->previous_position ? *images->previous_position : nothing;
     const Tiles& tiles = images->tiles;
     std::vector<Step> passes;
-    if (lacks_normals && progress.first_of_view()) {
-        passes.push_back({"normals_from_depth",
-                          &pipelines.normals(),
-                          {images->depth, images->normal},
-                          bytes_of(normal_constants)});
-    }
+    if (progress.first_of_view()) surfaces.append_steps(pipelines, *images, nothing, passes);
     append_selection(passes);
     if (moves_history()) {
         passes.push_back(over(TileLists::shaded,
@@ -278,7 +272,7 @@ void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     const auto map = [&](const char* name, TileLists list, Held held, const gpu::Image& from,
                          const gpu::Image& to) {
         passes.push_back(over(list, {name,
-                                     &pipelines.remapping(held, listed(list)),
+                                     &pipelines.remapping(held, listed(list), settings.output),
                                      {images->depth, from, to, lists},
                                      bytes_of(remap_constants)}));
     };

@@ -47,6 +47,17 @@ gpu::Format format_of(HistoryPrecision precision) {
     }
 }
 
+gpu::Format format_of(OutputFormat output) {
+    switch (output) {
+        case OutputFormat::r16f:
+            return r16f;
+        case OutputFormat::r8:
+            return r8;
+        default:
+            return r32f;
+    }
+}
+
 std::size_t pixels_of(gpu::Extent extent) {
     return std::size_t{extent.width} * extent.height;
 }
@@ -84,8 +95,7 @@ void FrameImages::take(const gpu::Device& device, const scene::GBuffer& view) {
     if (!view.previous_position.empty())
         require_size("previous positions", view.previous_position.size(), extent);
     require_layers(view.layers, extent);
-    depth.upload(view.depth);
-    if (!view.normal.empty()) normal.upload(texels_of(view.normal));
+    take_surfaces(device, view);
     layers.reset();
     if (!view.layers.empty()) {
         layers.emplace(device, extent, rgba32f);
@@ -97,10 +107,29 @@ void FrameImages::take(const gpu::Device& device, const scene::GBuffer& view) {
     previous_position->upload(texels_of(view.previous_position));
 }
 
-void FrameImages::map(const gpu::Device& device) {
-    if (mapped) return;
-    mapped.emplace(device, depth.extent(), r32f);
-    filtered_mapped.emplace(device, depth.extent(), r32f);
+void FrameImages::take_surfaces(const gpu::Device& device, const scene::GBuffer& view) {
+    stored_depth.reset();
+    stored_normal.reset();
+    if (!view.stored) {
+        depth.upload(view.depth);
+        if (!view.normal.empty()) normal.upload(texels_of(view.normal));
+        return;
+    }
+    require_size("stored depth", view.stored->depth.size(), depth.extent());
+    require_size("stored normals", view.stored->normal.size(),
+                 view.normal.empty() ? gpu::Extent{} : depth.extent());
+    stored_depth.emplace(device, depth.extent(), r32f);
+    stored_depth->upload(view.stored->depth);
+    if (view.stored->normal.empty()) return;
+    stored_normal.emplace(device, depth.extent(), rgba32f);
+    stored_normal->upload(texels_of(view.stored->normal));
+}
+
+void FrameImages::map(const gpu::Device& device, OutputFormat output) {
+    const gpu::Format format = format_of(output);
+    if (mapped && mapped->format() == format) return;
+    mapped.emplace(device, depth.extent(), format);
+    filtered_mapped.emplace(device, depth.extent(), format);
 }
 
 }  // namespace gloam::effect

@@ -129,6 +129,12 @@ NormalParameters normal_parameters(const View& view) {
     return {view.camera.p00_p11(), vector_of_size(view.extent), flag(view.camera.orthographic())};
 }
 
+InputParameters input_parameters(const View& view) {
+    return {.view_from_world = glm::mat3x4(glm::mat3(view.camera.view)),
+            .p22_p32 = {view.camera.proj_vk[2][2], view.camera.proj_vk[3][2]},
+            .size = vector_of_size(view.extent)};
+}
+
 OcclusionParameters occlusion_parameters(const View& view, const Settings& settings) {
     return {.p00_p11 = view.camera.p00_p11(),
             .size = vector_of_size(view.extent),
@@ -181,6 +187,17 @@ RemapParameters remap_parameters(const View& view, const Settings& settings) {
 
 PassSource normals_source() {
     return {.file = "normals_from_depth.comp"};
+}
+
+PassSource input_source(const InputProgram& program) {
+    const scene::Encoding& encoding = program.encoding;
+    return {.file = "take_inputs.comp",
+            .constants = {{.id = 0, .bits = flag(encoding.depth_buffer)},
+                          {.id = 1, .bits = flag(program.orthographic)},
+                          {.id = 2, .bits = flag(encoding.world)},
+                          {.id = 3, .bits = flag(encoding.octahedral)},
+                          {.id = 4, .bits = flag(encoding.unorm)},
+                          {.id = 5, .bits = flag(program.has_normals)}}};
 }
 
 PassSource occlusion_source(const Program& program, Counting counts, std::uint32_t open_tiles_each) {
@@ -253,10 +270,15 @@ PassSource filter_source(const FilterProgram& program) {
     return source;
 }
 
-PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list) {
-    return {.file = "remap.comp",
-            .defines = history ? defines_for(*history) : std::vector<std::string>{"GLOAM_SOURCE r32f"},
-            .constants = constants_of(list)};
+PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list,
+                        OutputFormat output) {
+    PassSource source{
+        .file = "remap.comp",
+        .defines = history ? defines_for(*history) : std::vector<std::string>{"GLOAM_SOURCE r32f"},
+        .constants = constants_of(list)};
+    if (output != OutputFormat::r32f)
+        source.defines.emplace_back(output == OutputFormat::r8 ? "GLOAM_OUTPUT r8" : "GLOAM_OUTPUT r16f");
+    return source;
 }
 
 PassSource selection_source(std::uint32_t open_tiles_each) {
@@ -266,6 +288,12 @@ PassSource selection_source(std::uint32_t open_tiles_each) {
 gpu::ComputePipeline normals_from_depth(const gpu::Device& device, const scene::PassLibrary& library) {
     return pipeline_of(device, library, normals_source(), {sampled_image, storage_image},
                        sizeof(NormalParameters));
+}
+
+gpu::ComputePipeline take_inputs(const gpu::Device& device, const scene::PassLibrary& library,
+                                 const InputProgram& program) {
+    return pipeline_of(device, library, input_source(program),
+                       {sampled_image, sampled_image, storage_image, storage_image}, sizeof(InputParameters));
 }
 
 gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::PassLibrary& library,
@@ -293,8 +321,9 @@ gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::Pass
 }
 
 gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
-                           std::optional<HistoryPrecision> history, std::optional<TileLists> list) {
-    return pipeline_of(device, library, remap_source(history, list),
+                           std::optional<HistoryPrecision> history, std::optional<TileLists> list,
+                           OutputFormat output) {
+    return pipeline_of(device, library, remap_source(history, list, output),
                        {sampled_image, sampled_image, storage_image, storage_buffer},
                        sizeof(RemapParameters));
 }

@@ -17,6 +17,10 @@ const gpu::ComputePipeline& found_or_made(std::map<Key, gpu::ComputePipeline>& m
 Pipelines::Pipelines(const gpu::Device& device, const scene::PassLibrary& library)
     : device_(&device), library_(library), normals_(normals_from_depth(device, library)) {}
 
+const gpu::ComputePipeline& Pipelines::inputs(const InputProgram& program) {
+    return found_or_made(inputs_, program, [&] { return take_inputs(*device_, library_, program); });
+}
+
 const gpu::ComputePipeline& Pipelines::occlusion(const Program& program) {
     return found_or_made(occlusion_, program, [&] { return ambient_occlusion(*device_, library_, program); });
 }
@@ -30,9 +34,9 @@ const gpu::ComputePipeline& Pipelines::filter(const FilterProgram& program) {
 }
 
 const gpu::ComputePipeline& Pipelines::remapping(std::optional<HistoryPrecision> history,
-                                                 std::optional<TileLists> list) {
-    return found_or_made(remapping_, {history, list},
-                         [&] { return remap(*device_, library_, history, list); });
+                                                 std::optional<TileLists> list, OutputFormat output) {
+    return found_or_made(remapping_, {history, list, output},
+                         [&] { return remap(*device_, library_, history, list, output); });
 }
 
 const gpu::ComputePipeline& Pipelines::selection() {

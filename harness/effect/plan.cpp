@@ -26,7 +26,9 @@ struct Moment {
 };
 
 scene::CameraFrame camera_of(const PlanOptions& options, double fovy) {
-    scene::Camera camera{.fovy_rad = fovy, .view_height = fovy};
+    // Nothing of two views with other angles is the same.
+    scene::Camera camera{
+        .target = {0.3 * fovy, 0.2 * fovy, -1.0}, .fovy_rad = fovy, .view_height = fovy, .near = 0.1 * fovy};
     if (options.orthographic) camera.projection = scene::Projection::orthographic;
     scene::Camera previous = camera;
     previous.eye = {fovy, 0.5 * fovy, 2.0 * fovy};
@@ -87,9 +89,7 @@ class Planner {
     void images() {
         using enum gpu::Format;
         const gpu::Format history = format_of(settings_.precision);
-        image("depth", r32f, Origin::engine, "eye-linear depth, world units; background 0 or not finite");
-        image("normal", rgba32f, options_.normals ? Origin::engine : Origin::frame,
-              "view-space unit normals that face the eye, in xyz");
+        surfaces();
         if (options_.moving_objects) {
             image("previous_position", rgba32f, Origin::engine,
                   "where each surface point was, in the view space of the frame before, in xyz");
@@ -108,9 +108,11 @@ class Planner {
             image("half_filtered", r32f, Origin::frame, "the occlusion filtered along x");
             image("filtered", r32f, Origin::frame, "and along y");
         }
-        if (remaps(settings_)) image("mapped", r32f, Origin::frame, "what is shown of the occlusion");
+        if (remaps(settings_))
+            image("mapped", format_of(settings_.output), Origin::frame, "what is shown of the occlusion");
         if (remaps(settings_) && filters(settings_))
-            image("filtered_mapped", r32f, Origin::frame, "what is shown of the filtered occlusion");
+            image("filtered_mapped", format_of(settings_.output), Origin::frame,
+                  "what is shown of the filtered occlusion");
         if (preparation_) prepared_image();
         if (table_) {
             fixed_image("sample_table", rgba32f, sample_table_extent(settings_),
@@ -119,6 +121,29 @@ class Planner {
         }
         result();
     }
+
+    // Depth and normals of the engine, and what they are converted to.
+    void surfaces() {
+        using enum gpu::Format;
+        const char* linear = "eye-linear depth, world units; background 0 or not finite";
+        const char* normals = "view-space unit normals that face the eye, in xyz";
+        const Origin of_normals = options_.normals ? Origin::engine : Origin::frame;
+        if (!converts()) {
+            image("depth", r32f, Origin::engine, linear);
+            image("normal", rgba32f, of_normals, normals);
+            return;
+        }
+        image("depth", r32f, Origin::engine, "depth as the engine stores it, any format that is sampled");
+        if (options_.normals)
+            image("normal", rgba32f, Origin::engine, "normals as the engine stores them, any format");
+        image("linear_depth", r32f, Origin::frame, linear);
+        image("view_normal", rgba32f, Origin::frame, normals);
+    }
+
+    [[nodiscard]] bool converts() const { return options_.encoding != scene::Encoding{}; }
+    // What the passes read.
+    [[nodiscard]] std::string depth() const { return converts() ? "linear_depth" : "depth"; }
+    [[nodiscard]] std::string normal() const { return converts() ? "view_normal" : "normal"; }
 
     void prepared_image() {
         const gpu::Extent extent = preparation_->image;
@@ -206,8 +231,9 @@ class Planner {
             plan_.passes.back().turn = Turn::once;
             plan_.passes.back().groups = {(last + sample_table_group - 1) / sample_table_group, 1, 1};
         }
+        if (converts()) inputs();
         if (!options_.normals)
-            pass("normals_from_depth", normals_source(), {"depth", "normal"},
+            pass("normals_from_depth", normals_source(), {depth(), normal()},
                  bytes_of_parameters(normal_parameters(moment_.view)), a_tile);
         if (options_.tiles) selection();
         if (settings_.history) reprojection();
@@ -215,6 +241,12 @@ class Planner {
         occlusion();
         if (filters(settings_)) filter();
         if (remaps(settings_)) remap();
+    }
+
+    void inputs() {
+        const InputProgram program{options_.encoding, options_.orthographic, options_.normals};
+        pass("take_inputs", input_source(program), {"depth", present("normal"), depth(), normal()},
+             bytes_of_parameters(input_parameters(moment_.view)), a_tile);
     }
 
     void selection() {
@@ -231,7 +263,7 @@ class Planner {
                                           .settled = settings_.skip_settled && moment_.still ? 1U : 0U,
                                           .open_tiles = 0};
         pass("select_tiles", selection_source(1),
-             {"depth", "tile_states_before", "tile_states_after", "tile_lists", "open_tiles"},
+             {depth(), "tile_states_before", "tile_states_after", "tile_lists", "open_tiles"},
              bytes_of_parameters(parameters), tile_of_tiles);
     }
 
@@ -244,7 +276,7 @@ class Planner {
                                           .orthographic = options_.orthographic,
                                           .previous_orthographic = options_.orthographic};
         pass("reproject", reprojection_source(program),
-             {"depth", present("previous_position"), "history_before", "history_reprojected", lists()},
+             {depth(), present("previous_position"), "history_before", "history_reprojected", lists()},
              bytes_of_parameters(reprojection_parameters(moment_.view, moment_.previous, settings_)), a_tile);
         plan_.passes.back().turn = Turn::moved;
         over(TileLists::shaded);
@@ -260,7 +292,7 @@ class Planner {
                    moment_.view.extent.width)
                 side *= 2;
             pass(step.name.c_str(), preparation_source(step.file, program, preparation_->format),
-                 {"depth", "normal", history(), "prepared", "method", present("layers"), "prepared"},
+                 {depth(), normal(), history(), "prepared", "method", present("layers"), "prepared"},
                  bytes_of_parameters(preparation_parameters(moment_.view, settings_, step.level)),
                  {side, side});
         }
@@ -276,7 +308,7 @@ class Planner {
         parameters.still = moment_.still ? 1 : 0;
         const Counting counts = options_.tiles ? Counting::each_group : Counting::none;
         pass("ambient_occlusion", occlusion_source(program, counts, 1),
-             {"depth", "normal", history(), present("history_after"), states(), present("previous_position"),
+             {depth(), normal(), history(), present("history_after"), states(), present("previous_position"),
               "method", present("prepared"), present("layers"), lists(), present("filtered"),
               present("sample_table")},
              bytes_of_parameters(parameters), a_tile);
@@ -295,7 +327,7 @@ class Planner {
                 filter_program_for(settings_, options_.tiles ? std::optional(list) : std::nullopt);
             program.along_y = list == TileLists::filtered_y;
             program.orthographic = options_.orthographic;
-            pass(name, filter_source(program), {"depth", "history_after", to, "normal", lists(), from},
+            pass(name, filter_source(program), {depth(), "history_after", to, normal(), lists(), from},
                  bytes_of_parameters(filter_parameters(moment_.view, settings_)), tiles_of_filter);
             over(list);
         };
@@ -307,7 +339,7 @@ class Planner {
         const auto map = [&](const char* name, TileLists list, std::optional<HistoryPrecision> history,
                              const char* from, const char* to) {
             const auto listed = options_.tiles ? std::optional(list) : std::nullopt;
-            pass(name, remap_source(history, listed), {"depth", from, to, lists()},
+            pass(name, remap_source(history, listed, settings_.output), {depth(), from, to, lists()},
                  bytes_of_parameters(remap_parameters(moment_.view, settings_)),
                  list == TileLists::filtered_y ? tiles_of_filter : a_tile);
             over(list);

@@ -11,6 +11,7 @@
 #include "effect/settings.hpp"
 #include "gpu/compute.hpp"
 #include "gpu/image.hpp"
+#include "scene/encoding.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {
@@ -91,6 +92,7 @@ struct PlanOptions {
     bool orthographic = false;
     bool tiles = false;   // passes run over lists of tiles (docs/skips.md); otherwise over the whole image
     bool normals = true;  // the engine has normals; otherwise they are reconstructed from depth
+    scene::Encoding encoding;  // of the engine's depth and normals
 };
 
 // The plan of a frame with these settings. Throws std::invalid_argument like validate().

@@ -194,6 +194,8 @@ Setting filter() {
 
 void add_output(std::vector<Setting>& table) {
     using S = Settings;
+    table.push_back(
+        choice("output", "format of the displayed occlusion", &S::output, {"r32f", "r16f", "r8"}));
     table.push_back(filter());
     table.push_back(number("filter_half_width", "taps",
                            "on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4",

@@ -47,7 +47,8 @@ bool shows_alone(const Settings& settings) {
 }
 
 bool remaps(const Settings& settings) {
-    return settings.remap_a != 0.0F || settings.remap_b != 1.0F || settings.remap_c != 1.0F;
+    return settings.remap_a != 0.0F || settings.remap_b != 1.0F || settings.remap_c != 1.0F ||
+           settings.output != OutputFormat::r32f;
 }
 
 void validate(const Settings& settings) {

@@ -36,6 +36,9 @@ enum class Filter {
     sao           // every other pixel, by depth (McGuire et al. 2012)
 };
 
+// Format of the displayed occlusion. The history keeps its own precision.
+enum class OutputFormat { r32f, r16f, r8 };
+
 // The smallest projected radius worth sampling: below it all samples fall on the pixel itself.
 constexpr float one_pixel = 1.0F;
 
@@ -112,6 +115,7 @@ struct Settings {
     float remap_a = 0.0F;       // displayed: (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
     float remap_b = 1.0F;       // 0 to 1e18
     float remap_c = 1.0F;       // 0 to 1e18
+    OutputFormat output = OutputFormat::r32f;  // of the displayed occlusion
     float least_radius =
         one_pixel;       // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
@@ -131,7 +135,8 @@ struct Settings {
 // Whether the occlusion of a frame is all that its passes keep: without a history and without a filter.
 [[nodiscard]] bool shows_alone(const Settings& settings);
 
-// Whether the displayed values differ from the estimate by a remap.
+// Whether the displayed values differ from the estimate: by a remap, or by an output format of fewer bits.
+// The remap pass then writes them.
 [[nodiscard]] bool remaps(const Settings& settings);
 
 // The same settings for another radius: all lengths in world units are scaled with it.

@@ -9,13 +9,16 @@
 namespace gloam::effect {
 namespace {
 
-bool short_channels(gpu::Format format) {
-    return format == gpu::Format::rgba16f || format == gpu::Format::rgba16ui;
+// Bytes of each channel.
+std::uint64_t channel_bytes(gpu::Format format) {
+    const bool is_short =
+        format == gpu::Format::rgba16f || format == gpu::Format::rgba16ui || format == gpu::Format::r16f;
+    return format == gpu::Format::r8 ? 1U : (is_short ? 2U : 4U);
 }
 
 std::uint64_t bytes_of(const gpu::Image& image) {
-    const std::uint64_t texel = static_cast<std::uint64_t>(gpu::channels(image.format())) *
-                                (short_channels(image.format()) ? 2U : 4U);
+    const std::uint64_t texel =
+        static_cast<std::uint64_t>(gpu::channels(image.format())) * channel_bytes(image.format());
     return std::uint64_t{image.extent().width} * image.extent().height * texel;
 }
 

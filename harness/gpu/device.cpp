@@ -65,7 +65,7 @@ Device::Impl::Impl(const DeviceOptions& options)
       messenger(options.validation == Validation::on ? std::optional(create_messenger(instance, log))
                                                      : std::nullopt),
       physical(choose(instance, options.device)),
-      device(open_device(physical, features_of(options))),
+      device(open_device(physical, features_of(options, physical.handle.getFeatures()))),
       queue(device, physical.queue_family, 0),
       command_pool(device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eTransient,
                                                      .queueFamilyIndex = physical.queue_family}),

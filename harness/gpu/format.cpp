@@ -18,6 +18,8 @@ const FormatTraits& traits(Format format) {
                                            Aspect::eColor, Usage::eStorage | Usage::eSampled};
     static constexpr FormatTraits depth32f{"depth32f",     vk::Format::eD32Sfloat,        1, 4,
                                            Aspect::eDepth, Usage::eDepthStencilAttachment};
+    static constexpr FormatTraits r16f{"r16f", vk::Format::eR16Sfloat, 1, 2, Aspect::eColor, color};
+    static constexpr FormatTraits r8{"r8", vk::Format::eR8Unorm, 1, 1, Aspect::eColor, color};
     switch (format) {
         case Format::r32f:
             return r32f;
@@ -29,6 +31,10 @@ const FormatTraits& traits(Format format) {
             return rgba16ui;
         case Format::depth32f:
             return depth32f;
+        case Format::r16f:
+            return r16f;
+        case Format::r8:
+            return r8;
     }
     throw std::invalid_argument(fmt::format("unknown image format {}", static_cast<int>(format)));
 }

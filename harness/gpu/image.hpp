@@ -10,8 +10,9 @@
 
 namespace gloam::gpu {
 
-// Formats that every Vulkan device can store and render to, and the depth attachment's.
-enum class Format { r32f, rgba32f, rgba16f, rgba16ui, depth32f };
+// Formats that every Vulkan device can store and render to, the depth attachment's, and two that most devices
+// can store to (shaderStorageImageExtendedFormats).
+enum class Format { r32f, rgba32f, rgba16f, rgba16ui, depth32f, r16f, r8 };
 
 // Floats for each texel in uploads and downloads.
 [[nodiscard]] int channels(Format format);
@@ -36,9 +37,9 @@ class Image {
     [[nodiscard]] Format format() const;
 
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
-    // rgba16f is converted from and to float32 (round to nearest even), and rgba16ui from the nearest integer
-    // in 0 to 65535. Throws std::invalid_argument for another count, std::runtime_error like
-    // Commands::submit().
+    // rgba16f and r16f are converted from and to float32 (round to nearest even), rgba16ui from the nearest
+    // integer in 0 to 65535, and r8 from the nearest of 0 to 1 in steps of 1/255. Throws
+    // std::invalid_argument for another count, std::runtime_error like Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 

@@ -46,9 +46,17 @@ std::uint16_t to_uint16(float value) {
                         : std::uint16_t{0};
 }
 
+// The nearest of 0 to 1 in steps of 1/255; 0 for NaN.
+std::uint8_t to_unorm8(float value) {
+    return value > 0.0F ? static_cast<std::uint8_t>(std::lround(std::min(value, 1.0F) * 255.0F))
+                        : std::uint8_t{0};
+}
+
 void encode(Format format, std::span<const float> texels, std::byte* staging) {
     auto* shorts = reinterpret_cast<std::uint16_t*>(staging);
-    if (format == Format::rgba16f) {
+    if (format == Format::r8) {
+        std::ranges::transform(texels, reinterpret_cast<std::uint8_t*>(staging), to_unorm8);
+    } else if (format == Format::rgba16f || format == Format::r16f) {
         std::ranges::transform(texels, shorts, to_half);
     } else if (format == Format::rgba16ui) {
         std::ranges::transform(texels, shorts, to_uint16);
@@ -59,7 +67,11 @@ void encode(Format format, std::span<const float> texels, std::byte* staging) {
 
 void decode(Format format, const std::byte* staging, std::span<float> texels) {
     const auto* shorts = reinterpret_cast<const std::uint16_t*>(staging);
-    if (format == Format::rgba16f) {
+    if (format == Format::r8) {
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(staging);
+        std::transform(bytes, bytes + texels.size(), texels.begin(),
+                       [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0F; });
+    } else if (format == Format::rgba16f || format == Format::r16f) {
         std::transform(shorts, shorts + texels.size(), texels.begin(), from_half);
     } else if (format == Format::rgba16ui) {
         std::copy(shorts, shorts + texels.size(), texels.begin());

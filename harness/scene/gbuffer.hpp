@@ -8,11 +8,19 @@
 
 #include "gpu/image.hpp"
 #include "scene/camera.hpp"
+#include "scene/encoding.hpp"
 
 namespace gloam::scene {
 
 // Depth layers besides the first one.
 constexpr int most_further_layers = 3;
+
+// Depth and normals as an engine stores them.
+struct StoredInputs {
+    Encoding encoding;
+    std::vector<float> depth;
+    std::vector<glm::vec3> normal;  // empty if the engine has none
+};
 
 // The input of an ambient-occlusion effect from an engine: one frame, rows from the top. Each image has width
 // * height elements, or is empty.
@@ -31,6 +39,9 @@ struct GBuffer {
     CameraFrame camera;
     std::optional<double> ao_radius;  // world units
     gpu::Extent border;  // guard band around the frame, pixels on each side, part of extent (guard_band.hpp)
+
+    // Depth and normals again, as the engine stores them: the effect converts these on the device.
+    std::optional<StoredInputs> stored;
 
     // Only from rasterize(), on request; previous_position also from link().
     std::vector<glm::vec3> previous_position;  // where the surface point was, in the view space of the frame

@@ -117,6 +117,13 @@ std::optional<int> frame_of(const std::string& name) {
     return std::stoi(number);
 }
 
+// Keeps what is stored, and converts it.
+void decode(GBuffer& gbuffer, const Encoding& encoding) {
+    gbuffer.stored = {.encoding = encoding, .depth = gbuffer.depth, .normal = gbuffer.normal};
+    for (float& depth : gbuffer.depth) depth = linear_depth(depth, encoding, gbuffer.camera);
+    for (glm::vec3& normal : gbuffer.normal) normal = view_normal(normal, encoding, gbuffer.camera);
+}
+
 }  // namespace
 
 std::string frame_prefix(int frame) {
@@ -138,15 +145,15 @@ std::vector<int> frames_of(const fs::path& directory) {
     return frames;
 }
 
-GBuffer read_gbuffer(const fs::path& directory, int frame) {
+GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encoding) {
     const fs::path stem = directory / frame_prefix(frame);
     const FrameDescription description = read_frame_json(stem.string() + ".json");
     const auto read = [&](const char* name, int channels) {
         return read_image(stem.string() + name, description.extent, channels);
     };
     GBuffer gbuffer{.extent = description.extent,
-                    .depth = with_background_at_infinity(read("_depth", 1).texels),
-                    .normal = {},
+                    .depth = read("_depth", 1).texels,
+                    .normal = to_vectors(read("_normal", 3)),
                     .motion = with_finite_motion(to_vectors(read("_motion", 3))),
                     .previous_depth = read("_previous_depth", 1).texels,
                     .camera = description.camera,
@@ -158,7 +165,9 @@ GBuffer read_gbuffer(const fs::path& directory, int frame) {
         fail_with_frame(stem.string() + "_previous_depth.pfm",
                         "there are no motion vectors, which it belongs to");
     if (gbuffer.depth.empty()) fail_with_frame(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
-    gbuffer.normal = with_unit_length(to_vectors(read("_normal", 3)), gbuffer.depth);
+    if (encoding != Encoding{}) decode(gbuffer, encoding);
+    gbuffer.depth = with_background_at_infinity(std::move(gbuffer.depth));
+    gbuffer.normal = with_unit_length(std::move(gbuffer.normal), gbuffer.depth);
     return gbuffer;
 }
 

@@ -24,7 +24,10 @@ namespace gloam::scene {
 // valid. Throws std::runtime_error with one line that names the file and what was expected: missing,
 // malformed or cut short, a size that disagrees, an image offered in both kinds, a matrix that cannot be
 // inverted, a projection that is not symmetric (beyond a pixel of jitter).
-[[nodiscard]] GBuffer read_gbuffer(const std::filesystem::path& directory, int frame);
+// encoding: of PREFIX_depth and PREFIX_normal. With another than the default, the GBuffer also has them as
+// they are stored.
+[[nodiscard]] GBuffer read_gbuffer(const std::filesystem::path& directory, int frame,
+                                   const Encoding& encoding = {});
 
 // The text of a frame's PREFIX.json; read_gbuffer reads exactly the same camera from it.
 [[nodiscard]] std::string frame_json(const GBuffer& gbuffer, int frame);

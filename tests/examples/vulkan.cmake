@@ -6,11 +6,14 @@ set(radius 0.3)
 set(frames 4)
 set(effect "${WORK}/effect")
 
+separate_arguments(OPTIONS)  # of the pack alone
+separate_arguments(INPUTS)   # of both: how depth and normals are stored, and the output
+
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
-run("pack" "${GLOAM}" pack --effect --preset ${PRESET} --radius ${radius} ${OPTIONS} --out "${effect}")
+run("pack" "${GLOAM}" pack --effect --preset ${PRESET} --radius ${radius} ${OPTIONS} ${INPUTS} --out "${effect}")
 build(vulkan "-DEFFECT=${effect}")
-run("render" "${GLOAM}" render room --size 161x99 --frames ${frames} --preset ${PRESET} --radius ${radius}
+run("render" "${GLOAM}" render room --size 161x99 --frames ${frames} --preset ${PRESET} --radius ${radius} ${INPUTS}
   --write-gbuffer "${WORK}/gbuffers" --out "${WORK}/rendered")
 run("example" "${WORK}/build/packed_effect" "${WORK}/gbuffers" "${WORK}/packed")
 

@@ -21,6 +21,10 @@ std::vector<float> distinct_texels(Extent extent, Format format) {
     std::vector<float> texels(std::size_t{extent.width} * extent.height * channels_of_format);
     for (std::size_t i = 0; i < texels.size(); ++i) {
         switch (format) {
+            case Format::r8:
+                texels[i] = static_cast<float>(i % 256) / 255.0F;
+                break;
+            case Format::r16f:
             case Format::rgba16f:
                 texels[i] = from_half(static_cast<std::uint16_t>(i % 0x7c00));
                 break;
@@ -51,7 +55,7 @@ TEST_P(RoundTripTest, ComesBackAsItWas) {
 
 std::string case_name(const ::testing::TestParamInfo<RoundTripTest::ParamType>& info) {
     const auto [format, extent] = info.param;
-    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "rgba16ui", "depth32f"};
+    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "rgba16ui", "depth32f", "r16f", "r8"};
     return names[static_cast<std::size_t>(format)] + ("_" + std::to_string(extent.width)) + "x" +
            std::to_string(extent.height);
 }
@@ -60,7 +64,8 @@ constexpr Extent large{1500, 2000};  // as rgba32f more than is staged at once
 
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTripTest,
                          ::testing::Combine(::testing::Values(Format::r32f, Format::rgba32f, Format::rgba16f,
-                                                              Format::rgba16ui, Format::depth32f),
+                                                              Format::rgba16ui, Format::depth32f,
+                                                              Format::r16f, Format::r8),
                                             ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})),
                          case_name);
 INSTANTIATE_TEST_SUITE_P(Bands, RoundTripTest,

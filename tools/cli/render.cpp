@@ -72,6 +72,16 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
     command.add_option("source", options.source,
                        "scene (gloam list scenes) or mesh file, stood on a ground plane");
     command.add_option("--gbuffer", options.gbuffer, "folder of G-buffers of an engine, instead of a scene");
+    command
+        .add_option(
+            "--depth", options.depth,
+            "how the G-buffers store it: linear, or buffer: depth-buffer values of the frame's projection")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--normals", options.normals,
+            "how the G-buffers store them: view or world space, and behind it -octahedral, -unorm or both")
+        ->capture_default_str();
     command.add_option("--size", options.size, "WIDTHxHEIGHT of a scene or mesh, pixels")
         ->capture_default_str();
     command

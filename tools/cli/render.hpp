@@ -32,7 +32,9 @@ struct MeshOptions {
 struct RenderOptions {
     std::string source;             // a scene's name or a mesh file; empty with gbuffer
     std::filesystem::path gbuffer;  // folder of an engine's frames
-    std::string method;             // of one run; empty: the preset's
+    std::string depth = "linear";   // how they store depth and normals: scene::encoding_named()
+    std::string normals = "view";
+    std::string method;  // of one run; empty: the preset's
     std::string preset = "paper";
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;

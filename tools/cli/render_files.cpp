@@ -34,8 +34,8 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
         if (texels.empty()) return;
         folder.write(prefix + name, report::to_pfm(texels, view.extent.width, view.extent.height, channels));
     };
-    write("_depth.pfm", view.depth, 1);
-    write("_normal.pfm", components_of(view.normal), 3);
+    write("_depth.pfm", view.stored ? view.stored->depth : view.depth, 1);
+    write("_normal.pfm", components_of(view.stored ? view.stored->normal : view.normal), 3);
     write("_color.pfm", components_of(view.color), 3);
     write("_motion.pfm", components_of(view.motion), 3);
     if (!view.motion.empty()) write("_previous_depth.pfm", previous_depths(view), 1);

@@ -21,6 +21,7 @@
 #include "scene/mesh_scene.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
+#include "scene/stored_inputs.hpp"
 #include "scene/views.hpp"
 
 namespace gloam::cli {
@@ -131,12 +132,14 @@ RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
     // If only the camera moves, its matrices determine all motion.
     const bool motion = follows && !scene->objects.empty();
     input.load = [scene, extent, wide, guard, motion, layers = static_cast<int>(settings.layers),
-                  first = options.frame](const gpu::Device& device, const scene::PassLibrary& passes,
-                                         int view) {
+                  first = options.frame, encoding = scene::encoding_named(options.depth, options.normals)](
+                     const gpu::Device& device, const scene::PassLibrary& passes, int view) {
         require_allowed(extent, wide, device.info());
-        return scene::rasterize(
+        scene::GBuffer shown = scene::rasterize(
             device, passes, *scene, extent,
             {.frame = first + view, .motion = motion, .color = true, .layers = layers, .guard = guard});
+        if (encoding != scene::Encoding{}) shown.stored = scene::stored_inputs(shown, encoding);
+        return shown;
     };
     if (options.source == "corner") {
         input.truth = scene::corner_occlusion_at;
@@ -166,8 +169,9 @@ RenderInput from_gbuffer(const RenderOptions& options) {
         }
         input.views.resize(count);
     }
-    input.load = [folder = options.gbuffer](const gpu::Device&, const scene::PassLibrary&, int view) {
-        return scene::read_gbuffer(folder, view);
+    input.load = [folder = options.gbuffer, encoding = scene::encoding_named(options.depth, options.normals)](
+                     const gpu::Device&, const scene::PassLibrary&, int view) {
+        return scene::read_gbuffer(folder, view, encoding);
     };
     return input;
 }

@@ -22,6 +22,9 @@ namespace gloam::effect {
 // Format of the images that hold a history.
 [[nodiscard]] gpu::Format format_of(HistoryPrecision precision);
 
+// Format of the images that hold what is displayed.
+[[nodiscard]] gpu::Format format_of(OutputFormat output);
+
 // Occlusion that the integer 1 of a packed history stands for, as in GloamPackedHistory.
 constexpr float packed_occlusion_unit = 1.0F / 32768.0F;
 
@@ -40,8 +43,11 @@ struct FrameImages {
     // std::invalid_argument if one of them has another size than the images.
     void take(const gpu::Device& device, const scene::GBuffer& view);
 
-    // Allocates the images for remapped results, if they do not exist yet.
-    void map(const gpu::Device& device);
+    // Uploads depth and normals, as they are stored if the view has them so.
+    void take_surfaces(const gpu::Device& device, const scene::GBuffer& view);
+
+    // Allocates the images for remapped results, if they do not exist yet in this format.
+    void map(const gpu::Device& device, OutputFormat output);
 
     gpu::Image depth;
     gpu::Image normal;
@@ -51,6 +57,8 @@ struct FrameImages {
     gpu::Image half_filtered;
     gpu::Image filtered;
     Tiles tiles;
+    std::optional<gpu::Image> stored_depth;   // as the engine stores it, if that is not what the passes read
+    std::optional<gpu::Image> stored_normal;  // and its normals, if it has any
     std::optional<gpu::Image> previous_position;
     std::optional<gpu::Image> layers;           // of depth behind the first, one in each channel
     std::optional<gpu::Image> mapped;           // remapped history, if anything is remapped

@@ -12,6 +12,7 @@
 #include "effect/settings.hpp"
 #include "gpu/compute.hpp"
 #include "scene/camera.hpp"
+#include "scene/encoding.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {
@@ -24,6 +25,13 @@ struct NormalParameters {
     glm::vec2 p00_p11;
     glm::ivec2 size;
     std::uint32_t orthographic;
+};
+
+// Of take_inputs.comp.
+struct InputParameters {
+    glm::mat3x4 view_from_world;
+    glm::vec2 p22_p32;
+    glm::ivec2 size;
 };
 
 struct OcclusionParameters {
@@ -112,6 +120,7 @@ struct View {
 };
 
 [[nodiscard]] NormalParameters normal_parameters(const View& view);
+[[nodiscard]] InputParameters input_parameters(const View& view);
 [[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
 [[nodiscard]] ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
                                                              const Settings& settings);
@@ -179,6 +188,15 @@ struct FilterProgram {
 // The members that the settings determine, and `list`.
 [[nodiscard]] FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list);
 
+// What the pipeline of the pass over an engine's depth and normals is compiled for.
+struct InputProgram {
+    scene::Encoding encoding;
+    bool orthographic = false;
+    bool has_normals = true;
+
+    friend auto operator<=>(const InputProgram&, const InputProgram&) = default;
+};
+
 // Preprocessor definitions of a pass that reads or writes a history.
 [[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
 // The same for a pass that also reads or writes a prepared image of this format.
@@ -190,12 +208,14 @@ enum class Counting : std::uint32_t { none, each_invocation, each_group };
 // The shaders of the passes, with their definitions and constants. `counts`: how the passes count on their
 // device. `open_tiles_each`: open tiles of one group.
 [[nodiscard]] PassSource normals_source();
+[[nodiscard]] PassSource input_source(const InputProgram& program);
 [[nodiscard]] PassSource occlusion_source(const Program& program, Counting counts,
                                           std::uint32_t open_tiles_each);
 [[nodiscard]] PassSource further_view_source(const Program& program, bool other_orthographic);
 [[nodiscard]] PassSource reprojection_source(const ReprojectionProgram& program);
 [[nodiscard]] PassSource filter_source(const FilterProgram& program);
-[[nodiscard]] PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list);
+[[nodiscard]] PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list,
+                                      OutputFormat output = OutputFormat::r32f);
 [[nodiscard]] PassSource selection_source(std::uint32_t open_tiles_each);
 
 // Whether the device is a driver on the CPU.
@@ -211,6 +231,8 @@ enum class Counting : std::uint32_t { none, each_invocation, each_group };
 // The pipelines of glsl/passes.
 [[nodiscard]] gpu::ComputePipeline normals_from_depth(const gpu::Device& device,
                                                       const scene::PassLibrary& library);
+[[nodiscard]] gpu::ComputePipeline take_inputs(const gpu::Device& device, const scene::PassLibrary& library,
+                                               const InputProgram& program);
 [[nodiscard]] gpu::ComputePipeline ambient_occlusion(const gpu::Device& device,
                                                      const scene::PassLibrary& library,
                                                      const Program& program);  // counts its work
@@ -225,7 +247,7 @@ enum class Counting : std::uint32_t { none, each_invocation, each_group };
 // list of tiles on which it runs; none: the whole image.
 [[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
                                          std::optional<HistoryPrecision> history,
-                                         std::optional<TileLists> list);
+                                         std::optional<TileLists> list, OutputFormat output);
 
 // Passes that select the tiles for the others.
 [[nodiscard]] gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library);

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "effect/internal/passes.hpp"
 #include "effect/internal/tiles.hpp"
@@ -19,12 +19,13 @@ class Pipelines {
 
     // Each throws std::runtime_error when its shader does not compile.
     [[nodiscard]] const gpu::ComputePipeline& normals() const { return normals_; }
+    [[nodiscard]] const gpu::ComputePipeline& inputs(const InputProgram& program);
     [[nodiscard]] const gpu::ComputePipeline& occlusion(const Program& program);
     [[nodiscard]] const gpu::ComputePipeline& reprojection(const ReprojectionProgram& program);
     [[nodiscard]] const gpu::ComputePipeline& filter(const FilterProgram& program);
     // Like remap().
     [[nodiscard]] const gpu::ComputePipeline& remapping(std::optional<HistoryPrecision> history,
-                                                        std::optional<TileLists> list);
+                                                        std::optional<TileLists> list, OutputFormat output);
     [[nodiscard]] const gpu::ComputePipeline& selection();
     [[nodiscard]] const gpu::ComputePipeline& filtered_selection();
     [[nodiscard]] const gpu::ComputePipeline& bounding();
@@ -35,10 +36,12 @@ class Pipelines {
     const gpu::Device* device_;
     scene::PassLibrary library_;
     gpu::ComputePipeline normals_;
+    std::map<InputProgram, gpu::ComputePipeline> inputs_;
     std::map<Program, gpu::ComputePipeline> occlusion_;
     std::map<ReprojectionProgram, gpu::ComputePipeline> reprojection_;
     std::map<FilterProgram, gpu::ComputePipeline> filter_;
-    std::map<std::pair<std::optional<HistoryPrecision>, std::optional<TileLists>>, gpu::ComputePipeline>
+    std::map<std::tuple<std::optional<HistoryPrecision>, std::optional<TileLists>, OutputFormat>,
+             gpu::ComputePipeline>
         remapping_;
     std::map<std::string, gpu::ComputePipeline> of_tiles_;
 };

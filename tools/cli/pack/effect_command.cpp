@@ -21,7 +21,8 @@ void pack_effect(const EffectPackOptions& options) {
                                    .moving_objects = options.moving_objects,
                                    .orthographic = options.orthographic,
                                    .tiles = options.tiles,
-                                   .normals = !options.reconstruct_normals};
+                                   .normals = !options.reconstruct_normals,
+                                   .encoding = scene::encoding_named(options.depth, options.normals)};
     const auto language = shader::language_from(options.version);
     if (!language || shader::usual_stage(*language) != shader::Stage::compute)
         throw std::invalid_argument("--effect --version " + options.version +

@@ -20,6 +20,8 @@ struct EffectPackOptions {
     bool orthographic = false;
     bool reconstruct_normals = false;
     bool tiles = false;
+    std::string depth = "linear";  // how the engine stores depth and normals: scene::encoding_named()
+    std::string normals = "view";
     std::optional<shader::Target> target;  // a language for every pass, besides GLSL
     std::string version = "450";           // of the passes: or 310es, 320es
     std::filesystem::path out;

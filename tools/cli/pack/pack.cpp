@@ -152,6 +152,14 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
                           "the camera is orthographic; else perspective"));
     only(command.add_flag("--reconstruct-normals", of_effect.reconstruct_normals,
                           "from depth; else the engine has normals"));
+    only(command
+             .add_option("--depth", of_effect.depth,
+                         "the engine's: linear, or buffer: depth-buffer values of any projection")
+             ->capture_default_str());
+    only(command
+             .add_option("--normals", of_effect.normals,
+                         "the engine's: view or world space, and behind it -octahedral, -unorm or both")
+             ->capture_default_str());
     only(command.add_flag("--tiles", of_effect.tiles,
                           "run over lists of tiles and skip unchanged tiles; else run over the whole image"));
 }

@@ -19,6 +19,10 @@ std::string vulkan_format(gpu::Format format) {
             return "VK_FORMAT_R16G16B16A16_UINT";
         case gpu::Format::depth32f:
             return "VK_FORMAT_D32_SFLOAT";
+        case gpu::Format::r16f:
+            return "VK_FORMAT_R16_SFLOAT";
+        case gpu::Format::r8:
+            return "VK_FORMAT_R8_UNORM";
     }
     throw std::logic_error("an image format without a name");
 }

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Depth and normals as engines store them: what the pass makes of them, and that the rest of the frame is
+// that of what it made. Output formats: the error that they add.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bits.hpp"
+#include "effect/internal/steps.hpp"
+#include "effect/internal/texels.hpp"
+#include "effect/methods.hpp"
+#include "effect/presets.hpp"
+#include "on_device.hpp"
+#include "scene/encoding.hpp"
+#include "scene/rasterize.hpp"
+
+namespace gloam::effect {
+namespace engine_inputs_test {
+
+constexpr gpu::Extent extent{83, 47};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Stored {
+    const char* name;
+    const char* depth;
+    const char* normals;
+    bool reversed;
+    double far;  // world units
+    bool orthographic;
+    int bits;  // of each number of a normal; 0: floats
+};
+
+constexpr Stored variants[] = {
+    {"standard", "buffer", "view", false, 60.0, false, 0},
+    {"reversed", "buffer", "world", true, 60.0, false, 0},
+    {"infinite", "buffer", "view-unorm", false, infinity, false, 10},
+    {"reversed_infinite", "buffer", "world-octahedral-unorm", true, infinity, false, 10},
+    {"orthographic", "buffer", "world-unorm", false, 60.0, true, 8},
+    {"orthographic_reversed", "buffer", "view-octahedral", true, 60.0, true, 0},
+    {"linear", "linear", "view-octahedral-unorm", false, 60.0, false, 8}};
+
+// What rounding to these bits turns a normal by, at most, radians. Each of three numbers is off by half a
+// step of 2 / (2^bits - 1). Two octahedral ones move the point of their plane by sqrt(6) half steps, at a
+// distance of at least sqrt(1/3).
+double most_apart(const Stored& stored, const scene::Encoding& encoding) {
+    if (stored.bits == 0) return 5e-7;
+    const double half_step = 1.0 / (std::exp2(stored.bits) - 1.0);
+    return (encoding.octahedral ? std::sqrt(18.0) : std::sqrt(3.0)) * half_step;
+}
+
+float rounded(double value, int bits) {
+    if (bits == 0) return static_cast<float>(value);
+    const double steps = std::exp2(bits) - 1.0;
+    return static_cast<float>(std::round(value * steps) / steps);
+}
+
+// The planes of the variant in the place of the scene's.
+void set_planes(scene::CameraFrame& camera, const Stored& stored) {
+    scene::Camera planes{.near = 0.1, .far = stored.far, .reversed_z = stored.reversed};
+    if (stored.orthographic) planes.projection = scene::Projection::orthographic;
+    const glm::mat4 projection = scene::make_frame(planes, 1.0).proj_vk;
+    for (const int row : {2, 3}) {
+        camera.proj_vk[2][row] = projection[2][row];
+        camera.proj_vk[3][row] = projection[3][row];
+    }
+}
+
+class EngineInputs : public OnDevice<testing::TestWithParam<Stored>> {
+  protected:
+    [[nodiscard]] scene::GBuffer view() const {
+        scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("moving"), extent, {});
+        set_planes(view.camera, GetParam());
+        view.depth[5] = std::numeric_limits<float>::infinity();
+        const scene::Encoding encoding = scene::encoding_named(GetParam().depth, GetParam().normals);
+        view.stored = {.encoding = encoding, .depth = {}, .normal = {}};
+        for (std::size_t i = 0; i < view.depth.size(); ++i) {
+            const glm::dvec3 normal = scene::stored_normal(glm::dvec3(view.normal[i]), encoding, view.camera);
+            view.stored->depth.push_back(
+                static_cast<float>(scene::stored_depth(double{view.depth[i]}, encoding, view.camera)));
+            view.stored->normal.emplace_back(rounded(normal.x, GetParam().bits),
+                                             rounded(normal.y, GetParam().bits),
+                                             rounded(normal.z, GetParam().bits));
+        }
+        return view;
+    }
+
+    // What a stored depth of 24 bits of mantissa loses of a depth, relatively, and four roundings.
+    [[nodiscard]] static double depth_loss(double depth, double stored, const scene::CameraFrame& camera) {
+        const double half_step = std::abs(stored) * 0x1p-24;
+        const double slope = camera.orthographic() ? 1.0 / std::abs(double{camera.proj_vk[2][2]})
+                                                   : depth * depth / std::abs(double{camera.proj_vk[3][2]});
+        // The sum with p22 rounds as well, at most as much as the larger of its two terms.
+        const double sum = std::max(std::abs(stored), std::abs(double{camera.proj_vk[2][2]})) * 0x1p-24;
+        return (half_step + sum) * slope / depth + 4 * 0x1p-23;
+    }
+
+    // The frame of this view; `converted`: what the first pass has made of depth and normals.
+    [[nodiscard]] Frame frame_of(const scene::GBuffer& of, scene::GBuffer* converted) const {
+        AmbientOcclusion effect(device_, passes_, extent);
+        effect.watch([&](const Step& pass, bool after) {
+            if (!after || pass.name != "take_inputs" || converted == nullptr) return;
+            const auto image = [&](std::size_t binding) {
+                return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources[binding])
+                    .get()
+                    .download();
+            };
+            converted->depth = image(2);
+            converted->normal = vectors_of(image(3));
+            converted->stored.reset();
+        });
+        effect.begin(of, with_radius(with_method({}, "gtao"), 0.5F));
+        return effect.next();
+    }
+};
+
+TEST_P(EngineInputs, AreThePassesInputsWithinWhatTheFormatLoses) {
+    const scene::GBuffer given = view();
+    scene::GBuffer converted = given;
+    const Frame of_stored = frame_of(given, &converted);
+    ASSERT_FALSE(converted.stored.has_value());
+    double worst = 0.0;
+    for (std::size_t i = 0; i < given.depth.size(); ++i) {
+        const double depth = double{given.depth[i]};
+        if (!std::isfinite(depth)) {
+            EXPECT_EQ(converted.depth[i], given.depth[i]) << i;
+            continue;
+        }
+        const double loss = depth_loss(depth, double{given.stored->depth[i]}, given.camera);
+        EXPECT_LE(std::abs(double{converted.depth[i]} / depth - 1.0), loss) << i << ": " << depth;
+        const double sine =
+            glm::length(glm::cross(glm::dvec3(converted.normal[i]), glm::dvec3(given.normal[i])));
+        EXPECT_GT(glm::dot(converted.normal[i], given.normal[i]), 0.9F) << i;
+        worst = std::max(worst, sine);
+        // As files are read.
+        const glm::vec3 read =
+            scene::view_normal(given.stored->normal[i], given.stored->encoding, given.camera);
+        EXPECT_LT(glm::length(converted.normal[i] - read), 1e-6F) << i;
+        const float read_depth =
+            scene::linear_depth(given.stored->depth[i], given.stored->encoding, given.camera);
+        EXPECT_NEAR(converted.depth[i] / read_depth, 1.0F, 1e-6F + static_cast<float>(loss)) << i;
+    }
+    const double most = most_apart(GetParam(), given.stored->encoding);
+    EXPECT_LE(worst, most);
+    EXPECT_GE(worst, GetParam().bits == 0 ? 0.0 : most / 4) << "the normals are rounded";
+    // And the frame is that of an engine that has them linear and in view space.
+    const Frame of_linear = frame_of(converted, nullptr);
+    EXPECT_EQ(bits_of(of_stored.occlusion), bits_of(of_linear.occlusion));
+    EXPECT_EQ(bits_of(of_stored.filtered), bits_of(of_linear.filtered));
+    EXPECT_GT(*std::ranges::max_element(of_stored.occlusion), 0.2F);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EngineInputs, testing::ValuesIn(variants),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+class OutputFormats : public OnDevice<testing::Test> {};
+
+// Filtered and not, with a history and without, over two frames; what is displayed alone differs. A store to
+// a half may be rounded towards zero.
+TEST_F(OutputFormats, AddNoMoreThanTheirRounding) {
+    const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("room"), extent, {});
+    const auto frame_in = [&](OutputFormat output, Settings settings) {
+        settings.output = output;
+        AmbientOcclusion& effect = effect_for(extent);
+        effect.begin(view, settings);
+        (void)effect.next();
+        return effect.next();
+    };
+    Settings unfiltered = with_radius(preset_named("balanced").settings, 0.3F);
+    unfiltered.samples = unfiltered.samples_converged = 7;  // no share of them is exact in binary
+    Settings alone = unfiltered;
+    alone.history = false;
+    for (const Settings& settings : {with_radius({}, 0.3F), unfiltered, alone}) {
+        const Frame full = frame_in(OutputFormat::r32f, settings);
+        for (const OutputFormat output : {OutputFormat::r16f, OutputFormat::r8}) {
+            const Frame shown = frame_in(output, settings);
+            EXPECT_EQ(bits_of(shown.convergence), bits_of(full.convergence));
+            double worst = 0.0;
+            for (std::size_t i = 0; i < full.filtered.size(); ++i) {
+                const double value = double{full.filtered[i]};
+                const double most =
+                    output == OutputFormat::r8 ? 0.5 / 255.0 + 1e-6 : value * 0x1p-10 + 0x1p-23;
+                const double error = std::abs(double{shown.filtered[i]} - value);
+                EXPECT_LE(error, most) << value;
+                worst = std::max(worst, error / most);
+            }
+            EXPECT_GT(worst, 0.2) << settings.method << (settings.history ? "" : " alone")
+                                  << ": fewer bits are seen; largest "
+                                  << *std::ranges::max_element(full.filtered);
+        }
+    }
+}
+
+}  // namespace engine_inputs_test
+}  // namespace gloam::effect
