@@ -46,6 +46,8 @@ struct PreparedCheck {
     std::string unsupported;    // why there is none
     std::size_t row_words = 0;  // words that it writes for an input: outputs, canary, faults
     std::size_t targets = 0;    // of one draw, four words each
+    std::string wgsl;              // the same kernel as a compute shader in WGSL; empty where there is none
+    std::string wgsl_unsupported;  // why there is none
     std::vector<PreparedScenario> scenarios;
 };
 
