@@ -137,6 +137,7 @@ gloam.webgpu = (() => {
         const canary = Math.floor(Math.random() * 2 ** 32) >>> 0;
         gpu.pushErrorScope("validation");
         const finished = dispatch(gpu, program, check, data, canary);
+        finished.catch(() => {});  // awaited below
         const error = await gpu.popErrorScope();
         const [rows, faults] = await finished;
         if (error !== null) throw new Error("WebGPU: " + error.message);
