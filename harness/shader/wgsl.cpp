@@ -34,7 +34,10 @@ Id head_of(Id parameter) {
 class Writer {
   public:
     Writer(const Spirv& words, const WgslOptions& options)
-        : module_(words), facts_(module_, options.functions), text_(module_, facts_), options_(options) {
+        : module_(words),
+          facts_(module_, options.functions),
+          text_(module_, facts_, options.comments),
+          options_(options) {
         const auto entry = module_.entry_points.find(SpvExecutionModelGLCompute);
         if (entry != module_.entry_points.end()) main_ = entry->second;
         if (options.entry_point && main_ == 0) throw WgslError("a shader that is no compute shader");
@@ -46,8 +49,9 @@ class Writer {
         for (const wgsl::Function* function : functions) bodies += "\n" + function_text(*function);
         std::string globals;
         for (const wgsl::Variable& variable : module_.variables)
-            if (used_.contains(variable.id)) globals += global_text(variable);
-        std::string result = text_.structures() + text_.overrides(text_.overrides_used()) + globals;
+            if (used_.contains(variable.id)) globals += comment_of(variable.id) + global_text(variable);
+        std::string result =
+            options_.head + text_.structures() + text_.overrides(text_.overrides_used()) + globals;
         result += prototypes() + text_.helpers() + bodies;
         const std::size_t first = result.find_first_not_of('\n');
         return result.substr(std::min(first, result.size()));
@@ -90,8 +94,8 @@ class Writer {
         for (const Id callee : facts_.calls_of(function)) reach(callee, reached);
     }
 
-    [[nodiscard]] std::string comment_of(const wgsl::Function& function) const {
-        const auto found = options_.comments.find(module_.name_of(function.id));
+    [[nodiscard]] std::string comment_of(Id id) const {
+        const auto found = options_.comments.find(module_.name_of(id));
         return found == options_.comments.end() ? "" : found->second;
     }
 
@@ -117,8 +121,8 @@ class Writer {
         if (function.id == main_) return main_text(function);
         wgsl::FunctionBody body = wgsl::FunctionWriter(text_, function).run();
         const std::map<Id, std::string> names = named(function, body);
-        return comment_of(function) + wgsl::broken(head(function, names) + " {") + "\n" + print(body, names) +
-               "}\n";
+        return comment_of(function.id) + wgsl::broken(head(function, names) + " {") + "\n" +
+               print(body, names) + "}\n";
     }
 
     // Declares the variables and gives them names.
@@ -161,7 +165,7 @@ class Writer {
                                       builtin->second, name, text_.type(variable.type));
             if (elsewhere) copies += fmt::format("    {} = {};\n", text_.name(variable.id), name);
         }
-        return comment_of(function) +
+        return comment_of(function.id) +
                fmt::format("@compute @workgroup_size({})\n{}\n{}{}}}\n", group_size(),
                            wgsl::broken(fmt::format("fn {}({}) {{", text_.name(function.id), parameters)),
                            copies, print(body, names));
@@ -238,7 +242,7 @@ class Writer {
         for (const wgsl::Function* function : prototypes_) {
             wgsl::FunctionBody body;
             const std::map<Id, std::string> names = named(*function, body);
-            result += (result.empty() ? "\n// To be defined by the user:\n" : "") +
+            result += (result.empty() ? "\n// To be defined by the user:\n" : "") + comment_of(function->id) +
                       fmt::format("// {}\n", head(*function, names));
         }
         return result;

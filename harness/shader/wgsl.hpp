@@ -20,8 +20,11 @@ struct WgslOptions {
     // Directions of parameters, which SPIR-V does not keep (functions()). A function that is declared and not
     // defined is written as a comment; the user defines it.
     std::vector<Function> functions;
-    // Comment above each function, by its name; empty lines and "//" included.
+    // Comments above functions and declarations by their names, in whole lines, "//" included. A member's
+    // name is "Structure.member".
     std::map<std::string, std::string> comments;
+    // Text at the beginning.
+    std::string head;
     // false: only functions and what they use, without main and its resources.
     bool entry_point = true;
 };

@@ -98,4 +98,17 @@ bool declare_the_same(const Declaration& a, const Declaration& b) {
                                                   &DeclaredParameter::type);
 }
 
+std::string completed(std::string text, const std::vector<Declaration>& functions) {
+    text += "\n";
+    for (const Declaration& function : functions) {
+        if (function.defined) continue;
+        const bool has_result = function.result != "void";
+        text += function.head +
+                (has_result ? " { " + function.result + " gloam_result; return gloam_result; }\n" : " { }\n");
+    }
+    if (std::ranges::none_of(functions, [](const Declaration& f) { return f.name == "main"; }))
+        text += "void main() { }\n";
+    return text;
+}
+
 }  // namespace gloam::shader::internal

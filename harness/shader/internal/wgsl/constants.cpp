@@ -85,7 +85,8 @@ Expression ModuleText::computed(const Instruction& i) {
     for (const Id id : operands(inner)) parts.push_back(constant(id));
     // int(x) of an unsigned x is x + 0 with a signed result.
     const Instruction* first = module_.constant(inner.word(3));
-    const bool mixed = first != nullptr && module_.is_signed(first->word(1)) != module_.is_signed(i.word(1)) &&
+    const bool mixed = first != nullptr &&
+                       module_.is_signed(first->word(1)) != module_.is_signed(i.word(1)) &&
                        inner.opcode == SpvOpIAdd;
     if (mixed) return call(type(i.word(1)), {parts[0]});
     Expression result;
@@ -129,6 +130,7 @@ std::string ModuleText::overrides(const std::set<Id>& used) {
         const std::string value = i.opcode == SpvOpSpecConstantTrue    ? "true"
                                   : i.opcode == SpvOpSpecConstantFalse ? "false"
                                                                        : number(i).text;
+        text += comment(module_.name_of(id), "");
         text += fmt::format("@id({}) override {}: {} = {};\n", *module_.decorations_of(id).spec_id,
                             names_.at(id), type(i.word(1)), value);
     }

@@ -9,8 +9,22 @@
 
 namespace gloam::shader::internal::wgsl {
 
-ModuleText::ModuleText(const Module& module, const Facts& facts) : module_(module), facts_(facts) {
+ModuleText::ModuleText(const Module& module, const Facts& facts,
+                       const std::map<std::string, std::string>& comments)
+    : module_(module), facts_(facts), comments_(comments) {
     name_all();
+}
+
+std::string ModuleText::comment(const std::string& name, const std::string& indent) const {
+    const auto found = comments_.find(name);
+    if (found == comments_.end()) return "";
+    std::string result;
+    for (std::size_t at = 0; at < found->second.size();) {
+        const std::size_t end = std::min(found->second.find('\n', at), found->second.size());
+        result += indent + found->second.substr(at, end - at) + "\n";
+        at = end + 1;
+    }
+    return result;
 }
 
 void ModuleText::name_all() {
@@ -107,7 +121,11 @@ std::string ModuleText::structure(Id id) {
     std::string body;
     std::uint32_t at = 0;
     for (std::uint32_t m = 0; m < t.members.size(); ++m) {
-        body += "    " + member_text(id, m, at) + ",\n";
+        const std::string name = module_.name_of(id) + "." + t.members[m].name;
+        const std::string said = comment(name, "    ");
+        const bool behind = std::ranges::count(said, '\n') == 1;
+        body += (behind ? "" : said) + "    " + member_text(id, m, at) + "," +
+                (behind ? "  " + comment(name, "") : "\n");
         const Layout layout = layout_of(module_, t.members[m].type);
         at = std::max(at, t.members[m].offset) + layout.size;
     }
@@ -118,7 +136,7 @@ std::string ModuleText::structure(Id id) {
         std::ranges::none_of(structure_names_, [&](const auto& other) { return other.second == wanted; });
     const std::string name = first ? wanted : names.take(wanted);
     structure_by_body_[wanted + "{" + body] = name;
-    structures_ += fmt::format("struct {} {{\n{}}}\n\n", name, body);
+    structures_ += comment(module_.name_of(id), "") + fmt::format("struct {} {{\n{}}}\n\n", name, body);
     return structure_names_[id] = name;
 }
 

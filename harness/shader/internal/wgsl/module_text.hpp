@@ -18,7 +18,8 @@ enum class ImageUse { texture, writes, reads_and_writes };
 // What all functions of a module share: names at module scope, types, constants, helper functions.
 class ModuleText {
   public:
-    ModuleText(const Module& module, const Facts& facts);
+    // `comments`: above declarations, by name (WgslOptions).
+    ModuleText(const Module& module, const Facts& facts, const std::map<std::string, std::string>& comments);
 
     [[nodiscard]] const Module& module() const { return module_; }
     [[nodiscard]] const Facts& facts() const { return facts_; }
@@ -48,6 +49,8 @@ class ModuleText {
 
   private:
     void name_all();
+    // The comment with this name, indented.
+    [[nodiscard]] std::string comment(const std::string& name, const std::string& indent) const;
     [[nodiscard]] std::string structure(Id type);
     [[nodiscard]] std::string member_text(Id structure, std::uint32_t member, std::uint32_t at);
     [[nodiscard]] std::string image(const Variable& variable);
@@ -60,6 +63,7 @@ class ModuleText {
 
     const Module& module_;
     const Facts& facts_;
+    const std::map<std::string, std::string>& comments_;
     std::map<Id, std::string> names_;
     std::map<Id, std::string> structure_names_;
     std::map<std::string, std::string> structure_by_body_;
