@@ -53,8 +53,9 @@ class Writer {
         std::string result =
             options_.head + text_.structures() + text_.overrides(text_.overrides_used()) + globals;
         result += prototypes() + text_.helpers() + bodies;
-        const std::size_t first = result.find_first_not_of('\n');
-        return result.substr(std::min(first, result.size()));
+        for (std::size_t at = result.find("\n\n\n"); at != std::string::npos; at = result.find("\n\n\n", at))
+            result.erase(at, 1);
+        return result.substr(std::min(result.find_first_not_of('\n'), result.size()));
     }
 
   private:
@@ -140,7 +141,7 @@ class Writer {
             body.wanted_names[head_of(id)] = name + "_given";
             body.statements.insert(
                 body.statements.begin(),
-                {.kind = wgsl::Statement::Kind::assign, .target = id, .value = wgsl::mark(head_of(id))});
+                {.kind = wgsl::StatementKind::assign, .target = id, .value = wgsl::mark(head_of(id))});
         }
         wgsl::declare_variables(body, {heads.begin(), heads.end()});
         std::set<std::string> taken = wgsl::identifiers_in(body.statements);
@@ -242,7 +243,8 @@ class Writer {
         for (const wgsl::Function* function : prototypes_) {
             wgsl::FunctionBody body;
             const std::map<Id, std::string> names = named(*function, body);
-            result += (result.empty() ? "\n// To be defined by the user:\n" : "") + comment_of(function->id) +
+            const std::string comment = comment_of(function->id);
+            result += "\n" + (comment.empty() ? "// Defined by the user.\n" : comment) +
                       fmt::format("// {}\n", head(*function, names));
         }
         return result;

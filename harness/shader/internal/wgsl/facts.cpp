@@ -62,6 +62,9 @@ void Facts::read_function(const Function& function) {
         for (const Instruction& i : block.body) read_use(i, facts);
     for (const Id callee : calls_[function.id])
         globals_[function.id].insert(globals_[callee].begin(), globals_[callee].end());
+    std::erase_if(facts.pointers_written, [&](Id id) {
+        return std::ranges::find(function.parameters, id) == function.parameters.end();
+    });
     facts_[function.id] = std::move(facts);
 }
 

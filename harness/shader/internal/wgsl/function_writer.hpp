@@ -79,6 +79,7 @@ class FunctionWriter {
     void before_change(Id variable, Statements& out);
     void keep_all(Statements& out);
     [[nodiscard]] Id same(Id variable) const;
+    bool from_choice(const Expression& value, Id to, Statements& out);
     void give(const Expression& value, Statements& out);
     void assign(Id variable, const Expression& value, Statements& out);
 

@@ -82,7 +82,7 @@ void FunctionWriter::insert(const Instruction& i, Statements& out) {
             type = member ? here.members.at(i.word(w)).type : here.element;
         }
     }
-    out.push_back({.kind = Statement::Kind::assign, .text = place, .value = part.text});
+    out.push_back({.kind = StatementKind::assign, .text = place, .value = part.text});
 }
 
 bool FunctionWriter::memory_access(const Instruction& i, Statements& out) {
@@ -104,7 +104,7 @@ bool FunctionWriter::memory_access(const Instruction& i, Statements& out) {
             const Expression value = pointer(i.word(2));
             const Expression place = pointer(i.word(1));
             before_change(facts_.base_of(i.word(1)), out);
-            out.push_back({.kind = Statement::Kind::assign, .text = place.text, .value = value.text});
+            out.push_back({.kind = StatementKind::assign, .text = place.text, .value = value.text});
             return true;
         }
         case SpvOpArrayLength: {
@@ -232,7 +232,7 @@ void FunctionWriter::store(const Instruction& i, Statements& out) {
     if (atomic) {
         out.push_back({.value = call("atomicStore", {plain("&" + place.text), value}).text});
     } else {
-        out.push_back({.kind = Statement::Kind::assign, .text = place.text, .value = value.text});
+        out.push_back({.kind = StatementKind::assign, .text = place.text, .value = value.text});
     }
 }
 

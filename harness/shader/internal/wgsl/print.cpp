@@ -204,15 +204,41 @@ std::string with_names(const std::string& text, const std::map<Id, std::string>&
     return result;
 }
 
+namespace {
+
+// Where a line that is too long is broken best: behind a comma or in front of an operator, as far outside of
+// brackets as there is such a place. 0 where there is none.
+std::size_t break_of(const std::string& line, std::size_t indent) {
+    std::size_t best = 0;
+    int least = 0;
+    int depth = 0;
+    for (std::size_t k = indent; k < line.size() && k <= columns; ++k) {
+        if (line[k] == '(' || line[k] == '[') ++depth;
+        if (line[k] == ')' || line[k] == ']') --depth;
+        if (line[k] != ' ' || k < columns / 2 || k + 1 >= line.size()) continue;
+        const bool place =
+            line[k - 1] == ',' ||
+            (k + 2 < line.size() && std::string("&|+-*/").find(line[k + 1]) != std::string::npos);
+        if (place && (best == 0 || depth <= least)) {
+            best = k;
+            least = depth;
+        }
+    }
+    if (best != 0) return best;
+    const std::size_t last = line.rfind(' ', columns);
+    return last == std::string::npos || last <= indent ? 0 : last;
+}
+
+}  // namespace
+
 std::string broken(const std::string& line) {
     if (line.size() <= columns || line.find("//") != std::string::npos) return line;
     const std::string indent(line.find_first_not_of(' ') + 4, ' ');
     std::string result;
     std::string rest = line;
     while (rest.size() > columns) {
-        std::size_t at = rest.rfind(' ', columns);
-        if (at != std::string::npos && rest.substr(at) == " {") at = rest.rfind(' ', at - 1);
-        if (at == std::string::npos || at < indent.size()) break;
+        const std::size_t at = break_of(rest, indent.size());
+        if (at == 0) break;
         result += rest.substr(0, at) + "\n";
         rest = indent + rest.substr(at + 1);
     }

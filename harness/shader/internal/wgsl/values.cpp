@@ -79,7 +79,7 @@ void FunctionWriter::keep(Id result, const Expression& expression, Statements& o
     body_.wanted_names[result] = identifier(name.empty() ? "t" : name);
     if (!member_names_.contains(result) && !body_.types.contains(result))
         body_.types[result] = text_.type(module_.type_of(result));
-    out.push_back({.kind = Statement::Kind::assign, .target = result, .value = expression.text});
+    out.push_back({.kind = StatementKind::assign, .target = result, .value = expression.text});
     values_[result] = {.text = mark(result)};
     std::erase(pending_, result);
 }
@@ -101,9 +101,30 @@ void FunctionWriter::keep_all(Statements& out) {
 
 namespace {
 
+// Whether all ways through the statement end with setting the variable.
+bool ends_with(const Statement& s, Id variable) {
+    if (s.kind == StatementKind::assign) return s.target == variable;
+    if (s.kind != StatementKind::condition) return false;
+    return std::ranges::all_of(s.lists, [&](const Statements& list) {
+        return !list.empty() && (ends_with(list.back(), variable) || list.back().kind == StatementKind::give);
+    });
+}
+
+// Sets `to` where the statement sets the variable, or returns the value where `to` is 0.
+void redirect(Statement& s, Id variable, Id to) {
+    if (s.kind == StatementKind::assign && s.target == variable) {
+        s.target = to;
+        if (to == 0) s.kind = StatementKind::give;
+        return;
+    }
+    if (s.kind != StatementKind::condition) return;
+    for (Statements& list : s.lists)
+        if (!list.empty()) redirect(list.back(), variable, to);
+}
+
 // The statement before, if it only calculates what the mark stands for: its value, taken away.
 std::string taken_from(Statements& out, const std::string& value, bool once) {
-    if (!once || out.empty() || out.back().kind != Statement::Kind::assign) return value;
+    if (!once || out.empty() || out.back().kind != StatementKind::assign) return value;
     if (out.back().target == 0 || value != mark(out.back().target)) return value;
     const std::string text = out.back().value;
     out.pop_back();
@@ -118,21 +139,37 @@ void FunctionWriter::assign(Id variable, const Expression& value, Statements& ou
         std::ranges::find(function_.variables, variable, &Variable::id) != function_.variables.end();
     if (is_variable && facts_.uses_of(variable).changes == 1 && !body_.initial.contains(variable))
         set_once_.insert(variable);
-    const std::vector<Id> marks = marks_in(value.text);
-    const bool once = marks.size() == 1 && shape_.uses[marks[0]] == 1;
-    const std::string text = taken_from(out, value.text, once);
     if (!body_.wanted_names.contains(variable)) {
         const std::string name = module_.name_of(variable);
         body_.wanted_names[variable] = identifier(name.empty() ? "t" : name);
         body_.types[variable] = text_.type(module_.type_of(variable));
     }
-    out.push_back({.kind = Statement::Kind::assign, .target = variable, .value = text});
+    if (from_choice(value, variable, out)) return;
+    const std::vector<Id> marks = marks_in(value.text);
+    const bool once = marks.size() == 1 && shape_.uses[marks[0]] == 1;
+    const std::string text = taken_from(out, value.text, once);
+    out.push_back({.kind = StatementKind::assign, .target = variable, .value = text});
+}
+
+// Where the value is a variable without a name that the branches of the statement before have set for this:
+// they set the other variable, or return.
+bool FunctionWriter::from_choice(const Expression& value, Id to, Statements& out) {
+    const std::vector<Id> marks = marks_in(value.text);
+    if (marks.size() != 1 || value.text != mark(marks[0]) || out.empty()) return false;
+    const Id from = marks[0];
+    if (std::ranges::find(function_.variables, from, &Variable::id) == function_.variables.end())
+        return false;
+    if (!module_.name_of(from).empty() || facts_.uses_of(from).loads != 1) return false;
+    if (out.back().kind != StatementKind::condition || !ends_with(out.back(), from)) return false;
+    redirect(out.back(), from, to);
+    return true;
 }
 
 void FunctionWriter::give(const Expression& value, Statements& out) {
+    if (from_choice(value, 0, out)) return;
     const std::vector<Id> marks = marks_in(value.text);
     const bool once = marks.size() == 1 && shape_.uses[marks[0]] == 1;
-    out.push_back({.kind = Statement::Kind::give, .value = taken_from(out, value.text, once)});
+    out.push_back({.kind = StatementKind::give, .value = taken_from(out, value.text, once)});
 }
 
 }  // namespace gloam::shader::internal::wgsl
