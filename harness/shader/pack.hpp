@@ -37,12 +37,6 @@ struct PackRequest {
 [[nodiscard]] std::string pack(const std::vector<Source>& sources, const PackRequest& request,
                                const std::vector<std::filesystem::path>& roots);
 
-// The same as WGSL: without a main a module without an entry point. `request.language` is ignored. The
-// comments inside functions are lost. Functions that are only declared are listed in comments. Also throws
-// WgslError.
-[[nodiscard]] std::string pack_wgsl(const std::vector<std::filesystem::path>& files, PackRequest request,
-                                    const std::vector<std::filesystem::path>& roots);
-
 // Number of lines with more than blanks and comments.
 [[nodiscard]] std::size_t code_lines(std::string_view text);
 

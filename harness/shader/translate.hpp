@@ -10,17 +10,17 @@
 namespace gloam::shader {
 
 // Shading languages other than GLSL.
-enum class Target { hlsl, msl };
+enum class Target { hlsl, msl, wgsl };
 
-// "hlsl", "msl"; nullopt for other text.
+// "hlsl", "msl", "wgsl"; nullopt for other text.
 [[nodiscard]] std::optional<Target> target_from(std::string_view name);
 
-// The suffix of a file: ".hlsl", ".metal".
+// The suffix of a file: ".hlsl", ".metal", ".wgsl".
 [[nodiscard]] std::string suffix(Target target);
 
 // A text that pack() wrote for Vulkan, translated by SPIRV-Cross: HLSL of shader model 6.0, or Metal Shading
-// Language 2.1. Names are kept; comments above functions, structures and constants, and those behind members,
-// are put back; comments inside functions are lost.
+// Language 2.1; or by to_wgsl(): WGSL. Names are kept; comments above functions, structures and constants,
+// and those behind members, are put back; comments inside functions are lost.
 // - A text without a main stays a file of functions. What it declares and the user defines is declared in the
 //   result, too. In MSL these functions have a last parameter, a structure GloamImages of the user's images,
 //   and so has every function that calls them.

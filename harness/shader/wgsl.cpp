@@ -36,7 +36,7 @@ class Writer {
     Writer(const Spirv& words, const WgslOptions& options)
         : module_(words),
           facts_(module_, options.functions),
-          text_(module_, facts_, options.comments),
+          text_(module_, facts_, options.comment_of),
           options_(options) {
         const auto entry = module_.entry_points.find(SpvExecutionModelGLCompute);
         if (entry != module_.entry_points.end()) main_ = entry->second;
@@ -96,8 +96,7 @@ class Writer {
     }
 
     [[nodiscard]] std::string comment_of(Id id) const {
-        const auto found = options_.comments.find(module_.name_of(id));
-        return found == options_.comments.end() ? "" : found->second;
+        return options_.comment_of ? options_.comment_of("", module_.name_of(id)) : "";
     }
 
     // "fn name(a: f32) -> f32".

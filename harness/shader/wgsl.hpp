@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,9 +20,10 @@ struct WgslOptions {
     // Directions of parameters, which SPIR-V does not keep (functions()). A function that is declared and not
     // defined is written as a comment; the user defines it.
     std::vector<Function> functions;
-    // Comments above functions and declarations by their names, in whole lines, "//" included. A member's
-    // name is "Structure.member".
-    std::map<std::string, std::string> comments;
+    // The comment of a function or declaration (block: "") or of a member of a structure or block: whole
+    // lines,
+    // "//" included. May be empty.
+    std::function<std::string(const std::string& block, const std::string& name)> comment_of;
     // Text at the beginning.
     std::string head;
     // false: only functions and what they use, without main and its resources.

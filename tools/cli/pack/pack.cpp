@@ -79,7 +79,7 @@ std::optional<shader::Target> target_of(const PackOptions& options) {
     if (options.target.empty()) return std::nullopt;
     const auto target = shader::target_from(options.target);
     if (!target)
-        throw std::invalid_argument("unknown target \"" + options.target + "\": expected hlsl or msl");
+        throw std::invalid_argument("unknown target \"" + options.target + "\": expected hlsl, msl or wgsl");
     if (options.version != "450")
         throw std::invalid_argument("--target " + options.target +
                                     " translates GLSL 450; it takes no --version");

@@ -130,7 +130,7 @@ std::string ModuleText::overrides(const std::set<Id>& used) {
         const std::string value = i.opcode == SpvOpSpecConstantTrue    ? "true"
                                   : i.opcode == SpvOpSpecConstantFalse ? "false"
                                                                        : number(i).text;
-        text += comment(module_.name_of(id), "");
+        text += comment("", module_.name_of(id), "");
         text += fmt::format("@id({}) override {}: {} = {};\n", *module_.decorations_of(id).spec_id,
                             names_.at(id), type(i.word(1)), value);
     }

@@ -9,19 +9,19 @@
 
 namespace gloam::shader::internal::wgsl {
 
-ModuleText::ModuleText(const Module& module, const Facts& facts,
-                       const std::map<std::string, std::string>& comments)
-    : module_(module), facts_(facts), comments_(comments) {
+ModuleText::ModuleText(const Module& module, const Facts& facts, const CommentOf& comment_of)
+    : module_(module), facts_(facts), comment_of_(comment_of) {
     name_all();
 }
 
-std::string ModuleText::comment(const std::string& name, const std::string& indent) const {
-    const auto found = comments_.find(name);
-    if (found == comments_.end()) return "";
+std::string ModuleText::comment(const std::string& block, const std::string& name,
+                                const std::string& indent) const {
+    if (!comment_of_) return "";
+    const std::string text = comment_of_(block, name);
     std::string result;
-    for (std::size_t at = 0; at < found->second.size();) {
-        const std::size_t end = std::min(found->second.find('\n', at), found->second.size());
-        result += indent + found->second.substr(at, end - at) + "\n";
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        result += indent + text.substr(at, end - at) + "\n";
         at = end + 1;
     }
     return result;
@@ -121,11 +121,10 @@ std::string ModuleText::structure(Id id) {
     std::string body;
     std::uint32_t at = 0;
     for (std::uint32_t m = 0; m < t.members.size(); ++m) {
-        const std::string name = module_.name_of(id) + "." + t.members[m].name;
-        const std::string said = comment(name, "    ");
+        const std::string said = comment(module_.name_of(id), t.members[m].name, "    ");
         const bool behind = std::ranges::count(said, '\n') == 1;
         body += (behind ? "" : said) + "    " + member_text(id, m, at) + "," +
-                (behind ? "  " + comment(name, "") : "\n");
+                (behind ? "  " + comment(module_.name_of(id), t.members[m].name, "") : "\n");
         const Layout layout = layout_of(module_, t.members[m].type);
         at = std::max(at, t.members[m].offset) + layout.size;
     }
@@ -136,7 +135,7 @@ std::string ModuleText::structure(Id id) {
         std::ranges::none_of(structure_names_, [&](const auto& other) { return other.second == wanted; });
     const std::string name = first ? wanted : names.take(wanted);
     structure_by_body_[wanted + "{" + body] = name;
-    structures_ += comment(module_.name_of(id), "") + fmt::format("struct {} {{\n{}}}\n\n", name, body);
+    structures_ += comment("", module_.name_of(id), "") + fmt::format("struct {} {{\n{}}}\n\n", name, body);
     return structure_names_[id] = name;
 }
 

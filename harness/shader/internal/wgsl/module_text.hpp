@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -12,14 +13,16 @@
 
 namespace gloam::shader::internal::wgsl {
 
+using CommentOf = std::function<std::string(const std::string& block, const std::string& name)>;
+
 // How an image of the module is declared.
 enum class ImageUse { texture, writes, reads_and_writes };
 
 // What all functions of a module share: names at module scope, types, constants, helper functions.
 class ModuleText {
   public:
-    // `comments`: above declarations, by name (WgslOptions).
-    ModuleText(const Module& module, const Facts& facts, const std::map<std::string, std::string>& comments);
+    // See WgslOptions.
+    ModuleText(const Module& module, const Facts& facts, const CommentOf& comment_of);
 
     [[nodiscard]] const Module& module() const { return module_; }
     [[nodiscard]] const Facts& facts() const { return facts_; }
@@ -49,8 +52,9 @@ class ModuleText {
 
   private:
     void name_all();
-    // The comment with this name, indented.
-    [[nodiscard]] std::string comment(const std::string& name, const std::string& indent) const;
+    // The comment, indented; it may be empty.
+    [[nodiscard]] std::string comment(const std::string& block, const std::string& name,
+                                      const std::string& indent) const;
     [[nodiscard]] std::string structure(Id type);
     [[nodiscard]] std::string member_text(Id structure, std::uint32_t member, std::uint32_t at);
     [[nodiscard]] std::string image(const Variable& variable);
@@ -63,7 +67,7 @@ class ModuleText {
 
     const Module& module_;
     const Facts& facts_;
-    const std::map<std::string, std::string>& comments_;
+    const CommentOf& comment_of_;
     std::map<Id, std::string> names_;
     std::map<Id, std::string> structure_names_;
     std::map<std::string, std::string> structure_by_body_;
