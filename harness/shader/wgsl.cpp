@@ -40,7 +40,7 @@ class Writer {
           options_(options) {
         const auto entry = module_.entry_points.find(SpvExecutionModelGLCompute);
         if (entry != module_.entry_points.end()) main_ = entry->second;
-        if (options.entry_point && main_ == 0) throw WgslError("a shader that is no compute shader");
+        if (options.entry_point && main_ == 0) throw WgslError("a shader of another stage than compute here");
     }
 
     std::string run() {

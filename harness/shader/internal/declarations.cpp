@@ -101,7 +101,11 @@ bool declare_the_same(const Declaration& a, const Declaration& b) {
 std::string completed(std::string text, const std::vector<Declaration>& functions) {
     text += "\n";
     for (const Declaration& function : functions) {
-        if (function.defined) continue;
+        const bool known =
+            function.defined || std::ranges::any_of(functions, [&](const Declaration& other) {
+                return (other.defined || &other < &function) && declare_the_same(other, function);
+            });
+        if (known) continue;
         const bool has_result = function.result != "void";
         text += function.head +
                 (has_result ? " { " + function.result + " gloam_result; return gloam_result; }\n" : " { }\n");

@@ -47,6 +47,7 @@ Id Facts::image_of(Id value) const {
 void Facts::read_function(const Function& function) {
     facts_[function.id];
     calls_[function.id];
+    globals_[function.id];
     for (const Id parameter : function.parameters) uses_[parameter];
     for (const Variable& variable : function.variables) uses_[variable.id];
     FunctionFacts facts;

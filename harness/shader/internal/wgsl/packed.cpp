@@ -50,7 +50,11 @@ std::string packed_text(const Source& packed, Stage stage) {
     options.head += "\n";
     const bool whole =
         std::ranges::any_of(options.functions, [](const shader::Function& f) { return f.name == "main"; });
-    return whole ? to_wgsl(compile(packed, compiled), options) : module_of_functions(packed, options);
+    try {
+        return whole ? to_wgsl(compile(packed, compiled), options) : module_of_functions(packed, options);
+    } catch (const WgslError& error) {
+        throw WgslError(std::string("WGSL cannot express ") + error.what());
+    }
 }
 
 }  // namespace gloam::shader::internal::wgsl
