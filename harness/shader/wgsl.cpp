@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "shader/internal/wgsl/function_writer.hpp"
 
@@ -48,7 +49,7 @@ class Writer {
         std::string bodies;
         for (const wgsl::Function* function : functions) bodies += "\n" + function_text(*function);
         std::string globals;
-        for (const wgsl::Variable& variable : module_.variables)
+        for (const wgsl::Variable& variable : globals_in_order())
             if (used_.contains(variable.id)) globals += comment_of(variable.id) + global_text(variable);
         std::string result =
             options_.head + text_.structures() + text_.overrides(text_.overrides_used()) + globals;
@@ -60,11 +61,7 @@ class Writer {
 
   private:
     [[nodiscard]] const shader::Function* declared(const wgsl::Function& function) const {
-        const auto found = std::ranges::find_if(options_.functions, [&](const shader::Function& other) {
-            return other.name == module_.name_of(function.id) &&
-                   other.parameters.size() == function.parameters.size();
-        });
-        return found == options_.functions.end() ? nullptr : &*found;
+        return wgsl::declaration_of(module_, function, options_.functions);
     }
 
     // Those that main uses, or all but main; main is the last one.
@@ -95,6 +92,11 @@ class Writer {
         for (const Id callee : facts_.calls_of(function)) reach(callee, reached);
     }
 
+    [[nodiscard]] std::string comment_above(const wgsl::Function& function) const {
+        const shader::Function* known = declared(function);
+        return known != nullptr && options_.comment_above ? options_.comment_above(*known) : "";
+    }
+
     [[nodiscard]] std::string comment_of(Id id) const {
         return options_.comment_of ? options_.comment_of("", module_.name_of(id)) : "";
     }
@@ -121,7 +123,7 @@ class Writer {
         if (function.id == main_) return main_text(function);
         wgsl::FunctionBody body = wgsl::FunctionWriter(text_, function).run();
         const std::map<Id, std::string> names = named(function, body);
-        return comment_of(function.id) + wgsl::broken(head(function, names) + " {") + "\n" +
+        return comment_above(function) + wgsl::broken(head(function, names) + " {") + "\n" +
                print(body, names) + "}\n";
     }
 
@@ -165,7 +167,7 @@ class Writer {
                                       builtin->second, name, text_.type(variable.type));
             if (elsewhere) copies += fmt::format("    {} = {};\n", text_.name(variable.id), name);
         }
-        return comment_of(function.id) +
+        return comment_above(function) +
                fmt::format("@compute @workgroup_size({})\n{}\n{}{}}}\n", group_size(),
                            wgsl::broken(fmt::format("fn {}({}) {{", text_.name(function.id), parameters)),
                            copies, print(body, names));
@@ -222,14 +224,28 @@ class Writer {
         }
     }
 
+    // Resources by their bindings, then the rest.
+    [[nodiscard]] std::vector<wgsl::Variable> globals_in_order() const {
+        std::vector<wgsl::Variable> all = module_.variables;
+        const auto place = [this](const wgsl::Variable& variable) {
+            const wgsl::Decorations decorations = module_.decorations_of(variable.id);
+            return std::tuple(!has_binding(variable), decorations.set, decorations.binding);
+        };
+        std::ranges::stable_sort(all, {}, place);
+        return all;
+    }
+
+    static bool has_binding(const wgsl::Variable& variable) {
+        return variable.storage == SpvStorageClassStorageBuffer ||
+               variable.storage == SpvStorageClassUniform ||
+               variable.storage == SpvStorageClassUniformConstant;
+    }
+
     // The first group without resources: that of the push constants.
     [[nodiscard]] std::uint32_t free_group() const {
         std::set<std::uint32_t> taken;
         for (const wgsl::Variable& variable : module_.variables) {
-            const bool resource = variable.storage == SpvStorageClassStorageBuffer ||
-                                  variable.storage == SpvStorageClassUniform ||
-                                  variable.storage == SpvStorageClassUniformConstant;
-            if (resource) taken.insert(module_.decorations_of(variable.id).set);
+            if (has_binding(variable)) taken.insert(module_.decorations_of(variable.id).set);
         }
         std::uint32_t group = 0;
         while (taken.contains(group)) ++group;
@@ -242,7 +258,7 @@ class Writer {
         for (const wgsl::Function* function : prototypes_) {
             wgsl::FunctionBody body;
             const std::map<Id, std::string> names = named(*function, body);
-            const std::string comment = comment_of(function->id);
+            const std::string comment = comment_above(*function);
             result += "\n" + (comment.empty() ? "// Defined by the user.\n" : comment) +
                       fmt::format("// {}\n", head(*function, names));
         }

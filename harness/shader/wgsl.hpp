@@ -20,9 +20,9 @@ struct WgslOptions {
     // Directions of parameters, which SPIR-V does not keep (functions()). A function that is declared and not
     // defined is written as a comment; the user defines it.
     std::vector<Function> functions;
-    // The comment of a function or declaration (block: "") or of a member of a structure or block: whole
-    // lines,
-    // "//" included. May be empty.
+    // The comment above a function: whole lines, "//" included. May be empty.
+    std::function<std::string(const Function& function)> comment_above;
+    // The comment of another declaration (block: "") or of a member of a structure or block, likewise.
     std::function<std::string(const std::string& block, const std::string& name)> comment_of;
     // Text at the beginning.
     std::string head;

@@ -31,7 +31,7 @@ Facts::Facts(const Module& module, const std::vector<shader::Function>& declared
         if (!facts_.contains(function.id)) read_function(function);
     }
     for (const Function& function : module.functions)
-        decide_passing(function, declaration_of(function, declared));
+        decide_passing(function, declaration_of(module, function, declared));
 }
 
 Id Facts::base_of(Id pointer) const {
@@ -185,13 +185,44 @@ void Facts::read_call(const Instruction& i, FunctionFacts& facts) {
     }
 }
 
-const shader::Function* Facts::declaration_of(const Function& function,
-                                              const std::vector<shader::Function>& declared) const {
-    const auto fits = [&](const shader::Function& other) {
-        return other.name == module_.name_of(function.id) &&
-               other.parameters.size() == function.parameters.size();
+namespace {
+
+bool fits(const Module& module, Id id, const shader::Type& declared) {
+    const Type& type = module.type(id);
+    if (type.kind == TypeKind::structure) return declared.name == module.name_of(id);
+    if (type.kind == TypeKind::matrix)
+        return declared.columns == static_cast<int>(type.count) && fits(module, type.element,
+                                                                        {.scalar = declared.scalar,
+                                                                         .columns = 1,
+                                                                         .rows = declared.rows,
+                                                                         .members = {},
+                                                                         .name = {}});
+    const auto scalar = module.is_float(id)    ? Scalar::float_
+                        : module.is_signed(id) ? Scalar::int_
+                        : module.is_bool(id)   ? Scalar::bool_
+                                               : Scalar::uint_;
+    const bool simple = type.kind != TypeKind::array && type.kind != TypeKind::image;
+    if (!simple) return declared.scalar == Scalar::unsupported;
+    return declared.scalar == scalar && declared.columns == 1 &&
+           declared.rows == static_cast<int>(module.components(id));
+}
+
+}  // namespace
+
+const shader::Function* declaration_of(const Module& module, const Function& function,
+                                       const std::vector<shader::Function>& declared) {
+    const auto same = [&](const shader::Function& other) {
+        if (other.name != module.name_of(function.id)) return false;
+        if (other.parameters.size() != function.parameters.size()) return false;
+        for (std::size_t p = 0; p < function.parameters.size(); ++p) {
+            const Id type = module.type_of(function.parameters[p]);
+            const bool pointer = module.type(type).kind == TypeKind::pointer;
+            if (!fits(module, pointer ? module.type(type).element : type, other.parameters[p].type))
+                return false;
+        }
+        return true;
     };
-    const auto found = std::ranges::find_if(declared, fits);
+    const auto found = std::ranges::find_if(declared, same);
     return found == declared.end() ? nullptr : &*found;
 }
 

@@ -40,6 +40,10 @@ struct VariableUses {
     int changes = 0;  // stores, also of parts, and arguments that the called function changes
 };
 
+// The declaration of a function of the module by its name and types; nullptr where there is none.
+[[nodiscard]] const shader::Function* declaration_of(const Module& module, const Function& function,
+                                                     const std::vector<shader::Function>& declared);
+
 // Facts of the functions of a module.
 class Facts {
   public:
@@ -75,8 +79,6 @@ class Facts {
     void read_call(const Instruction& instruction, FunctionFacts& facts);
     void decide_passing(const Function& function, const shader::Function* declared);
     [[nodiscard]] bool only_given(Id function, std::size_t parameter) const;
-    [[nodiscard]] const shader::Function* declaration_of(const Function& function,
-                                                         const std::vector<shader::Function>& declared) const;
 
     const Module& module_;
     std::map<Id, FunctionFacts> facts_;

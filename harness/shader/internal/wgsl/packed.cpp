@@ -19,11 +19,18 @@ std::string lines_of(const std::string& comment) {
 
 std::string comment_of(const Comments& comments, const std::string& block, const std::string& name) {
     if (!block.empty()) return lines_of(comments.behind(block, name));
+    return lines_of(comments.above(name)) + lines_of(comments.behind("", name));
+}
+
+std::string comment_above(const Comments& comments, const shader::Function& function) {
     Piece piece;
-    piece.names = {name};
-    const std::string above = comments.above(name);
-    return lines_of(above.empty() ? comments.above_function(piece) : above) +
-           lines_of(comments.behind("", name));
+    piece.names = {function.name};
+    for (const Parameter& parameter : function.parameters) {
+        const shader::Type& type = parameter.type;
+        piece.parameter_types.push_back(type.name.empty() ? to_glsl(type) : type.name);
+        piece.parameter_types.push_back(parameter.name);
+    }
+    return lines_of(comments.above_function(piece));
 }
 
 // The functions alone.
@@ -40,10 +47,12 @@ std::string packed_text(const Source& packed, Stage stage) {
     const CompileOptions compiled{.stage = stage};
     const Outline glsl = outline(packed.text);
     const Comments comments(glsl);
-    WgslOptions options{.functions = functions(packed, compiled),
-                        .comment_of = [&comments](const std::string& block, const std::string& name) {
-                            return comment_of(comments, block, name);
-                        }};
+    WgslOptions options{
+        .functions = functions(packed, compiled),
+        .comment_above =
+            [&comments](const shader::Function& function) { return comment_above(comments, function); },
+        .comment_of = [&comments](const std::string& block,
+                                  const std::string& name) { return comment_of(comments, block, name); }};
     for (const std::string& licence : glsl.licences) options.head += licence + "\n";
     options.head += "// WGSL, translated from GLSL.\n";
     for (const std::string& head : glsl.heads) options.head += "\n" + head + "\n";
