@@ -23,7 +23,7 @@ void FunctionWriter::set_phis(Id from, Id to, Statements& out) {
     std::vector<std::pair<Id, Expression>> values;
     for (const Instruction& i : function_.blocks.at(to).body) {
         if (i.opcode != SpvOpPhi) break;
-        if (shape_.fold_results.contains(i.word(2))) continue;
+        if (shape_.fold_results.contains(i.word(2)) || shape_.only_values.contains(i.word(2))) continue;
         for (std::size_t w = 3; w + 1 < i.words.size(); w += 2)
             if (i.word(w + 1) == from) values.emplace_back(i.word(2), take(i.word(w)));
     }

@@ -74,7 +74,7 @@ class FunctionWriter {
 
     // values.cpp
     [[nodiscard]] Expression take(Id value);
-    void define(Id result, Expression expression, bool heavy, Statements& out);
+    void define(Id result, Expression expression, Statements& out);
     void keep(Id result, const Expression& expression, Statements& out);
     void before_change(Id variable, Statements& out);
     void keep_all(Statements& out);

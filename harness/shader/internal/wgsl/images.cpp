@@ -18,12 +18,12 @@ bool FunctionWriter::image_access(const Instruction& i, Statements& out) {
             if (texture) arguments.push_back(plain("0"));
             Expression texel = call("textureLoad", arguments);
             if (!texture) texel.reads.insert(memory);
-            define(i.word(2), texel, true, out);
+            define(i.word(2), texel, out);
             return true;
         }
         case SpvOpImageFetch: {
             const Expression level = i.words.size() > 6 ? take(i.word(6)) : plain("0");
-            define(i.word(2), call("textureLoad", {take(i.word(3)), take(i.word(4)), level}), true, out);
+            define(i.word(2), call("textureLoad", {take(i.word(3)), take(i.word(4)), level}), out);
             return true;
         }
         case SpvOpImageWrite: {
@@ -40,7 +40,7 @@ bool FunctionWriter::image_access(const Instruction& i, Statements& out) {
         case SpvOpImageQuerySizeLod: {
             std::vector<Expression> arguments{take(i.word(3))};
             if (i.opcode == SpvOpImageQuerySizeLod) arguments.push_back(take(i.word(4)));
-            define(i.word(2), call(text_.type(i.word(1)), {call("textureDimensions", arguments)}), true, out);
+            define(i.word(2), call(text_.type(i.word(1)), {call("textureDimensions", arguments)}), out);
             return true;
         }
         case SpvOpImageSampleImplicitLod:

@@ -19,8 +19,13 @@ std::vector<Expression> FunctionWriter::take_all(const Instruction& i) {
 void FunctionWriter::instruction(const Instruction& i, Statements& out) {
     if (shape_.idle.contains(i.at)) return;
     if (i.opcode == SpvOpPhi) {
-        if (!shape_.fold_results.contains(i.word(2)))
-            values_[i.word(2)] = {.text = mark(i.word(2)), .reads = {i.word(2)}};
+        const Id result = i.word(2);
+        const auto only = shape_.only_values.find(result);
+        if (only != shape_.only_values.end()) {
+            define(result, take(only->second), out);
+        } else if (!shape_.fold_results.contains(result)) {
+            values_[result] = {.text = mark(result), .reads = {result}};
+        }
         return;
     }
     if (memory_access(i, out) || image_access(i, out) || atomic_access(i, out)) return;
@@ -44,7 +49,7 @@ bool FunctionWriter::value(const Instruction& i, Statements& out) {
         const std::string member = member_names_.at(i.word(3)).at(i.word(4));
         Expression from = take(i.word(3));
         from.text = primary(from) + "." + member;
-        define(i.word(2), from, false, out);
+        define(i.word(2), from, out);
         return true;
     }
     if (i.opcode == SpvOpCompositeInsert || i.opcode == SpvOpVectorInsertDynamic) {
@@ -58,7 +63,7 @@ bool FunctionWriter::value(const Instruction& i, Statements& out) {
                                                 : operation(text_, i, parts, result);
     if (!known) return false;
     for (const Expression& part : parts) result.reads.insert(part.reads.begin(), part.reads.end());
-    define(i.word(2), result, false, out);
+    define(i.word(2), result, out);
     return true;
 }
 
@@ -113,7 +118,7 @@ bool FunctionWriter::memory_access(const Instruction& i, Statements& out) {
             length.text =
                 fmt::format("arrayLength(&{}.{})", length.text, text_.member_name(structure, i.word(4)));
             length.reads.clear();
-            define(i.word(2), length, false, out);
+            define(i.word(2), length, out);
             return true;
         }
         case SpvOpFunctionCall:
@@ -178,6 +183,7 @@ Expression FunctionWriter::chain(const Instruction& i) {
         type = here.element;
         if (here.kind == Type::Kind::vector && constant) {
             result.text += std::string(".") + "xyzw"[*constant & 3U];
+            result.component = true;
             continue;
         }
         const Expression index = take(i.word(w));
@@ -200,7 +206,7 @@ void FunctionWriter::load(const Instruction& i, Statements& out) {
         return;
     }
     if (shape_.fold_results.contains(from)) {
-        define(i.word(2), take(from), false, out);
+        define(i.word(2), take(from), out);
         return;
     }
     if (shape_.uses[i.word(2)] == 0) return;
@@ -210,7 +216,7 @@ void FunctionWriter::load(const Instruction& i, Statements& out) {
         place = call("atomicLoad", {plain("&" + place.text)});
         place.reads = reads;
     }
-    define(i.word(2), place, false, out);
+    define(i.word(2), place, out);
 }
 
 void FunctionWriter::store(const Instruction& i, Statements& out) {
@@ -261,7 +267,7 @@ void FunctionWriter::call_function(const Instruction& i, Statements& out) {
     Expression result = call(text_.name(i.word(3)), arguments);
     if (callee.reads_memory) result.reads.insert(memory);
     const bool nothing = module_.type(i.word(1)).kind == Type::Kind::void_;
-    if (!nothing && changed.empty() && !callee.changes_memory) return define(i.word(2), result, true, out);
+    if (!nothing && changed.empty() && !callee.changes_memory) return define(i.word(2), result, out);
     for (const Id variable : changed) before_change(variable, out);
     if (callee.changes_memory) before_change(memory, out);
     if (nothing) {

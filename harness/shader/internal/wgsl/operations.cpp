@@ -152,13 +152,30 @@ Expression bitcast(ModuleText& text, const Instruction& i, const Expression& val
     return call("bitcast<" + text.type(type) + ">", {typed(value)});
 }
 
+// `v.x, v.y` as `v.xy`.
+Operands joined(const Operands& parts) {
+    Operands result;
+    for (const Expression& part : parts) {
+        const std::size_t dot = part.text.rfind('.');
+        const bool follows = part.component && !result.empty() && result.back().component &&
+                             result.back().text.substr(0, dot + 1) == part.text.substr(0, dot + 1) &&
+                             result.back().text.find_first_not_of("xyzw", dot + 1) == std::string::npos;
+        if (follows) {
+            result.back().text += part.text.back();
+        } else {
+            result.push_back(part);
+        }
+    }
+    return result;
+}
+
 Expression construct(ModuleText& text, const Instruction& i, Operands operands) {
     const TypeKind kind = text.module().type(i.word(1)).kind;
     const bool equal = std::ranges::all_of(
         operands, [&](const Expression& p) { return p.text == operands[0].text && !p.text.empty(); });
     if (kind == TypeKind::vector && equal && operands.size() == text.module().components(i.word(1)))
         operands.resize(1);
-    return call(text.type(i.word(1)), operands);
+    return call(text.type(i.word(1)), kind == TypeKind::vector ? joined(operands) : operands);
 }
 
 Expression extract(ModuleText& text, const Instruction& i, const Expression& from) {
@@ -174,6 +191,7 @@ Expression extract(ModuleText& text, const Instruction& i, const Expression& fro
             type = here.members.at(i.word(w)).type;
         } else if (here.kind == TypeKind::vector) {
             result.text += std::string(".") + "xyzw"[i.word(w) & 3U];
+            result.component = true;
         } else {
             result.text += fmt::format("[{}]", i.word(w));
             type = here.element;

@@ -27,15 +27,16 @@ struct Fold {
 struct Shape {
     // By the label of the block that ends with the selection.
     std::map<Id, Fold> folds;
-    std::set<Id> idle_values;     // negations that a fold has turned round
-    std::set<Id> fold_results;    // their phis and variables
-    std::map<Id, Id> straight;    // a block: the first of those that run one after another with it
-    std::map<Id, int> uses;       // of each value
-    std::map<Id, Id> home;        // of a value: straight of the only block that uses it; 0: of several
-    std::map<Id, Id> defined_in;  // of a value: straight of its block
-    std::set<Id> bound;           // variables that only hand a value to one call
-    std::map<Id, Id> same;        // variables that only hand another variable to one call, and which
-    std::set<std::size_t> idle;   // instructions (by position) that `same` makes idle
+    std::set<Id> idle_values;      // negations that a fold has turned round
+    std::map<Id, Id> only_values;  // of phis that only one block gives a value
+    std::set<Id> fold_results;     // their phis and variables
+    std::map<Id, Id> straight;     // a block: the first of those that run one after another with it
+    std::map<Id, int> uses;        // of each value
+    std::map<Id, Id> home;         // of a value: straight of the only block that uses it; 0: of several
+    std::map<Id, Id> defined_in;   // of a value: straight of its block
+    std::set<Id> bound;            // variables that only hand a value to one call
+    std::map<Id, Id> same;         // variables that only hand another variable to one call, and which
+    std::set<std::size_t> idle;    // instructions (by position) that `same` makes idle
 };
 
 // The shape of a function of the module.

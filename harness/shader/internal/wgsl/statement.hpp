@@ -17,10 +17,11 @@ enum class Level { primary, unary, product, sum, relation, bits, logic };
 struct Expression {
     std::string text;
     Level level = Level::primary;
-    std::string operation;  // of the levels bits and logic
-    std::set<Id> reads;     // local variables; `memory` for anything that outlives the function
-    bool literal = false;   // a number without variables: of an abstract type
-    std::string typed{};    // of a literal: the same with the suffix of its type
+    std::string operation;   // of the levels bits and logic
+    std::set<Id> reads;      // local variables; `memory` for anything that outlives the function
+    bool literal = false;    // a number without variables: of an abstract type
+    bool component = false;  // it ends with one component of a vector: ".x"
+    std::string typed{};     // of a literal: the same with the suffix of its type
 };
 
 inline constexpr Id memory = 0;

@@ -113,21 +113,68 @@ class Arguments {
     Shape& shape_;
 };
 
-// The blocks that a fold joins run one after another.
+void join(Shape& shape, const std::vector<Id>& blocks) {
+    const Id first = shape.straight[blocks.front()];
+    std::set<Id> old;
+    for (const Id block : blocks) old.insert(shape.straight[block]);
+    for (auto& [block, head] : shape.straight)
+        if (old.contains(head)) head = first;
+}
+
+// How many branches lead to each block; the targets of merges count as many.
+std::map<Id, int> ways_to_blocks(const Function& function) {
+    std::map<Id, int> ways;
+    for (const auto& [label, block] : function.blocks) {
+        const Instruction& end = block.end;
+        const bool branches = end.opcode == SpvOpBranch || end.opcode == SpvOpBranchConditional;
+        for (std::size_t w = end.opcode == SpvOpBranch ? 1 : 2; branches && w < end.words.size() && w < 4;
+             ++w)
+            ++ways[end.word(w)];
+        for (std::size_t w = 2; end.opcode == SpvOpSwitch && w < end.words.size(); w += 2)
+            ways[end.word(w)] += 2;
+        if (!block.merge) continue;
+        ways[block.merge->word(1)] += 2;
+        if (block.merge->opcode == SpvOpLoopMerge) {
+            ways[block.merge->word(2)] += 2;
+            ways[label] += 2;
+        }
+    }
+    return ways;
+}
+
+// Blocks that run one after another: those of a fold, and one that only follows another.
 void join_blocks(const Function& function, Shape& shape) {
     for (const Id label : function.order) shape.straight[label] = label;
     for (const Id label : function.order) {
         const auto fold = shape.folds.find(label);
         if (fold == shape.folds.end()) continue;
-        std::vector<Id> joined = fold->second.blocks;
+        std::vector<Id> joined{label};
+        joined.insert(joined.end(), fold->second.blocks.begin(), fold->second.blocks.end());
         joined.push_back(fold->second.merge);
-        joined.push_back(label);
-        const Id first = shape.straight[label];
-        std::set<Id> old;
-        for (const Id other : joined) old.insert(shape.straight[other]);
-        for (auto& [other, head] : shape.straight)
-            if (old.contains(head)) head = first;
+        join(shape, joined);
     }
+    const std::map<Id, int> ways = ways_to_blocks(function);
+    for (const auto& [label, block] : function.blocks)
+        if (block.end.opcode == SpvOpBranch && !block.merge && ways.at(block.end.word(1)) == 1)
+            join(shape, {label, block.end.word(1)});
+}
+
+bool leads_to(const Block& block, Id target) {
+    const std::size_t first = block.end.opcode == SpvOpBranch ? 1 : 2;
+    return std::ranges::find(block.end.words.subspan(std::min(first, block.end.words.size())), target) !=
+           block.end.words.end();
+}
+
+// The value of a phi that only one block gives, or 0.
+Id only_value(const Function& function, const Instruction& phi, Id here) {
+    Id value = 0;
+    for (std::size_t w = 3; w + 1 < phi.words.size(); w += 2) {
+        const auto from = function.blocks.find(phi.word(w + 1));
+        if (from == function.blocks.end() || !leads_to(from->second, here)) continue;
+        if (value != 0) return 0;
+        value = phi.word(w);
+    }
+    return value;
 }
 
 void count(Shape& shape, Id value, Id block) {
@@ -152,6 +199,11 @@ void count_uses(const Function& function, Shape& shape) {
                 shape.defined_in[result] = shape.straight.at(label);
             if (shape.idle.contains(i.at) || shape.idle_values.contains(result_of(i))) continue;
             if (i.opcode == SpvOpPhi && shape.fold_results.contains(i.word(2))) continue;
+            if (const Id only = i.opcode == SpvOpPhi ? only_value(function, i, label) : 0; only != 0) {
+                shape.only_values[i.word(2)] = only;
+                count(shape, only, label);
+                continue;
+            }
             if (i.opcode == SpvOpPhi) {
                 for (std::size_t w = 3; w + 1 < i.words.size(); w += 2)
                     if (function.blocks.contains(i.word(w + 1))) count(shape, i.word(w), i.word(w + 1));

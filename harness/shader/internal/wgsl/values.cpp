@@ -57,7 +57,7 @@ Expression FunctionWriter::take(Id value) {
 }
 
 // A value that is calculated here.
-void FunctionWriter::define(Id result, Expression expression, bool, Statements& out) {
+void FunctionWriter::define(Id result, Expression expression, Statements& out) {
     const int uses = shape_.uses[result];
     values_[result] = expression;
     if (uses == 0) return;
