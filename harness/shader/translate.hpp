@@ -22,8 +22,9 @@ enum class Target { hlsl, msl, wgsl };
 // Language 2.1; or by to_wgsl(): WGSL. Names are kept; comments above functions, structures and constants,
 // and those behind members, are put back; comments inside functions are lost.
 // - A text without a main stays a file of functions. What it declares and the user defines is declared in the
-//   result, too; in WGSL, which has no declarations without a body, by a comment. In MSL these functions have
-//   a last parameter, a structure GloamImages of the user's images, and so has every function that calls them.
+//   result, too; in WGSL, which has no declarations without a body, by a comment. In MSL these functions
+//   have a last parameter, a structure GloamImages of the user's images, and so has every function that calls
+//   them.
 // - A text with a main of this stage is one whole shader. A line at its head names its registers (HLSL) or
 //   its indices (MSL). The entry point is main in HLSL and WGSL, NAME_main in MSL: NAME is that of the text,
 //   without folder and suffix. WGSL has compute shaders only.

@@ -35,8 +35,10 @@ function constantsOf(device, pass, view) {
     const words = new Uint32Array(Math.ceil(pass.push_constants.bytes / 16) * 4);
     words.set(pass.push_constants.preset);
     for (const member of pass.push_constants.members)
-        if (member.name in view) words.set(new Uint32Array(new Float32Array(view[member.name]).buffer), member.offset / 4);
-    const buffer = device.createBuffer({size: words.byteLength, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST});
+        if (member.name in view)
+            words.set(new Uint32Array(new Float32Array(view[member.name]).buffer), member.offset / 4);
+    const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
+    const buffer = device.createBuffer({size: words.byteLength, usage});
     device.queue.writeBuffer(buffer, 0, words);
     return buffer;
 }

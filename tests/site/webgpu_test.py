@@ -65,7 +65,8 @@ class WebGpuTest(unittest.TestCase):
         self.assertEqual([], self.browser.problems())
 
     def test_a_kernel_with_a_wrong_result_fails(self):
-        page = self.checked(self.spoiled("bitcast<u32>(gloam_kernel_result)", "bitcast<u32>(gloam_kernel_result*1.0001)"))
+        page = self.checked(self.spoiled("bitcast<u32>(gloam_kernel_result)",
+                                         "bitcast<u32>(gloam_kernel_result * 1.0001)"))
         failed = [row for row in page.rows() if row["outside"]]
         self.assertEqual(1, len(failed))
         self.assertIn("1 failed", page.text("told"))

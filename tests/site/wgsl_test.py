@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: MIT
 """wgsl_test.py GLOAM GLSL: what `gloam pack --target wgsl` writes, in headless Chromium's WebGPU.
 
-With GLOAM_WGSL_SWEEP=1 it packs every include, every pass, and the effect of every preset and method, in one to two minutes.
-Left with status 77 where there is no Chromium, or none with WebGPU."""
+With GLOAM_WGSL_SWEEP=1 it packs every include, every pass, and the effect of every preset and method, in one to two
+minutes. Left with status 77 where there is no Chromium, or none with WebGPU."""
 import base64
 import json
 import os
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -17,13 +16,11 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from browser import Browser, program
+from check_page import Gloam
 
 GLOAM, GLSL = sys.argv[1], Path(sys.argv[2])
 WIDTH, HEIGHT = 64, 48
-
-
-def run(*arguments):
-    return subprocess.run([GLOAM, *map(str, arguments)], capture_output=True, text=True, check=False)
+run = Gloam(GLOAM)
 
 
 def read_pfm(file):

@@ -12,7 +12,8 @@ void main() {
     gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
 }`;
 
-    // The context, what is told of the GPU, and how kernels run. gloam.webgpu.open() gives the same. Throws an Error where there is no WebGL2.
+    // The context, what is told of the GPU, and how kernels run: the same members as those of gloam.webgpu.open().
+    // Throws an Error where there is no WebGL2.
     function open() {
         const canvas = document.createElement("canvas");
         const gl = canvas.getContext("webgl2", {antialias: false, depth: false, powerPreference: "high-performance"});

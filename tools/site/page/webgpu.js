@@ -104,7 +104,8 @@ gloam.webgpu = (() => {
         pass.dispatchWorkgroups(groups);
         pass.end();
         const copies = [buffers[1], buffers[2]].map((buffer) => {
-            const copy = gpu.createBuffer({size: buffer.size, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST});
+            const usage = GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST;
+            const copy = gpu.createBuffer({size: buffer.size, usage});
             encoder.copyBufferToBuffer(buffer, 0, copy, 0, buffer.size);
             return copy;
         });

@@ -164,26 +164,11 @@ void Module::read_decoration(const Instruction& i) {
         case SpvDecorationBuiltIn:
             all.built_in = i.word(3);
             break;
-        case SpvDecorationLocation:
-            all.location = i.word(3);
-            break;
         case SpvDecorationDescriptorSet:
             all.set = i.word(3);
             break;
         case SpvDecorationBinding:
             all.binding = i.word(3);
-            break;
-        case SpvDecorationBlock:
-            all.block = true;
-            break;
-        case SpvDecorationFlat:
-            all.flat = true;
-            break;
-        case SpvDecorationNonWritable:
-            all.non_writable = true;
-            break;
-        case SpvDecorationNonReadable:
-            all.non_readable = true;
             break;
         case SpvDecorationArrayStride:
             strides_[i.word(1)] = i.word(3);
@@ -199,20 +184,8 @@ void Module::read_member_decoration(const Instruction& i) {
         case SpvDecorationOffset:
             member.offset = i.word(4);
             break;
-        case SpvDecorationMatrixStride:
-            member.matrix_stride = i.word(4);
-            break;
         case SpvDecorationRowMajor:
             member.row_major = true;
-            break;
-        case SpvDecorationNonWritable:
-            member.non_writable = true;
-            break;
-        case SpvDecorationNonReadable:
-            member.non_readable = true;
-            break;
-        case SpvDecorationBuiltIn:
-            member.built_in = i.word(4);
             break;
         default:
             break;
@@ -220,74 +193,89 @@ void Module::read_member_decoration(const Instruction& i) {
 }
 
 void Module::read_type(const Instruction& i) {
-    using enum Type::Kind;
     Type t;
+    if (!read_scalar_type(i, t) && !read_composite_type(i, t) && !read_opaque_type(i, t)) return;
+    types[i.word(1)] = t;
+    type_order.push_back(i.word(1));
+}
+
+bool Module::read_scalar_type(const Instruction& i, Type& t) {
     switch (i.opcode) {
         case SpvOpTypeVoid:
-            break;
+            return true;
         case SpvOpTypeBool:
-            t.kind = bool_;
-            break;
+            t.kind = TypeKind::bool_;
+            return true;
         case SpvOpTypeInt:
             if (i.word(2) != 32) throw WgslError("integers of " + std::to_string(i.word(2)) + " bits");
-            t.kind = i.word(3) == 0 ? uint_ : int_;
-            break;
+            t.kind = i.word(3) == 0 ? TypeKind::uint_ : TypeKind::int_;
+            return true;
         case SpvOpTypeFloat:
             if (i.word(2) != 32) throw WgslError("floats of " + std::to_string(i.word(2)) + " bits");
-            t.kind = float_;
-            break;
+            t.kind = TypeKind::float_;
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool Module::read_composite_type(const Instruction& i, Type& t) {
+    switch (i.opcode) {
         case SpvOpTypeVector:
         case SpvOpTypeMatrix:
-            t.kind = i.opcode == SpvOpTypeVector ? vector : matrix;
+            t.kind = i.opcode == SpvOpTypeVector ? TypeKind::vector : TypeKind::matrix;
             t.element = i.word(2);
             t.count = i.word(3);
-            break;
+            return true;
         case SpvOpTypeArray:
         case SpvOpTypeRuntimeArray:
-            t.kind = i.opcode == SpvOpTypeArray ? array : runtime_array;
+            t.kind = i.opcode == SpvOpTypeArray ? TypeKind::array : TypeKind::runtime_array;
             t.element = i.word(2);
             t.length = i.word(3);
             t.stride = strides_[i.word(1)];
-            break;
+            return true;
         case SpvOpTypeStruct:
-            t.kind = structure;
+            t.kind = TypeKind::structure;
             for (std::uint32_t m = 0; m + 2 < i.words.size(); ++m) {
                 Member member = member_decorations_[i.word(1)][m];
                 member.type = i.word(m + 2);
                 member.name = member_names_[i.word(1)][m];
                 t.members.push_back(member);
             }
-            break;
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool Module::read_opaque_type(const Instruction& i, Type& t) {
+    switch (i.opcode) {
         case SpvOpTypePointer:
-            t.kind = pointer;
+            t.kind = TypeKind::pointer;
             t.storage = i.word(2);
             t.element = i.word(3);
-            break;
+            return true;
         case SpvOpTypeImage:
-            t.kind = image;
+            t.kind = TypeKind::image;
             t.element = i.word(2);
             t.dimension = i.word(3);
             t.plain = i.word(4) != 1 && i.word(5) == 0 && i.word(6) == 0;
-            t.sampled = i.word(7) == 1;
             t.format = i.word(8);
-            break;
+            return true;
         case SpvOpTypeSampledImage:
-            t.kind = sampled_image;
+            t.kind = TypeKind::sampled_image;
             t.element = i.word(2);
-            break;
+            return true;
         case SpvOpTypeSampler:
-            t.kind = sampler;
-            break;
+            t.kind = TypeKind::sampler;
+            return true;
         case SpvOpTypeFunction:
-            t.kind = function;
+            t.kind = TypeKind::function;
             t.element = i.word(2);
-            t.parameters.assign(i.words.begin() + 3, i.words.end());
-            break;
+            return true;
         default:
-            return;
+            return false;
     }
-    types[i.word(1)] = t;
-    type_order.push_back(i.word(1));
 }
 
 void Module::read_in_function(const Instruction& i) {

@@ -23,11 +23,7 @@ struct Member {
     Id type = 0;
     std::string name;
     std::uint32_t offset = 0;
-    std::uint32_t matrix_stride = 0;
     bool row_major = false;
-    bool non_writable = false;
-    bool non_readable = false;
-    std::optional<std::uint32_t> built_in;
 };
 
 struct Type {
@@ -56,10 +52,8 @@ struct Type {
     std::vector<Member> members;
     std::uint32_t storage = 0;  // of a pointer
     std::uint32_t dimension = 0;
-    bool sampled = false;      // an image for a sampler
     bool plain = true;         // an image without depth, layers, samples
     std::uint32_t format = 0;  // of a storage image
-    std::vector<Id> parameters;
 };
 
 using TypeKind = Type::Kind;
@@ -67,13 +61,8 @@ using TypeKind = Type::Kind;
 struct Decorations {
     std::optional<std::uint32_t> spec_id;
     std::optional<std::uint32_t> built_in;
-    std::optional<std::uint32_t> location;
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
-    bool block = false;
-    bool flat = false;
-    bool non_writable = false;
-    bool non_readable = false;
 };
 
 struct Variable {
@@ -134,6 +123,9 @@ class Module {
   private:
     void read(const Instruction& instruction);
     void read_type(const Instruction& instruction);
+    bool read_scalar_type(const Instruction& instruction, Type& type);
+    bool read_composite_type(const Instruction& instruction, Type& type);
+    bool read_opaque_type(const Instruction& instruction, Type& type);
     void read_decoration(const Instruction& instruction);
     void read_member_decoration(const Instruction& instruction);
     void read_in_function(const Instruction& instruction);
