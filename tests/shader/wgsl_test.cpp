@@ -132,6 +132,18 @@ TEST(Wgsl, WhatWgslLacksIsWrittenByHelpers) {
               "    return int_mod(a, b) >> 2u;\n}\n");
 }
 
+TEST(Wgsl, ConstantParametersAreValues) {
+    EXPECT_EQ(body_of("float f(const in float x, const in vec2 v) { return x * v.y; }"),
+              "    return x * v.y;\n}\n");
+}
+
+TEST(Wgsl, FunctionsWithTwoResultsGiveBoth) {
+    EXPECT_EQ(body_of("float f(float x, out float whole) { return modf(x, whole); }"),
+              "    let t = modf(x);\n    *whole = t.whole;\n    return t.fract;\n}\n");
+    EXPECT_EQ(body_of("uint f(uint a, uint b, out uint carry) { return uaddCarry(a, b, carry); }"),
+              "    let t = add_carry(a, b);\n    *carry = t.y;\n    return t.x;\n}\n");
+}
+
 TEST(Wgsl, NamesThatWgslKeepsAreChanged) {
     EXPECT_EQ(body_of("float f(float target, float abs_) { float from = target; { float step = from * abs_;"
                       " return step + abs(from); } }"),

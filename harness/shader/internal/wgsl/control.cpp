@@ -33,7 +33,7 @@ void FunctionWriter::set_phis(Id from, Id to, Statements& out) {
             std::any_of(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k),
                         [&](const auto& earlier) { return values[k].second.reads.contains(earlier.first); });
         if (!changed) continue;
-        const Id copy = 0x40000000U + values[k].first;
+        const Id copy = copy_of(values[k].first);
         body_.wanted_names[copy] = "t";
         body_.types[copy] = text_.type(module_.type_of(values[k].first));
         out.insert(out.end(),

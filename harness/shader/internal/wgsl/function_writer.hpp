@@ -63,7 +63,8 @@ class FunctionWriter {
     bool atomic_access(const Instruction& instruction, Statements& out);
     void load(const Instruction& instruction, Statements& out);
     void store(const Instruction& instruction, Statements& out);
-    void copy_memory(const Instruction& instruction, Statements& out);
+    void store_value(Id to, const Expression& value, Statements& out);
+    void split_number(const Instruction& instruction, Statements& out);
     void insert(const Instruction& instruction, Statements& out);
     void call_function(const Instruction& instruction, Statements& out);
     [[nodiscard]] Expression argument_of(Id argument, Passing passing);
@@ -82,6 +83,9 @@ class FunctionWriter {
     bool from_choice(const Expression& value, Id to, Statements& out);
     void give(const Expression& value, Statements& out);
     void assign(Id variable, const Expression& value, Statements& out);
+
+    // A variable that is made here for a value.
+    static Id copy_of(Id value) { return 0x40000000U + value; }
 
     ModuleText& text_;
     const Module& module_;

@@ -56,6 +56,10 @@ bool FunctionWriter::value(const Instruction& i, Statements& out) {
         insert(i, out);
         return true;
     }
+    if (i.opcode == SpvOpExtInst && (i.word(4) == GLSLstd450Modf || i.word(4) == GLSLstd450Frexp)) {
+        split_number(i, out);
+        return true;
+    }
     if (const auto names = names_of_members(i); !names.empty()) member_names_[i.word(2)] = names;
     Expression result;
     const std::vector<Expression> parts = take_all(i);
@@ -65,6 +69,18 @@ bool FunctionWriter::value(const Instruction& i, Statements& out) {
     for (const Expression& part : parts) result.reads.insert(part.reads.begin(), part.reads.end());
     define(i.word(2), result, out);
     return true;
+}
+
+// modf() and frexp(), which give their second value by a pointer.
+void FunctionWriter::split_number(const Instruction& i, Statements& out) {
+    const bool modf = i.word(4) == GLSLstd450Modf;
+    const Id pair = copy_of(i.word(2));
+    body_.wanted_names[pair] = "t";
+    out.push_back({.kind = StatementKind::assign,
+                   .target = pair,
+                   .value = call(modf ? "modf" : "frexp", {take(i.word(5))}).text});
+    store_value(i.word(6), {.text = mark(pair) + (modf ? ".whole" : ".exp")}, out);
+    define(i.word(2), {.text = mark(pair) + ".fract"}, out);
 }
 
 // A copy of which one part is changed.
@@ -228,6 +244,11 @@ void FunctionWriter::store(const Instruction& i, Statements& out) {
         pending_.push_back(to);
         return;
     }
+    store_value(to, value, out);
+}
+
+void FunctionWriter::store_value(Id given, const Expression& value, Statements& out) {
+    const Id to = same(given);
     const Id base = facts_.base_of(to);
     const bool local = body_.types.contains(base) && !text_.has_name(base);
     if (local && base == to) return assign(to, value, out);

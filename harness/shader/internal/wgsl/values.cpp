@@ -30,6 +30,9 @@ FunctionWriter::FunctionWriter(ModuleText& text, const Function& function)
         body_.types[variable.id] = text.type(variable.type);
         if (variable.initial != 0) body_.initial[variable.id] = text.constant(variable.initial).text;
     }
+    for (const Id parameter : function.parameters)
+        if (module_.value_type(parameter).kind != TypeKind::pointer)
+            values_[parameter] = {.text = mark(parameter)};
     const std::vector<Passing>& passing = facts_.of(function.id).passing;
     for (std::size_t p = 0; p < passing.size(); ++p)
         if (passing[p] == Passing::copied)
