@@ -10,7 +10,9 @@
 #include "check/internal/input_class.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
+#include "check/kernel_code.hpp"
 #include "numeric/ulp.hpp"
+#include "shader/wgsl.hpp"
 
 namespace gloam::check {
 namespace {
@@ -144,6 +146,17 @@ PreparedScenario prepare_scenario(const Question& question, const KernelSource& 
     return prepared;
 }
 
+// The kernel of a Vulkan device as WGSL, which has no promise of NaN, infinity and -0.
+void add_wgsl(const Lab& lab, KernelSource source, const std::string& name, PreparedCheck& prepared) {
+    source.preserve_nan = false;
+    try {
+        prepared.wgsl =
+            shader::to_wgsl(lab.compile_kernel({.name = "kernel of " + name, .text = kernel_code(source)}));
+    } catch (const shader::WgslError& reason) {
+        prepared.wgsl_unsupported = reason.what();
+    }
+}
+
 }  // namespace
 
 PreparedCheck prepare(const Lab& lab, const Question& question, const RunOptions& options) {
@@ -151,6 +164,7 @@ PreparedCheck prepare(const Lab& lab, const Question& question, const RunOptions
         throw std::invalid_argument(question.function + ": has no reference to judge by");
     const KernelSource source = lab.source(question.file, question.function, question.signature);
     PreparedCheck prepared;
+    add_wgsl(lab, source, question.function, prepared);
     try {
         prepared.kernel = internal::gl_kernel_code(version, source, lab.options().include_roots);
     } catch (const Unsupported& reason) {

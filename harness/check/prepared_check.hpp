@@ -42,10 +42,12 @@ struct PreparedScenario {
 // A check whose shader runs elsewhere, for example in a browser: the text of its kernel, its inputs and what
 // they must give. It is judged as by a device that does not preserve NaN, infinity and -0, and without rules.
 struct PreparedCheck {
-    std::string kernel;         // a fragment shader in GLSL ES 3.00; empty where there is none
-    std::string unsupported;    // why there is none
-    std::size_t row_words = 0;  // words that it writes for an input: outputs, canary, faults
-    std::size_t targets = 0;    // of one draw, four words each
+    std::string kernel;            // a fragment shader in GLSL ES 3.00; empty where there is none
+    std::string unsupported;       // why there is none
+    std::size_t row_words = 0;     // words that it writes for an input: outputs, canary, faults
+    std::size_t targets = 0;       // of one draw, four words each
+    std::string wgsl;              // the same kernel as a compute shader in WGSL; empty where there is none
+    std::string wgsl_unsupported;  // why there is none
     std::vector<PreparedScenario> scenarios;
 };
 

@@ -50,7 +50,7 @@ std::string name_of(const DeviceSummary& device) {
 }
 
 std::string api_of(const DeviceSummary& device) {
-    const bool names_itself = device.type.starts_with("opengl") || device.type == "webgl";
+    const bool names_itself = device.type.starts_with("opengl") || device.type.starts_with("webg");
     return names_itself ? device.api_version : "Vulkan " + device.api_version;
 }
 

@@ -33,21 +33,6 @@ std::vector<Declaration> in_order_of_definition(const std::vector<Declaration>& 
     return ordered;
 }
 
-// Adds a body to each function without one, and a main if there is none, because SPIR-V contains complete
-// programs only.
-std::string completed(std::string text, const std::vector<Declaration>& functions) {
-    text += "\n";
-    for (const Declaration& function : functions) {
-        if (function.defined) continue;
-        const bool has_result = function.result != "void";
-        text += function.head +
-                (has_result ? " { " + function.result + " gloam_result; return gloam_result; }\n" : " { }\n");
-    }
-    if (std::ranges::none_of(functions, [](const Declaration& f) { return f.name == "main"; }))
-        text += "void main() { }\n";
-    return text;
-}
-
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
 Function function_of(const Signature& signature, const Declaration& declaration) {
@@ -107,7 +92,7 @@ std::vector<Function> functions(const Source& source, const CompileOptions& opti
                                 options.include_roots);
     const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
     const std::vector<Declaration> declared = in_order_of_definition(internal::declarations(text));
-    const Source whole{source.name, completed(text, declared)};
+    const Source whole{source.name, internal::completed(text, declared)};
     const Spirv module =
         internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
     return listed(internal::signatures(module), declared);

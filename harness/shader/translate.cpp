@@ -15,6 +15,7 @@
 #include "shader/internal/lines.hpp"
 #include "shader/internal/outline.hpp"
 #include "shader/internal/tidy.hpp"
+#include "shader/internal/wgsl/packed.hpp"
 
 namespace gloam::shader {
 namespace {
@@ -235,15 +236,18 @@ class Writer {
 std::optional<Target> target_from(std::string_view name) {
     if (name == "hlsl") return Target::hlsl;
     if (name == "msl") return Target::msl;
+    if (name == "wgsl") return Target::wgsl;
     return std::nullopt;
 }
 
 std::string suffix(Target target) {
+    if (target == Target::wgsl) return ".wgsl";
     return target == Target::hlsl ? ".hlsl" : ".metal";
 }
 
 std::string translated(const Source& packed, Target target, Stage stage) {
     try {
+        if (target == Target::wgsl) return internal::wgsl::packed_text(packed, stage);
         return Writer(packed, target, stage).run();
     } catch (const CompileError&) {
         throw;

@@ -11,11 +11,12 @@ import unittest
 from pathlib import Path
 
 from browser import Browser, program
+from check_page import NATIVE, CheckPage, Gloam, compare, replace
 
 GLOAM, JUDGE_CASES = sys.argv[1:3]
+run = Gloam(GLOAM)
 # Some of each kind: with images, with many outputs, integers, inputs that the budget moves.
 EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "CS-Q-k*", "HALTON*", "NORMAL*", "FINITE*"]
-NATIVE = "es:llvmpipe-3.0"
 
 # What the judge of the page says of the outputs in gloam.cases, beside what the framework said of them.
 JUDGE_ALL = """gloam.cases.map(({check, outputs, answer}) => {
@@ -24,44 +25,6 @@ JUDGE_ALL = """gloam.cases.map(({check, outputs, answer}) => {
         gloam.words(outputs[i])));
     return [answer, gloam.results.row(check, {tally, fault: "", error: "", reason: "", seconds: 0})];
 })"""
-
-
-def run(*arguments):
-    return subprocess.run([GLOAM, *map(str, arguments)], capture_output=True, text=True, check=False)
-
-
-def replace(file, old, new):
-    text = file.read_text(encoding="utf-8")
-    assert old in text, f"{old} is not in {file}"
-    file.write_text(text.replace(old, new, 1), encoding="utf-8")
-
-
-class CheckPage:
-    """The page that checks the browser."""
-
-    def __init__(self, browser, folder, again=True):
-        self.browser = browser
-        file = folder / "check.html"
-        if again or browser.evaluate("location.href") != file.as_uri():
-            browser.open(file)
-
-    def text(self, identifier):
-        return self.browser.evaluate(f"document.getElementById('{identifier}').textContent")
-
-    def click(self, identifier):
-        self.browser.evaluate(f"document.getElementById('{identifier}').click()")
-
-    def finish(self):
-        self.browser.wait("/finished|stopped/.test(document.getElementById('told').textContent)")
-
-    def rows(self):
-        return self.browser.evaluate("gloam.checkPage.state.rows")
-
-    def shown(self, column):
-        """The texts of a column in the rows that are not hidden."""
-        return self.browser.evaluate(
-            "[...document.querySelectorAll('tbody tr')].filter((row) => !row.hidden)"
-            f".map((row) => row.cells[{column}].textContent)")
 
 
 class SiteTest(unittest.TestCase):
@@ -118,12 +81,7 @@ class SiteTest(unittest.TestCase):
         known = {row["equation"]: row for row in json.loads(file.read_text(encoding="utf-8"))["results"]}
         rows = self.checked().rows()
         self.assertEqual(sorted(known), sorted(row["equation"] for row in rows))
-        for row in rows:
-            there = known[row["equation"]]
-            for member in ("function", "file", "variant", "verdict", "inputs", "outside", "recorded", "classes",
-                           "budget"):
-                self.assertEqual(there[member], row[member], f"{row['equation']}: {member}")
-            self.assertEqual(set(there), set(row))
+        compare(self, known, rows)
 
     def test_the_page_judges_as_the_program_does(self):
         cases = self.folder / "cases.js"

@@ -98,4 +98,21 @@ bool declare_the_same(const Declaration& a, const Declaration& b) {
                                                   &DeclaredParameter::type);
 }
 
+std::string completed(std::string text, const std::vector<Declaration>& functions) {
+    text += "\n";
+    for (const Declaration& function : functions) {
+        const bool known =
+            function.defined || std::ranges::any_of(functions, [&](const Declaration& other) {
+                return (other.defined || &other < &function) && declare_the_same(other, function);
+            });
+        if (known) continue;
+        const bool has_result = function.result != "void";
+        text += function.head +
+                (has_result ? " { " + function.result + " gloam_result; return gloam_result; }\n" : " { }\n");
+    }
+    if (std::ranges::none_of(functions, [](const Declaration& f) { return f.name == "main"; }))
+        text += "void main() { }\n";
+    return text;
+}
+
 }  // namespace gloam::shader::internal

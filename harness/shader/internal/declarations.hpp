@@ -28,6 +28,10 @@ struct Declaration {
 // comments, no macros; lines that begin with # are ignored. It must be valid GLSL.
 [[nodiscard]] std::vector<Declaration> declarations(std::string_view preprocessed);
 
+// The text with a body for each function without one, and with an empty main if there is none, because SPIR-V
+// contains complete programs only.
+[[nodiscard]] std::string completed(std::string text, const std::vector<Declaration>& functions);
+
 // Whether both have the same name and parameter types, and so declare one function.
 [[nodiscard]] bool declare_the_same(const Declaration& a, const Declaration& b);
 

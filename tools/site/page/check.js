@@ -46,29 +46,29 @@ gloam.checkPage = (() => {
     ];
 
     // The outcome of one check. `started`: its program, whose compilation has begun.
-    function outcomeOf(gl, check, started) {
+    async function outcomeOf(device, check, started) {
         const begin = performance.now();
         const outcome = {tally: gloam.judge.newTally(), fault: "", error: "", reason: ""};
         try {
-            const program = gloam.kernel.link(gl, started);
+            const program = await device.link(started);
             for (const scenario of check.scenarios) {
                 const data = gloam.judge.decode(scenario);
-                const {outputs, fault} = gloam.kernel.run(gl, program, check, data);
+                const {outputs, fault} = await device.run(program, check, data);
                 gloam.judge.addScenario(outcome.tally, check, data, outputs);
                 outcome.fault = outcome.fault || fault;
             }
-            gl.deleteProgram(program);
+            device.drop(program);
             if (outcome.fault !== "") outcome.reason = "fault";
         } catch (error) {
             outcome.tally = gloam.judge.newTally();
             outcome.error = String(error.message);
-            outcome.reason = gl.isContextLost() ? "device lost" : "error";
+            outcome.reason = device.isLost() ? "device lost" : "error";
         }
         outcome.seconds = (performance.now() - begin) / 1000;
         return outcome;
     }
 
-    const unsupported = (check) => ({tally: gloam.judge.newTally(), fault: "", error: check.unsupported,
+    const unsupported = (check) => ({tally: gloam.judge.newTally(), fault: "", error: state.device.unsupported(check),
         reason: "unsupported", seconds: 0});
 
     function addResult(check, outcome) {
@@ -89,17 +89,17 @@ gloam.checkPage = (() => {
 
     // Runs the checks of one part. The next program compiles while one runs.
     async function runPart(checks) {
-        let {gl} = state.device;
-        const start = (check) => check && check.unsupported === "" ? gloam.kernel.begin(gl, check.kernel) : null;
+        const start = (check) =>
+            check && state.device.unsupported(check) === "" ? state.device.begin(check) : null;
         let started = start(checks[0]);
         for (let i = 0; i < checks.length && !state.stop; ++i) {
             const next = start(checks[i + 1]);
-            addResult(checks[i], started === null ? unsupported(checks[i]) : outcomeOf(gl, checks[i], started));
+            addResult(checks[i], started === null ? unsupported(checks[i])
+                : await outcomeOf(state.device, checks[i], started));
             started = next;
             await gloam.pause();
-            if (!gl.isContextLost()) continue;
-            state.device = gloam.kernel.open();  // the checks that follow get a new context
-            ({gl} = state.device);
+            if (!state.device.isLost()) continue;
+            state.device = await state.device.reopen();  // the checks that follow get a new context
             started = start(checks[i + 1]);
         }
     }
@@ -108,7 +108,7 @@ gloam.checkPage = (() => {
         Object.assign(state, {running: true, stop: false, rows: []});
         state.table.clear();
         at("progress").max = gloam.site.checks;
-        at("run").disabled = at("save").disabled = true;
+        at("run").disabled = at("save").disabled = at("api").disabled = true;
         at("stop").disabled = false;
         for (const file of gloam.site.files) {
             if (state.stop) break;
@@ -118,14 +118,14 @@ gloam.checkPage = (() => {
             gloam.parts.delete(part);  // frees the memory of its data
         }
         state.running = false;
-        at("run").disabled = at("save").disabled = false;
+        at("run").disabled = at("save").disabled = at("api").disabled = false;
         at("stop").disabled = true;
         tellProgress();
     }
 
     function save() {
         const blob = new Blob([gloam.results.file(state.device, state.rows)], {type: "application/json"});
-        const link = gloam.element("a", {href: URL.createObjectURL(blob), download: "gloam-webgl2.json"});
+        const link = gloam.element("a", {href: URL.createObjectURL(blob), download: `gloam-${at("api").value}.json`});
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60000);
     }
@@ -136,24 +136,33 @@ gloam.checkPage = (() => {
         at("run").disabled = true;
     }
 
-    function begin() {
+    // Opens the device of the chosen interface. Results of another one are no longer shown.
+    async function choose() {
+        at("run").disabled = at("save").disabled = true;
+        state.rows = [];
+        state.table.clear();
+        at("told").textContent = "No check has run.";
+        at("told").className = "";
+        state.device = await (at("api").value === "webgpu" ? gloam.webgpu : gloam.kernel).open();
+        at("gpu").textContent = `${state.device.renderer} (${state.device.version})`;
+        at("run").disabled = false;
+    }
+
+    async function begin() {
         at("agent").textContent = navigator.userAgent;
         at("versions").textContent = gloam.site.versions;
         state.table = new gloam.Table(columns, "One line for each equation");
         at("results").append(state.table.root);
-        try {
-            state.device = gloam.kernel.open();
-        } catch (error) {
-            return fail(error);
-        }
-        at("gpu").textContent = `${state.device.renderer} (${state.device.version})`;
         at("run").addEventListener("click", () => run().catch(fail));
         at("stop").addEventListener("click", () => { state.stop = true; });
         at("save").addEventListener("click", save);
         at("filter").addEventListener("input", () => state.table.filter(at("filter").value));
-        at("run").disabled = false;
+        at("api").addEventListener("change", () => choose().catch(fail));
+        const [webgpu] = [...at("api").options].filter((option) => option.value === "webgpu");
+        gloam.webgpu.available().then((there) => { webgpu.disabled = !there; }, () => {});
+        await choose();
     }
 
-    document.addEventListener("DOMContentLoaded", begin);
+    document.addEventListener("DOMContentLoaded", () => begin().catch(fail));
     return {state};
 })();

@@ -12,17 +12,28 @@ void main() {
     gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
 }`;
 
-    // The context, and what is told of the GPU. Throws an Error where there is no WebGL2.
+    // The context, what is told of the GPU, and how kernels run: the same members as those of gloam.webgpu.open().
+    // Throws an Error where there is no WebGL2.
     function open() {
         const canvas = document.createElement("canvas");
         const gl = canvas.getContext("webgl2", {antialias: false, depth: false, powerPreference: "high-performance"});
         if (gl === null) throw new Error("this browser has no WebGL2");
         const info = gl.getExtension("WEBGL_debug_renderer_info");
+        const renderer = gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
         return {
             gl,
-            renderer: gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER),
+            renderer,
             vendor: gl.getParameter(info ? info.UNMASKED_VENDOR_WEBGL : gl.VENDOR),
-            version: gl.getParameter(gl.VERSION)
+            version: gl.getParameter(gl.VERSION),
+            type: "webgl",
+            name: "webgl2: " + renderer,
+            unsupported: (check) => check.unsupported,
+            begin: (check) => begin(gl, check.kernel),
+            link: (started) => link(gl, started),
+            run: (program, check, data) => gloam.kernel.run(gl, program, check, data),
+            drop: (program) => gl.deleteProgram(program),
+            isLost: () => gl.isContextLost(),
+            reopen: open
         };
     }
 

@@ -83,12 +83,12 @@ gloam.results = (() => {
     // One line of at most 400 characters, as the readers of these files demand.
     const name = (text) => String(text).replace(/[\u0000-\u001f\u007f]+/g, " ").trim().slice(0, 400);
 
-    // The file. `device`: what gloam.kernel.open() returned.
+    // The file. `device`: what open() of gloam.kernel or gloam.webgpu returned.
     function file(device, rows) {
         const float_controls = {signed_zero_inf_nan_preserve: false, denorm_preserve: false,
             denorm_flush_to_zero: false, rounding_mode_rte: false};
         return JSON.stringify({
-            device: {name: name("webgl2: " + device.renderer), driver: name(navigator.userAgent), type: "webgl",
+            device: {name: name(device.name), driver: name(navigator.userAgent), type: device.type,
                 api_version: name(device.version), float_controls},
             versions: gloam.site.versions,
             results: rows}, null, 2) + "\n";

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Blocks and branches as structured statements.
+#include <algorithm>
+
+#include "shader/internal/wgsl/function_writer.hpp"
+#include "shader/wgsl.hpp"
+
+namespace gloam::shader::internal::wgsl {
+
+bool FunctionWriter::is_jump(Id to, const Open& open) const {
+    return to == open.stop || to == open.leave || to == open.next;
+}
+
+// What a branch means that leaves the region, or nothing where it goes on. Sets the phis of its target.
+void FunctionWriter::branch(Id from, Id to, const Open& open, Statements& out) {
+    set_phis(from, to, out);
+    if (to == open.stop) return;
+    if (to == open.leave) out.push_back({.kind = StatementKind::leave});
+    if (to == open.next) out.push_back({.kind = StatementKind::next});
+}
+
+void FunctionWriter::set_phis(Id from, Id to, Statements& out) {
+    std::vector<std::pair<Id, Expression>> values;
+    for (const Instruction& i : function_.blocks.at(to).body) {
+        if (i.opcode != SpvOpPhi) break;
+        if (shape_.fold_results.contains(i.word(2)) || shape_.only_values.contains(i.word(2))) continue;
+        for (std::size_t w = 3; w + 1 < i.words.size(); w += 2)
+            if (i.word(w + 1) == from) values.emplace_back(i.word(2), take(i.word(w)));
+    }
+    // The values are those from before the first assignment.
+    for (std::size_t k = 1; k < values.size(); ++k) {
+        const bool changed =
+            std::any_of(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k),
+                        [&](const auto& earlier) { return values[k].second.reads.contains(earlier.first); });
+        if (!changed) continue;
+        const Id copy = copy_of(values[k].first);
+        body_.wanted_names[copy] = "t";
+        body_.types[copy] = text_.type(module_.type_of(values[k].first));
+        out.insert(out.end(),
+                   {.kind = StatementKind::assign, .target = copy, .value = values[k].second.text});
+        values[k].second = {.text = mark(copy), .reads = {copy}};
+    }
+    for (const auto& [phi, value] : values) assign(phi, value, out);
+}
+
+// Writes all blocks from `start` to the end of the region.
+void FunctionWriter::region(Id start, const Open& open, Statements& out) {
+    for (Id label = start; label != 0 && !is_jump(label, open);) {
+        const Block& here = function_.blocks.at(label);
+        if (here.merge && here.merge->opcode == SpvOpLoopMerge) {
+            loop(here, open, out);
+            label = here.merge->word(1);
+        } else {
+            label = block(here, open, out);
+        }
+    }
+}
+
+void FunctionWriter::body_of(const Block& block, Statements& out) {
+    for (const Instruction& i : block.body) instruction(i, out);
+}
+
+// A block and its end; the label of the next one, or 0 behind a jump.
+Id FunctionWriter::block(const Block& here, const Open& open, Statements& out) {
+    body_of(here, out);
+    if (const auto fold = shape_.folds.find(here.label); fold != shape_.folds.end()) {
+        folded(here, fold->second, out);
+        return fold->second.merge;
+    }
+    switch (here.end.opcode) {
+        case SpvOpBranch: {
+            const Id to = here.end.word(1);
+            branch(here.label, to, open, out);
+            return is_jump(to, open) ? 0 : to;
+        }
+        case SpvOpBranchConditional:
+            return here.merge ? selection(here, open, out) : two_ways(here, open, out);
+        case SpvOpSwitch:
+            return choice(here, open, out);
+        case SpvOpReturn:
+            out.push_back({.kind = StatementKind::give});
+            return 0;
+        case SpvOpReturnValue: {
+            give(take(here.end.word(1)), out);
+            return 0;
+        }
+        case SpvOpKill:
+        case SpvOpTerminateInvocation:
+            out.push_back({.kind = StatementKind::expression, .value = "discard"});
+            return 0;
+        default:  // OpUnreachable
+            return 0;
+    }
+}
+
+// Branches that only calculate a value.
+void FunctionWriter::folded(const Block&, const Fold& fold, Statements& out) {
+    std::set<Id> inner;
+    for (const Id label : fold.blocks) {
+        if (inner.contains(label)) continue;
+        const Block& here = function_.blocks.at(label);
+        body_of(here, out);
+        const auto further = shape_.folds.find(label);
+        if (further == shape_.folds.end()) continue;
+        folded(here, further->second, out);
+        inner.insert(further->second.blocks.begin(), further->second.blocks.end());
+    }
+    const Expression condition = take(fold.condition);
+    const Expression yes = take(fold.yes);
+    Expression value;
+    if (fold.kind == Fold::Kind::conjunction) {
+        value = binary("&&", condition, yes);
+    } else if (fold.kind == Fold::Kind::disjunction) {
+        value = binary("||", condition, yes);
+    } else {
+        const Expression no = take(fold.no);
+        value = call("select", {no, yes, condition});
+        for (const Expression* part : {&no, &yes, &condition})
+            value.reads.insert(part->reads.begin(), part->reads.end());
+    }
+    values_[fold.result] = value;
+    if (shape_.uses[fold.result] != 1 || shape_.home[fold.result] != shape_.straight.at(fold.merge)) {
+        keep(fold.result, value, out);
+    } else {
+        pending_.push_back(fold.result);
+    }
+}
+
+Id FunctionWriter::selection(const Block& here, const Open& open, Statements& out) {
+    const Id merge = here.merge->word(1);
+    const Expression condition = take(here.end.word(1));
+    keep_all(out);
+    Statement statement{.kind = StatementKind::condition, .value = condition.text, .lists = {{}, {}}};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Id to = here.end.word(2 + k);
+        const Open inner{.stop = merge, .leave = open.leave, .next = open.next};
+        branch(here.label, to, inner, statement.lists[k]);
+        region(to, inner, statement.lists[k]);
+        keep_all(statement.lists[k]);
+    }
+    out.push_back(std::move(statement));
+    return merge;
+}
+
+// A conditional branch without a merge: at least one side leaves the region.
+Id FunctionWriter::two_ways(const Block& here, const Open& open, Statements& out) {
+    const Id yes = here.end.word(2);
+    const Id no = here.end.word(3);
+    Expression condition = take(here.end.word(1));
+    keep_all(out);
+    const bool yes_leaves = is_jump(yes, open);
+    const bool no_leaves = is_jump(no, open);
+    if (!yes_leaves && !no_leaves) throw WgslError("a branch that is not structured");
+    if (yes_leaves && no_leaves) {
+        Statement statement{.kind = StatementKind::condition, .value = condition.text, .lists = {{}, {}}};
+        branch(here.label, yes, open, statement.lists[0]);
+        branch(here.label, no, open, statement.lists[1]);
+        out.push_back(std::move(statement));
+        return 0;
+    }
+    if (no_leaves) condition = unary("!", condition);
+    Statement statement{.kind = StatementKind::condition, .value = condition.text, .lists = {{}, {}}};
+    branch(here.label, yes_leaves ? yes : no, open, statement.lists[0]);
+    const bool ends = (yes_leaves ? yes : no) == open.stop;
+    const Id on = yes_leaves ? no : yes;
+    if (ends) {  // the rest of the region runs only on the other side
+        region(on, open, statement.lists[1]);
+        out.push_back(std::move(statement));
+        return 0;
+    }
+    out.push_back(std::move(statement));
+    set_phis(here.label, on, out);
+    return on;
+}
+
+Id FunctionWriter::choice(const Block& here, const Open& open, Statements& out) {
+    const Id merge = here.merge->word(1);
+    const Id selector = here.end.word(1);
+    const Instruction* constant = module_.constant(selector);
+    const bool is_signed =
+        module_.is_signed(constant != nullptr ? constant->word(1) : module_.type_of(selector));
+    Statement statement{.kind = StatementKind::choice, .value = typed(take(selector)).text};
+    keep_all(out);
+    std::vector<std::pair<Id, std::string>> cases;
+    const auto add = [&](Id target, const std::string& label) {
+        const auto known = std::ranges::find(cases, target, &std::pair<Id, std::string>::first);
+        if (known == cases.end()) {
+            cases.emplace_back(target, label);
+        } else {
+            known->second += ", " + label;
+        }
+    };
+    for (std::size_t w = 3; w + 1 < here.end.words.size(); w += 2) {
+        const std::uint32_t value = here.end.word(w);
+        add(here.end.word(w + 1),
+            is_signed ? std::to_string(static_cast<std::int32_t>(value)) : std::to_string(value) + "u");
+    }
+    add(here.end.word(2), "default");
+    for (const auto& [target, label] : cases) {
+        const Open inner{.stop = merge, .leave = merge, .next = open.next};
+        Statements list;
+        branch(here.label, target, inner, list);
+        region(target, inner, list);
+        keep_all(list);
+        statement.labels.push_back(label);
+        statement.lists.push_back(std::move(list));
+    }
+    out.push_back(std::move(statement));
+    return merge;
+}
+
+}  // namespace gloam::shader::internal::wgsl

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "shader/internal/wgsl/module_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "shader/wgsl.hpp"
+
+namespace gloam::shader::internal::wgsl {
+
+ModuleText::ModuleText(const Module& module, const Facts& facts, const CommentOf& comment_of)
+    : module_(module), facts_(facts), comment_of_(comment_of) {
+    name_all();
+}
+
+std::string ModuleText::comment(const std::string& block, const std::string& name,
+                                const std::string& indent) const {
+    if (!comment_of_) return "";
+    const std::string text = comment_of_(block, name);
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        result += indent + text.substr(at, end - at) + "\n";
+        at = end + 1;
+    }
+    return result;
+}
+
+void ModuleText::name_all() {
+    const auto free = [this](const std::string& wanted) {
+        const std::string name = identifier(wanted);
+        return names.take(is_builtin(name) ? name + "_" : name);
+    };
+    // Functions first: their names are what users call.
+    for (const Function& function : module_.functions)
+        names_[function.id] = free(module_.name_of(function.id));
+    for (const Id id : module_.type_order)
+        if (module_.types.at(id).kind == TypeKind::structure) names.reserve(identifier(module_.name_of(id)));
+    for (const Variable& variable : module_.variables) {
+        std::string name = module_.name_of(variable.id);
+        if (name.empty()) {  // a block without a name: its own in small letters
+            name = module_.name_of(variable.type);
+            if (!name.empty()) name.front() = static_cast<char>(std::tolower(name.front()));
+        }
+        names_[variable.id] = free(name);
+    }
+    for (const Id id : module_.constant_order)
+        if (module_.decorations_of(id).spec_id) names_[id] = free(module_.name_of(id));
+}
+
+std::string ModuleText::type(Id id) {
+    const Type& t = module_.type(id);
+    switch (t.kind) {
+        case TypeKind::bool_:
+            return "bool";
+        case TypeKind::int_:
+            return "i32";
+        case TypeKind::uint_:
+            return "u32";
+        case TypeKind::float_:
+            return "f32";
+        case TypeKind::vector:
+            if (module_.is_bool(id)) return fmt::format("vec{}<bool>", t.count);
+            return fmt::format("vec{}{}", t.count, type(t.element).front());
+        case TypeKind::matrix:
+            return fmt::format("mat{}x{}f", t.count, module_.type(t.element).count);
+        case TypeKind::array:
+        case TypeKind::runtime_array:
+            return array(t);
+        case TypeKind::structure:
+            return structure(id);
+        case TypeKind::pointer:
+            return fmt::format("ptr<function, {}>", type(t.element));
+        default:
+            throw WgslError("WGSL has no type for an image, a sampler or a function as a value");
+    }
+}
+
+std::string ModuleText::array(const Type& t) {
+    const Layout element = layout_of(module_, t.element);
+    const std::uint32_t stride =
+        (element.size + element.alignment - 1) / element.alignment * element.alignment;
+    if (t.stride != 0 && t.stride != stride)
+        throw WgslError(fmt::format("an array of {} with a stride of {} bytes: WGSL has {}", type(t.element),
+                                    t.stride, stride));
+    if (t.kind == TypeKind::runtime_array) return fmt::format("array<{}>", type(t.element));
+    return fmt::format("array<{}, {}>", type(t.element), array_length(t));
+}
+
+std::string ModuleText::array_length(const Type& array) {
+    if (const auto length = module_.integer(array.length)) return std::to_string(*length);
+    return constant(array.length).text;
+}
+
+// The type with atomic scalars.
+std::string ModuleText::atomic_type(Id id) {
+    const Type& t = module_.type(id);
+    if (t.kind == TypeKind::array)
+        return fmt::format("array<{}, {}>", atomic_type(t.element), array_length(t));
+    if (t.kind == TypeKind::runtime_array) return fmt::format("array<{}>", atomic_type(t.element));
+    return fmt::format("atomic<{}>", type(id));
+}
+
+std::string ModuleText::member_name(Id id, std::uint32_t member) {
+    auto& names = member_names_[id];
+    if (names.empty()) {
+        Names taken;
+        for (const Member& m : module_.type(id).members)
+            names.push_back(taken.take(identifier(m.name.empty() ? "member" : m.name)));
+    }
+    return names.at(member);
+}
+
+// A structure is written where it is used first, those inside it before. Two structures of one name and equal
+// text are one in WGSL: GLSL makes one for each layout.
+std::string ModuleText::structure(Id id) {
+    const auto known = structure_names_.find(id);
+    if (known != structure_names_.end()) return known->second;
+    const Type& t = module_.type(id);
+    std::string body;
+    std::uint32_t at = 0;
+    for (std::uint32_t m = 0; m < t.members.size(); ++m) {
+        const std::string said = comment(module_.name_of(id), t.members[m].name, "    ");
+        const bool behind = std::ranges::count(said, '\n') == 1;
+        body += (behind ? "" : said) + "    " + member_text(id, m, at) + "," +
+                (behind ? "  " + comment(module_.name_of(id), t.members[m].name, "") : "\n");
+        const Layout layout = layout_of(module_, t.members[m].type);
+        at = std::max(at, t.members[m].offset) + layout.size;
+    }
+    const std::string wanted = identifier(module_.name_of(id));
+    const auto same = structure_by_body_.find(wanted + "{" + body);
+    if (same != structure_by_body_.end()) return structure_names_[id] = same->second;
+    const bool first =
+        std::ranges::none_of(structure_names_, [&](const auto& other) { return other.second == wanted; });
+    const std::string name = first ? wanted : names.take(wanted);
+    structure_by_body_[wanted + "{" + body] = name;
+    structures_ += comment("", module_.name_of(id), "") + fmt::format("struct {} {{\n{}}}\n\n", name, body);
+    return structure_names_[id] = name;
+}
+
+std::string ModuleText::member_text(Id id, std::uint32_t index, std::uint32_t at) {
+    const Member& member = module_.type(id).members[index];
+    const Layout layout = layout_of(module_, member.type);
+    const std::uint32_t usual = (at + layout.alignment - 1) / layout.alignment * layout.alignment;
+    std::string attributes;
+    if (member.offset != 0 && member.offset < usual)
+        throw WgslError(fmt::format("the member {} is at an offset that WGSL cannot have", member.name));
+    if (member.offset > usual) {
+        std::uint32_t alignment = layout.alignment;
+        while ((at + alignment - 1) / alignment * alignment < member.offset) alignment *= 2;
+        if ((at + alignment - 1) / alignment * alignment != member.offset)
+            throw WgslError(fmt::format("the member {} is at an offset that WGSL cannot have", member.name));
+        attributes = fmt::format("@align({}) ", alignment);
+    }
+    if (member.row_major) throw WgslError(fmt::format("the member {} is a matrix of rows", member.name));
+    const std::string text = facts_.is_atomic(id, index) ? atomic_type(member.type) : type(member.type);
+    return fmt::format("{}{}: {}", attributes, member_name(id, index), text);
+}
+
+ImageUse ModuleText::image_use(Id variable) const {
+    if (!facts_.is_written(variable)) return ImageUse::texture;
+    return facts_.is_read(variable) ? ImageUse::reads_and_writes : ImageUse::writes;
+}
+
+std::string ModuleText::variable_type(const Variable& variable) {
+    const Type& t = module_.type(variable.type);
+    if (t.kind == TypeKind::image || t.kind == TypeKind::sampled_image) return image(variable);
+    if (t.kind == TypeKind::sampler) return "sampler";
+    return facts_.is_atomic(variable.id) ? atomic_type(variable.type) : type(variable.type);
+}
+
+namespace {
+
+const char* format_name(std::uint32_t format) {
+    switch (format) {
+        case SpvImageFormatRgba32f:
+            return "rgba32float";
+        case SpvImageFormatRgba16f:
+            return "rgba16float";
+        case SpvImageFormatR32f:
+            return "r32float";
+        case SpvImageFormatRg32f:
+            return "rg32float";
+        case SpvImageFormatRgba8:
+            return "rgba8unorm";
+        case SpvImageFormatRgba8Snorm:
+            return "rgba8snorm";
+        case SpvImageFormatRgba32ui:
+            return "rgba32uint";
+        case SpvImageFormatRgba16ui:
+            return "rgba16uint";
+        case SpvImageFormatRgba8ui:
+            return "rgba8uint";
+        case SpvImageFormatRg32ui:
+            return "rg32uint";
+        case SpvImageFormatR32ui:
+            return "r32uint";
+        case SpvImageFormatRgba32i:
+            return "rgba32sint";
+        case SpvImageFormatRgba16i:
+            return "rgba16sint";
+        case SpvImageFormatRg32i:
+            return "rg32sint";
+        case SpvImageFormatR32i:
+            return "r32sint";
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace
+
+std::string ModuleText::image(const Variable& variable) {
+    const std::string& name = names_.at(variable.id);
+    const Type& declared = module_.type(variable.type);
+    const Type& t = declared.kind == TypeKind::sampled_image ? module_.type(declared.element) : declared;
+    if (t.dimension != SpvDim2D || !t.plain)
+        throw WgslError(fmt::format("the image {} is not two-dimensional, or has layers or samples", name));
+    const ImageUse use = image_use(variable.id);
+    if (use == ImageUse::texture) return fmt::format("texture_2d<{}>", type(t.element));
+    const char* format = format_name(t.format);
+    if (format == nullptr)
+        throw WgslError(fmt::format("the image {} has a format that storage textures of WGSL lack", name));
+    const std::string_view view = format;
+    const bool both = use == ImageUse::reads_and_writes;
+    if (both && view != "r32float" && view != "r32uint" && view != "r32sint")
+        throw WgslError(
+            fmt::format("the image {} is read and written in the format {}: WGSL allows that for "
+                        "formats of one channel of 32 bits",
+                        name, view));
+    return fmt::format("texture_storage_2d<{}, {}>", view, both ? "read_write" : "write");
+}
+
+Layout layout_of(const Module& module, Id id) {
+    const Type& t = module.type(id);
+    switch (t.kind) {
+        case TypeKind::vector:
+            return {4 * t.count, t.count == 2 ? 8U : 16U};
+        case TypeKind::matrix: {
+            const std::uint32_t column = module.type(t.element).count == 2 ? 8 : 16;
+            return {column * t.count, column};
+        }
+        case TypeKind::array:
+        case TypeKind::runtime_array: {
+            const Layout element = layout_of(module, t.element);
+            const std::uint32_t stride =
+                (element.size + element.alignment - 1) / element.alignment * element.alignment;
+            const std::uint32_t length = t.kind == TypeKind::array ? module.integer(t.length).value_or(1) : 1;
+            return {stride * length, element.alignment};
+        }
+        case TypeKind::structure: {
+            Layout all;
+            for (const Member& member : t.members) {
+                const Layout part = layout_of(module, member.type);
+                all.size = (all.size + part.alignment - 1) / part.alignment * part.alignment;
+                all.size = std::max(all.size, member.offset) + part.size;
+                all.alignment = std::max(all.alignment, part.alignment);
+            }
+            all.size = (all.size + all.alignment - 1) / all.alignment * all.alignment;
+            return all;
+        }
+        default:
+            return {4, 4};
+    }
+}
+
+}  // namespace gloam::shader::internal::wgsl

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shader/internal/wgsl/facts.hpp"
+#include "shader/internal/wgsl/names.hpp"
+#include "shader/internal/wgsl/statement.hpp"
+
+namespace gloam::shader::internal::wgsl {
+
+using CommentOf = std::function<std::string(const std::string& block, const std::string& name)>;
+
+// How an image of the module is declared.
+enum class ImageUse { texture, writes, reads_and_writes };
+
+// What all functions of a module share: names at module scope, types, constants, helper functions.
+class ModuleText {
+  public:
+    // See WgslOptions.
+    ModuleText(const Module& module, const Facts& facts, const CommentOf& comment_of);
+
+    [[nodiscard]] const Module& module() const { return module_; }
+    [[nodiscard]] const Facts& facts() const { return facts_; }
+
+    // "f32", "vec3f", "array<u32, 4>", a structure's name.
+    [[nodiscard]] std::string type(Id type);
+    // The type of a variable of the module.
+    [[nodiscard]] std::string variable_type(const Variable& variable);
+    [[nodiscard]] std::string member_name(Id structure, std::uint32_t member);
+    [[nodiscard]] const std::string& name(Id id) const { return names_.at(id); }
+    [[nodiscard]] bool has_name(Id id) const { return names_.contains(id); }
+    [[nodiscard]] ImageUse image_use(Id variable) const;
+
+    // A constant, also one that is specialized.
+    [[nodiscard]] Expression constant(Id id);
+
+    // The name of a helper function, which is written once: "is_nan" for a shape of operands.
+    [[nodiscard]] std::string helper(const std::string& kind, Id operand_type);
+
+    // Declarations of the structures that were used, of the specialization constants, and of the helpers.
+    [[nodiscard]] std::string structures() const { return structures_; }
+    [[nodiscard]] std::string overrides(const std::set<Id>& used);
+    [[nodiscard]] std::string helpers() const { return helpers_; }
+    [[nodiscard]] const std::set<Id>& overrides_used() const { return overrides_used_; }
+
+    Names names;
+
+  private:
+    void name_all();
+    // The comment, indented; it may be empty.
+    [[nodiscard]] std::string comment(const std::string& block, const std::string& name,
+                                      const std::string& indent) const;
+    [[nodiscard]] std::string structure(Id type);
+    [[nodiscard]] std::string member_text(Id structure, std::uint32_t member, std::uint32_t at);
+    [[nodiscard]] std::string image(const Variable& variable);
+    [[nodiscard]] std::string atomic_type(Id type);
+    [[nodiscard]] std::string array(const Type& array);
+    [[nodiscard]] std::string array_length(const Type& array);
+    [[nodiscard]] Expression number(const Instruction& constant);
+    [[nodiscard]] Expression composite(const Instruction& constant);
+    [[nodiscard]] Expression computed(const Instruction& constant);
+
+    const Module& module_;
+    const Facts& facts_;
+    const CommentOf& comment_of_;
+    std::map<Id, std::string> names_;
+    std::map<Id, std::string> structure_names_;
+    std::map<std::string, std::string> structure_by_body_;
+    std::map<Id, std::vector<std::string>> member_names_;
+    std::map<std::string, std::string> helper_names_;
+    std::set<Id> overrides_used_;
+    std::string structures_;
+    std::string helpers_;
+};
+
+// Scalars of 32 bits as numbers of WGSL.
+[[nodiscard]] Expression float_literal(std::uint32_t bits);
+
+// The size in bytes that WGSL gives a type of a buffer, and its alignment.
+struct Layout {
+    std::uint32_t size = 0;
+    std::uint32_t alignment = 1;
+};
+[[nodiscard]] Layout layout_of(const Module& module, Id type);
+
+}  // namespace gloam::shader::internal::wgsl

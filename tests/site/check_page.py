@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""The page of the site that checks the browser, and the program that writes it."""
+import subprocess
+
+NATIVE = "es:llvmpipe-3.0"  # the device whose verdicts a browser's must be
+
+
+class Gloam:
+    """The program: call it with its arguments."""
+
+    def __init__(self, program):
+        self.program = program
+
+    def __call__(self, *arguments):
+        return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+def replace(file, old, new):
+    text = file.read_text(encoding="utf-8")
+    assert old in text, f"{old} is not in {file}"
+    file.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+def compare(test, known, rows):
+    """Fails where rows of the page differ from those of the program, by equation, in what does not depend on the
+    driver."""
+    test.assertEqual(sorted(known), sorted(row["equation"] for row in rows))
+    for row in rows:
+        there = known[row["equation"]]
+        for member in ("function", "file", "variant", "verdict", "inputs", "outside", "recorded", "classes", "budget"):
+            test.assertEqual(there[member], row[member], f"{row['equation']}: {member}")
+        test.assertEqual(set(there), set(row))
+
+
+class CheckPage:
+    """The page that checks the browser."""
+
+    def __init__(self, browser, folder, again=True):
+        self.browser = browser
+        file = folder / "check.html"
+        if again or browser.evaluate("location.href") != file.as_uri():
+            browser.open(file)
+
+    def choose(self, interface):
+        """Selects "webgl2" or "webgpu" and waits for its device. False where the browser has none."""
+        ready = "!document.getElementById('run').disabled"
+        self.browser.wait(ready)
+        if interface == "webgpu" and not self.browser.evaluate("gloam.webgpu.available()"):
+            return False
+        self.browser.wait(f"!document.querySelector('#api option[value={interface}]').disabled")
+        self.browser.evaluate("(() => { const api = document.getElementById('api');"
+                              f"api.value = '{interface}'; api.dispatchEvent(new Event('change')); }})()")
+        self.browser.wait(ready)
+        return True
+
+    def text(self, identifier):
+        return self.browser.evaluate(f"document.getElementById('{identifier}').textContent")
+
+    def click(self, identifier):
+        self.browser.evaluate(f"document.getElementById('{identifier}').click()")
+
+    def finish(self):
+        self.browser.wait("/finished|stopped/.test(document.getElementById('told').textContent)")
+
+    def rows(self):
+        return self.browser.evaluate("gloam.checkPage.state.rows")
+
+    def shown(self, column):
+        """The texts of a column in the rows that are not hidden."""
+        return self.browser.evaluate(
+            "[...document.querySelectorAll('tbody tr')].filter((row) => !row.hidden)"
+            f".map((row) => row.cells[{column}].textContent)")

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""webgpu_test.py GLOAM: the checks of the site in WebGPU, in headless Chromium.
+
+Left with status 77 where there is no Chromium, or none with WebGPU."""
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import Browser, program
+from check_page import NATIVE, CheckPage, Gloam, compare, replace
+
+run = Gloam(sys.argv[1])
+# Some of each kind: with images, with many outputs, integers, structures.
+EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "HALTON*", "NORMAL*", "FINITE*"]
+
+
+class WebGpuTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder_owner = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.folder_owner.name)
+        cls.site = cls.folder / "site"
+        written = run("site", cls.site, *EQUATIONS, "--no-pictures")
+        assert written.returncode == 0, written.stderr
+        cls.browser = Browser()
+        if not CheckPage(cls.browser, cls.site).choose("webgpu"):
+            print("no WebGPU")
+            sys.exit(77)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+        cls.folder_owner.cleanup()
+
+    def checked(self, site=None):
+        """A page whose checks have run in WebGPU; that of an earlier test where it is still open."""
+        page = CheckPage(self.browser, site or self.site, again=False)
+        if "finished" not in page.text("told"):
+            self.assertTrue(page.choose("webgpu"))
+            page.click("run")
+            page.finish()
+        return page
+
+    def spoiled(self, old, new):
+        """A copy of the site in which the kernel of one function of the filters is changed in one place."""
+        copy = Path(tempfile.mkdtemp(dir=self.folder))
+        written = run("site", copy, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc", "--no-pictures")
+        self.assertEqual(0, written.returncode, written.stderr)
+        replace(copy / "checks-filter.js", old, new)
+        return copy
+
+    def test_the_results_agree_with_those_of_the_program(self):
+        file = self.folder / "native.json"
+        native = run("check", *EQUATIONS, "--device", NATIVE, "--inputs", 512, "--json", file)
+        if native.returncode == 2:
+            self.skipTest(native.stderr)
+        known = {row["equation"]: row for row in json.loads(file.read_text(encoding="utf-8"))["results"]}
+        page = self.checked()
+        self.assertGreater(len(page.rows()), 20)
+        compare(self, known, page.rows())
+        self.assertIn("0 failed (finished)", page.text("told"))
+        self.assertEqual([], self.browser.problems())
+
+    def test_a_kernel_with_a_wrong_result_fails(self):
+        page = self.checked(self.spoiled("bitcast<u32>(gloam_kernel_result)",
+                                         "bitcast<u32>(gloam_kernel_result * 1.0001)"))
+        failed = [row for row in page.rows() if row["outside"]]
+        self.assertEqual(1, len(failed))
+        self.assertIn("1 failed", page.text("told"))
+        self.assertNotEqual([], failed[0]["worst"]["input_words"])
+
+    def test_a_kernel_that_does_not_compile_is_an_error(self):
+        page = self.checked(self.spoiled("fn gloam_gaussian", "fn gloam_gauss"))
+        errors = [row for row in page.rows() if row["error"]]
+        self.assertEqual(["error"], [row["reason"] for row in errors])
+        self.assertIn("unresolved call target", errors[0]["error"])
+
+    def test_a_kernel_that_leaves_an_input_out_is_an_error(self):
+        page = self.checked(self.spoiled("gloam_kernel_index = gloam_kernel_input()",
+                                         "gloam_kernel_index = (gloam_kernel_input() & 0xfffffffeu)"))
+        self.assertEqual(["the kernel did not finish for input 1"],
+                         [row["error"] for row in page.rows() if row["error"]])
+
+    def test_a_lost_device_costs_one_check(self):
+        page = CheckPage(self.browser, self.site)
+        self.assertTrue(page.choose("webgpu"))
+        self.browser.evaluate("""(() => {
+            const {run} = gloam.webgpu;
+            let runs = 0;
+            gloam.webgpu.run = async (gpu, ...rest) => {
+                if (++runs === 3) {
+                    gpu.destroy();
+                    await gpu.lost;
+                }
+                return run(gpu, ...rest);
+            };
+        })()""")
+        page.click("run")
+        page.finish()
+        self.assertEqual(["device lost"], [row["reason"] for row in page.rows() if row["reason"]])
+        self.assertIn("1 failed (finished)", page.text("told"))
+        self.browser.open(self.site / "index.html")  # the next test begins with a page of its own
+
+    def test_the_saved_file_is_merged_with_those_of_drivers(self):
+        page = self.checked()
+        self.browser.save_downloads_to(self.folder)
+        page.click("save")
+        saved = self.folder / "gloam-webgpu.json"
+        self.browser.wait("new Promise((resolve) => setTimeout(() => resolve(true), 300))")
+        merged = self.folder / "merged.json"
+        report = run("report", saved, "--json", merged)
+        self.assertEqual(0, report.returncode, report.stderr)
+        self.assertIn("webgpu: ", report.stdout)
+        there = json.loads(merged.read_text(encoding="utf-8"))
+        self.assertEqual("webgpu", there["device"]["type"])
+        self.assertEqual(len(page.rows()), len(there["results"]))
+
+
+if __name__ == "__main__":
+    if program() is None:
+        print("no Chromium")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])

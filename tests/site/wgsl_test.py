@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""wgsl_test.py GLOAM GLSL: what `gloam pack --target wgsl` writes, in headless Chromium's WebGPU.
+
+With GLOAM_WGSL_SWEEP=1 it packs every include, every pass, and the effect of every preset and method, in one to two
+minutes. Left with status 77 where there is no Chromium, or none with WebGPU."""
+import base64
+import json
+import os
+import re
+import sys
+import tempfile
+import unittest
+from array import array
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from browser import Browser, program
+from check_page import Gloam
+
+GLOAM, GLSL = sys.argv[1], Path(sys.argv[2])
+WIDTH, HEIGHT = 64, 48
+run = Gloam(GLOAM)
+
+
+def read_pfm(file):
+    """The floats of a picture, upper row first, and its channels."""
+    head, size, scale, data = Path(file).read_bytes().split(b"\n", 3)
+    width, height = map(int, size.split())
+    assert float(scale) < 0
+    channels = 3 if head == b"PF" else 1
+    values = array("f", data)
+    row = width * channels
+    return [v for y in reversed(range(height)) for v in values[y * row:(y + 1) * row]], channels
+
+
+def defined(text):
+    """The text with a body for each function that its user defines."""
+    text = re.sub(r"^// (fn \w+\([^\n]*\) -> (\S+))$", r"\1 { return \2(); }", text, flags=re.M)
+    return re.sub(r"^// (fn \w+\([^\n>]*\))$", r"\1 { }", text, flags=re.M)
+
+
+class WgslTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder_owner = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.folder_owner.name)
+        page = cls.folder / "page.html"
+        page.write_text("<script>" + (Path(__file__).parent / "run_effect.js").read_text(encoding="utf-8") +
+                        "</script>", encoding="utf-8")
+        cls.browser = Browser()
+        cls.browser.open(page)
+        if not cls.browser.evaluate("navigator.gpu?.requestAdapter().then((adapter) => adapter !== null)"):
+            print("no WebGPU")
+            sys.exit(77)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+        cls.folder_owner.cleanup()
+
+    def compiled(self, texts):
+        """What the browser's compiler says of texts by their names, without those that it accepts."""
+        messages = self.browser.evaluate(f"compileAll({json.dumps(list(texts.values()))})")
+        return {name: message for name, message in zip(texts, messages) if message}
+
+    def packed(self, commands):
+        """The texts of `gloam pack` by their names, and the messages where it refuses."""
+        with ThreadPoolExecutor(2) as pool:
+            results = list(pool.map(lambda command: run("pack", *command, "--target", "wgsl"), commands.values()))
+        texts = {name: defined(r.stdout) for name, r in zip(commands, results) if r.returncode == 0}
+        refused = {name: r.stderr for name, r in zip(commands, results) if r.returncode != 0}
+        return texts, refused
+
+    def effect(self, name, *arguments):
+        folder = self.folder / name
+        packed = run("pack", "--effect", *arguments, "--target", "wgsl", "--out", folder)
+        self.assertEqual(0, packed.returncode, packed.stderr)
+        return folder
+
+    def passes(self, folder):
+        return {f"{folder.name}/{file.stem}": file.read_text(encoding="utf-8") for file in folder.glob("*.wgsl")}
+
+    def test_the_compiler_refuses_what_is_wrong(self):
+        self.assertEqual(["wrong"], list(self.compiled({"right": "fn f() -> f32 { return 1.0; }",
+                                                        "wrong": "fn f() -> f32 { return 1u; }"})))
+
+    def test_the_functions_of_all_methods_compile(self):
+        methods = sorted((GLSL / "gloam/methods").glob("*.glsl"))
+        texts, refused = self.packed({file.stem: [file] for file in methods})
+        self.assertEqual({}, refused)
+        self.assertGreaterEqual(len(texts), 37)
+        self.assertEqual({}, self.compiled(texts))
+        self.assertIn("fn gloam_gtao(", texts["gtao"])
+
+    def test_the_passes_of_presets_compile(self):
+        texts = {}
+        for preset in ("balanced", "fast", "reference"):
+            texts.update(self.passes(self.effect(preset, "--preset", preset)))
+        self.assertIn("balanced/ambient_occlusion", texts)
+        self.assertEqual({}, self.compiled(texts))
+
+    def test_other_stages_are_refused_in_one_line(self):
+        _, refused = self.packed({"gbuffer": [GLSL / "passes/gbuffer.frag"]})
+        self.assertRegex(refused["gbuffer"], r"^gloam: .*gbuffer.frag: WGSL cannot express .*\n$")
+
+    @unittest.skipUnless(os.environ.get("GLOAM_WGSL_SWEEP"), "GLOAM_WGSL_SWEEP=1 runs it")
+    def test_everything_compiles_or_is_refused_in_one_line(self):
+        files = sorted([*GLSL.rglob("gloam/**/*.glsl"), *GLSL.rglob("passes/**/*.comp")])
+        texts, refused = self.packed({str(file.relative_to(GLSL)): [file] for file in files})
+        for preset in run("list", "presets").stdout.split():
+            texts.update(self.passes(self.effect("preset-" + preset, "--preset", preset)))
+        for method in run("list", "methods").stdout.split():
+            texts.update(self.passes(self.effect("method-" + method, "--method", method)))
+        self.assertEqual({}, self.compiled(texts))
+        print(f"{len(texts)} texts; refused: {refused}")
+        for message in refused.values():
+            self.assertRegex(message, r"^gloam: .*WGSL cannot express .*\n$")
+
+    def picture(self, preset, *more):
+        """What the browser and the program make of one G-buffer."""
+        buffers = self.folder / f"{preset}-buffers"
+        out = self.folder / f"{preset}-native"
+        native = run("render", "columns", "--still", "--size", f"{WIDTH}x{HEIGHT}", "--preset", preset, *more,
+                     "--write-gbuffer", buffers, "--out", out, "--quiet")
+        self.assertEqual(0, native.returncode, native.stderr)
+        view = json.loads((buffers / "f0000.json").read_text(encoding="utf-8"))
+        folder = self.effect(preset + "-effect", "--preset", preset, *more, "--size", f"{WIDTH}x{HEIGHT}",
+                             "--radius", view["ao_radius"])
+        depth, _ = read_pfm(buffers / "f0000_depth.pfm")
+        normal, _ = read_pfm(buffers / "f0000_normal.pfm")
+        normal = [v for i in range(0, len(normal), 3) for v in (*normal[i:i + 3], 0.0)]
+        images = {name: base64.b64encode(array("f", values)).decode()
+                  for name, values in (("depth", depth), ("normal", normal))}
+        projection = view["camera"]["proj_vk"]
+        effect = json.loads((folder / "effect.json").read_text(encoding="utf-8"))
+        texts = {name.split("/")[1]: text for name, text in self.passes(folder).items()}
+        arguments = [effect, texts, images, {"p00_p11": [projection[0], projection[5]]}]
+        got = self.browser.evaluate(f"runEffect({', '.join(map(json.dumps, arguments))})")
+        return got, read_pfm(out / "f0000_ao.pfm")[0]
+
+    def test_a_whole_effect_gives_the_picture_of_the_program(self):
+        for preset, *more in (("balanced", "--set", "precision=float32"), ("paper", "--set", "precision=float32")):
+            with self.subTest(preset=preset):
+                got, want = self.picture(preset, *more)
+                self.assertEqual(len(want), len(got))
+                self.assertGreater(max(want) - min(want), 0.5)
+                self.assertLess(max(abs(a - b) for a, b in zip(got, want)), 1e-6)  # seen: 0 and 1.2e-7
+
+
+if __name__ == "__main__":
+    if program() is None:
+        print("no Chromium")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
