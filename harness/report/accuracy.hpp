@@ -30,8 +30,8 @@ struct EquationAccuracy {
 [[nodiscard]] std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports);
 
 // Markdown tables: how many equations use which part of their documented error on each driver, what the rules
-// guarantee, and the ten equations that use the largest part. Then how many checks passed in each variant, and
-// every check that failed.
+// guarantee, and the ten equations that use the largest part. Then how many checks passed in each variant,
+// and every check that failed.
 [[nodiscard]] std::string to_accuracy_markdown(const std::vector<CheckReport>& reports);
 
 // A row for each equation: documented error, error on any driver, and measured error of each driver.

@@ -17,68 +17,15 @@
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "effect/presets.hpp"
+#include "laid_out.hpp"
 #include "on_device.hpp"
-#include "scene/internal/raster_layouts.hpp"
 #include "shader/reflection.hpp"
 
 namespace gloam::effect {
 namespace layouts_test {
 
 using shader::LaidOut;
-
-template <class T>
-struct Shape;  // of a member: type of its components, rows, columns
-template <>
-struct Shape<float> {
-    static constexpr const char* type = "float";
-    static constexpr unsigned rows = 1, columns = 1;
-};
-template <>
-struct Shape<std::int32_t> {
-    static constexpr const char* type = "int";
-    static constexpr unsigned rows = 1, columns = 1;
-};
-template <>
-struct Shape<std::uint32_t> {
-    static constexpr const char* type = "uint";
-    static constexpr unsigned rows = 1, columns = 1;
-};
-template <class T, std::size_t n>
-struct Shape<std::array<T, n>> {
-    static constexpr const char* type = Shape<T>::type;
-    static constexpr unsigned rows = n, columns = 1;
-};
-template <glm::length_t n, class T>
-struct Shape<glm::vec<n, T>> {
-    static constexpr const char* type = Shape<T>::type;
-    static constexpr unsigned rows = n, columns = 1;
-};
-template <glm::length_t c, glm::length_t r>
-struct Shape<glm::mat<c, r, float>> {
-    static constexpr const char* type = "float";
-    static constexpr unsigned rows = r, columns = c;
-};
-
-// A member in one line: "vec 2 x 1 of float at 8: size".
-std::string line_of(const LaidOut& member) {
-    return fmt::format("{} x {} of {} at {}: {}", member.rows, member.columns, member.type, member.offset,
-                       member.name);
-}
-
-template <class Member>
-std::string line_of(const char* name, std::size_t offset) {
-    using Of = Shape<Member>;
-    return line_of(
-        LaidOut{.name = name, .type = Of::type, .rows = Of::rows, .columns = Of::columns, .offset = offset});
-}
-
-std::vector<std::string> lines_of(const std::vector<LaidOut>& members) {
-    std::vector<std::string> lines;
-    for (const LaidOut& member : members) lines.push_back(line_of(member));
-    return lines;
-}
-
-#define MEMBER(type, name) line_of<decltype(type::name)>(#name, offsetof(type, name))
+using test::lines_of;
 
 class Layouts : public OnDevice<testing::Test> {
   protected:
@@ -245,14 +192,6 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
     EXPECT_EQ(seen.size(), 15U);
 }
 
-TEST_F(Layouts, RasterPasses) {
-    using R = scene::RasterConstants;
-    for (const char* file : {"gbuffer.vert", "gbuffer.frag"})
-        expect_pushed({.file = file}, sizeof(R), {MEMBER(R, projection)});
-    using P = scene::PeelConstants;
-    expect_pushed({.file = "peel.frag"}, sizeof(P), {MEMBER(P, projection), MEMBER(P, reversed_z)});
-}
-
 // A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
 // those of several methods count; the preparation passes share theirs.
 TEST_F(Layouts, SpecializationConstants) {
@@ -276,8 +215,6 @@ TEST_F(Layouts, SpecializationConstants) {
         for (const std::uint32_t constant : constants)
             EXPECT_THAT(known[file], testing::Contains(constant)) << file;
 }
-
-#undef MEMBER
 
 }  // namespace layouts_test
 }  // namespace gloam::effect
