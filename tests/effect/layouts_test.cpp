@@ -17,9 +17,9 @@
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "effect/presets.hpp"
-#include "laid_out.hpp"
 #include "on_device.hpp"
 #include "shader/reflection.hpp"
+#include "support/laid_out.hpp"
 
 namespace gloam::effect {
 namespace layouts_test {

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "laid_out.hpp"
 #include "scene/internal/raster_layouts.hpp"
 #include "scene/pass_library.hpp"
+#include "support/laid_out.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -15,7 +15,7 @@ void expect_pushed(const char* file, std::size_t bytes, const std::vector<std::s
     const PassLibrary passes(GLOAM_GLSL_DIR);
     const shader::ModuleInterface found = shader::reflect(passes.compile(file));
     ASSERT_TRUE(found.push_constants.has_value()) << file;
-    EXPECT_EQ(test::lines_of(found.push_constants->members), members) << file;
+    EXPECT_EQ(gloam::test::lines_of(found.push_constants->members), members) << file;
     EXPECT_EQ(found.push_constants->size, bytes) << file;
 }
 
