@@ -79,7 +79,13 @@ TEST(Pack, OtherLanguages) {
     expect_success(metal);
     EXPECT_THAT(metal.out, HasSubstr("kernel void reproject_main("));
     EXPECT_THAT(metal.out, HasSubstr("\n// Indices: buffer(4) tile_lists, "));
-    expect_could_not_run(run_command({"pack", halton, "--target", "cg"}), "hlsl or msl");
+    const CommandResult wgsl = run_command({"pack", halton, "--target", "wgsl"});
+    expect_success(wgsl);
+    EXPECT_THAT(wgsl.out, HasSubstr("fn gloam_radical_inverse_base2(index: u32) -> f32 {\n"));
+    EXPECT_THAT(wgsl.out, HasSubstr("// index: number of the sample;"));
+    expect_could_not_run(run_command({"pack", GLOAM_GLSL_DIR "/passes/gbuffer.frag", "--target", "wgsl"}),
+                         "gbuffer.frag: WGSL cannot express");
+    expect_could_not_run(run_command({"pack", halton, "--target", "cg"}), "hlsl, msl or wgsl");
     expect_could_not_run(run_command({"pack", halton, "--target", "hlsl", "--version", "330"}), "--version");
     expect_could_not_run(run_command({"pack", halton, "--lines", "--target", "hlsl"}), "--lines");
     const TemporaryDirectory folder;
