@@ -170,6 +170,7 @@ const std::map<std::string, Case>& cases() {
         {"remap_a", {"0.1"}},
         {"remap_b", {"0.9"}},
         {"remap_c", {"2"}},
+        {"output", {"r8"}},
         {"least_radius", {"12"}},
         {"guard", {"0.1"}},
         {"guard_history", {"off", {{"guard", "0.1"}}}},
