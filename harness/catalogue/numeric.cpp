@@ -62,6 +62,20 @@ void append_sincos(Entries& entries) {
                                     .codomain = sincos_codomain}));
 }
 
+void append_turns(Entries& entries) {
+    entries.push_back(
+        equation<float(float)>({.id = "TURNS",
+                                .function = "gloam_turns",
+                                .file = sincos_file,
+                                .title = "turns of an angle",
+                                .formula = "a / (2 pi), 0 beyond 65536",
+                                .source = "definition"},
+                               &reference::gloam_turns,
+                               {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()},
+                                .budget = {.ulp = 1},
+                                .codomain = {-10430.4, 10430.4}}));
+}
+
 void append_square_root(Entries& entries) {
     entries.push_back(
         equation<float(float)>({.id = "SQRT",
@@ -180,6 +194,7 @@ void append_arc_tangents(Entries& entries) {
 void append_numeric(Entries& entries) {
     append_sincos_octant(entries);
     append_sincos(entries);
+    append_turns(entries);
     append_square_root(entries);
     append_arc_sines(entries);
     append_arc_tangents(entries);

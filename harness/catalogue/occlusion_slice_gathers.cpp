@@ -161,17 +161,6 @@ void append_slice_parts(Entries& entries) {
              const double turned = glm::dot(glm::cross(slice.tangent, slice.view), glm::dvec3(n));
              return turned * turned < 0.9;
          })}));
-    entries.push_back(
-        equation<float(float)>({.id = "SLICE-turns",
-                                .function = "gloam_turns",
-                                .file = "gloam/numeric/sincos.glsl",
-                                .title = "turns of an angle",
-                                .formula = "a / (2 pi), 0 beyond 65536",
-                                .source = "definition"},
-                               &reference::gloam_turns,
-                               {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()},
-                                .budget = {.ulp = 1},
-                                .codomain = {-10430.4, 10430.4}}));
     using Sample = reference::GloamSliceSample(unsigned, float);
     entries.push_back(equation<Sample>(
         {.id = "SLICE-sample",

@@ -72,7 +72,7 @@ class Equations(unittest.TestCase):
         self.assertEqual(page.count(), f"{len(page.shown())} of {len(self.names)} rows")
         chosen = ("const choice = document.querySelector('select'); choice.value = 'gloam/numeric/sincos.glsl';"
                   "choice.dispatchEvent(new Event('input'));")
-        of_the_file = [name for name in self.names if name.startswith(("SINCOS", "QUARTER"))]
+        of_the_file = [name for name in self.names if name.startswith(("SINCOS", "TURNS"))]
         self.assertEqual(self.after(chosen).shown(), of_the_file)
 
 

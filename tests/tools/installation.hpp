@@ -45,8 +45,8 @@ class Installation {
     void make_radical_inverse_base2_hang() const {
         std::string loop = "uint spin = index;\n    for (uint i = 0u; spin != 305419896u; ++i) {\n";
         for (int i = 0; i < 200; ++i) loop += "        spin = (spin ^ i) * 1664525u + 1013904223u;\n";
-        replace("gloam/sampling/radical_inverse.glsl", "uint bits = (index << 16u)",
-                loop + "    }\n    uint bits = (spin & 1u) + (index << 16u)");
+        replace("gloam/sampling/radical_inverse.glsl", "uint bits = bitfieldReverse(index)",
+                loop + "    }\n    uint bits = (spin & 1u) + bitfieldReverse(index)");
     }
 
   private:
