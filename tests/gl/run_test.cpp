@@ -75,7 +75,7 @@ void main() {
     dispatch(
         device(),
         ImageDispatch{
-            .program = program, .images = {{1, from}, {3, to}}, .storage = {{2, seen}}, .groups = {3, 2, 1}});
+            .program = program, .images = {{1, from}, {3, to}}, .storage = {{2, seen}}, .uniforms = {}, .groups = {3, 2, 1}});
     std::vector<float> want;
     for (int i = 0; i < 6; ++i) {
         const float x = static_cast<float>(i % 3);
