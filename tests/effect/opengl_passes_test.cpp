@@ -96,7 +96,8 @@ class OnOpenGl {
         std::map<std::uint32_t, std::uint32_t> constants;
         for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
         const auto text = [&](shader::Language language) {
-            return passes_.text(pass.source.file, pass.source.defines, pass.source.replaced, constants, language);
+            return passes_.text(pass.source.file, pass.source.defines, pass.source.replaced, constants,
+                                language);
         };
         const std::string vulkan = text(shader::Language::vulkan450);
         const gl::Program program(

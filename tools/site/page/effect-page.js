@@ -104,7 +104,8 @@ gloam.effectPage = (() => {
             ...(gpu === null ? [] : [`${gpu.toFixed(2)} ms of the GPU for the occlusion`]),
             state.keeping > 0 ? `${state.keeping} frames until the picture is kept`
                 : `${state.effect.frames} frames since the last choice`,
-            ...(state.error === null ? [] : [`error ${state.error.toFixed(4)} against the kept picture (RMSE)`])].join(", ");
+            ...(state.error === null ? [] : [`error ${state.error.toFixed(4)} against the kept picture (RMSE)`]),
+        ].join(", ");
     }
 
     // Reading the images back takes long: twice a second.

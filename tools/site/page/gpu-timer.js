@@ -30,7 +30,8 @@ gloam.GpuTimer = class {
         while (this.asked.length > 0 && gl.getQueryParameter(this.asked[0], gl.QUERY_RESULT_AVAILABLE)) {
             const query = this.asked.shift();
             // Something else has disturbed the clock: the time says nothing.
-            if (!gl.getParameter(extension.GPU_DISJOINT_EXT)) this.ms = gl.getQueryParameter(query, gl.QUERY_RESULT) / 1e6;
+            const disturbed = gl.getParameter(extension.GPU_DISJOINT_EXT);
+            if (!disturbed) this.ms = gl.getQueryParameter(query, gl.QUERY_RESULT) / 1e6;
             gl.deleteQuery(query);
         }
     }
