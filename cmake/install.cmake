@@ -43,6 +43,7 @@ install(DIRECTORY glsl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/glsl)
 install(DIRECTORY tools/stress/shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/stress)
 install(DIRECTORY tools/site/page tools/site/shaders tools/site/third-party
   DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
+install(FILES tools/site/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 

@@ -44,10 +44,16 @@ void dispatch(const Device& device, const ImageDispatch& work) {
     const internal::Functions& gl = context.use();
     require_compute(device);
     gl.UseProgram(work.program.handle());
-    for (const auto& [binding, image] : work.images)
+    for (const auto& [binding, image] : work.images) {
         gl.BindImageTexture(binding, image.get().handle(), 0, GL_FALSE, 0, GL_READ_WRITE, format_of(image));
+        gl.ActiveTexture(GL_TEXTURE0 + binding);
+        gl.BindTexture(GL_TEXTURE_2D, image.get().handle());
+    }
+    gl.ActiveTexture(GL_TEXTURE0);
     for (const auto& [binding, buffer] : work.storage)
         gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.get().handle());
+    for (const auto& [binding, buffer] : work.uniforms)
+        gl.BindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.get().handle());
     gl.DispatchCompute(work.groups[0], work.groups[1], work.groups[2]);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     gl.Finish();

@@ -30,8 +30,10 @@ void dispatch(const Device& device, const Dispatch& work);
 // A pass over images.
 struct ImageDispatch {
     const Program& program;
-    std::map<std::uint32_t, std::reference_wrapper<const Image>> images;    // by binding
-    std::map<std::uint32_t, std::reference_wrapper<const Buffer>> storage;  // by binding
+    // By binding, for a storage image and for a sampled image alike.
+    std::map<std::uint32_t, std::reference_wrapper<const Image>> images;
+    std::map<std::uint32_t, std::reference_wrapper<const Buffer>> storage;   // by binding
+    std::map<std::uint32_t, std::reference_wrapper<const Buffer>> uniforms;  // by binding
     std::array<std::uint32_t, 3> groups{1, 1, 1};
 };
 

@@ -37,6 +37,8 @@ Image::Image(const Device& device, Format format, std::size_t width, std::size_t
     gl.BindTexture(GL_TEXTURE_2D, handle_);
     gl.TexStorage2D(GL_TEXTURE_2D, 1, internal_format(format), static_cast<GLsizei>(width),
                     static_cast<GLsizei>(height));
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     try {
         context.check("an image");
         write(std::vector<float>(width * height * channels_of(format)));

@@ -72,10 +72,11 @@ void main() {
     from.write(std::vector<float>{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F});
     EXPECT_THROW(from.write(std::vector<float>(7)), std::invalid_argument);
     const Buffer seen(device(), 6);
-    dispatch(
-        device(),
-        ImageDispatch{
-            .program = program, .images = {{1, from}, {3, to}}, .storage = {{2, seen}}, .groups = {3, 2, 1}});
+    dispatch(device(), ImageDispatch{.program = program,
+                                     .images = {{1, from}, {3, to}},
+                                     .storage = {{2, seen}},
+                                     .uniforms = {},
+                                     .groups = {3, 2, 1}});
     std::vector<float> want;
     for (int i = 0; i < 6; ++i) {
         const float x = static_cast<float>(i % 3);

@@ -107,6 +107,43 @@ class EffectTest(unittest.TestCase):
         })()""")
         self.assertTrue(white)  # nothing has occlusion left of the slider
 
+    def test_a_kept_picture_is_compared_with_what_follows(self):
+        self.history("gtao", frames=2, moves=False)
+        state = self.browser.evaluate("""(() => {
+            const {effect} = gloam.effectPage.state;
+            const shown = (view, split) => {
+                effect.show(view, split);
+                return document.getElementById("canvas").toDataURL();
+            };
+            const picture = shown(1, 0);
+            effect.keep();
+            const same = effect.error();
+            const nothing = shown(5, 0);
+            effect.setMethod(gloam.effectData.methods.find((one) => one.name === "hemisphere"), "balanced",
+                effect.scene.radius);
+            effect.frame(0);
+            const left = shown(1, 1) === picture;
+            const right = shown(1, 0) === picture;
+            const differs = shown(5, 0) !== nothing;
+            const error = effect.error();
+            effect.forget();
+            return {same, left, right, differs, error, forgotten: effect.error()};
+        })()""")
+        self.assertEqual((0, True, False, True, None), tuple(state[name] for name in
+                                                             ("same", "left", "right", "differs", "forgotten")))
+        self.assertGreater(state["error"], 0.01)
+
+    def test_a_converged_picture_is_kept(self):
+        self.browser.evaluate("document.getElementById('keep').click(), gloam.effectPage.state.keeping = 3")
+        self.assertEqual(1e6, self.setting("weight_max"))
+        self.browser.wait("document.getElementById('left').textContent === 'gtao, kept'")
+        self.assertEqual(128, self.setting("weight_max"))
+        self.choose(view=5, method="hemisphere")
+        self.browser.wait("document.getElementById('told').textContent.includes('against the kept picture')")
+        self.browser.evaluate("document.getElementById('forget').click()")
+        self.assertEqual("without", self.browser.evaluate("document.getElementById('left').textContent"))
+        self.assertIsNone(self.browser.evaluate("gloam.effectPage.state.effect.kept"))
+
     def choose(self, **choices):
         """Sets controls by their identifiers, as a person does, and lets the page draw."""
         for identifier, value in choices.items():

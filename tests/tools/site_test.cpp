@@ -33,6 +33,10 @@ TEST(SiteTest, WritesPagesAndTheChecksOfEachPart) {
     EXPECT_THAT(result.out, HasSubstr("index.html: "));
     for (const char* page : {"index.html", "check.html", "check.js", "style.css"})
         EXPECT_TRUE(fs::exists(site / page)) << page;
+    EXPECT_THAT(
+        test::read_file(site / "check.html"),
+        AllOf(testing::StartsWith("<!DOCTYPE html>\n"), HasSubstr("<title>gloam: check this browser</title>"),
+              HasSubstr("<main>\n<h1>Check this browser</h1>\n"), Not(HasSubstr("<!-- main -->"))));
     const nlohmann::json index = json_in(site / "site.js", '{', '}');
     EXPECT_EQ(index.at("files"), (nlohmann::json{"checks-filter.js", "checks-sampling.js"}));
     EXPECT_EQ(index.at("inputs"), 40);

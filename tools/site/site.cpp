@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "base/read_file.hpp"
 #include "catalogue/catalogue.hpp"
@@ -68,10 +69,35 @@ void copy_files(const fs::path& from, std::string_view extensions, Files& files)
     }
 }
 
+// A page of the template. Its file has what is its own in the head, then its main element.
+std::string page_of(const std::string& form, const fs::path& file) {
+    const std::string text = base::read_file(file);
+    const std::string begin = "<main>\n";
+    const std::size_t main = text.find(begin);
+    const std::size_t end = text.rfind("</main>");
+    const std::size_t title = text.find("<title>");
+    if (main == std::string::npos || end == std::string::npos || title > main)
+        throw std::runtime_error(file.string() + ": expected a title and a main element");
+    std::string page = form;
+    const auto put = [&page, &file](const std::string& marker, const std::string& part) {
+        const std::size_t at = page.find(marker);
+        if (at == std::string::npos)
+            throw std::runtime_error(file.string() + ": no " + marker + " in the template");
+        page.replace(at, marker.size(), part);
+    };
+    put("<!-- head -->\n", text.substr(title, main - title));
+    put("<!-- main -->\n", text.substr(main + begin.size(), end - main - begin.size()));
+    return page;
+}
+
 // The pages, the libraries that they use, and the licences of these as a script.
 void write_pages(const SiteOptions& options, Files& files) {
     const fs::path third_party = options.files / "third-party";
-    copy_files(options.files / "page", ".html.js.css", files);
+    copy_files(options.files / "page", ".js.css", files);
+    const std::string form = base::read_file(options.files / "template.html");
+    for (const fs::directory_entry& file : fs::directory_iterator(options.files / "page"))
+        if (file.path().extension() == ".html")
+            files.write(file.path().filename().string(), page_of(form, file.path()));
     copy_files(third_party, ".js.css", files);
     nlohmann::ordered_json licences = nlohmann::ordered_json::array();
     for (const char* name : {"uplot", "img-comparison-slider"})

@@ -19,7 +19,9 @@ gloam.Effect = class {
         this.gbuffer = this.program("gbuffer", this.data.gbuffer_vertices, this.data.gbuffer);
         this.reproject = this.program("reproject", gloam.Effect.wholeImage, this.data.reproject);
         this.shower = this.program("show", gloam.Effect.wholeImage, this.data.show);
+        this.timer = new gloam.GpuTimer(this.gl);
         this.images = null;
+        this.kept = null;
         this.restart();
     }
 
@@ -134,6 +136,40 @@ void main() {
         }
         gl.deleteRenderbuffer(images.buffer);
         gl.deleteFramebuffer(images.framebuffer);
+        this.forget();
+    }
+
+    // Keeps a copy of the last frame's history, to compare with what follows.
+    keep() {
+        const {gl, images} = this;
+        const {width, height} = images;
+        this.kept ??= this.history(width, height);
+        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, images.after.framebuffer);
+        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.kept.framebuffer);
+        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    }
+
+    forget() {
+        if (this.kept === null) return;
+        this.gl.deleteTexture(this.kept.image);
+        this.gl.deleteFramebuffer(this.kept.framebuffer);
+        this.kept = null;
+    }
+
+    // The root of the mean squared difference between the occlusion of the last frame and the kept one, over the pixels
+    // that show geometry; null where nothing is kept.
+    error() {
+        if (this.kept === null) return null;
+        const now = this.read();
+        const kept = this.read(this.kept);
+        let sum = 0;
+        let count = 0;
+        for (let i = 0; i < now.length; i += 4) {
+            if (!Number.isFinite(now[i + 3])) continue;
+            sum += (now[i] - kept[i]) ** 2;
+            ++count;
+        }
+        return Math.sqrt(sum / Math.max(count, 1));
     }
 
     // Forgets the history.
@@ -158,7 +194,7 @@ void main() {
         let {before} = images;
         if (this.previous === null) this.clear(before);
         else if (this.previous.number !== number) before = this.moveHistory(camera);
-        this.drawOcclusion(before);
+        this.timer.measure(() => this.drawOcclusion(before));
         this.previous = {number, camera};
         ++this.frames;
     }
@@ -249,11 +285,12 @@ void main() {
     }
 
     // Draws the last frame to the canvas. view: as show.frag numbers them. split: part of the width, from the left,
-    // without occlusion.
+    // with the kept occlusion, or without any where none is kept.
     show(view, split) {
         const {gl, shower, images} = this;
         this.use(shower, {depth_image: images.depth, normal_image: images.normal, albedo_image: images.albedo,
-            history_image: images.after.image});
+            history_image: images.after.image, kept_image: (this.kept ?? images.after).image});
+        gl.uniform1i(shower.at("has_kept"), Number(this.kept !== null));
         const {rotation} = this.previous.camera;
         gl.uniform2i(shower.at("size"), images.width, images.height);
         gl.uniform1i(shower.at("shown"), view);
@@ -264,11 +301,11 @@ void main() {
     }
 
     // The history of the last frame, four floats for each pixel, the top row first: occlusion, samples accumulated,
-    // samples of the sequence used, depth.
-    read() {
+    // samples of the sequence used, depth. Or another history of that size.
+    read(history = this.images.after) {
         const {gl, images} = this;
         const texels = new Float32Array(4 * images.width * images.height);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, images.after.framebuffer);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, history.framebuffer);
         gl.readPixels(0, 0, images.width, images.height, gl.RGBA, gl.FLOAT, texels);
         return texels;
     }

@@ -4,10 +4,12 @@ uniform sampler2D depth_image;    // eye-linear depth; background 0
 uniform sampler2D normal_image;   // view-space normal that faces the eye
 uniform sampler2D albedo_image;   // colour of the surface, linear
 uniform sampler2D history_image;  // (occlusion, samples accumulated, samples of the sequence used, depth)
+uniform sampler2D kept_image;     // an earlier history, read where has_kept is set
+uniform bool has_kept;
 uniform ivec2 size;               // of the images, pixels
-uniform int shown;                // 0 lit, 1 visibility, 2 convergence, 3 samples accumulated, 4 normals
+uniform int shown;                // 0 lit, 1 visibility, 2 convergence, 3 samples accumulated, 4 normals, 5 difference
 uniform float weight_max;         // samples at which a pixel has converged
-uniform int split;                // left of this column there is no occlusion, pixels
+uniform int split;                // left of this column the kept occlusion is shown, or none, pixels
 uniform vec3 up;                  // of the world, in view space
 
 layout(location = 0) out vec4 color;
@@ -28,14 +30,17 @@ vec3 heat(float share) {
     return share < 0.5 ? mix(low, middle, 2.0 * share) : mix(middle, high, 2.0 * share - 1.0);
 }
 
-vec3 picture(ivec2 pixel, bool without) {
-    vec4 history = texelFetch(history_image, pixel, 0);
+vec3 picture(ivec2 pixel, bool left) {
+    vec4 kept = has_kept ? texelFetch(kept_image, pixel, 0) : vec4(0.0);
+    vec4 now = texelFetch(history_image, pixel, 0);
+    vec4 history = left && has_kept ? kept : now;
     vec3 normal = texelFetch(normal_image, pixel, 0).xyz;
-    float visibility = without ? 1.0 : 1.0 - history.x;
+    float visibility = left ? 1.0 - kept.x : 1.0 - now.x;
     if (shown == 1) return vec3(visibility);
     if (shown == 2) return heat(min(history.y / weight_max, 1.0));
     if (shown == 3) return heat(min(log2(1.0 + history.y) / 10.0, 1.0));
     if (shown == 4) return 0.5 + 0.5 * normal;
+    if (shown == 5) return heat(has_kept ? min(8.0 * abs(now.x - kept.x), 1.0) : 0.0);
     return lit(texelFetch(albedo_image, pixel, 0).rgb, normal, visibility);
 }
 
