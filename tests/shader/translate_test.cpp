@@ -155,6 +155,26 @@ TEST(Translate, APassNamesItsIndices) {
               HasSubstr("    int2 size;  // of all images\n")));
 }
 
+// texelFetch() needs no sampler, texture() does.
+TEST(Translate, OnlySamplersThatAreUsedAreDeclared) {
+    const std::string text = R"(#version 450
+layout(local_size_x = 8) in;
+layout(binding = 0) uniform sampler2D fetched;
+layout(binding = 1) uniform sampler2D filtered;
+layout(binding = 2, r32f) uniform writeonly image2D result_image;
+float fetch(ivec2 pixel) { return texelFetch(fetched, pixel, 0).x; }
+float smoothed(vec2 uv) { return textureLod(filtered, uv, 0.0).x; }
+void main() { imageStore(result_image, ivec2(0), vec4(fetch(ivec2(1)) + smoothed(vec2(0.5)))); }
+)";
+    EXPECT_THAT(
+        text_of(text, Target::hlsl),
+        HasSubstr("\n// Registers: s1 _filtered_sampler, t0 fetched, t1 filtered, u2 result_image.\n"));
+    EXPECT_THAT(text_of(text, Target::msl),
+                AllOf(HasSubstr("\n// Indices: sampler(1) filteredSmplr, texture(0) fetched, "),
+                      HasSubstr("float fetch(int2 pixel, texture2d<float> fetched)\n"),
+                      Not(HasSubstr("fetchedSmplr"))));
+}
+
 TEST(Translate, EveryStage) {
     const Source fragment{"f.frag",
                           "#version 450\nlayout(location = 1) in vec2 uv;\nlayout(location = 0) out vec4 c;\n"

@@ -83,10 +83,26 @@ std::string with_named_macros(std::string text) {
     return text;
 }
 
+// Without the samplers of images that are only fetched from: GLSL has them, other languages need none.
+std::string without_idle_samplers(std::string text, Target target) {
+    static const std::regex hlsl(R"(SamplerState (\w+) : register\([^)]*\);\n)");
+    static const std::regex msl(R"(, sampler (\w+) \[\[sampler\(\d+\)\]\])");
+    const std::string all = text;
+    const std::regex& declared = target == Target::hlsl ? hlsl : msl;
+    for (std::sregex_iterator i(all.begin(), all.end(), declared), end; i != end; ++i) {
+        const std::string name = (*i)[1];
+        const std::regex used(target == Target::hlsl ? "[(,] ?" + name + "\\b" : "\\.\\w+\\(" + name + "\\b");
+        if (std::regex_search(all, used)) continue;
+        text.erase(text.find((*i)[0]), static_cast<std::size_t>((*i)[0].length()));
+        text = std::regex_replace(text, std::regex(", (sampler )?" + name + "\\b"), "");
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string tidy(const std::string& text, Target target) {
-    const std::string numbers = with_short_numbers(text);
+    const std::string numbers = without_idle_samplers(with_short_numbers(text), target);
     if (target == Target::hlsl) {
         static const std::regex component(R"((\d[\w.+-]*f)\.x+\.[xyzw]\b)");  // of a vector of one number
         return with_logical_operators(std::regex_replace(with_named_macros(numbers), component, "$1"),

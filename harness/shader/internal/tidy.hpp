@@ -16,6 +16,7 @@ namespace gloam::shader::internal {
 //   SPIRV_CROSS_CONSTANT_ID_0.
 // - In MSL, functions without linkage: "float f()", not "static inline __attribute__((always_inline)) float
 // f()".
+// - No samplers of images that are only fetched from.
 [[nodiscard]] std::string tidy(const std::string& text, Target target);
 
 }  // namespace gloam::shader::internal
