@@ -78,7 +78,8 @@ TEST_F(PackEffect, EveryKindOfMethodIsWholeAndCompiles) {
 TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
     for (const auto& [target, suffix, first] :
          {std::tuple("hlsl", ".hlsl", "// Registers: b0 Parameters"),
-          std::tuple("msl", ".metal", "// Indices: buffer(4) tile_states")}) {
+          std::tuple("msl", ".metal", "// Indices: buffer(4) tile_states"),
+          std::tuple("wgsl", ".wgsl", "@group(0) @binding(0) var depth_image: texture_2d<f32>;")}) {
         SCOPED_TRACE(target);
         pack({"--target", target});
         for (const nlohmann::json& pass : json()["passes"]) {
