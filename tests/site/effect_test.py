@@ -68,7 +68,8 @@ class EffectTest(unittest.TestCase):
     def native(self, method, preset="balanced"):
         out = self.folder / f"{method}-{preset}"
         subprocess.run([GLOAM, "render", "columns", "--size", f"{WIDTH}x{HEIGHT}", "--frames", str(FRAMES), "--method",
-                        method, "--preset", preset, "--set", "precision=float32", "--out", out, "--quiet"], check=True)
+                        method, "--preset", preset, "--set", "precision=float32", "--set", "filter=none", "--out", out,
+                        "--quiet"], check=True)
         return read_pfm(out / f"f{FRAMES - 1:04}_ao.pfm")
 
     def test_the_occlusion_is_that_of_the_program(self):

@@ -22,8 +22,9 @@ bool runs_in_one_pass(const effect::MethodInfo& method) {
     return method.prepare == nullptr;
 }
 
-bool runs_unfiltered(const effect::Preset& preset) {
-    return preset.settings.history && preset.settings.filter == effect::Filter::none &&
+// The general presets that need no filter once a pixel has some samples: the page has none.
+bool runs_live(const effect::Preset& preset) {
+    return preset.settings.history && preset.settings.precision == effect::HistoryPrecision::packed &&
            preset.name.find('-') == std::string::npos;
 }
 
@@ -64,7 +65,7 @@ ordered_json settings_json(const effect::Settings& settings, const effect::Metho
 ordered_json method_json(const effect::MethodInfo& method, const ShaderFolders& folders) {
     ordered_json settings = ordered_json::object();
     for (const effect::Preset& preset : effect::presets()) {
-        if (!runs_unfiltered(preset)) continue;
+        if (!runs_live(preset)) continue;
         const effect::Settings own = preset.settings.method == method.name
                                          ? preset.settings
                                          : effect::with_method(preset.settings, method.name);
@@ -84,7 +85,7 @@ std::string effect_json(const ShaderFolders& folders) {
                       {"reproject", packed_file("reproject.frag", Stage::fragment, folders)},
                       {"show", packed_file("show.frag", Stage::fragment, folders)}};
     for (const effect::Preset& preset : effect::presets())
-        if (runs_unfiltered(preset))
+        if (runs_live(preset))
             json["presets"].push_back({{"name", preset.name},
                                        {"description", preset.description},
                                        {"method", preset.settings.method}});
