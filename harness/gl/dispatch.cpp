@@ -2,6 +2,7 @@
 #include "gl/dispatch.hpp"
 
 #include "gl/internal/context.hpp"
+#include "gl/internal/image_format.hpp"
 
 namespace gloam::gl {
 namespace {
@@ -9,18 +10,6 @@ namespace {
 void require_compute(const Device& device) {
     if (!has_compute(device.info().name.version))
         throw CallFailed(to_string(device.info().name.version) + " has no compute shaders");
-}
-
-GLenum format_of(const Image& image) {
-    switch (image.format()) {
-        case Image::Format::r32f:
-            return GL_R32F;
-        case Image::Format::rgba16f:
-            return GL_RGBA16F;
-        case Image::Format::rgba32f:
-            break;
-    }
-    return GL_RGBA32F;
 }
 
 }  // namespace
@@ -45,7 +34,8 @@ void dispatch(const Device& device, const ImageDispatch& work) {
     require_compute(device);
     gl.UseProgram(work.program.handle());
     for (const auto& [binding, image] : work.images) {
-        gl.BindImageTexture(binding, image.get().handle(), 0, GL_FALSE, 0, GL_READ_WRITE, format_of(image));
+        gl.BindImageTexture(binding, image.get().handle(), 0, GL_FALSE, 0, GL_READ_WRITE,
+                            internal::format_of(image.get().format()));
         gl.ActiveTexture(GL_TEXTURE0 + binding);
         gl.BindTexture(GL_TEXTURE_2D, image.get().handle());
     }

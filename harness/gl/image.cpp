@@ -5,24 +5,9 @@
 #include <utility>
 
 #include "gl/internal/context.hpp"
+#include "gl/internal/image_format.hpp"
 
 namespace gloam::gl {
-namespace {
-
-GLenum internal_format(Image::Format format) {
-    switch (format) {
-        case Image::Format::r32f:
-            return GL_R32F;
-        case Image::Format::rgba16f:
-            return GL_RGBA16F;
-        case Image::Format::rgba32f:
-            break;
-    }
-    return GL_RGBA32F;
-}
-
-}  // namespace
-
 std::size_t channels_of(Image::Format format) {
     return format == Image::Format::r32f ? 1 : 4;
 }
@@ -35,7 +20,7 @@ Image::Image(const Device& device, Format format, std::size_t width, std::size_t
         throw CallFailed(to_string(device.info().name.version) + " has no images");
     gl.GenTextures(1, &handle_);
     gl.BindTexture(GL_TEXTURE_2D, handle_);
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, internal_format(format), static_cast<GLsizei>(width),
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, internal::format_of(format), static_cast<GLsizei>(width),
                     static_cast<GLsizei>(height));
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);

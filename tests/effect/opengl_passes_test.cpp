@@ -22,6 +22,7 @@
 #include "scene/rasterize.hpp"
 #include "shader/compile.hpp"
 #include "shader/reflection.hpp"
+#include "support/method_names.hpp"
 
 namespace gloam::effect {
 namespace opengl_passes_test {
@@ -146,10 +147,11 @@ class OnOpenGl {
 };
 
 // Those that prepare images, and some that do not: tests/glsl/opengl_methods_test.cpp has each as a function.
-std::vector<std::string> method_names() {
+std::vector<std::string> passes_of_methods() {
     std::vector<std::string> names{"hemisphere", "gtao", "bitmask"};
-    for (const MethodInfo& method : methods())
-        if (method.prepare != nullptr) names.push_back(method.name);
+    const auto prepared =
+        test::method_names([](const MethodInfo& method) { return method.prepare != nullptr; });
+    names.insert(names.end(), prepared.begin(), prepared.end());
     return names;
 }
 
@@ -185,8 +187,7 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(method_names()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(passes_of_methods()), test::parameter_name);
 
 }  // namespace opengl_passes_test
 }  // namespace gloam::effect

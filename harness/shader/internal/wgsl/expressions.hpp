@@ -26,7 +26,7 @@ namespace gloam::shader::internal::wgsl {
 class ModuleText;
 [[nodiscard]] bool operation(ModuleText& text, const Instruction& instruction,
                              const std::vector<Expression>& operands, Expression& result);
-// The same of an instruction of GLSL.std.450.
+// What an instruction of GLSL.std.450 calculates from its operands. False where there is no such instruction.
 [[nodiscard]] bool extended_operation(ModuleText& text, const Instruction& instruction,
                                       const std::vector<Expression>& operands, Expression& result);
 
