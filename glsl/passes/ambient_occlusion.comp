@@ -17,8 +17,8 @@
 //   3  history  written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
 //   4  buffer   the tiles' states (tiles/state.glsl): what each took is added when counts is set, else it is never
 //               touched
-//   5  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
-//               set
+//   5  r32ui    how each surface point has moved otherwise than the camera (reproject.comp); read when moving_objects
+//               is set; it counts for nothing while the view stands still
 //   6  buffer   a MethodValues
 //   7  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
 //               some
@@ -58,7 +58,7 @@ layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
 layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_before;
 layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history_after;
-layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
+layout(binding = 5 GLOAM_FORMAT(r32ui)) uniform GLOAM_UINT_INPUT displacement_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
@@ -88,6 +88,7 @@ layout(push_constant) uniform Parameters {
     float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
     float c_filter;        // convergence from which the filter leaves a pixel as it is; infinite: it leaves none
     float bias_depth;      // the bias is at least this share of the depth
+    float displacement_unit;  // of binding 5, world units
 } parameters;
 
 #include "gloam/filter/shrink.glsl"
@@ -96,6 +97,7 @@ layout(push_constant) uniform Parameters {
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
+#include "gloam/temporal/displacement.glsl"
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/neighborhood.glsl"
 #include "gloam/temporal/smooth_invalidation.glsl"
@@ -127,10 +129,10 @@ layout(binding = 10, r32f) uniform writeonly highp image2D shown_image;
 const uint CLAMP = 1u;
 const uint CONFIDENCE = 2u;
 
-// The point being shaded, now and in the previous frame, and what the samples have told of its neighbourhood so far.
+// The point being shaded, its motion, and what the samples have shown of its neighbourhood so far.
 struct Neighborhood {
     vec3 position;
-    vec3 previous;
+    vec3 displacement;  // otherwise than the camera, since the last frame
     vec3 normal;
     float reach;   // how far what blocks a sample may be, world units
     float change;  // largest, world units
@@ -149,15 +151,20 @@ GloamCamera this_camera() {
 
 #include "pixel_samples.glsl"
 
+vec3 displacement_at(ivec2 pixel) {
+    return gloam_displacement_from_code(GLOAM_FETCH(displacement_image, pixel).x, parameters.displacement_unit);
+}
+
 // Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells
 // nothing. The change is that of gloam_neighborhood_change, without a branch and without its care for lengths whose
-// squares are not finite: those count as changed, as there. Here lengths are subtracted: what tells is within the
-// reach, and 4e-7 of that is no more than the rounding of positions. The ray is divided as gloam_footprint_ray divides,
-// so that compilers share it.
+// squares are not finite: those count as changed, as there. The camera's motion keeps all distances, so two points were
+// as far apart as they are without their displacements. Here lengths are subtracted: what tells is within the reach,
+// and 4e-7 of that is no more than the rounding of positions. The ray is divided as gloam_footprint_ray divides, so
+// that compilers share it.
 void probe(ivec2 pixel, float depth) {
     vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / vec2(parameters.size) / parameters.p00_p11;
     vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
-    vec3 before = GLOAM_FETCH(previous_position_image, pixel).xyz - neighborhood.previous;
+    vec3 before = now + (displacement_at(pixel) - neighborhood.displacement);
     float squared = dot(now, now);
     float squared_before = dot(before, before);
     float reach = neighborhood.reach * neighborhood.reach;
@@ -171,7 +178,7 @@ void probe(ivec2 pixel, float depth) {
 // Read by the samples, which thereby are the probes.
 float gloam_fetch_depth(ivec2 pixel) {
     float depth = GLOAM_FETCH(depth_image, pixel).x;
-    if (moving_objects && parameters.invalidation != 0u) probe(pixel, depth);
+    if (moving_objects && parameters.invalidation != 0u && parameters.still == 0u) probe(pixel, depth);
     return depth;
 }
 
@@ -205,8 +212,7 @@ float weight_after_change(float weight, float seen) {
 }
 
 Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
-    vec3 previous = GLOAM_FETCH(previous_position_image, pixel).xyz;
-    return Neighborhood(position, previous, normal, max(radius, method_values.range), 0.0);
+    return Neighborhood(position, displacement_at(pixel), normal, max(radius, method_values.range), 0.0);
 }
 
 // What the method says of a pixel by `samples` samples.

@@ -9,6 +9,7 @@ void append_temporal(Entries& entries) {
     append_accumulation(entries);
     append_history(entries);
     append_packed_history(entries);
+    append_displacement(entries);
     append_validity(entries);
     append_reprojection(entries);
     append_temporal_smoothing(entries);

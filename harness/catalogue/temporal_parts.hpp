@@ -27,6 +27,7 @@ void append_exact(Entries& entries, const Origin& origin, Description descriptio
 void append_accumulation(Entries& entries);  // blending, convergence, and equations that depend on it
 void append_history(Entries& entries);       // the history buffer, its interpolation, the start index
 void append_packed_history(Entries& entries);
+void append_displacement(Entries& entries);  // the motion that samples watch for, in 32 bits
 void append_validity(Entries& entries);
 void append_reprojection(Entries& entries);  // disocclusion, neighbourhood change, smooth invalidation
 

@@ -36,6 +36,7 @@ struct AmbientOcclusion::Impl {
         : device(&the_device),
           pipelines(the_device, passes),
           nothing(the_device, {1, 1}, gpu::Format::rgba32f),
+          no_displacement(the_device, {1, 1}, gpu::Format::r32ui),
           method(the_device, sizeof(MethodValues)),
           prepared(the_device, passes),
           samples(the_device, passes) {
@@ -53,6 +54,7 @@ struct AmbientOcclusion::Impl {
     OpenSearch open_search;
     bool second_is_after = false;  // which of the two images of the history, which are swapped
     gpu::Image nothing;            // for bindings that are not read
+    gpu::Image no_displacement;    // the same, of integers
     gpu::Buffer method;            // MethodValues
     PreparedImage prepared;
     SampleTable samples;
@@ -68,7 +70,10 @@ struct AmbientOcclusion::Impl {
     void allocate(gpu::Extent size);
     void take(const scene::GBuffer& new_view);
     [[nodiscard]] bool moves_history() const { return progress.history_lags() && settings.history; }
-    [[nodiscard]] bool watches_objects() const;
+    [[nodiscard]] bool knows_motion() const;
+    [[nodiscard]] bool watches_objects() const {
+        return knows_motion() && settings.invalidation != Invalidation::none;
+    }
     [[nodiscard]] bool lists_tiles() const {
         return selects_tiles(settings) && listing.due(progress.history_lags());
     }
@@ -118,7 +123,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
 }
 
 // Whether the view holds the positions of its points in the previous view, and a history depends on them.
-bool AmbientOcclusion::Impl::watches_objects() const {
+bool AmbientOcclusion::Impl::knows_motion() const {
     return moves_history() && images->previous_position.has_value();
 }
 
@@ -143,12 +148,13 @@ Program AmbientOcclusion::Impl::program() const {
 
 ReprojectionProgram AmbientOcclusion::Impl::reprojection_program() const {
     return {.precision = settings.precision,
-            .moving_objects = watches_objects(),
+            .moving_objects = knows_motion(),
             .listed = lists_tiles(),
             .taps = settings.taps,
             .nearest_index = settings.nearest_index,
             .orthographic = view.camera.orthographic(),
-            .previous_orthographic = previous_view.camera.orthographic()};
+            .previous_orthographic = previous_view.camera.orthographic(),
+            .keeps_displacement = watches_objects()};
 }
 
 // The list of tiles on which a pass runs; none: all tiles.
@@ -203,16 +209,17 @@ SelectParameters AmbientOcclusion::Impl::select_parameters() const {
 
 std::vector<Step> AmbientOcclusion::Impl::steps() {
     const gpu::Image& positions = images->previous_position ? *images->previous_position : nothing;
+    const gpu::Image& displacement = images->displacement ? *images->displacement : no_displacement;
     const Tiles& tiles = images->tiles;
     std::vector<Step> passes;
     if (progress.first_of_view()) surfaces.append_steps(pipelines, *images, nothing, passes);
     append_selection(passes);
     if (moves_history()) {
-        passes.push_back(over(TileLists::shaded,
-                              {"reproject",
-                               &pipelines.reprojection(reprojection_program()),
-                               {images->depth, positions, images->before, images->reprojected, tiles.lists()},
-                               bytes_of(reprojection_constants)}));
+        passes.push_back(over(TileLists::shaded, {"reproject",
+                                                  &pipelines.reprojection(reprojection_program()),
+                                                  {images->depth, positions, images->before,
+                                                   images->reprojected, tiles.lists(), displacement},
+                                                  bytes_of(reprojection_constants)}));
     }
     const gpu::Image& layers = images->layers ? *images->layers : nothing;
     prepared.append_steps({images->depth, images->normal, history(), method, layers}, passes);
@@ -224,7 +231,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
         passes.push_back(over(list, {name,
                                      &pipelines.occlusion(of_list),
                                      {images->depth, images->normal, history(), history_after(),
-                                      tiles.after(), positions, method, prepared.image_or(nothing), layers,
+                                      tiles.after(), displacement, method, prepared.image_or(nothing), layers,
                                       tiles.lists(), images->filtered, samples.image_or(nothing)},
                                      bytes_of(occlusion_constants)}));
     };
@@ -236,8 +243,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
 }
 
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
-    return lists_tiles() &&
-           open_search.searches(watches_objects() && settings.invalidation != Invalidation::none);
+    return lists_tiles() && open_search.searches(watches_objects());
 }
 
 void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {

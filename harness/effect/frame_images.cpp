@@ -105,6 +105,7 @@ void FrameImages::take(const gpu::Device& device, const scene::GBuffer& view) {
     if (view.previous_position.empty()) return;
     previous_position.emplace(device, extent, rgba32f);
     previous_position->upload(texels_of(view.previous_position));
+    if (!displacement) displacement.emplace(device, extent, r32ui);
 }
 
 void FrameImages::take_surfaces(const gpu::Device& device, const scene::GBuffer& view) {

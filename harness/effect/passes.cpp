@@ -71,6 +71,12 @@ bool has_short_loops(const Program& program) {
            program.sample_table;
 }
 
+// To what a displacement is rounded: so little that rounding two of them stays far below what counts as a
+// change.
+float displacement_unit(const Settings& settings) {
+    return settings.change_tolerance / 32.0F;
+}
+
 // Convergence from which the filter leaves a pixel unchanged; infinite if it changes all.
 float c_filter(const Settings& settings) {
     const bool leaves = settings.skip_filtered && settings.filter == Filter::convergence;
@@ -159,7 +165,8 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .radius_cap = settings.radius_cap,
             .smoothing = settings.smoothing,
             .c_filter = c_filter(settings),
-            .bias_depth = settings.bias_depth};
+            .bias_depth = settings.bias_depth,
+            .displacement_unit = displacement_unit(settings)};
 }
 
 ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
@@ -168,7 +175,8 @@ ReprojectionParameters reprojection_parameters(const View& view, const View& pre
             .p00_p11 = view.camera.p00_p11(),
             .previous_p00_p11 = previous.camera.p00_p11(),
             .size = vector_of_size(view.extent),
-            .tolerance = settings.depth_tolerance};
+            .tolerance = settings.depth_tolerance,
+            .displacement_unit = displacement_unit(settings)};
 }
 
 FilterParameters filter_parameters(const View& view, const Settings& settings) {
@@ -256,6 +264,7 @@ PassSource reprojection_source(const ReprojectionProgram& program) {
                           {.id = 2, .bits = flag(program.nearest_index)},
                           {.id = 3, .bits = flag(program.orthographic)},
                           {.id = 4, .bits = flag(program.previous_orthographic)},
+                          {.id = 5, .bits = flag(program.keeps_displacement)},
                           {.id = listed_constant, .bits = flag(program.listed)}}};
 }
 
@@ -307,9 +316,10 @@ gpu::ComputePipeline ambient_occlusion(const gpu::Device& device, const scene::P
 
 gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
                                const ReprojectionProgram& program) {
-    return pipeline_of(device, library, reprojection_source(program),
-                       {sampled_image, sampled_image, sampled_image, storage_image, storage_buffer},
-                       sizeof(ReprojectionParameters));
+    return pipeline_of(
+        device, library, reprojection_source(program),
+        {sampled_image, sampled_image, sampled_image, storage_image, storage_buffer, storage_image},
+        sizeof(ReprojectionParameters));
 }
 
 gpu::ComputePipeline spatial_filter(const gpu::Device& device, const scene::PassLibrary& library,

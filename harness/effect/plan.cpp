@@ -93,6 +93,7 @@ class Planner {
         if (options_.moving_objects) {
             image("previous_position", rgba32f, Origin::engine,
                   "where each surface point was, in the view space of the frame before, in xyz");
+            image("displacement", r32ui, Origin::frame, "how surface points move otherwise than the camera");
         }
         if (settings_.layers > 1)
             image("layers", rgba32f, Origin::engine, "depth layers 1 to 3 behind the first in xyz");
@@ -274,9 +275,11 @@ class Planner {
                                           .taps = settings_.taps,
                                           .nearest_index = settings_.nearest_index,
                                           .orthographic = options_.orthographic,
-                                          .previous_orthographic = options_.orthographic};
+                                          .previous_orthographic = options_.orthographic,
+                                          .keeps_displacement = options_.moving_objects};
         pass("reproject", reprojection_source(program),
-             {depth(), present("previous_position"), "history_before", "history_reprojected", lists()},
+             {depth(), present("previous_position"), "history_before", "history_reprojected", lists(),
+              present("displacement")},
              bytes_of_parameters(reprojection_parameters(moment_.view, moment_.previous, settings_)), a_tile);
         plan_.passes.back().turn = Turn::moved;
         over(TileLists::shaded);
@@ -308,7 +311,7 @@ class Planner {
         parameters.still = moment_.still ? 1 : 0;
         const Counting counts = options_.tiles ? Counting::each_group : Counting::none;
         pass("ambient_occlusion", occlusion_source(program, counts, 1),
-             {depth(), normal(), history(), present("history_after"), states(), present("previous_position"),
+             {depth(), normal(), history(), present("history_after"), states(), present("displacement"),
               "method", present("prepared"), present("layers"), lists(), present("filtered"),
               present("sample_table")},
              bytes_of_parameters(parameters), a_tile);

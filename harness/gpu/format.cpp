@@ -20,6 +20,8 @@ const FormatTraits& traits(Format format) {
                                            Aspect::eDepth, Usage::eDepthStencilAttachment};
     static constexpr FormatTraits r16f{"r16f", vk::Format::eR16Sfloat, 1, 2, Aspect::eColor, color};
     static constexpr FormatTraits r8{"r8", vk::Format::eR8Unorm, 1, 1, Aspect::eColor, color};
+    static constexpr FormatTraits r32ui{"r32ui", vk::Format::eR32Uint, 1,
+                                        4,       Aspect::eColor,       Usage::eStorage | Usage::eSampled};
     switch (format) {
         case Format::r32f:
             return r32f;
@@ -35,6 +37,8 @@ const FormatTraits& traits(Format format) {
             return r16f;
         case Format::r8:
             return r8;
+        case Format::r32ui:
+            return r32ui;
     }
     throw std::invalid_argument(fmt::format("unknown image format {}", static_cast<int>(format)));
 }

@@ -79,7 +79,8 @@ TEST_F(Layouts, OcclusionPass) {
                    MEMBER(T, radius_cap),
                    MEMBER(T, smoothing),
                    MEMBER(T, c_filter),
-                   MEMBER(T, bias_depth)});
+                   MEMBER(T, bias_depth),
+                   MEMBER(T, displacement_unit)});
 }
 
 TEST_F(Layouts, PreparationPasses) {
@@ -98,7 +99,7 @@ TEST_F(Layouts, ReprojectionFilterAndMap) {
     using R = ReprojectionParameters;
     expect_pushed(reprojection_source({}), sizeof(R),
                   {MEMBER(R, previous_from_current), MEMBER(R, p00_p11), MEMBER(R, previous_p00_p11),
-                   MEMBER(R, size), MEMBER(R, tolerance)});
+                   MEMBER(R, size), MEMBER(R, tolerance), MEMBER(R, displacement_unit)});
     using F = FilterParameters;
     for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao})
         expect_pushed(filter_source({.filter = filter}), sizeof(F),

@@ -62,6 +62,7 @@ class ReprojectionPass : public OnDevice<testing::Test> {
         const gpu::Image positions(device_, extent, rgba32f);
         gpu::Image previous(device_, extent, rgba32f);
         const gpu::Image history(device_, extent, rgba32f);
+        const gpu::Image no_displacement(device_, extent, r32ui);
         const gpu::Buffer no_list(device_, 128);
         depth.upload(std::vector<float>(before.size(), depth_of_all));
         std::vector<float> words;
@@ -77,8 +78,9 @@ class ReprojectionPass : public OnDevice<testing::Test> {
             .tolerance = tolerance};
         const gpu::ComputePipeline pass = reproject(device_, passes_, program);
         gpu::Commands commands(device_);
-        commands.dispatch(pass, std::vector<gpu::Resource>{depth, positions, previous, history, no_list},
-                          {2, 1, 1}, std::as_bytes(std::span(&parameters, 1)));
+        commands.dispatch(
+            pass, std::vector<gpu::Resource>{depth, positions, previous, history, no_list, no_displacement},
+            {2, 1, 1}, std::as_bytes(std::span(&parameters, 1)));
         commands.submit();
         const std::vector<float> got = history.download();
         Texels after;

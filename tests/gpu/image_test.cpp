@@ -55,7 +55,7 @@ TEST_P(RoundTripTest, ComesBackAsItWas) {
 
 std::string case_name(const ::testing::TestParamInfo<RoundTripTest::ParamType>& info) {
     const auto [format, extent] = info.param;
-    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "rgba16ui", "depth32f", "r16f", "r8"};
+    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "rgba16ui", "depth32f", "r16f", "r8", "r32ui"};
     return names[static_cast<std::size_t>(format)] + ("_" + std::to_string(extent.width)) + "x" +
            std::to_string(extent.height);
 }
@@ -65,7 +65,7 @@ constexpr Extent large{1500, 2000};  // as rgba32f more than is staged at once
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTripTest,
                          ::testing::Combine(::testing::Values(Format::r32f, Format::rgba32f, Format::rgba16f,
                                                               Format::rgba16ui, Format::depth32f,
-                                                              Format::r16f, Format::r8),
+                                                              Format::r16f, Format::r8, Format::r32ui),
                                             ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})),
                          case_name);
 INSTANTIATE_TEST_SUITE_P(Bands, RoundTripTest,

@@ -60,6 +60,7 @@ struct FrameImages {
     std::optional<gpu::Image> stored_depth;   // as the engine stores it, if that is not what the passes read
     std::optional<gpu::Image> stored_normal;  // and its normals, if it has any
     std::optional<gpu::Image> previous_position;
+    std::optional<gpu::Image> displacement;     // where there are previous positions
     std::optional<gpu::Image> layers;           // of depth behind the first, one in each channel
     std::optional<gpu::Image> mapped;           // remapped history, if anything is remapped
     std::optional<gpu::Image> filtered_mapped;  // remapped result of the filter

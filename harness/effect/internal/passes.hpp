@@ -59,6 +59,7 @@ struct OcclusionParameters {
     float smoothing;
     float c_filter;
     float bias_depth;
+    float displacement_unit;
 };
 
 struct ReprojectionParameters {
@@ -67,6 +68,7 @@ struct ReprojectionParameters {
     glm::vec2 previous_p00_p11;
     glm::ivec2 size;
     float tolerance;
+    float displacement_unit;
 };
 
 struct FilterParameters {
@@ -169,6 +171,7 @@ struct ReprojectionProgram {
     bool nearest_index = true;
     bool orthographic = false;
     bool previous_orthographic = false;
+    bool keeps_displacement = false;
 
     friend auto operator<=>(const ReprojectionProgram&, const ReprojectionProgram&) = default;
 };

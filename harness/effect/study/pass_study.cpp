@@ -107,7 +107,8 @@ class Runner {
             shown.radius = static_cast<float>(scene.ao_radius);
             for (std::size_t i = 0; i < shown.views.size(); ++i)
                 shown.views.at(i) =
-                    scene::rasterize(device, passes, scene, extent, {.frame = static_cast<int>(i)});
+                    scene::rasterize(device, passes, scene, extent,
+                                     {.frame = static_cast<int>(i), .motion = what.scene == "moving"});
         }
     }
 
@@ -185,7 +186,9 @@ std::vector<PassCase> pass_cases() {
         moved_slice,
         rolled(moved_slice),
         few_taps_case("four taps", "`alchemy`", "alchemy", false),
-        few_taps_case("four taps, objects moved", "the same in a sequence", "alchemy", true)};
+        few_taps_case("four taps, objects moved", "the same in a sequence", "alchemy", true),
+        few_taps_case("four points", "`hemisphere`", "hemisphere", false),
+        few_taps_case("four points, objects moved", "the same in a sequence", "hemisphere", true)};
 }
 
 PassStudy study_passes(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,

@@ -23,6 +23,8 @@ std::string vulkan_format(gpu::Format format) {
             return "VK_FORMAT_R16_SFLOAT";
         case gpu::Format::r8:
             return "VK_FORMAT_R8_UNORM";
+        case gpu::Format::r32ui:
+            return "VK_FORMAT_R32_UINT";
     }
     throw std::logic_error("an image format without a name");
 }
