@@ -44,6 +44,14 @@ void append_buffer(Entries& entries) {
                                   .title = "history of a pixel that has none",
                                   .formula = "(0, 0, 0, d), d = infinity for background"},
                                  &reference::gloam_history_empty, {depths()});
+    entries.push_back(equation<bool(float, float)>({.id = "TSSAO-BUF-usable",
+                                                    .function = "gloam_history_usable",
+                                                    .file = origin.file,
+                                                    .title = "whether a history holds a mean",
+                                                    .formula = "0 <= AO <= 1 and 0 < w < infinity",
+                                                    .source = origin.source},
+                                                   &reference::gloam_history_usable,
+                                                   {.domain = {occlusions(), weights()}}));
     append_exact<History(History)>(
         entries, origin,
         {.id = "TSSAO-BUF-sanitize",

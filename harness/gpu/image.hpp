@@ -38,8 +38,9 @@ class Image {
 
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
     // rgba16f and r16f are converted from and to float32 (round to nearest even), rgba16ui from the nearest
-    // integer in 0 to 65535, and r8 from the nearest of 0 to 1 in steps of 1/255. A float of r32ui is the bits
-    // of its integer. Throws std::invalid_argument for another count, std::runtime_error like Commands::submit().
+    // integer in 0 to 65535, and r8 from the nearest of 0 to 1 in steps of 1/255. A float of r32ui is the
+    // bits of its integer. Throws std::invalid_argument for another count, std::runtime_error like
+    // Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 

@@ -10,13 +10,13 @@
 // neighbours. (0, 0) for u outside [0, 1] or NaN, and for an extent below 1. Error of the fraction: 6e-8 of the
 // extent, and as near to 1/256 of a centre it may be taken for 0 or not.
 vec2 gloam_texel_position(float u, int extent) {
-    if (!(u >= 0.0 && u <= 1.0) || extent < 1) return vec2(0.0);
+    bool inside = u >= 0.0 && u <= 1.0 && extent >= 1;
     float position = u * float(extent) - 0.5;
     float first = floor(position);
     float fraction = position - first;
-    if (fraction < 0.00390625) return vec2(first, 0.0);
-    if (fraction > 0.99609375) return vec2(first + 1.0, 0.0);
-    return vec2(first, fraction);
+    bool next = fraction > 0.99609375;
+    bool between = fraction >= 0.00390625 && !next;
+    return inside ? vec2(next ? first + 1.0 : first, between ? fraction : 0.0) : vec2(0.0);
 }
 
 #endif

@@ -14,8 +14,9 @@
 // Returns false as well if either depth is background or NaN (both: see gloam_both_background). A difference within
 // rounding of the threshold may fall to either side. Depths above 1e-30.
 bool gloam_depth_consistent(float stored_depth, float expected_depth, float epsilon) {
-    if (gloam_is_background(stored_depth) || gloam_is_background(expected_depth)) return false;
-    return abs(stored_depth - expected_depth) < epsilon * stored_depth;
+    // An infinite depth differs by infinity or NaN, which is below nothing.
+    bool surfaces = stored_depth >= 1.175494351e-38 && expected_depth >= 1.175494351e-38;
+    return surfaces && abs(stored_depth - expected_depth) < epsilon * stored_depth;
 }
 
 // Whether there was nothing before and is nothing now: valid, with no occlusion to compute.

@@ -3,8 +3,8 @@
 #define GLOAM_TEMPORAL_DISPLACEMENT_GLSL
 
 // How a surface point has moved otherwise than the camera since the last frame, in 32 bits: three components of nine
-// bits, with a sign, and a common exponent of five. Samples that watch for moving objects (TSSAO-9) read it at each tap:
-// a previous position of four floats is four times as much memory.
+// bits, with a sign, and a common exponent of five. Samples that watch for moving objects (TSSAO-9) read it at each
+// tap. A previous position of four floats is four times as much memory.
 
 // The code of what is too far to be held, or not known: 255 * 2^31 units along each axis.
 const uint GLOAM_DISPLACED_FAR = 0xFBFDFEFFu;

@@ -23,14 +23,19 @@ GloamHistory gloam_history_empty(float depth) {
     return GloamHistory(0.0, 0.0, 0u, gloam_is_background(depth) ? gloam_background_depth() : depth);
 }
 
+// Whether a history holds a mean: its occlusion is in [0, 1] and its weight positive and finite. Subnormal numbers of
+// either sign are read as 0.
+// occlusion, weight: any. Error: none.
+bool gloam_history_usable(float occlusion, float weight) {
+    return occlusion > -1.175494351e-38 && occlusion <= 1.0 && weight >= 1.175494351e-38 && weight <= 3.402823466e38;
+}
+
 // History made safe to use. It becomes the empty history of its depth where its occlusion is outside [0, 1] or NaN, its
 // weight is not positive and finite, or its pixel is background. The index is then 0 too, so every fresh start is the
 // same. Else the index is taken modulo 2^24. Subnormal numbers of either sign are read as 0.
 // h: any history. Error: none.
 GloamHistory gloam_history_sanitize(GloamHistory h) {
-    bool usable = h.occlusion > -1.175494351e-38 && h.occlusion <= 1.0 && h.weight >= 1.175494351e-38 &&
-                  h.weight <= 3.402823466e38;
-    if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
+    if (!gloam_history_usable(h.occlusion, h.weight) || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
     return GloamHistory(h.occlusion >= 1.175494351e-38 ? h.occlusion : 0.0, h.weight, h.index % GLOAM_LARGEST_TABLE,
                         h.depth);
 }

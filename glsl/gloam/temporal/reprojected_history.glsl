@@ -23,30 +23,30 @@ vec4 gloam_fetch_history(ivec2 pixel);
 // spread of the four texels, 1.6e-5 of the largest for images of 40 texels; a depth within rounding of the tolerance
 // may fall to either side.
 GloamHistory gloam_reprojected_history(vec2 uv, ivec2 size, float expected_depth, float epsilon) {
-    GloamHistory history = gloam_history_empty(expected_depth);
-    if (!gloam_inside_unit(uv) || size.x < 1 || size.y < 1) return history;
+    if (!gloam_inside_unit(uv) || size.x < 1 || size.y < 1) return gloam_history_empty(expected_depth);
     vec2 x = gloam_texel_position(uv.x, size.x);
     vec2 y = gloam_texel_position(uv.y, size.y);
     ivec2 first = ivec2(int(x.x), int(y.x));
-    GloamHistory texel[4];
+    vec4 texel[4];
     bvec4 valid;
     for (int i = 0; i < 4; ++i) {
-        ivec2 pixel = gloam_clamp_to_edge(first + ivec2(i % 2, i / 2), size);
-        texel[i] = gloam_history_unpack(gloam_fetch_history(pixel));
-        valid[i] = gloam_depth_consistent(texel[i].depth, expected_depth, epsilon);
+        texel[i] = gloam_fetch_history(gloam_clamp_to_edge(first + ivec2(i % 2, i / 2), size));
+        valid[i] = gloam_depth_consistent(texel[i].w, expected_depth, epsilon);
     }
     vec4 weights = gloam_validated_weights(gloam_bilinear_weights(vec2(x.y, y.y)), valid);
+    vec4 mean = vec4(0.0, 0.0, 0.0, expected_depth);  // a texel too, with one index for all
     float most = 0.0;
     for (int i = 0; i < 4; ++i) {
-        history.occlusion += weights[i] * texel[i].occlusion;
-        history.weight += weights[i] * texel[i].weight;
+        bool usable = gloam_history_usable(texel[i].x, texel[i].y);
+        mean.x += usable ? weights[i] * max(texel[i].x, 0.0) : 0.0;
+        mean.y += usable ? weights[i] * texel[i].y : 0.0;
         if (weights[i] > most) {
             most = weights[i];
-            history.index = texel[i].index;
+            mean.z = usable ? texel[i].z : 0.0;
         }
     }
-    history.occlusion = min(history.occlusion, 1.0);  // the weights' sum may be 1 and a rounding error
-    return gloam_history_sanitize(history);
+    mean.x = min(mean.x, 1.0);  // the weights' sum may be 1 and a rounding error
+    return gloam_history_unpack(mean);
 }
 
 #endif

@@ -43,9 +43,8 @@ struct PassStudy {
 
 // The cases: a filter of 5 x 5 and one of 17 x 17, where nothing has converged and where everything has; the
 // other filters; slices, with and without hoisted loop invariants; and with each kind of history a frame that
-// takes no samples and a frame of a view that has moved; few taps of three methods, in a single frame and where
-// objects have moved.
-// Settled tiles are not skipped, because the cost of their passes is what is timed.
+// takes no samples and a frame of a view that has moved; few taps of three methods, in a single frame and
+// where objects have moved. Settled tiles are not skipped, because the cost of their passes is what is timed.
 [[nodiscard]] std::vector<PassCase> pass_cases();
 
 // Times `rounds` frames of each case in its scene. The cases alternate, so that the machine's drift

@@ -18,10 +18,14 @@ inline GloamHistory gloam_history_empty(double depth) {
     return {0.0, 0.0, 0U, gloam_is_background(depth) ? infinity : depth};
 }
 
+inline bool gloam_history_usable(double occlusion, double weight) {
+    const bool occludes = occlusion > -float_min && occlusion <= 1.0;
+    return occludes && weight >= float_min && weight <= float_max;
+}
+
 inline GloamHistory gloam_history_sanitize(GloamHistory h) {
-    const bool occludes = h.occlusion > -float_min && h.occlusion <= 1.0;
-    const bool weighs = h.weight >= float_min && h.weight <= float_max;
-    if (!occludes || !weighs || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
+    if (!gloam_history_usable(h.occlusion, h.weight) || gloam_is_background(h.depth))
+        return gloam_history_empty(h.depth);
     if (h.occlusion < float_min) h.occlusion = 0.0;
     h.index %= 1U << 24U;
     return h;
