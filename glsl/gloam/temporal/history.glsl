@@ -35,7 +35,8 @@ bool gloam_history_usable(float occlusion, float weight) {
 // same. Else the index is taken modulo 2^24. Subnormal numbers of either sign are read as 0.
 // h: any history. Error: none.
 GloamHistory gloam_history_sanitize(GloamHistory h) {
-    if (!gloam_history_usable(h.occlusion, h.weight) || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
+    bool usable = gloam_history_usable(h.occlusion, h.weight);
+    if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
     return GloamHistory(h.occlusion >= 1.175494351e-38 ? h.occlusion : 0.0, h.weight, h.index % GLOAM_LARGEST_TABLE,
                         h.depth);
 }
