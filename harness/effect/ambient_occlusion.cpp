@@ -74,6 +74,7 @@ struct AmbientOcclusion::Impl {
     [[nodiscard]] bool watches_objects() const {
         return knows_motion() && settings.invalidation != Invalidation::none;
     }
+    [[nodiscard]] bool filters_frame() const { return filters(settings, progress.frames_since_cut()); }
     [[nodiscard]] bool lists_tiles() const {
         return selects_tiles(settings) && listing.due(progress.history_lags());
     }
@@ -141,7 +142,7 @@ Program AmbientOcclusion::Impl::program() const {
     Program program = program_for(settings);
     program.moving_objects = watches_objects();
     program.listed = lists_tiles();
-    program.shows = lists_tiles() && filters(settings);
+    program.shows = lists_tiles() && filters_frame();
     program.orthographic = view.camera.orthographic();
     return program;
 }
@@ -196,9 +197,9 @@ gpu::Extent AmbientOcclusion::Impl::unshaded_band() const {
 SelectParameters AmbientOcclusion::Impl::select_parameters() const {
     std::uint32_t written = second_is_after ? image_second_history : image_first_history;
     if (moves_history()) written |= image_reprojected;
-    if (filters(settings)) written |= image_filtered;
+    if (filters_frame()) written |= image_filtered;
     if (shows_alone(settings)) written = image_filtered;
-    if (remaps(settings)) written |= image_mapped | (filters(settings) ? image_filtered_mapped : 0U);
+    if (remaps(settings)) written |= image_mapped | (filters_frame() ? image_filtered_mapped : 0U);
     return {.size = words_of_size(view.extent),
             .band = words_of_size(unshaded_band()),
             .written = written,
@@ -247,7 +248,7 @@ bool AmbientOcclusion::Impl::finds_open_tiles() const {
 }
 
 void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
-    if (!filters(settings)) return;
+    if (!filters_frame()) return;
     const gpu::Buffer& lists = images->tiles.lists();
     if (lists_tiles()) {
         passes.push_back({"select_filtered_tiles",
@@ -284,7 +285,7 @@ void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
     };
     if (shows_alone(settings)) return map("remap", TileLists::shaded, {}, images->filtered, *images->mapped);
     map("remap", TileLists::shaded, settings.precision, images->after, *images->mapped);
-    if (!filters(settings)) return;
+    if (!filters_frame()) return;
     const gpu::Image& to = *images->filtered_mapped;
     map("remap_filtered", TileLists::shaded, {}, images->filtered, to);
     // The tiles that only the filter changes.
@@ -304,7 +305,7 @@ Frame AmbientOcclusion::Impl::collect() const {
         frame.convergence = std::move(result.samples);
         frame.kept = history_in(history()).samples;
     }
-    frame.filtered = filters(settings) ? filtered.download() : frame.occlusion;
+    frame.filtered = filters_frame() ? filtered.download() : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
     frame.work = work(frame.convergence);
 
@@ -320,7 +321,7 @@ Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
     const bool selected = lists_tiles();
     const SelectedTiles tiles = images->tiles.counts();
     total.tiles_shaded = selected ? tiles.shaded : total.tiles;
-    if (filters(settings)) total.tiles_filtered = selected ? tiles.filtered : total.tiles;
+    if (filters_frame()) total.tiles_filtered = selected ? tiles.filtered : total.tiles;
     total.tiles_blank = tiles.background;
     total.tiles_open = tiles.open;
     total.tiles_settled = tiles.settled;

@@ -2,6 +2,7 @@
 #include "effect/plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "effect/internal/passes.hpp"
 #include "effect/internal/prepared_image.hpp"
 #include "effect/internal/sample_table.hpp"
+#include "effect/internal/shown_image.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/methods.hpp"
 
@@ -158,13 +160,14 @@ class Planner {
     }
 
     void result() {
-        const bool filtered = filters(settings_) || shows_alone(settings_);
-        plan_.result = remaps(settings_) ? (filters(settings_) ? "filtered_mapped" : "mapped")
-                       : filtered        ? "filtered"
-                                         : "history_after";
-        const bool packed =
-            plan_.result == "history_after" && settings_.precision == HistoryPrecision::packed;
-        if (packed) plan_.result_unit = packed_occlusion_unit;
+        const ShownImage shown = shown_image(settings_, filters(settings_));
+        plan_.result = shown.name;
+        plan_.result_unit = shown.unit;
+        if (!filters_early(settings_)) return;
+        const ShownImage later = shown_image(settings_, false);
+        plan_.filter_frames = static_cast<std::uint32_t>(std::min(std::ceil(settings_.filter_frames), 2e9F));
+        plan_.later_result = later.name;
+        plan_.later_unit = later.unit;
     }
 
     void buffers() {
@@ -318,7 +321,14 @@ class Planner {
         over(TileLists::shaded);
     }
 
+    // Lets the passes from this one on run in early frames alone, if the filter does.
+    void only_early(std::size_t first) {
+        if (!filters_early(settings_)) return;
+        for (std::size_t i = first; i < plan_.passes.size(); ++i) plan_.passes[i].turn = Turn::early;
+    }
+
     void filter() {
+        const std::size_t first = plan_.passes.size();
         if (options_.tiles) {
             const std::int32_t reach = filter_reach(settings_);
             const SelectFilteredParameters parameters{pair_of(moment_.view.extent), {reach, reach}};
@@ -336,6 +346,7 @@ class Planner {
         };
         along("filter_x", TileLists::filtered_x, "filtered", "half_filtered");
         along("filter_y", TileLists::filtered_y, "half_filtered", "filtered");
+        only_early(first);
     }
 
     void remap() {
@@ -348,11 +359,14 @@ class Planner {
             over(list);
         };
         if (shows_alone(settings_)) return map("remap", TileLists::shaded, {}, "filtered", "mapped");
-        if (!filters(settings_))
-            return map("remap", TileLists::shaded, settings_.precision, "history_after", "mapped");
+        if (!filters(settings_) || filters_early(settings_))
+            map("remap", TileLists::shaded, settings_.precision, "history_after", "mapped");
+        if (!filters(settings_)) return;
+        const std::size_t first = plan_.passes.size();
         map("remap_filtered", TileLists::shaded, {}, "filtered", "filtered_mapped");
         if (options_.tiles)
             map("remap_filtered_tiles", TileLists::filtered_y, {}, "filtered", "filtered_mapped");
+        only_early(first);
     }
 
     const Settings& settings_;

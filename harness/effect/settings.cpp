@@ -42,6 +42,14 @@ bool filters(const Settings& settings) {
     return settings.filter != Filter::none;
 }
 
+bool filters(const Settings& settings, std::uint64_t frames_before) {
+    return filters(settings) && static_cast<double>(frames_before) < double{settings.filter_frames};
+}
+
+bool filters_early(const Settings& settings) {
+    return filters(settings) && settings.filter_frames < every_frame;
+}
+
 bool shows_alone(const Settings& settings) {
     return !settings.history && !filters(settings);
 }

@@ -27,7 +27,7 @@ TEST_F(BarTest, FastErrsLessThanASingleFrameOfNineSlices) {
     for (const char* name : {"columns", "grass", "knot"}) {
         const Bar bar = bar_of(name, {.extent = {64, 36}, .frames = 16, .scored = 8, .rays = 64});
         EXPECT_LT(bar.temporal.shown, bar.exact.shown) << name;
-        EXPECT_EQ(bar.temporal.raw, bar.temporal.shown) << name << ": it has no filter";
+        EXPECT_EQ(bar.temporal.raw, bar.temporal.shown) << name << ": its filter has ended";
         EXPECT_EQ(bar.readings.size(), 8U);
         EXPECT_EQ(bar.exact_ms.size(), 8U);
     }

@@ -61,6 +61,23 @@ TEST_F(PlainSlicesTest, TheBlurRemovesNoiseAndKeepsToTheSurface) {
     }
 }
 
+// The second blur takes what the first has made.
+TEST_F(PlainSlicesTest, BlursAsOftenAsAsked) {
+    const scene::Scene scene = scene::make_scene("columns");
+    const scene::GBuffer view = view_of(scene);
+    std::vector<PlainFrame> frames;
+    for (const int blurs : {0, 1, 2}) {
+        PlainSlices slices(device_, passes_, view.extent, {.slices = 1, .steps = 2}, blurs);
+        slices.take(view, static_cast<float>(scene.ao_radius));
+        frames.push_back(slices.next());
+        EXPECT_EQ(frames.back().occlusion, frames.front().occlusion);
+        EXPECT_EQ(frames.back().blur_ms > 0.0, blurs > 0);
+    }
+    EXPECT_EQ(frames[0].blurred, frames[0].occlusion);
+    const Truth limit = truth_from(view, plain(view, scene.ao_radius, {.slices = 24, .steps = 12}).occlusion);
+    EXPECT_LT(errors_of(frames[2].blurred, limit).rmse, errors_of(frames[1].blurred, limit).rmse);
+}
+
 TEST_F(PlainSlicesTest, ReadsTimesOfBothInEveryRound) {
     const scene::Scene scene = scene::make_scene("columns");
     const scene::GBuffer view = view_of(scene);
@@ -84,6 +101,7 @@ TEST_F(PlainSlicesTest, ReadsTimesOfBothInEveryRound) {
 TEST_F(PlainSlicesTest, WhatItDoesNotTakeIsRefused) {
     const scene::GBuffer view = view_of(scene::make_scene("columns"));
     EXPECT_THROW(PlainSlices(device_, passes_, extent, {.slices = 0, .steps = 2}), std::invalid_argument);
+    EXPECT_THROW(PlainSlices(device_, passes_, extent, {}, -1), std::invalid_argument);
     PlainSlices slices(device_, passes_, extent, {});
     EXPECT_THROW(slices.take(view, 0.0F), std::invalid_argument);
     scene::GBuffer bare = view;

@@ -5,6 +5,7 @@
 
 #include "cli/bench/bar.hpp"
 #include "cli/bench/benchmark_command.hpp"
+#include "cli/bench/front.hpp"
 #include "cli/bench/methods.hpp"
 #include "cli/bench/passes.hpp"
 #include "cli/bench/plain.hpp"
@@ -28,6 +29,7 @@ void add_bench(CLI::App& app, int& status) {
     add_bench_bar(*group, status);
     add_bench_sources(*group, status);
     add_bench_views(*group, status);
+    add_bench_front(*group, status);
 }
 
 }  // namespace gloam::cli

@@ -12,9 +12,15 @@ class Progress {
     // A view without a history.
     void begin() { *this = Progress(Came::first); }
     // A view to which the history is reprojected.
-    void advance() { *this = Progress(Came::next); }
+    void advance() {
+        came_ = Came::next;
+        frames_ = 0;
+    }
     // A frame of the view has run.
-    void count_frame() { ++frames_; }
+    void count_frame() {
+        ++frames_;
+        ++frames_since_cut_;
+    }
 
     [[nodiscard]] bool has_view() const { return came_ != Came::not_yet; }
     // Whether the next frame is the first of the view.
@@ -24,6 +30,9 @@ class Progress {
     // Whether two frames of the view have run: both images of the history show it.
     [[nodiscard]] bool settled() const { return frames_ >= 2; }
 
+    // Frames since the history began.
+    [[nodiscard]] std::uint64_t frames_since_cut() const { return frames_since_cut_; }
+
     Progress() = default;
 
   private:
@@ -31,7 +40,8 @@ class Progress {
     explicit Progress(Came came) : came_(came) {}
 
     Came came_ = Came::not_yet;
-    std::uint64_t frames_ = 0;
+    std::uint64_t frames_ = 0;  // of the view
+    std::uint64_t frames_since_cut_ = 0;
 };
 
 }  // namespace gloam::effect

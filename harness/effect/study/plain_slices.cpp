@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <stdexcept>
 
 #include "effect/internal/passes.hpp"
@@ -44,14 +43,16 @@ void require(bool holds, const char* found, const char* expected) {
 }  // namespace
 
 PlainSlices::PlainSlices(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
-                         SliceTaps taps)
+                         SliceTaps taps, int blurs)
     : device_(&device),
       slices_(slices_pipeline(device, passes, taps, sizeof(SliceParameters))),
       blur_(blur_pipeline(device, passes, sizeof(BlurParameters))),
       depth_(device, extent, r32f),
       normal_(device, extent, rgba32f),
-      occlusion_(device, extent, r32f),
-      blurred_(device, extent, r32f) {}
+      occlusion_(device, extent, r32f) {
+    require(blurs >= 0, "less than 0 blurs", "0 or more");
+    for (int i = 0; i < blurs; ++i) blurred_.emplace_back(device, extent, r32f);
+}
 
 void PlainSlices::take(const scene::GBuffer& view, float radius) {
     require(view.extent == depth_.extent(), "a view of another size", "the size of the images");
@@ -67,14 +68,18 @@ void PlainSlices::take(const scene::GBuffer& view, float radius) {
 }
 
 PlainFrame PlainSlices::next(int repeat) {
-    const std::array<Step, 2> steps{
-        Step{"plain_slices", &slices_, {depth_, normal_, occlusion_}, bytes_of(slice_parameters_)},
-        Step{"plain_blur", &blur_, {depth_, occlusion_, blurred_}, bytes_of(blur_parameters_)}};
+    std::vector<Step> steps{
+        {"plain_slices", &slices_, {depth_, normal_, occlusion_}, bytes_of(slice_parameters_)}};
+    const gpu::Image* last = &occlusion_;
+    for (const gpu::Image& blurred : blurred_) {
+        steps.push_back({"plain_blur", &blur_, {depth_, *last, blurred}, bytes_of(blur_parameters_)});
+        last = &blurred;
+    }
     const std::vector<PassTime> times = run(*device_, steps, groups_for(depth_.extent()), repeat);
-    return {.occlusion = occlusion_.download(),
-            .blurred = blurred_.download(),
-            .slices_ms = times.at(0).ms,
-            .blur_ms = times.at(1).ms};
+    PlainFrame frame{
+        .occlusion = occlusion_.download(), .blurred = last->download(), .slices_ms = times.at(0).ms};
+    for (std::size_t i = 1; i < times.size(); ++i) frame.blur_ms += times[i].ms;
+    return frame;
 }
 
 }  // namespace gloam::effect

@@ -20,7 +20,7 @@ struct SliceTaps {
 // A single frame of the plain loop, and how long its passes took.
 struct PlainFrame {
     std::vector<float> occlusion;  // raw
-    std::vector<float> blurred;    // mean over 3 x 3 pixels that are about as deep
+    std::vector<float> blurred;    // mean over 3 x 3 pixels that are about as deep, so many times
     double slices_ms = 0.0;
     double blur_ms = 0.0;
 };
@@ -29,10 +29,11 @@ struct PlainFrame {
 // library has. Methods are compared with it (glsl/passes/comparison).
 class PlainSlices {
   public:
-    // The device must outlive this object. Throws std::invalid_argument for 0 slices or steps,
-    // std::runtime_error without timestamps, and like gpu::Image.
+    // `blurs`: times that the blur is applied. The device must outlive this object. Throws
+    // std::invalid_argument for 0 slices or steps and for less than 0 blurs, std::runtime_error without
+    // timestamps, and like gpu::Image.
     PlainSlices(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
-                SliceTaps taps);
+                SliceTaps taps, int blurs = 1);
 
     // The next frames are of this view. radius: of influence, world units, > 0. Throws std::invalid_argument
     // for another size, an orthographic camera, a guard band, missing normals, or a radius out of range.
@@ -58,7 +59,7 @@ class PlainSlices {
     gpu::Image depth_;
     gpu::Image normal_;
     gpu::Image occlusion_;
-    gpu::Image blurred_;
+    std::vector<gpu::Image> blurred_;  // one for each blur
     SliceParameters slice_parameters_;
     BlurParameters blur_parameters_;
 };

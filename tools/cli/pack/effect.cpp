@@ -68,7 +68,7 @@ PackedEffect packed_effect(const effect::Settings& settings, const effect::PlanO
                            const scene::PassLibrary& library, shader::Language language) {
     PackedEffect effect{
         .language = language, .settings = settings, .options = options, .plan = plan_of(settings, options)};
-    std::set<std::string> bound{effect.plan.result};
+    std::set<std::string> bound{effect.plan.result, effect.plan.later_result};
     for (const effect::PlannedPass& planned : effect.plan.passes) {
         effect.passes.push_back(packed_pass(planned, library, language));
         bind_nothing(effect.passes.back(), effect.plan.images);

@@ -81,14 +81,18 @@ Json push_constants_json(const PackedPass& pass) {
     return json;
 }
 
+const char* name_of(effect::Turn turn) {
+    if (turn == effect::Turn::once) return "once";
+    if (turn == effect::Turn::early) return "early";
+    return turn == effect::Turn::moved ? "moved" : "always";
+}
+
 Json pass_json(const PackedEffect& effect, std::size_t index) {
     const PackedPass& pass = effect.passes[index];
     const effect::PlannedPass& plan = pass.plan;
     Json json{{"name", plan.name},
               {"file", pass.file},
-              {"turn", plan.turn == effect::Turn::once    ? "once"
-                       : plan.turn == effect::Turn::moved ? "moved"
-                                                          : "always"},
+              {"turn", name_of(plan.turn)},
               {"local_size", pass.interface.local_size}};
     if (plan.list) {
         json["indirect"] = {{"buffer", "tile_lists"}, {"offset", *plan.list}};
@@ -121,6 +125,10 @@ std::string effect_json(const PackedEffect& effect) {
               {"view", {{"width", effect.options.view.width}, {"height", effect.options.view.height}}},
               {"result", {{"image", effect.plan.result}, {"unit", effect.plan.result_unit}}},
               {"exchanged", effect.plan.exchanged}};
+    if (effect.plan.filter_frames > 0)
+        json["later_result"] = {{"after_frames", effect.plan.filter_frames},
+                                {"image", effect.plan.later_result},
+                                {"unit", effect.plan.later_unit}};
     for (const effect::PlannedImage& image : effect.plan.images)
         json["images"].push_back(image_json(effect, image));
     json["buffers"] = Json::array();

@@ -79,7 +79,7 @@ std::vector<std::string> vulkan_usage(const PackedEffect& effect, const effect::
     for (const effect::PlannedImage& other : effect.plan.images)  // filled, or cleared
         if (names.contains(other.name) && (other.origin == Origin::engine || other.origin == Origin::history))
             add("TRANSFER_DST");
-    if (names.contains(effect.plan.result)) add("TRANSFER_SRC");
+    if (names.contains(effect.plan.result) || names.contains(effect.plan.later_result)) add("TRANSFER_SRC");
     return usage;
 }
 
