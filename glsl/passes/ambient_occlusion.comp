@@ -140,7 +140,7 @@ struct Neighborhood {
 Neighborhood neighborhood;
 
 // The invocation's part of what is counted.
-uint samples_taken = 0u;
+uint samples_missed = 0u;  // of those that its pixels could have taken
 uint pixel_kinds = 0u;     // COUNT_*
 uint marches_ended = 0u;   // COUNT_ENDED for each pixel that had one
 const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
@@ -233,12 +233,17 @@ bool frozen(GloamHistory before) {
     return freezes && gloam_convergence(before.weight, parameters.weight_max) >= 1.0;
 }
 
+// The whole units of the method that `samples` stands for.
+uint whole_samples(uint samples) {
+    return gloam_whole_samples(rounds_up ? samples + samples_unit - 1u : samples, samples_unit);
+}
+
 // How many samples a pixel takes that is not frozen: whole units of the method. A constant where k_1 is k_2, so that
 // loops are unrolled.
 uint samples_for(GloamHistory before, float depth) {
     uint samples = samples_at(before, depth);
     if (fewer_samples && samples == 0u) return 0u;
-    return gloam_whole_samples(rounds_up ? samples + samples_unit - 1u : samples, samples_unit);
+    return whole_samples(samples);
 }
 
 GloamHistory sampled(ivec2 pixel, float depth) {
@@ -254,7 +259,7 @@ GloamHistory sampled(ivec2 pixel, float depth) {
         fresh = estimated(pixel, depth, before, samples);
         change = neighborhood.change;
     }
-    samples_taken += uint(fresh.samples);
+    samples_missed -= uint(fresh.samples);
     marches_ended += fresh.left_out > 0u ? COUNT_ENDED : 0u;
     float weight = weight_after_change(before.weight, change);
     vec2 blended = gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples, parameters.weight_max);
@@ -274,6 +279,7 @@ bool left_out(ivec2 pixel) {
 GloamHistory shade(ivec2 pixel) {
     float depth = GLOAM_FETCH(depth_image, pixel).x;
     if (left_out(pixel)) return gloam_history_empty(depth);
+    samples_missed += whole_samples(max(samples_asked, samples_converged));
     bool background = gloam_is_background(depth);
     pixel_kinds += background ? COUNT_BACKGROUND : 0u;
     if (background && parameters.skip_background != 0u) return gloam_history_empty(depth);
@@ -316,5 +322,5 @@ void main() {
     } else {
         shade_and_store(column.first);
     }
-    count_tile(column.entry, tiles_of(parameters.size), samples_taken + marches_ended, pixel_kinds);
+    count_tile(column.entry, tiles_of(parameters.size), samples_missed + marches_ended, pixel_kinds);
 }

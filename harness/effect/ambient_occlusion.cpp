@@ -20,6 +20,7 @@
 #include "effect/internal/surface_inputs.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/internal/work.hpp"
+#include "effect/methods.hpp"
 #include "scene/guard_band.hpp"
 
 namespace gloam::effect {
@@ -317,8 +318,12 @@ Frame AmbientOcclusion::Impl::collect() const {
 }
 
 Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
-    Work total = summed(images->tiles.after().as<const TileState>(), view.extent, unshaded_band());
     const bool selected = lists_tiles();
+    const std::uint32_t samples =
+        samples_taken(method_named(settings.method), std::max(settings.samples, settings.samples_converged),
+                      settings.own.steps);
+    Work total =
+        summed(images->tiles.after().as<const TileState>(), view.extent, unshaded_band(), samples, selected);
     const SelectedTiles tiles = images->tiles.counts();
     total.tiles_shaded = selected ? tiles.shaded : total.tiles;
     if (filters_frame()) total.tiles_filtered = selected ? tiles.filtered : total.tiles;

@@ -21,7 +21,8 @@ std::uint32_t shaded_side(std::uint32_t first, std::uint32_t size, std::uint32_t
 
 }  // namespace
 
-Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent band) {
+Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent band, std::uint32_t samples,
+            bool selected) {
     constexpr std::uint32_t mask = 0xFF;
     const std::size_t columns = groups_for(extent)[0];
     Work work{.tiles = tiles.size()};
@@ -36,8 +37,9 @@ Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent ba
         work.pixels += pixels;
         work.background += background;
         work.below_radius += below_radius;
-        work.samples += tile.samples & 0xFFFFFFU;
-        work.ended_early += tile.samples >> 24U;
+        const bool shaded = !selected || (tile.flags & state_shaded) != 0;
+        if (shaded) work.samples += std::uint64_t{samples} * pixels - (tile.missed & 0xFFFFFFU);
+        work.ended_early += tile.missed >> 24U;
         const bool left_out = pixels == 0;  // in a guard band that is not sampled
         work.tiles_background += !left_out && background == pixels ? 1 : 0;
         work.tiles_skipped += background + below_radius == pixels ? 1 : 0;

@@ -161,7 +161,7 @@ TEST_F(Layouts, Buffers) {
     ASSERT_EQ(states.size(), 1U);
     EXPECT_EQ(states[0].stride, sizeof(S));
     EXPECT_EQ(lines_of(states[0].members),
-              (std::vector{MEMBER(S, flags), MEMBER(S, samples), MEMBER(S, pixels)}));
+              (std::vector{MEMBER(S, flags), MEMBER(S, missed), MEMBER(S, pixels)}));
     using L = TileList;
     const std::vector<LaidOut> lists = buffer_of(selection_source(1), "TileLists");
     ASSERT_EQ(lists.size(), 2U);

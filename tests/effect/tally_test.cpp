@@ -43,7 +43,7 @@ std::vector<TileState> expected() {
         for (std::uint32_t x = 0; x < side * columns; ++x) {
             const std::uint32_t number = y * 1000 + x;
             TileState& state = states[y / side * columns + x / side];
-            state.samples += number % 7 == 0 ? 2048 : 0;
+            state.missed += number % 7 == 0 ? 2048 : 0;
             if (number % 5 < 3) state.pixels += 1U << 8U * (number % 5);
             if (number % 3 == 0) state.pixels += 1U << 24U;
         }
@@ -74,7 +74,7 @@ void expect_same(const std::vector<TileState>& found, const std::vector<TileStat
     ASSERT_EQ(found.size(), wanted.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
         EXPECT_EQ(found[i].flags, wanted[i].flags) << "tile " << i;
-        EXPECT_EQ(found[i].samples, wanted[i].samples) << "tile " << i;
+        EXPECT_EQ(found[i].missed, wanted[i].missed) << "tile " << i;
         EXPECT_EQ(found[i].pixels, wanted[i].pixels) << "tile " << i;
     }
 }

@@ -15,27 +15,28 @@ layout(constant_id = 0) const uint counts = 0u;
 
 layout(binding = GLOAM_STATE_BINDING, std430) buffer TileStates { TileState tile_states[]; };
 
-shared uint group_samples;
+shared uint group_missed;
 shared uint group_pixels;
 
 // Adds the invocation's work to its tile. All invocations of the group must call it.
-// entry: of the tile (Column.entry). tiles: of the image, along x and y. samples: taken. pixels: sum of COUNT_*.
-void count_tile(uint entry, uvec2 tiles, uint samples, uint pixels) {
+// entry: of the tile (Column.entry). tiles: of the image, along x and y. missed: samples that the invocation's pixels
+// did not take (TileState.missed). pixels: sum of COUNT_*. Both are 0 for most invocations, which then write nothing.
+void count_tile(uint entry, uvec2 tiles, uint missed, uint pixels) {
     uvec2 at = tile_of(entry);
     uint tile = at.y * tiles.x + at.x;
     bool inside = at.x < tiles.x && at.y < tiles.y;
     if (counts == COUNT_EACH && inside) {
-        if (samples > 0u) atomicAdd(tile_states[tile].samples, samples);
+        if (missed > 0u) atomicAdd(tile_states[tile].missed, missed);
         if (pixels > 0u) atomicAdd(tile_states[tile].pixels, pixels);
     }
     if (counts != COUNT_GROUP) return;
-    if (gl_LocalInvocationIndex == 0u) group_samples = group_pixels = 0u;
+    if (gl_LocalInvocationIndex == 0u) group_missed = group_pixels = 0u;
     barrier();
-    if (samples > 0u) atomicAdd(group_samples, samples);
+    if (missed > 0u) atomicAdd(group_missed, missed);
     if (pixels > 0u) atomicAdd(group_pixels, pixels);
     barrier();
     if (gl_LocalInvocationIndex != 0u || !inside) return;
-    tile_states[tile].samples = group_samples;
+    tile_states[tile].missed = group_missed;
     tile_states[tile].pixels = group_pixels;
 }
 

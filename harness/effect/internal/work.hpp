@@ -10,8 +10,9 @@
 namespace gloam::effect {
 
 // Sums over all tiles of an image, given by rows; Work::converged stays 0. band: guard band on each side that
-// is not shaded.
-[[nodiscard]] Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent band);
+// is not shaded. samples: that a pixel may take. selected: only flagged tiles are shaded.
+[[nodiscard]] Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent band,
+                          std::uint32_t samples, bool selected);
 
 // Sum of the times of all passes, milliseconds. NaN where the device has no clock.
 [[nodiscard]] double total_ms(const Frame& frame);
