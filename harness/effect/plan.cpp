@@ -2,7 +2,6 @@
 #include "effect/plan.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -122,7 +121,7 @@ class Planner {
                         "what all pixels share of their samples");
             plan_.images.back().origin = Origin::once;
         }
-        result();
+        name_results(settings_, plan_);
     }
 
     // Depth and normals of the engine, and what they are converted to.
@@ -157,17 +156,6 @@ class Planner {
                 gpu::Extent{(view.width + divisor - 1) / divisor, (view.height + divisor - 1) / divisor})
                 plan_.images.back().divisor = divisor;
         }
-    }
-
-    void result() {
-        const ShownImage shown = shown_image(settings_, filters(settings_));
-        plan_.result = shown.name;
-        plan_.result_unit = shown.unit;
-        if (!filters_early(settings_)) return;
-        const ShownImage later = shown_image(settings_, false);
-        plan_.filter_frames = static_cast<std::uint32_t>(std::min(std::ceil(settings_.filter_frames), 2e9F));
-        plan_.later_result = later.name;
-        plan_.later_unit = later.unit;
     }
 
     void buffers() {

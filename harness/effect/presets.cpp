@@ -35,11 +35,12 @@ Settings packed(Settings settings, std::uint32_t samples) {
     return settings;
 }
 
-// Pixels with few samples, in the first frames and where a surface comes into view, are filtered. The filter
-// costs as much as several samples, so it ends where the mean is better without it (docs/temporal.md).
+// Pixels with few samples are filtered in the first frames after a cut. Later the filter would change what
+// has just come into view, and cost as much as several samples everywhere (docs/temporal.md).
 Settings filtered_at_first(Settings settings) {
     settings.filter = Filter::convergence;
     settings.c_adaptive = 0.2F;
+    settings.filter_frames = 8.0F;
     return settings;
 }
 
@@ -49,9 +50,6 @@ Settings filtered_at_first(Settings settings) {
 Settings fast() {
     Settings settings = with_method(moving(), "alchemy");
     settings.own.intensity = 0.35F;
-    // The filter's two passes cost about what three taps do. From the ninth frame on it would change only
-    // what has come into view.
-    settings.filter_frames = 8.0F;
     return filtered_at_first(packed(settings, 3));
 }
 
@@ -82,7 +80,7 @@ std::vector<Preset> presets() {
         {"fast",
          "Alchemy's taps, 3 a frame, 128 in the mean, filtered in the first 8 frames: for the least time",
          fast()},
-        {"balanced", "8 samples a frame, 128 in the mean, filtered until 26", balanced()},
+        {"balanced", "8 samples a frame, 128 in the mean, filtered in the first 8 frames", balanced()},
         {"reference",
          "sweep, 4 slices of 12 steps to each side, a frame; 192 samples in the mean, no filter: for the "
          "least error",

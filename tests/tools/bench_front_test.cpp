@@ -89,7 +89,7 @@ TEST(BenchFront, WrongOptionsAreNamed) {
     expect_could_not_run(run_command(tiny({"--plain", "9+1"})), "expected SLICESxSTEPS");
     expect_could_not_run(run_command(tiny({"--sequence", "fast,magic=1"})), "magic");
     expect_could_not_run(run_command(tiny({"--view", "plan"})), "no perspective view");
-    expect_could_not_run(run_command(tiny({"--scored", "4"})), "--scored 4");
+    expect_could_not_run(run_command({"bench", "front", "--frames", "2", "--scored", "3"}), "--scored 3");
 }
 
 }  // namespace bench_front_test

@@ -49,26 +49,27 @@ std::vector<Preset> gtao_presets(const MethodInfo& method) {
 }
 
 // Settings with a history, like those of the general presets: a mean over 128 samples, kernels always
-// rotated, a filter for pixels with few samples.
+// rotated, a filter in the first frames.
 Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
     Settings settings = slices(method, count, steps);
     settings.weight_max = 128.0F;
     settings.c_rot = 2.0F;
     settings.filter = Filter::convergence;
     settings.c_adaptive = 0.2F;
+    settings.filter_frames = 8.0F;
     settings.precision = HistoryPrecision::packed;
     return settings;
 }
 
 std::vector<Preset> sweep_presets(const MethodInfo& method) {
     return {{"sweep-performance",
-             "1 slice of 2 steps to each side, a frame; 128 samples in the mean, filtered until 26",
+             "1 slice of 2 steps to each side, a frame; 128 samples in the mean, filtered in the first 8",
              swept(method, 1, 2)},
             {"sweep-balanced",
-             "1 slice of 6 steps to each side, a frame; 128 samples in the mean, filtered until 26",
+             "1 slice of 6 steps to each side, a frame; 128 samples in the mean, filtered in the first 8",
              swept(method, 1, 6)},
             {"sweep-quality",
-             "4 slices of 6 steps to each side, a frame; 128 samples in the mean, filtered until 26",
+             "4 slices of 6 steps to each side, a frame; 128 samples in the mean, filtered in the first 8",
              swept(method, 4, 6)}};
 }
 
