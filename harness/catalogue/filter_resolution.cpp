@@ -33,6 +33,9 @@ void append_half(Entries& entries) {
          .formula = "2 p",
          .source = "definition"},
         &reference::gloam_half_source, {.domain = {vector(2, integers(-(1 << 29), 1 << 29))}}));
+}
+
+void append_half_space(Entries& entries) {
     entries.push_back(equation<float(float, int)>(
         {.id = "HALF-shift",
          .function = "gloam_half_shift",
@@ -70,6 +73,14 @@ float any_depth(numeric::Random& random, float around) {
     return around * static_cast<float>(std::exp(random.uniform(-spread, spread)));
 }
 
+Values four_depths() {
+    return made_by<glm::vec4>([](numeric::Random& random) {
+        glm::vec4 all(0);
+        for (int i = 0; i < 4; ++i) all[i] = any_depth(random, 1.0F);
+        return all;
+    });
+}
+
 // Whether no two pixels are equally far from a depth within rounding.
 bool one_is_nearest(double depth, glm::dvec4 depths) {
     for (int i = 0; i < 4; ++i) {
@@ -84,12 +95,6 @@ bool one_is_nearest(double depth, glm::dvec4 depths) {
 
 void append_upsampling(Entries& entries) {
     const Values depth = either(uniform(0.95, 1.05), log_uniform(0.1, 10)).and_special();
-    const Values depths = made_by<glm::vec4>([](numeric::Random& random) {
-        glm::vec4 all(0);
-        for (int i = 0; i < 4; ++i) all[i] = any_depth(random, 1.0F);
-        return all;
-    });
-    const Values values = vector(4, uniform(0, 1).and_special());
     entries.push_back(equation<bool(float, float, float, bool)>(
         {.id = "UPSAMPLE-continues",
          .function = "gloam_upsample_continues",
@@ -107,9 +112,12 @@ void append_upsampling(Entries& entries) {
          .formula = "v_i where |d_i - d| is least",
          .source = "derived"},
         &reference::gloam_upsample_nearest,
-        {.domain = {uniform(0.9, 1.1), depths, vector(4, uniform(0, 1))},
+        {.domain = {uniform(0.9, 1.1), four_depths(), vector(4, uniform(0, 1))},
          .budget = {.backward_ulp = 1},
          .codomain = {0, 1}}));
+}
+
+void append_upsample_of_four(Entries& entries) {
     using Upsample = float(float, glm::vec4, glm::vec4, bool);
     entries.push_back(equation<Upsample>(
         {.id = "UPSAMPLE",
@@ -120,8 +128,8 @@ void append_upsampling(Entries& entries) {
              "mean of the opposite pairs through which the surface continues, else the nearest in depth",
          .source = "derived"},
         &reference::gloam_upsample,
-        {.domain = {either(uniform(0.97, 1.03), log_uniform(0.1, 10)).and_special(), depths, values,
-                    booleans()},
+        {.domain = {either(uniform(0.97, 1.03), log_uniform(0.1, 10)).and_special(), four_depths(),
+                    vector(4, uniform(0, 1).and_special()), booleans()},
          .budget = {.absolute = 1.2e-7, .backward_ulp = 2},
          .codomain = {0, 1},
          .promised =
@@ -136,7 +144,9 @@ void append_upsampling(Entries& entries) {
 
 void append_filter_resolution(Entries& entries) {
     append_half(entries);
+    append_half_space(entries);
     append_upsampling(entries);
+    append_upsample_of_four(entries);
 }
 
 }  // namespace gloam::catalogue
