@@ -49,6 +49,26 @@ std::vector<std::uint32_t> identity() {
     return words;
 }
 
+// The constants of the half-size view, for passes whose divisor is 2.
+View half_view(const View& view) {
+    View half = view;
+#ifdef GLOAM_HALF_RESOLUTION
+    gloam_view_constants constants;
+    const std::pair<const char*, void*> members[] = {
+        {"size", constants.size},
+        {"border", constants.border},
+        {"p00_p11", constants.p00_p11},
+        {"previous_p00_p11", constants.previous_p00_p11},
+        {"previous_from_current", constants.previous_from_current}};
+    for (const auto& [name, member] : members)
+        std::memcpy(member, view.at(name).data(), 4 * view.at(name).size());
+    constants = gloam_half_view(&constants);
+    for (const auto& [name, member] : members)
+        std::memcpy(half.at(name).data(), member, 4 * half.at(name).size());
+#endif
+    return half;
+}
+
 class Pass {
   public:
     Pass(const Device& device, const gloam_pass_info& info)
@@ -146,7 +166,8 @@ class Effect {
         images_.reserve(GLOAM_IMAGES);
         for (const gloam_image_info& info : gloam_images) images_.emplace_back(device, info, extent);
         for (const Image& image : images_) bound_images_.push_back(&image);
-        const std::size_t tiles = std::size_t{(extent.width + 7) / 8} * ((extent.height + 7) / 8);
+        const std::size_t tiles = std::size_t{(extent.width + GLOAM_TILE - 1) / GLOAM_TILE} *
+                                  ((extent.height + GLOAM_TILE - 1) / GLOAM_TILE);
         buffers_.reserve(GLOAM_BUFFERS);
         for (const gloam_buffer_info& info : gloam_buffers)
             buffers_.emplace_back(
@@ -197,11 +218,12 @@ class Effect {
         const vk::raii::DescriptorPool pool(
             device_.get(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, GLOAM_PASSES, sizes});
         std::vector<vk::raii::DescriptorSet> sets;  // until they have run
+        const View of_half = once ? View{} : half_view(view);
         device_.run([&](const vk::raii::CommandBuffer& commands) {
             for (const Pass& pass : passes_)
                 if ((pass.info().turn == GLOAM_ONCE) == once)
                     sets.push_back(pass.record(commands, device_, pool, {bound_images_, bound_buffers_},
-                                               extent_, view, odd_));
+                                               extent_, pass.info().divisor == 2 ? of_half : view, odd_));
         });
     }
 

@@ -267,6 +267,7 @@ void append_filter(Entries& entries) {
     append_filtering(entries);
     append_filter_keys(entries);
     append_edge_aware(entries);
+    append_filter_resolution(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -19,6 +19,7 @@ void append_sampling_levels(Entries& entries);     // depth mip chain, samples b
 void append_geometry_lengths(Entries& entries);    // length of any vector, cap on a projected radius
 void append_occlusion_scalable(Entries& entries);  // SAO and MSSAO
 void append_filter_keys(Entries& entries);  // SAO's quad filter, depth keys and blur; MSSAO's coarser level
+void append_filter_resolution(Entries& entries);  // half resolution and back
 
 void append_occlusion_layers(Entries& entries);    // curvature, depth rejection, layers, separable AO
 void append_shading_bent(Entries& entries);        // bent normals and cones

@@ -5,20 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "effect/internal/frame_images.hpp"
-#include "effect/internal/open_search.hpp"
-#include "effect/internal/pipelines.hpp"
-#include "effect/internal/prepared_image.hpp"
-#include "effect/internal/progress.hpp"
+#include "effect/internal/ambient_occlusion_impl.hpp"
 #include "effect/internal/require_view.hpp"
-#include "effect/internal/sample_table.hpp"
-#include "effect/internal/steps.hpp"
-#include "effect/internal/surface_inputs.hpp"
-#include "effect/internal/tiles.hpp"
 #include "effect/internal/work.hpp"
 #include "effect/methods.hpp"
 #include "scene/guard_band.hpp"
@@ -32,74 +23,11 @@ std::array<std::int32_t, 2> words_of_size(gpu::Extent extent) {
 
 }  // namespace
 
-struct AmbientOcclusion::Impl {
-    Impl(const gpu::Device& the_device, const scene::PassLibrary& passes, gpu::Extent size)
-        : device(&the_device),
-          pipelines(the_device, passes),
-          nothing(the_device, {1, 1}, gpu::Format::rgba32f),
-          no_displacement(the_device, {1, 1}, gpu::Format::r32ui),
-          method(the_device, sizeof(MethodValues)),
-          prepared(the_device, passes),
-          samples(the_device, passes) {
-        allocate(size);
-    }
-
-    const gpu::Device* device;
-    Pipelines pipelines;
-    View view;
-    View previous_view;
-    Settings settings;
-    Progress progress;
-    SurfaceInputs surfaces;
-    Listing listing;
-    OpenSearch open_search;
-    bool second_is_after = false;  // which of the two images of the history, which are swapped
-    gpu::Image nothing;            // for bindings that are not read
-    gpu::Image no_displacement;    // the same, of integers
-    gpu::Buffer method;            // MethodValues
-    PreparedImage prepared;
-    SampleTable samples;
-    std::optional<FrameImages> images;
-    ReprojectionParameters reprojection_constants{};
-    OcclusionParameters occlusion_constants{};
-    FilterParameters filter_constants{};
-    RemapParameters remap_constants{};
-    SelectParameters select_constants{};
-    SelectFilteredParameters select_filtered_constants{};
-    PassWatcher watcher;  // empty: no watcher
-
-    void allocate(gpu::Extent size);
-    void take(const scene::GBuffer& new_view);
-    [[nodiscard]] bool moves_history() const { return progress.history_lags() && settings.history; }
-    [[nodiscard]] bool knows_motion() const;
-    [[nodiscard]] bool watches_objects() const {
-        return knows_motion() && settings.invalidation != Invalidation::none;
-    }
-    [[nodiscard]] bool filters_frame() const { return filters(settings, progress.frames_since_cut()); }
-    [[nodiscard]] bool lists_tiles() const {
-        return selects_tiles(settings) && listing.due(progress.history_lags());
-    }
-    [[nodiscard]] Program program() const;
-    [[nodiscard]] ReprojectionProgram reprojection_program() const;
-    [[nodiscard]] const gpu::Image& history() const;
-    [[nodiscard]] const gpu::Image& history_after() const;
-    [[nodiscard]] std::optional<TileLists> listed(TileLists list) const;
-    [[nodiscard]] Step over(TileLists list, Step pass) const;
-    [[nodiscard]] std::vector<Step> steps();
-    [[nodiscard]] gpu::Extent unshaded_band() const;
-    [[nodiscard]] SelectParameters select_parameters() const;
-    [[nodiscard]] std::array<std::uint32_t, 3> tile_groups() const;
-    void append_selection(std::vector<Step>& passes);
-    [[nodiscard]] bool finds_open_tiles() const;
-    void append_filter(std::vector<Step>& passes);
-    void append_remap(std::vector<Step>& passes);
-    [[nodiscard]] Frame collect() const;
-    [[nodiscard]] Work work(std::span<const float> convergence) const;
-};
-
 void AmbientOcclusion::Impl::allocate(gpu::Extent size) {
-    view.extent = size;
-    images.emplace(*device, size, settings.precision);
+    given.extent = size;
+    half.reset();
+    if (settings.resolution == Resolution::half) half.emplace(*device, library, size);
+    images.emplace(*device, half ? half_of(size) : size, settings.precision);
 }
 
 // Uploads the images of a view and sets its constants. Positions in the previous frame matter only if the
@@ -108,11 +36,14 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     require_guard(new_view, settings);
     require_layers(new_view, settings);
     (void)scene::frame_of(new_view);
-    images->take(*device, new_view);
-    view.camera = new_view.camera;
-    view.border = new_view.border;
-    surfaces.take(new_view, view);
-    if (remaps(settings)) images->map(*device, settings.output);
+    (half ? half->inputs : images->inputs).take(*device, new_view);
+    given.camera = new_view.camera;
+    given.border = new_view.border;
+    view = working_view(given, settings.resolution);
+    surfaces.take(new_view, given);
+    if (half) half->take(given, previous_given, settings, images->inputs);
+    images->watch_objects(*device);
+    if (remaps_images()) images->map(*device, settings.output);
     occlusion_constants = occlusion_parameters(view, settings);
     method.as<MethodValues>()[0] = settings.own;
     prepared.take(view, settings);
@@ -126,7 +57,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
 
 // Whether the view holds the positions of its points in the previous view, and a history depends on them.
 bool AmbientOcclusion::Impl::knows_motion() const {
-    return moves_history() && images->previous_position.has_value();
+    return moves_history() && images->inputs.previous_position.has_value();
 }
 
 // The history into which the samples are blended, and the one that this makes.
@@ -175,11 +106,12 @@ Step AmbientOcclusion::Impl::over(TileLists list, Step pass) const {
 void AmbientOcclusion::Impl::append_selection(std::vector<Step>& passes) {
     if (!lists_tiles()) return;
     const Tiles& tiles = images->tiles;
-    if (finds_open_tiles()) open_search.append_steps(pipelines, tiles, images->depth, images->normal, passes);
+    if (finds_open_tiles())
+        open_search.append_steps(pipelines, tiles, images->inputs.depth, images->inputs.normal, passes);
     select_constants = select_parameters();
     passes.push_back({"select_tiles",
                       &pipelines.selection(),
-                      {images->depth, tiles.before(), tiles.after(), tiles.lists(), tiles.open()},
+                      {images->inputs.depth, tiles.before(), tiles.after(), tiles.lists(), tiles.open()},
                       bytes_of(select_constants),
                       tile_groups()});
 }
@@ -200,7 +132,8 @@ SelectParameters AmbientOcclusion::Impl::select_parameters() const {
     if (moves_history()) written |= image_reprojected;
     if (filters_frame()) written |= image_filtered;
     if (shows_alone(settings)) written = image_filtered;
-    if (remaps(settings)) written |= image_mapped | (filters_frame() ? image_filtered_mapped : 0U);
+    if (remaps_images()) written |= image_mapped;
+    if (remaps_images() && filters_frame() && !half) written |= image_filtered_mapped;
     return {.size = words_of_size(view.extent),
             .band = words_of_size(unshaded_band()),
             .written = written,
@@ -210,21 +143,22 @@ SelectParameters AmbientOcclusion::Impl::select_parameters() const {
 }
 
 std::vector<Step> AmbientOcclusion::Impl::steps() {
-    const gpu::Image& positions = images->previous_position ? *images->previous_position : nothing;
+    const gpu::Image& positions =
+        images->inputs.previous_position ? *images->inputs.previous_position : nothing;
     const gpu::Image& displacement = images->displacement ? *images->displacement : no_displacement;
     const Tiles& tiles = images->tiles;
     std::vector<Step> passes;
-    if (progress.first_of_view()) surfaces.append_steps(pipelines, *images, nothing, passes);
+    if (progress.first_of_view()) append_inputs(passes);
     append_selection(passes);
     if (moves_history()) {
         passes.push_back(over(TileLists::shaded, {"reproject",
                                                   &pipelines.reprojection(reprojection_program()),
-                                                  {images->depth, positions, images->before,
+                                                  {images->inputs.depth, positions, images->before,
                                                    images->reprojected, tiles.lists(), displacement},
                                                   bytes_of(reprojection_constants)}));
     }
-    const gpu::Image& layers = images->layers ? *images->layers : nothing;
-    prepared.append_steps({images->depth, images->normal, history(), method, layers}, passes);
+    const gpu::Image& layers = images->inputs.layers ? *images->inputs.layers : nothing;
+    prepared.append_steps({images->inputs.depth, images->inputs.normal, history(), method, layers}, passes);
     samples.append_step(passes);
     occlusion_constants.still = progress.first_of_view() ? 0 : 1;
     const auto occlusion = [&](const char* name, TileLists list) {
@@ -232,7 +166,7 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
         of_list.list = list;
         passes.push_back(over(list, {name,
                                      &pipelines.occlusion(of_list),
-                                     {images->depth, images->normal, history(), history_after(),
+                                     {images->inputs.depth, images->inputs.normal, history(), history_after(),
                                       tiles.after(), displacement, method, prepared.image_or(nothing), layers,
                                       tiles.lists(), images->filtered, samples.image_or(nothing)},
                                      bytes_of(occlusion_constants)}));
@@ -241,7 +175,21 @@ std::vector<Step> AmbientOcclusion::Impl::steps() {
     if (finds_open_tiles()) occlusion("ambient_occlusion_open", TileLists::open);
     append_filter(passes);
     append_remap(passes);
+    append_result(passes);
     return passes;
+}
+
+void AmbientOcclusion::Impl::append_inputs(std::vector<Step>& passes) {
+    surfaces.append_steps(pipelines, half ? half->inputs : images->inputs, nothing, passes);
+    if (half) half->append_inputs(images->inputs, nothing, passes);
+}
+
+// At half the resolution the result comes back to the view's size.
+void AmbientOcclusion::Impl::append_result(std::vector<Step>& passes) {
+    if (!half) return;
+    const UpsampleProgram program =
+        upsample_program_for(settings, filters_frame(), view.camera.orthographic());
+    half->append_result(images->inputs, program.history ? images->after : images->filtered, program, passes);
 }
 
 bool AmbientOcclusion::Impl::finds_open_tiles() const {
@@ -262,11 +210,12 @@ void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
         FilterProgram compiled = filter_program_for(settings, listed(list));
         compiled.along_y = list == TileLists::filtered_y;
         compiled.orthographic = view.camera.orthographic();
-        passes.push_back(over(list, {name,
-                                     &pipelines.filter(compiled),
-                                     {images->depth, images->after, to, images->normal, lists, from},
-                                     bytes_of(filter_constants),
-                                     filter_groups_for(view.extent)}));
+        passes.push_back(
+            over(list, {name,
+                        &pipelines.filter(compiled),
+                        {images->inputs.depth, images->after, to, images->inputs.normal, lists, from},
+                        bytes_of(filter_constants),
+                        filter_groups_for(view.extent)}));
     };
     along("filter_x", TileLists::filtered_x, images->filtered, images->half_filtered);
     along("filter_y", TileLists::filtered_y, images->half_filtered, images->filtered);
@@ -274,19 +223,19 @@ void AmbientOcclusion::Impl::append_filter(std::vector<Step>& passes) {
 
 // Remaps the history and the filter's result for display.
 void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
-    if (!remaps(settings)) return;
+    if (!remaps_images()) return;
     const gpu::Buffer& lists = images->tiles.lists();
     using Held = std::optional<HistoryPrecision>;
     const auto map = [&](const char* name, TileLists list, Held held, const gpu::Image& from,
                          const gpu::Image& to) {
         passes.push_back(over(list, {name,
                                      &pipelines.remapping(held, listed(list), settings.output),
-                                     {images->depth, from, to, lists},
+                                     {images->inputs.depth, from, to, lists},
                                      bytes_of(remap_constants)}));
     };
     if (shows_alone(settings)) return map("remap", TileLists::shaded, {}, images->filtered, *images->mapped);
     map("remap", TileLists::shaded, settings.precision, images->after, *images->mapped);
-    if (!filters_frame()) return;
+    if (!filters_frame() || half) return;
     const gpu::Image& to = *images->filtered_mapped;
     map("remap_filtered", TileLists::shaded, {}, images->filtered, to);
     // The tiles that only the filter changes.
@@ -294,8 +243,8 @@ void AmbientOcclusion::Impl::append_remap(std::vector<Step>& passes) {
 }
 
 Frame AmbientOcclusion::Impl::collect() const {
-    const bool mapped = remaps(settings);
-    const gpu::Image& filtered = mapped ? *images->filtered_mapped : images->filtered;
+    const bool mapped = remaps_images();
+    const gpu::Image& filtered = half ? half->result() : mapped ? *images->filtered_mapped : images->filtered;
     Frame frame;
     if (shows_alone(settings)) {
         frame.occlusion = (mapped ? *images->mapped : images->filtered).download();
@@ -306,11 +255,16 @@ Frame AmbientOcclusion::Impl::collect() const {
         frame.convergence = std::move(result.samples);
         frame.kept = history_in(history()).samples;
     }
-    frame.filtered = filters_frame() ? filtered.download() : frame.occlusion;
+    frame.filtered = filters_frame() || half ? filtered.download() : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
     frame.work = work(frame.convergence);
+    if (half) {
+        frame.occlusion = filters_frame() ? expanded(frame.occlusion, given.extent) : frame.filtered;
+        frame.convergence = expanded(frame.convergence, given.extent);
+        frame.kept = expanded(frame.kept, given.extent);
+    }
 
-    const scene::GBuffer shape{.extent = view.extent, .border = view.border};
+    const scene::GBuffer shape{.extent = given.extent, .border = given.border};
     frame.extent = scene::frame_of(shape);
     for (std::vector<float>* image : {&frame.occlusion, &frame.filtered, &frame.convergence, &frame.kept})
         *image = scene::cropped(shape, *image);
@@ -347,9 +301,10 @@ AmbientOcclusion& AmbientOcclusion::operator=(AmbientOcclusion&&) noexcept = def
 void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& settings) {
     Impl& impl = *impl_;
     validate(settings);
-    const bool reformat = settings.precision != impl.settings.precision;
+    const bool other_images =
+        settings.precision != impl.settings.precision || settings.resolution != impl.settings.resolution;
     impl.settings = settings;
-    if (reformat) impl.allocate(impl.view.extent);
+    if (other_images) impl.allocate(impl.given.extent);
     impl.take(view);
     impl.samples.restart();
     impl.listing.restart();
@@ -362,12 +317,16 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
 void AmbientOcclusion::advance(const scene::GBuffer& view) {
     Impl& impl = *impl_;
     if (!impl.progress.has_view()) throw std::logic_error("no view: begin() must come before advance()");
-    const bool resized = view.extent != impl.view.extent;
+    const bool resized = view.extent != impl.given.extent;
     if (resized) impl.allocate(view.extent);
     if (resized || !view.camera.previous_from_current) return begin(view, impl.settings);
+    impl.previous_given = impl.given;
     impl.previous_view = impl.view;
     impl.take(view);
     impl.reprojection_constants = reprojection_parameters(impl.view, impl.previous_view, impl.settings);
+    if (impl.half)
+        impl.reprojection_constants.previous_from_current =
+            half_previous_from_current(impl.given, impl.previous_given);
     impl.progress.advance();
 }
 

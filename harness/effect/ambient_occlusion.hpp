@@ -24,7 +24,8 @@ struct PassTime {
 };
 
 // What a frame computed and what it skipped, counted on the device. A guard band counts where it is
-// sampled. Tiles are the passes' groups, 8 x 8 pixels.
+// sampled. Tiles are the passes' groups, 8 x 8 pixels. With Resolution::half pixels are those of the
+// half-size images.
 struct Work {
     std::uint64_t pixels = 0;
     std::uint64_t background = 0;    // pixels skipped: no geometry
@@ -44,7 +45,8 @@ struct Work {
 };
 
 // One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the
-// background, always in [0, 1].
+// background, always in [0, 1]. With Resolution::half, `filtered` is the result at the view's size. The other
+// images then hold what belongs to each pixel's block of 2 x 2; without a filter `occlusion` is `filtered`.
 struct Frame {
     gpu::Extent extent;
     std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so

@@ -87,9 +87,9 @@ struct Directional::Impl {
     }
 
     // Uploads a view; reconstructs missing normals.
-    [[nodiscard]] FrameImages taken(const scene::GBuffer& view, const Settings& settings) {
+    [[nodiscard]] ViewImages taken(const scene::GBuffer& view, const Settings& settings) {
         require(view, settings);
-        FrameImages images(*device, view.extent, HistoryPrecision::float32);
+        ViewImages images(*device, view.extent);
         images.take(*device, view);
         method.as<MethodValues>()[0] = settings.own;
         if (view.normal.empty()) {
@@ -102,7 +102,7 @@ struct Directional::Impl {
     }
 
     // Runs a pass that writes `out`. `read`: the images at its further bindings.
-    void shade(const std::string& pass, const FrameImages& images, const gpu::Image& out,
+    void shade(const std::string& pass, const ViewImages& images, const gpu::Image& out,
                std::vector<gpu::Resource> read, const scene::GBuffer& view, const Settings& settings,
                std::uint32_t interleave = 0) {
         const DirectionalParameters parameters = parameters_of(view, settings);
@@ -132,7 +132,7 @@ BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings
             fmt::format("interleave {}: expected 1 to {}", options.interleave, most_interleave));
     }
     const auto interleave = static_cast<std::uint32_t>(options.interleave);
-    const FrameImages images = impl_->taken(view, settings);
+    const ViewImages images = impl_->taken(view, settings);
     gpu::Image bent(*impl_->device, view.extent, rgba32f);
     impl_->shade("bent_normals", images, bent, {}, view, settings, interleave);
     if (interleave > 1) {
@@ -148,7 +148,7 @@ BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings
 
 DirectionalLight Directional::light(const scene::GBuffer& view, const Settings& settings,
                                     const scene::Environment& environment) {
-    const FrameImages images = impl_->taken(view, settings);
+    const ViewImages images = impl_->taken(view, settings);
     const gpu::Device& device = *impl_->device;
     gpu::Image albedo(device, view.extent, rgba32f);
     albedo.upload(view.color.empty() ? std::vector<float>(4 * view.depth.size(), 1.0F)

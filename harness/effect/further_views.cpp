@@ -85,8 +85,8 @@ struct FurtherViews::Impl {
     }
 
     // Uploads a view; reconstructs missing normals.
-    [[nodiscard]] FrameImages taken(const scene::GBuffer& view) {
-        FrameImages images(*device, view.extent, HistoryPrecision::float32);
+    [[nodiscard]] ViewImages taken(const scene::GBuffer& view) {
+        ViewImages images(*device, view.extent);
         images.take(*device, view);
         if (!view.normal.empty()) return images;
         const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
@@ -115,9 +115,9 @@ std::vector<float> FurtherViews::raised(const scene::GBuffer& view, const std::v
     impl_->method.as<MethodValues>()[0] = settings.own;
     gpu::Image result(*impl_->device, view.extent, gpu::Format::r32f);
     result.upload(occlusion);
-    const FrameImages images = impl_->taken(view);
+    const ViewImages images = impl_->taken(view);
     for (const scene::GBuffer& other : others) {
-        const FrameImages there = impl_->taken(other);
+        const ViewImages there = impl_->taken(other);
         const FurtherViewParameters parameters = parameters_of(view, other, settings);
         const Step step{"further_view",
                         &impl_->pipeline(program, other.camera.orthographic()),

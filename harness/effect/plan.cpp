@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "effect/internal/frame_images.hpp"
+#include "effect/internal/half_resolution.hpp"
 #include "effect/internal/passes.hpp"
+#include "effect/internal/planned_images.hpp"
 #include "effect/internal/prepared_image.hpp"
 #include "effect/internal/sample_table.hpp"
 #include "effect/internal/shown_image.hpp"
@@ -15,8 +17,6 @@
 
 namespace gloam::effect {
 namespace {
-
-using Origin = PlannedImage::Origin;
 
 // A frame of a view. Plans of several moments are compared to find the parameters that depend on the view.
 struct Moment {
@@ -59,12 +59,19 @@ class Planner {
     Planner(const Settings& settings, const PlanOptions& options, const Moment& moment)
         : settings_(settings),
           options_(options),
+          given_(moment),
           moment_(moment),
-          preparation_(preparation_of(settings, moment.view.extent)),
-          table_(tabulates_samples(settings)) {}
+          half_(settings.resolution == Resolution::half),
+          table_(tabulates_samples(settings)) {
+        moment_.view = working_view(moment.view, settings.resolution);
+        moment_.previous = working_view(moment.previous, settings.resolution);
+        preparation_ = preparation_of(settings, moment_.view.extent);
+        plan_.tile = tile_side * divisor();
+    }
 
     Plan run() {
-        images();
+        plan_.images = planned_images(settings_, options_, given_.view.extent);
+        name_results(settings_, plan_);
         buffers();
         passes();
         if (!shows_alone(settings_)) plan_.exchanged.push_back({"history_before", "history_after"});
@@ -73,90 +80,18 @@ class Planner {
     }
 
   private:
-    void image(const char* name, gpu::Format format, Origin origin, const char* meaning) {
-        plan_.images.push_back({.name = name,
-                                .meaning = meaning,
-                                .format = format,
-                                .origin = origin,
-                                .extent = moment_.view.extent});
-    }
-
-    void fixed_image(const char* name, gpu::Format format, gpu::Extent extent, const char* meaning) {
-        image(name, format, Origin::frame, meaning);
-        plan_.images.back().extent = extent;
-        plan_.images.back().divisor = 0;
-    }
-
-    void images() {
-        using enum gpu::Format;
-        const gpu::Format history = format_of(settings_.precision);
-        surfaces();
-        if (options_.moving_objects) {
-            image("previous_position", rgba32f, Origin::engine,
-                  "where each surface point was, in the view space of the frame before, in xyz");
-            image("displacement", r32ui, Origin::frame, "how surface points move otherwise than the camera");
-        }
-        if (settings_.layers > 1)
-            image("layers", rgba32f, Origin::engine, "depth layers 1 to 3 behind the first in xyz");
-        if (shows_alone(settings_)) {
-            image("filtered", r32f, Origin::frame, "the occlusion");
-        } else {
-            image("history_before", history, Origin::history, "the history of the frame before");
-            if (settings_.history)
-                image("history_reprojected", history, Origin::frame, "the same at the pixels of this frame");
-            image("history_after", history, Origin::frame, "the history of this frame");
-        }
-        if (filters(settings_)) {
-            image("half_filtered", r32f, Origin::frame, "the occlusion filtered along x");
-            image("filtered", r32f, Origin::frame, "and along y");
-        }
-        if (remaps(settings_))
-            image("mapped", format_of(settings_.output), Origin::frame, "what is shown of the occlusion");
-        if (remaps(settings_) && filters(settings_))
-            image("filtered_mapped", format_of(settings_.output), Origin::frame,
-                  "what is shown of the filtered occlusion");
-        if (preparation_) prepared_image();
-        if (table_) {
-            fixed_image("sample_table", rgba32f, sample_table_extent(settings_),
-                        "what all pixels share of their samples");
-            plan_.images.back().origin = Origin::once;
-        }
-        name_results(settings_, plan_);
-    }
-
-    // Depth and normals of the engine, and what they are converted to.
-    void surfaces() {
-        using enum gpu::Format;
-        const char* linear = "eye-linear depth, world units; background 0 or not finite";
-        const char* normals = "view-space unit normals that face the eye, in xyz";
-        const Origin of_normals = options_.normals ? Origin::engine : Origin::frame;
-        if (!converts()) {
-            image("depth", r32f, Origin::engine, linear);
-            image("normal", rgba32f, of_normals, normals);
-            return;
-        }
-        image("depth", r32f, Origin::engine, "depth as the engine stores it, any format that is sampled");
-        if (options_.normals)
-            image("normal", rgba32f, Origin::engine, "normals as the engine stores them, any format");
-        image("linear_depth", r32f, Origin::frame, linear);
-        image("view_normal", rgba32f, Origin::frame, normals);
-    }
-
     [[nodiscard]] bool converts() const { return options_.encoding != scene::Encoding{}; }
+    [[nodiscard]] std::uint32_t divisor() const { return half_ ? 2 : 1; }
+    // Linear depth and view-space normals of the view's size.
+    [[nodiscard]] std::string full_depth() const { return converts() ? "linear_depth" : "depth"; }
+    [[nodiscard]] std::string full_normal() const { return converts() ? "view_normal" : "normal"; }
     // What the passes read.
-    [[nodiscard]] std::string depth() const { return converts() ? "linear_depth" : "depth"; }
-    [[nodiscard]] std::string normal() const { return converts() ? "view_normal" : "normal"; }
-
-    void prepared_image() {
-        const gpu::Extent extent = preparation_->image;
-        fixed_image("prepared", preparation_->format, extent, "what the method's preparation passes write");
-        for (std::uint32_t divisor = 1; divisor <= 2; ++divisor) {
-            const gpu::Extent view = moment_.view.extent;
-            if (extent ==
-                gpu::Extent{(view.width + divisor - 1) / divisor, (view.height + divisor - 1) / divisor})
-                plan_.images.back().divisor = divisor;
-        }
+    [[nodiscard]] std::string depth() const { return half_ ? "half_depth" : full_depth(); }
+    [[nodiscard]] std::string normal() const { return half_ ? "half_normal" : full_normal(); }
+    [[nodiscard]] std::string positions() const {
+        return present(half_ ? "half_previous_position" : "previous_position");
     }
+    [[nodiscard]] std::string layers() const { return present(half_ ? "half_layers" : "layers"); }
 
     void buffers() {
         plan_.buffers.push_back({.name = "method",
@@ -194,7 +129,14 @@ class Planner {
                                 .source = std::move(source),
                                 .resources = std::move(resources),
                                 .parameters = std::move(parameters),
-                                .pixels = pixels});
+                                .pixels = {pixels[0] * divisor(), pixels[1] * divisor()},
+                                .divisor = divisor()});
+    }
+
+    // Lets the last pass run over images of the view's size.
+    void in_full() {
+        plan_.passes.back().pixels = a_tile;
+        plan_.passes.back().divisor = 1;
     }
 
     // Lets the last pass run over a list, if the plan has lists.
@@ -224,21 +166,58 @@ class Planner {
             plan_.passes.back().groups = {(last + sample_table_group - 1) / sample_table_group, 1, 1};
         }
         if (converts()) inputs();
-        if (!options_.normals)
-            pass("normals_from_depth", normals_source(), {depth(), normal()},
-                 bytes_of_parameters(normal_parameters(moment_.view)), a_tile);
+        if (!options_.normals) {
+            pass("normals_from_depth", normals_source(), {full_depth(), full_normal()},
+                 bytes_of_parameters(normal_parameters(given_.view)), a_tile);
+            in_full();
+        }
+        if (half_) halve();
         if (options_.tiles) selection();
         if (settings_.history) reprojection();
         preparation();
         occlusion();
         if (filters(settings_)) filter();
-        if (remaps(settings_)) remap();
+        if (half_) {
+            upsample();
+        } else if (remaps(settings_)) {
+            remap();
+        }
     }
 
     void inputs() {
         const InputProgram program{options_.encoding, options_.orthographic, options_.normals};
-        pass("take_inputs", input_source(program), {"depth", present("normal"), depth(), normal()},
-             bytes_of_parameters(input_parameters(moment_.view)), a_tile);
+        pass("take_inputs", input_source(program), {"depth", present("normal"), full_depth(), full_normal()},
+             bytes_of_parameters(input_parameters(given_.view)), a_tile);
+        in_full();
+    }
+
+    // Both passes have an invocation for each half-size pixel; their constants are those of the view.
+    void halve() {
+        const HalveProgram program{.orthographic = options_.orthographic,
+                                   .previous_orthographic = options_.orthographic,
+                                   .moving_objects = options_.moving_objects,
+                                   .layers = settings_.layers > 1};
+        pass("halve_inputs", halve_source(program),
+             {full_depth(), full_normal(), present("previous_position"), present("layers"), depth(), normal(),
+              positions(), layers()},
+             bytes_of_parameters(halve_parameters(given_.view, given_.previous)), a_tile);
+        plan_.passes.back().divisor = 1;
+    }
+
+    void upsample() {
+        if (!filters(settings_) || filters_early(settings_)) upsample("upsample", false);
+        if (!filters(settings_)) return;
+        const std::size_t first = plan_.passes.size();
+        upsample(filters_early(settings_) ? "upsample_filtered" : "upsample", true);
+        only_early(first);
+    }
+
+    void upsample(const char* name, bool filtered) {
+        const UpsampleProgram program = upsample_program_for(settings_, filtered, options_.orthographic);
+        pass(name, upsample_source(program),
+             {full_depth(), depth(), program.history ? "history_after" : "filtered", "upsampled"},
+             bytes_of_parameters(upsample_parameters(given_.view, settings_)), a_tile);
+        plan_.passes.back().divisor = 1;
     }
 
     void selection() {
@@ -246,7 +225,8 @@ class Planner {
         if (settings_.history) written |= image_reprojected;
         if (filters(settings_)) written |= image_filtered;
         if (shows_alone(settings_)) written = image_filtered;
-        if (remaps(settings_)) written |= image_mapped | (filters(settings_) ? image_filtered_mapped : 0U);
+        if (remaps(settings_) && !half_)
+            written |= image_mapped | (filters(settings_) ? image_filtered_mapped : 0U);
         const gpu::Extent band = settings_.guard_history ? gpu::Extent{} : moment_.view.border;
         const SelectParameters parameters{.size = pair_of(moment_.view.extent),
                                           .band = pair_of(band),
@@ -268,10 +248,14 @@ class Planner {
                                           .orthographic = options_.orthographic,
                                           .previous_orthographic = options_.orthographic,
                                           .keeps_displacement = options_.moving_objects};
-        pass("reproject", reprojection_source(program),
-             {depth(), present("previous_position"), "history_before", "history_reprojected", lists(),
-              present("displacement")},
-             bytes_of_parameters(reprojection_parameters(moment_.view, moment_.previous, settings_)), a_tile);
+        ReprojectionParameters parameters =
+            reprojection_parameters(moment_.view, moment_.previous, settings_);
+        if (half_)
+            parameters.previous_from_current = half_previous_from_current(given_.view, given_.previous);
+        pass(
+            "reproject", reprojection_source(program),
+            {depth(), positions(), "history_before", "history_reprojected", lists(), present("displacement")},
+            bytes_of_parameters(parameters), a_tile);
         plan_.passes.back().turn = Turn::moved;
         over(TileLists::shaded);
     }
@@ -286,7 +270,7 @@ class Planner {
                    moment_.view.extent.width)
                 side *= 2;
             pass(step.name.c_str(), preparation_source(step.file, program, preparation_->format),
-                 {depth(), normal(), history(), "prepared", "method", present("layers"), "prepared"},
+                 {depth(), normal(), history(), "prepared", "method", layers(), "prepared"},
                  bytes_of_parameters(preparation_parameters(moment_.view, settings_, step.level)),
                  {side, side});
         }
@@ -303,8 +287,7 @@ class Planner {
         const Counting counts = options_.tiles ? Counting::each_group : Counting::none;
         pass("ambient_occlusion", occlusion_source(program, counts, 1),
              {depth(), normal(), history(), present("history_after"), states(), present("displacement"),
-              "method", present("prepared"), present("layers"), lists(), present("filtered"),
-              present("sample_table")},
+              "method", present("prepared"), layers(), lists(), present("filtered"), present("sample_table")},
              bytes_of_parameters(parameters), a_tile);
         over(TileLists::shaded);
     }
@@ -359,7 +342,9 @@ class Planner {
 
     const Settings& settings_;
     const PlanOptions& options_;
-    const Moment& moment_;
+    const Moment& given_;  // of the engine's view
+    Moment moment_;        // of the view whose images the passes read
+    bool half_;
     std::optional<Preparation> preparation_;
     bool table_;
     Plan plan_;
@@ -372,7 +357,7 @@ Plan plan_of(const Settings& settings, const PlanOptions& options) {
     PlanOptions other_options = options;
     other_options.view = {options.view.width / 2 + 3, options.view.height / 3 + 5};
     const View view{camera_of(options, 0.9), options.view, {}};
-    const View other{camera_of(other_options, 1.3), other_options.view, {1, 2}};
+    const View other{camera_of(other_options, 1.3), other_options.view, {6, 8}};
     Plan plan = Planner(settings, options, {view, view, false, false}).run();
     const Moment odd{view, view, true, false};
     const Moment elsewhere{other, {camera_of(options, 1.1), options.view, {}}, true, true};

@@ -45,7 +45,7 @@ struct PlannedBuffer {
     std::string name;
     std::string meaning;
     std::size_t bytes = 0;            // for the view of the plan
-    std::size_t bytes_a_tile = 0;     // part of `bytes` for each tile of 8 x 8 pixels
+    std::size_t bytes_a_tile = 0;     // part of `bytes` for each tile: Plan::tile x Plan::tile pixels
     std::vector<std::byte> contents;  // at its beginning; the rest is zero
     bool refilled = false;            // before each frame; otherwise once, before the first
 };
@@ -70,6 +70,8 @@ struct PlannedPass {
     std::array<std::uint32_t, 2> pixels{};  // pixels of the view for each group, along x and y
     std::array<std::uint32_t, 3> groups{};  // number of groups, if `pixels` is 0
     std::optional<std::size_t> list;  // instead: indirect dispatch, byte offset in the buffer tile_lists
+    std::uint32_t divisor =
+        1;  // 2: the pass reads half-size images, and `of_view` are those of the half-size view
 };
 
 // Names of the resources that are bound where the settings need no image or no buffer.
@@ -83,6 +85,7 @@ struct Plan {
     std::vector<PlannedPass> passes;
     // Pairs of images that are swapped after each frame.
     std::vector<std::array<std::string, 2>> exchanged;
+    std::uint32_t tile = 8;    // pixels of the view along each side of a tile
     std::string result;        // image whose first channel is the occlusion
     float result_unit = 1.0F;  // occlusion that a value of 1 in it stands for
     // Where passes run early: the number of frames in which they do, and the same two of later frames.

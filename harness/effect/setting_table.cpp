@@ -196,6 +196,8 @@ void add_output(std::vector<Setting>& table) {
     using S = Settings;
     table.push_back(
         choice("output", "format of the displayed occlusion", &S::output, {"r32f", "r16f", "r8"}));
+    table.push_back(choice("resolution", "of the passes: the view's, or half of it and an upsample by depth",
+                           &S::resolution, {"full", "half"}));
     table.push_back(filter());
     table.push_back(number("filter_half_width", "taps",
                            "on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4",

@@ -39,6 +39,12 @@ enum class Filter {
 // Format of the displayed occlusion. The history keeps its own precision.
 enum class OutputFormat { r32f, r16f, r8 };
 
+// The size of the images that the passes run over.
+enum class Resolution {
+    full,  // the view's
+    half   // half of each side, rounded up; the result is brought to the view's size by depth
+};
+
 // The smallest projected radius worth sampling: below it all samples fall on the pixel itself.
 constexpr float one_pixel = 1.0F;
 
@@ -120,6 +126,7 @@ struct Settings {
     float remap_b = 1.0F;       // 0 to 1e18
     float remap_c = 1.0F;       // 0 to 1e18
     OutputFormat output = OutputFormat::r32f;  // of the displayed occlusion
+    Resolution resolution = Resolution::full;  // half: pixels in other settings are those of half the size
     float least_radius =
         one_pixel;       // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
@@ -144,6 +151,9 @@ struct Settings {
 
 // Whether the occlusion of a frame is all that its passes keep: without a history and without a filter.
 [[nodiscard]] bool shows_alone(const Settings& settings);
+
+// Whether the displayed values are another function of the estimate than the estimate itself.
+[[nodiscard]] bool maps(const Settings& settings);
 
 // Whether the displayed values differ from the estimate: by a remap, or by an output format of fewer bits.
 // The remap pass then writes them.

@@ -13,20 +13,23 @@ void SurfaceInputs::take(const scene::GBuffer& gbuffer, const View& view) {
     normal_constants_ = normal_parameters(view);
 }
 
-void SurfaceInputs::append_steps(Pipelines& pipelines, const FrameImages& images, const gpu::Image& nothing,
+void SurfaceInputs::append_steps(Pipelines& pipelines, const ViewImages& images, const gpu::Image& nothing,
                                  std::vector<Step>& steps) const {
+    const auto groups = groups_for(images.depth.extent());
     if (converts_) {
         const gpu::Image& normals = images.stored_normal ? *images.stored_normal : nothing;
         steps.push_back({"take_inputs",
                          &pipelines.inputs(program_),
                          {*images.stored_depth, normals, images.depth, images.normal},
-                         bytes_of(input_constants_)});
+                         bytes_of(input_constants_),
+                         groups});
     }
     if (reconstructs_) {
         steps.push_back({"normals_from_depth",
                          &pipelines.normals(),
                          {images.depth, images.normal},
-                         bytes_of(normal_constants_)});
+                         bytes_of(normal_constants_),
+                         groups});
     }
 }
 

@@ -51,7 +51,12 @@ TEST_F(EsPasses, AreTakenByADriver) {
     halves.table_size = 2048;
     halves.filter = Filter::geometry;
     expect_linked(halves, {});
-    EXPECT_EQ(files_.size(), 12U);
+    Settings half = halves;
+    half.resolution = Resolution::half;
+    half.filter = Filter::none;
+    half.layers = 2;
+    expect_linked(half, {.moving_objects = true});
+    EXPECT_EQ(files_.size(), 14U);
 }
 
 }  // namespace es_passes_test

@@ -287,9 +287,13 @@ TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
         settings.remap_c = 1.5F;
         expect_the_devices(views, settings, "moving");
     }
-    for (const char* name :
-         {"ambient_occlusion", "bound_tiles", "filter_x", "filter_y", "merge_bounds_1", "normals_from_depth",
-          "remap", "remap_filtered", "reproject", "sample_table", "select_filtered_tiles", "select_tiles"})
+    Settings half;
+    half.resolution = Resolution::half;
+    half.remap_c = 1.5F;
+    expect_the_devices(views, half, "moving, half the resolution");
+    for (const char* name : {"ambient_occlusion", "bound_tiles", "filter_x", "filter_y", "halve_inputs",
+                             "merge_bounds_1", "normals_from_depth", "remap", "remap_filtered", "reproject",
+                             "sample_table", "select_filtered_tiles", "select_tiles", "upsample"})
         EXPECT_GT(seen_[name].words, 0U) << name;
     EXPECT_EQ(seen_["select_tiles"].equal, seen_["select_tiles"].words) << "integers";
 }

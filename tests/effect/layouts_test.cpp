@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "effect/internal/half_resolution.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/prepared_image.hpp"
 #include "effect/internal/sample_table.hpp"
@@ -108,6 +109,12 @@ TEST_F(Layouts, ReprojectionFilterAndMap) {
     using M = RemapParameters;
     expect_pushed(remap_source({}, {}), sizeof(M),
                   {MEMBER(M, size), MEMBER(M, a), MEMBER(M, b), MEMBER(M, c)});
+    using H = HalveParameters;
+    expect_pushed(halve_source({}), sizeof(H),
+                  {MEMBER(H, p00_p11), MEMBER(H, previous_p00_p11), MEMBER(H, size)});
+    using U = UpsampleParameters;
+    expect_pushed(upsample_source({}), sizeof(U),
+                  {MEMBER(U, size), MEMBER(U, a), MEMBER(U, b), MEMBER(U, c)});
     using N = NormalParameters;
     expect_pushed(normals_source(), sizeof(N),
                   {MEMBER(N, p00_p11), MEMBER(N, size), MEMBER(N, orthographic)});
@@ -180,6 +187,7 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
         Settings settings = with_method({}, method);
         settings.remap_b = 2.0F;
         settings.layers = 2;
+        settings.resolution = method == std::string("mssao") ? Resolution::half : Resolution::full;
         const PlanOptions options{.moving_objects = true, .tiles = true, .normals = false};
         for (const PlannedPass& pass : plan_of(settings, options).passes) {
             for (const shader::Binding& binding : interface_of(pass.source).bindings) {
@@ -190,7 +198,7 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
             seen.insert(pass.source.file);
         }
     }
-    EXPECT_EQ(seen.size(), 15U);
+    EXPECT_EQ(seen.size(), 17U);
 }
 
 // A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
@@ -202,6 +210,7 @@ TEST_F(Layouts, SpecializationConstants) {
          {"hemisphere", "gtao", "hbao_study", "sao", "separable", "mssao", "dual_resolution"}) {
         Settings settings = with_method({}, method);
         settings.remap_b = 2.0F;
+        settings.resolution = method == std::string("sao") ? Resolution::half : Resolution::full;
         for (const PlannedPass& pass : plan_of(settings, {.tiles = true}).passes) {
             const std::string& file = pass.source.file;
             const std::string key = file.starts_with("preparation/") ? "preparation" : file;
@@ -211,7 +220,7 @@ TEST_F(Layouts, SpecializationConstants) {
             EXPECT_EQ(found.push_constants->size, pass.parameters.size()) << method << " " << pass.name;
         }
     }
-    EXPECT_EQ(given.size(), 6U);
+    EXPECT_EQ(given.size(), 8U);
     for (const auto& [file, constants] : given)
         for (const std::uint32_t constant : constants)
             EXPECT_THAT(known[file], testing::Contains(constant)) << file;

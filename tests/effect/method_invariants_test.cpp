@@ -91,13 +91,18 @@ TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
     Settings settings = plain(GetParam(), 1.0F);
     settings.least_radius = 0.0F;  // in the smallest a pixel is wider than the radius
     const scene::HalfSpace tilted{{0, 0, -5}, glm::normalize(glm::dvec3(0.4, -0.3, 1.0))};
-    for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}}) {
-        AmbientOcclusion& effect = effect_for(extent);
-        for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
-            const scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
-            for (const float occlusion : shade(effect, view, settings))
-                EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), 1e-5)
-                    << extent.width << 'x' << extent.height;
+    for (const Resolution resolution : {Resolution::full, Resolution::half}) {
+        settings.resolution = resolution;
+        for (const gpu::Extent extent :
+             {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}, gpu::Extent{18, 10}}) {
+            AmbientOcclusion& effect = effect_for(extent);
+            for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
+                const scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
+                for (const float occlusion : shade(effect, view, settings))
+                    EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), 1e-5)
+                        << extent.width << 'x' << extent.height
+                        << (resolution == Resolution::half ? " at half the resolution" : "");
+            }
         }
     }
 }

@@ -4,10 +4,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/internal/half_resolution.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
 #include "effect/preparation.hpp"
@@ -39,11 +41,15 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
         return scene::rasterize(device_, passes_, scene, extent, {.frame = frame});
     };
     for (const char* method : {"hemisphere", "mssao", "dual_resolution", "sao_chain", "separable"}) {
-        for (const char* preset : {"paper", "balanced", "balanced, frames alone"}) {
+        for (const char* preset :
+             {"paper", "balanced", "balanced, half", "balanced, frames alone", "paper, half"}) {
             const bool alone = std::string_view(preset).ends_with("alone");
-            Settings settings =
-                without_tiles(with_method(preset_named(alone ? "balanced" : preset).settings, method));
+            const bool half = std::string_view(preset).ends_with("half");
+            const std::string_view named =
+                std::string_view(preset).substr(0, std::string_view(preset).find(','));
+            Settings settings = without_tiles(with_method(preset_named(std::string(named)).settings, method));
             settings.history = !alone;
+            if (half) settings.resolution = Resolution::half;
             settings.remap_b = 2.0F;
             AmbientOcclusion effect(device_, passes_, extent);
             effect.begin(view(0), settings);
@@ -65,19 +71,61 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
 TEST_F(PlanTest, ImagesHaveTheSizeThatTheMethodPrepares) {
     for (const char* method : {"mssao", "dual_resolution", "sao_chain", "separable"}) {
         for (const gpu::Extent extent : {gpu::Extent{640, 360}, gpu::Extent{33, 17}, gpu::Extent{1, 1}}) {
-            const Settings settings = with_method({}, method);
-            const Preparation preparation = preparation_of(settings, extent).value();
-            const Plan plan = plan_of(settings, {.view = extent});
-            std::size_t next = 0;
-            for (const PlannedPass& pass : plan.passes) {
-                if (next == preparation.passes.size() || pass.name != preparation.passes[next].name) continue;
-                const gpu::Extent needed = preparation.passes[next++].invocations;
-                const auto [x, y] = pass.pixels;
-                EXPECT_GE((extent.width + x - 1) / x * 8, needed.width) << pass.name;
-                EXPECT_GE((extent.height + y - 1) / y * 8, needed.height) << pass.name;
+            for (const Resolution resolution : {Resolution::full, Resolution::half}) {
+                Settings settings = with_method({}, method);
+                settings.resolution = resolution;
+                const gpu::Extent read = resolution == Resolution::half ? half_of(extent) : extent;
+                const Preparation preparation = preparation_of(settings, read).value();
+                const Plan plan = plan_of(settings, {.view = extent});
+                std::size_t next = 0;
+                for (const PlannedImage& image : plan.images) {
+                    const std::uint32_t d = image.divisor;
+                    if (d == 0) continue;
+                    EXPECT_EQ(image.extent.width, (extent.width + d - 1) / d) << image.name;
+                    EXPECT_EQ(image.extent.height, (extent.height + d - 1) / d) << image.name;
+                }
+                for (const PlannedPass& pass : plan.passes) {
+                    if (next == preparation.passes.size() || pass.name != preparation.passes[next].name)
+                        continue;
+                    const gpu::Extent needed = preparation.passes[next++].invocations;
+                    const auto [x, y] = pass.pixels;
+                    EXPECT_GE((extent.width + x - 1) / x * 8, needed.width) << pass.name;
+                    EXPECT_GE((extent.height + y - 1) / y * 8, needed.height) << pass.name;
+                }
+                EXPECT_EQ(next, preparation.passes.size());
             }
-            EXPECT_EQ(next, preparation.passes.size());
         }
+    }
+}
+
+// Passes over half-size images have groups of as many pixels of the half-size view.
+TEST_F(PlanTest, GroupsCoverTheHalfSizeView) {
+    Settings settings;
+    settings.resolution = Resolution::half;
+    for (const bool tiles : {false, true}) {
+        const Plan plan = plan_of(settings, {.view = {35, 18}, .tiles = tiles, .normals = false});
+        EXPECT_EQ(plan.tile, 16U);
+        EXPECT_EQ(plan.result, "upsampled");
+        std::size_t full = 0;
+        for (const PlannedPass& pass : plan.passes) {
+            full += pass.divisor == 1 && pass.turn != Turn::once ? 1 : 0;
+            if (pass.pixels[0] == 0) continue;
+            EXPECT_EQ(pass.pixels[1] % 16, pass.name == "normals_from_depth" ? 8U : 0U) << pass.name;
+            EXPECT_EQ(pass.divisor, pass.name == "normals_from_depth" || pass.name == "halve_inputs" ||
+                                            pass.name == "upsample"
+                                        ? 1U
+                                        : 2U)
+                << pass.name;
+        }
+        EXPECT_EQ(full, 3U);
+        const auto size = [&](const char* name) {
+            const auto found = std::ranges::find(plan.images, name, &PlannedImage::name);
+            return found == plan.images.end() ? gpu::Extent{} : found->extent;
+        };
+        EXPECT_EQ(size("depth"), (gpu::Extent{35, 18}));
+        EXPECT_EQ(size("half_depth"), (gpu::Extent{18, 9}));
+        EXPECT_EQ(size("history_after"), (gpu::Extent{18, 9}));
+        EXPECT_EQ(size("upsampled"), (gpu::Extent{35, 18}));
     }
 }
 

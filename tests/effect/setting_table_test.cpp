@@ -172,6 +172,7 @@ const std::map<std::string, Case>& cases() {
         {"remap_b", {"0.9"}},
         {"remap_c", {"2"}},
         {"output", {"r8"}},
+        {"resolution", {"half"}},
         {"least_radius", {"12"}},
         {"guard", {"0.1"}},
         {"guard_history", {"off", {{"guard", "0.1"}}}},

@@ -4,6 +4,9 @@
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 set(radius 0.3)
 set(frames 4)
+if(NOT SIZE)
+  set(SIZE 161x99)
+endif()
 set(effect "${WORK}/effect")
 
 separate_arguments(OPTIONS)  # of the pack alone
@@ -13,7 +16,7 @@ file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 run("pack" "${GLOAM}" pack --effect --preset ${PRESET} --radius ${radius} ${OPTIONS} ${INPUTS} --out "${effect}")
 build(vulkan "-DEFFECT=${effect}")
-run("render" "${GLOAM}" render room --size 161x99 --frames ${frames} --preset ${PRESET} --radius ${radius} ${INPUTS}
+run("render" "${GLOAM}" render room --size ${SIZE} --frames ${frames} --preset ${PRESET} --radius ${radius} ${INPUTS}
   --write-gbuffer "${WORK}/gbuffers" --out "${WORK}/rendered")
 run("example" "${WORK}/build/packed_effect" "${WORK}/gbuffers" "${WORK}/packed")
 

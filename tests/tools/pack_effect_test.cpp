@@ -100,7 +100,10 @@ TEST_F(PackEffect, EveryOptionCompiles) {
          {std::vector<std::string>{"--tiles", "--preset", "moving"},
           {"--moving-objects", "--orthographic", "--reconstruct-normals"},
           {"--set", "layers=3", "--set", "remap_b=2", "--preset", "sao-quality"},
-          {"--set", "remap_b=2", "--tiles", "--set", "precision=float16", "--set", "table_size=2048"}}) {
+          {"--set", "remap_b=2", "--tiles", "--set", "precision=float16", "--set", "table_size=2048"},
+          {"--set", "resolution=half", "--moving-objects", "--set", "layers=2", "--depth", "buffer"},
+          {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "moving",
+           "--tiles"}}) {
         pack(options);
         expect_compiles();
     }

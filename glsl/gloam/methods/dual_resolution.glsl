@@ -3,6 +3,7 @@
 #define GLOAM_METHODS_DUAL_RESOLUTION_GLSL
 
 #include "gloam/filter/dual_resolution.glsl"
+#include "gloam/filter/half_resolution.glsl"
 #include "gloam/filter/mssao_upsample.glsl"
 #include "gloam/filter/weighted_mean.glsl"
 #include "gloam/gather/footprint.glsl"
@@ -18,19 +19,6 @@ struct GloamDualResolution {
     uint steps;
     float disagreement;  // of neighbours at half the resolution, in occlusion, beyond which a pixel is sampled in full
 };
-
-// Which pixels an image of half the resolution stands for: its pixel p has the result of pixel 2 p of the full image,
-// not that of a point between four pixels. So nothing moves by half a pixel, and odd sizes need no special case.
-
-// Size of the image of half the resolution. size: of the full image, pixels.
-ivec2 gloam_half_size(ivec2 size) {
-    return (size + 1) / 2;
-}
-
-// The pixel of the full image whose result a pixel of the small one holds.
-ivec2 gloam_half_source(ivec2 pixel) {
-    return 2 * pixel;
-}
 
 // Defined by the user: what the preparation passes have written; here (occlusion, normal) of the small image.
 vec4 gloam_fetch_prepared(ivec2 pixel);

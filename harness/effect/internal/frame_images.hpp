@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "effect/internal/tiles.hpp"
+#include "effect/internal/view_images.hpp"
 #include "effect/settings.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/image.hpp"
-#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 
@@ -39,29 +39,20 @@ struct HistoryTexels {
 struct FrameImages {
     FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPrecision precision);
 
-    // Uploads a view: depth and its layers, normals, positions in the previous frame. Throws
-    // std::invalid_argument if one of them has another size than the images.
-    void take(const gpu::Device& device, const scene::GBuffer& view);
-
-    // Uploads depth and normals, as they are stored if the view has them so.
-    void take_surfaces(const gpu::Device& device, const scene::GBuffer& view);
+    // Allocates the displacement of surface points, if the inputs have previous positions.
+    void watch_objects(const gpu::Device& device);
 
     // Allocates the images for remapped results, if they do not exist yet in this format.
     void map(const gpu::Device& device, OutputFormat output);
 
-    gpu::Image depth;
-    gpu::Image normal;
+    ViewImages inputs;
     gpu::Image before;       // history of the last frame, at its pixels
     gpu::Image reprojected;  // the same at the pixels of this frame, if the view has moved
     gpu::Image after;        // history of this frame
     gpu::Image half_filtered;
     gpu::Image filtered;
     Tiles tiles;
-    std::optional<gpu::Image> stored_depth;   // as the engine stores it, if that is not what the passes read
-    std::optional<gpu::Image> stored_normal;  // and its normals, if it has any
-    std::optional<gpu::Image> previous_position;
-    std::optional<gpu::Image> displacement;     // where there are previous positions
-    std::optional<gpu::Image> layers;           // of depth behind the first, one in each channel
+    std::optional<gpu::Image> displacement;     // of surface points, where there are previous positions
     std::optional<gpu::Image> mapped;           // remapped history, if anything is remapped
     std::optional<gpu::Image> filtered_mapped;  // remapped result of the filter
 };

@@ -20,6 +20,7 @@ struct ShownImage {
 
 // `filtered`: whether the filter runs in the frame.
 [[nodiscard]] inline ShownImage shown_image(const Settings& settings, bool filtered) {
+    if (settings.resolution == Resolution::half) return {"upsampled"};
     if (remaps(settings)) return {filtered ? "filtered_mapped" : "mapped"};
     if (filtered || shows_alone(settings)) return {"filtered"};
     const bool packed = settings.precision == HistoryPrecision::packed;

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/pipelines.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/internal/view_images.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
@@ -19,7 +19,7 @@ class SurfaceInputs {
 
     // Appends the passes. nothing: an image for bindings that are not
     // read.
-    void append_steps(Pipelines& pipelines, const FrameImages& images, const gpu::Image& nothing,
+    void append_steps(Pipelines& pipelines, const ViewImages& images, const gpu::Image& nothing,
                       std::vector<Step>& steps) const;
 
   private:

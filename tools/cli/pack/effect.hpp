@@ -61,6 +61,10 @@ struct Hazard {
 };
 [[nodiscard]] std::vector<Hazard> hazards_before(const PackedEffect& effect, std::size_t pass);
 
+// Text of the header: the constants of the half-size view from those of the view. Empty for passes that run
+// over images of the view's size.
+[[nodiscard]] std::string half_view_text(const PackedEffect& effect);
+
 // The files of the folder besides the passes.
 [[nodiscard]] std::string effect_header(const PackedEffect& effect);  // gloam_effect.h
 [[nodiscard]] std::string effect_json(const PackedEffect& effect);    // effect.json

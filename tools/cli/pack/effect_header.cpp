@@ -81,6 +81,9 @@ class HeaderWriter {
         for (const PackedPass& pass : effect_.passes) constants(pass);
         buffer_contents();
         enumerations();
+        put("/* Pixels of the view along each side of a tile. */\nenum {{ GLOAM_TILE = {} }};\n\n",
+            effect_.plan.tile);
+        text_ += half_view_text(effect_);
         images();
         buffers();
         passes();
@@ -220,7 +223,7 @@ class HeaderWriter {
 
     void buffers() {
         text_ +=
-            "/* The buffers: bytes + bytes_a_tile for each 8 x 8 pixels of the view; contents at their "
+            "/* The buffers: bytes + bytes_a_tile for each tile of the view; contents at their "
             "beginning, else\n"
             " * zeros: before the first frame, and before each where refilled is 1. */\n"
             "typedef struct gloam_buffer_info {\n    const char* name;\n    uint32_t bytes, bytes_a_tile;\n"
@@ -246,13 +249,15 @@ class HeaderWriter {
             "/* The passes of a frame, in their order. A group takes pixels[0] x pixels[1] of the view; "
             "where they are 0 the\n"
             " * groups are given, or, where list_buffer is not -1, an indirect dispatch at list_offset of "
-            "that buffer. */\n"
+            "that buffer.\n"
+            " * divisor: 2 where the view's push constants are those of the half-size view. */\n"
             "typedef struct gloam_pass_info {\n    const char* name;\n    uint32_t turn;\n"
             "    const gloam_binding* bindings;\n    uint32_t binding_count;\n    const gloam_member* "
             "members;\n"
             "    uint32_t member_count;\n    const void* preset;\n    const void* odd_preset;\n    uint32_t "
             "preset_bytes;\n"
-            "    uint32_t pixels[2], groups[3];\n    int32_t list_buffer;\n    uint32_t list_offset;\n} "
+            "    uint32_t pixels[2], groups[3];\n    int32_t list_buffer;\n    uint32_t list_offset, "
+            "divisor;\n} "
             "gloam_pass_info;\n"
             "static const gloam_pass_info gloam_passes[] = {\n";
         for (const PackedPass& pass : effect_.passes) row(pass);
@@ -306,7 +311,8 @@ class HeaderWriter {
             of_constants(alternates(pass) ? "odd_preset" : "preset"), plan.parameters.size());
         put("{{{}u, {}u}}, {{{}u, {}u, {}u}}, ", plan.pixels[0], plan.pixels[1], plan.groups[0],
             plan.groups[1], plan.groups[2]);
-        put("{}, {}u}},\n", plan.list ? "GLOAM_BUFFER_TILE_LISTS" : "-1", plan.list.value_or(0));
+        put("{}, {}u, {}u}},\n", plan.list ? "GLOAM_BUFFER_TILE_LISTS" : "-1", plan.list.value_or(0),
+            plan.divisor);
     }
 
     static const char* turn_name(effect::Turn turn) {

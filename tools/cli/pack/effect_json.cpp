@@ -92,6 +92,7 @@ Json pass_json(const PackedEffect& effect, std::size_t index) {
     const effect::PlannedPass& plan = pass.plan;
     Json json{{"name", plan.name},
               {"file", pass.file},
+              {"divisor", plan.divisor},
               {"turn", name_of(plan.turn)},
               {"local_size", pass.interface.local_size}};
     if (plan.list) {
@@ -123,6 +124,7 @@ std::string effect_json(const PackedEffect& effect) {
               {"preset", effect.preset},
               {"settings", json_of(effect.settings)},
               {"view", {{"width", effect.options.view.width}, {"height", effect.options.view.height}}},
+              {"tile", effect.plan.tile},
               {"result", {{"image", effect.plan.result}, {"unit", effect.plan.result_unit}}},
               {"exchanged", effect.plan.exchanged}};
     if (effect.plan.filter_frames > 0)

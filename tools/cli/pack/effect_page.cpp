@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "cli/pack/effect.hpp"
 #include "cli/pack/vulkan_names.hpp"
@@ -144,10 +145,11 @@ class PageWriter {
         if (effect_.plan.buffers.empty()) return;
         text_ += "\n| buffer | bytes | filled | what |\n| --- | --- | --- | --- |\n";
         for (const effect::PlannedBuffer& buffer : effect_.plan.buffers) {
-            const std::string bytes = buffer.bytes_a_tile == 0
-                                          ? std::to_string(buffer.bytes)
-                                          : fmt::format("{} + {} for each 8 x 8 pixels",
-                                                        buffer.contents.size(), buffer.bytes_a_tile);
+            const std::string bytes =
+                buffer.bytes_a_tile == 0
+                    ? std::to_string(buffer.bytes)
+                    : fmt::format("{} + {} for each {} x {} pixels of the view", buffer.contents.size(),
+                                  buffer.bytes_a_tile, effect_.plan.tile, effect_.plan.tile);
             put("| `{}` | {} | {} | {} |\n", buffer.name, bytes,
                 buffer.refilled ? "before each frame" : "once", buffer.meaning);
         }
@@ -203,6 +205,7 @@ class PageWriter {
                     put("| `{}` | `{}` | {} |\n", pass.file, member.name,
                         comment_of(pass.text, pass.interface.push_constants->name, member.name));
         }
+        half_view();
         text_ +=
             "\n## Specialization constants\n\nThe passes have these values already.\n\n| pass | id | name | "
             "value |\n"
@@ -210,6 +213,19 @@ class PageWriter {
         for (const PackedPass& pass : effect_.passes)
             for (const shader::SpecializationConstant& constant : pass.interface.constants)
                 put("| `{}` | {} | `{}` | {} |\n", pass.file, constant.id, constant.name, value_of(constant));
+    }
+
+    void half_view() {
+        if (effect_.settings.resolution == effect::Resolution::full) return;
+        text_ += "\nThe constants of";
+        std::string separator = " ";
+        for (const PackedPass& pass : effect_.passes) {
+            if (pass.plan.divisor == 1 || pass.plan.turn == Turn::once) continue;
+            put("{}`{}`", std::exchange(separator, ", "), pass.file);
+        }
+        text_ +=
+            " are those of the half-size view: `gloam_half_view` in `gloam_effect.h` computes them from the "
+            "view's. All other passes take the view's.\n";
     }
 
     void compile() {

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// The setting `resolution` = half beside all others.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bits.hpp"
+#include "effect/errors.hpp"
+#include "effect/setting_table.hpp"
+#include "half_size.hpp"
+#include "scene/encoding.hpp"
+
+namespace gloam::effect {
+namespace half_resolution_settings_test {
+
+// Whatever settings there are beside it. The difference to the full size is that of single samples a block.
+struct Beside {
+    const char* name;
+    std::vector<std::pair<const char*, const char*>> settings;
+    double most = 0.08;  // root mean square difference of the full size
+};
+
+class HalfSizeBeside : public HalfSize, public testing::WithParamInterface<Beside> {
+  protected:
+    // Three views of a moving scene, with the inputs that the case names.
+    [[nodiscard]] std::vector<scene::GBuffer> given(const Settings& settings) const {
+        const std::string name = GetParam().name;
+        std::vector<scene::GBuffer> all;
+        for (int i = 0; i < 3; ++i) {
+            all.push_back(view("moving", 20 + i,
+                               {.motion = true,
+                                .layers = static_cast<int>(settings.layers),
+                                .guard = double{settings.guard}}));
+            if (name == "no_normals") all.back().normal.clear();
+            if (name == "stored") store(all.back());
+        }
+        return all;
+    }
+
+  private:
+    // As an engine with a depth buffer and world-space normals has it.
+    static void store(scene::GBuffer& view) {
+        const scene::Encoding encoding = scene::encoding_named("buffer", "world");
+        view.stored = {.encoding = encoding, .depth = {}, .normal = {}};
+        for (std::size_t i = 0; i < view.depth.size(); ++i) {
+            view.stored->depth.push_back(
+                static_cast<float>(scene::stored_depth(double{view.depth[i]}, encoding, view.camera)));
+            view.stored->normal.emplace_back(
+                scene::stored_normal(glm::dvec3(view.normal[i]), encoding, view.camera));
+        }
+    }
+};
+
+TEST_P(HalfSizeBeside, IsNearTheFullSize) {
+    Settings settings = with_radius(Settings{}, 0.4F);
+    settings.samples = 64;
+    for (const auto& [name, value] : GetParam().settings) set(settings, name, value);
+    const std::vector<scene::GBuffer> all = given(settings);
+    const std::vector<Frame> full = run(all, settings);
+    settings.resolution = Resolution::half;
+    const std::vector<Frame> halved = run(all, settings);
+    const std::vector<Frame> again = run(all, settings);
+    for (std::size_t i = 0; i < full.size(); ++i) {
+        EXPECT_EQ(halved[i].extent, full[i].extent);
+        for (const auto image : {&Frame::occlusion, &Frame::filtered, &Frame::convergence, &Frame::kept}) {
+            const std::vector<float>& values = halved[i].*image;
+            ASSERT_EQ(values.size(), (full[i].*image).size());
+            EXPECT_EQ(bits_of(values), bits_of(again[i].*image)) << "not the same twice";
+        }
+        for (const float value : halved[i].filtered) ASSERT_TRUE(value >= 0.0F && value <= 1.0F) << value;
+        EXPECT_GT(*std::ranges::max_element(halved[i].filtered), 0.05F);
+        EXPECT_LT(errors_of(halved[i].filtered, full[i].filtered).rmse, GetParam().most) << "frame " << i;
+        EXPECT_GT(errors_of(halved[i].filtered, full[i].filtered).rmse, 0.0) << "frame " << i;
+        EXPECT_LT(halved[i].work.samples, full[i].work.samples / 3);
+        EXPECT_LT(errors_of(halved[i].occlusion, full[i].occlusion).rmse, 3 * GetParam().most)
+            << "frame " << i;
+    }
+    // And back.
+    settings.resolution = Resolution::full;
+    const std::vector<Frame> back = run(all, settings);
+    for (std::size_t i = 0; i < full.size(); ++i)
+        EXPECT_EQ(bits_of(back[i].filtered), bits_of(full[i].filtered));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, HalfSizeBeside,
+    testing::Values(
+        Beside{"defaults", {}}, Beside{"no_filter", {{"filter", "none"}}},
+        Beside{"geometry", {{"filter", "geometry"}}}, Beside{"bilateral", {{"filter", "bilateral"}}},
+        Beside{"sao_filter", {{"filter", "sao"}}}, Beside{"alone", {{"filter", "none"}, {"history", "off"}}},
+        Beside{"alone_r8", {{"filter", "none"}, {"history", "off"}, {"output", "r8"}}},
+        Beside{"remap", {{"remap_b", "0.9"}, {"remap_c", "1.5"}}},
+        Beside{"remap_r16f", {{"remap_a", "0.05"}, {"filter", "none"}, {"output", "r16f"}}},
+        Beside{"r8", {{"output", "r8"}}}, Beside{"layers", {{"layers", "2"}}},
+        Beside{"float16", {{"precision", "float16"}, {"table_size", "2048"}}},
+        Beside{"packed", {{"precision", "packed"}, {"filter", "none"}}}, Beside{"guard", {{"guard", "0.1"}}},
+        Beside{"guard_unshaded", {{"guard", "0.1"}, {"guard_history", "off"}}}, Beside{"no_normals", {}},
+        Beside{"stored", {}}, Beside{"mssao", {{"method", "mssao"}}, 0.2},
+        Beside{"dual_resolution", {{"method", "dual_resolution"}}, 0.1},
+        Beside{"separable", {{"method", "separable"}}, 0.1},
+        Beside{"sao_chain", {{"method", "sao_chain"}}, 0.1}, Beside{"sweep", {{"method", "sweep"}}, 0.1}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace half_resolution_settings_test
+}  // namespace gloam::effect
