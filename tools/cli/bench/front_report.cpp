@@ -114,8 +114,8 @@ bool on_front(const FrontSize& size, std::size_t run) {
 
 std::string to_text(const FrontReport& report) {
     std::string text = fmt::format(
-        "{} views on {} ({}), the last {} of {} frames, the truth of {} rays a pixel. In bold: what no other "
-        "run beats in both error and time.\n\n",
+        "{} views on {} ({}),\nthe last {} of {} frames, the truth of {} rays a pixel.\n"
+        "In bold: what no other run beats in both error and time.\n\n",
         report.sizes.front().rows.size(), report.device.name, report.device.driver, report.scored,
         report.frames, report.rays);
     text += means_text(report);
