@@ -43,7 +43,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view) {
     surfaces.take(new_view, given);
     if (half) half->take(given, previous_given, settings, images->inputs);
     images->watch_objects(*device);
-    if (remaps_images()) images->map(*device, settings.output);
+    if (remaps(settings) && (!half || filters(settings))) images->map(*device, settings.output);
     occlusion_constants = occlusion_parameters(view, settings);
     method.as<MethodValues>()[0] = settings.own;
     prepared.take(view, settings);

@@ -110,7 +110,7 @@ TEST_F(FilterFrames, ArePlanned) {
             EXPECT_EQ(pass.turn == Turn::early, of_filter) << pass.name;
         }
     }
-    EXPECT_EQ(plan_of(preset_named("balanced").settings, {}).filter_frames, 0U);
+    EXPECT_EQ(plan_of(preset_named("paper").settings, {}).filter_frames, 0U);
 }
 
 }  // namespace filter_frames_test
