@@ -51,6 +51,7 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
             settings.history = !alone;
             if (half) settings.resolution = Resolution::half;
             settings.remap_b = 2.0F;
+            settings.filter_frames = every_frame;  // fewer: filter_frames_test.cpp
             AmbientOcclusion effect(device_, passes_, extent);
             effect.begin(view(0), settings);
             (void)effect.next(1);
