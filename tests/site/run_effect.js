@@ -3,7 +3,8 @@
 "use strict";
 
 const formats = {VK_FORMAT_R32_SFLOAT: "r32float", VK_FORMAT_R32G32B32A32_SFLOAT: "rgba32float",
-    VK_FORMAT_R16G16B16A16_SFLOAT: "rgba16float", VK_FORMAT_R16G16B16A16_UINT: "rgba16uint"};
+    VK_FORMAT_R16G16B16A16_SFLOAT: "rgba16float", VK_FORMAT_R16G16B16A16_UINT: "rgba16uint",
+    VK_FORMAT_R32_UINT: "r32uint"};
 const channels = {r32float: 1, rgba32float: 4};
 
 const floatsOf = (text) => new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
