@@ -87,6 +87,11 @@ class Reflector {
         const auto has = [&](SpvDecoration d) {
             return spvc_compiler_has_decoration(compiler_, resource.id, d) != SPVC_FALSE;
         };
+        if (type == BindingType::storage_image || type == BindingType::sampled_image) {
+            const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.base_type_id);
+            const spvc_type_id texel = spvc_type_get_image_sampled_type(image);
+            result.texel = name_of(spvc_type_get_basetype(spvc_compiler_get_type_handle(compiler_, texel)));
+        }
         if (type == BindingType::storage_image) {
             const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.type_id);
             result.format = format_name(spvc_type_get_image_storage_format(image));

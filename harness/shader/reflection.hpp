@@ -39,6 +39,7 @@ struct Binding {
     std::string name;  // of the variable; for an unnamed variable that of its block
     BindingType type = BindingType::storage_image;
     std::string format;  // of a storage image, as GLSL has it: "rgba32f"; empty: none is said
+    std::string texel;   // of an image: what the shader reads: "float", "int", "uint"; else empty
     bool reads = true;   // may be read: not declared writeonly
     bool writes = false;
     std::optional<BlockLayout> block;  // of a buffer

@@ -20,23 +20,27 @@ layout(binding = 2, rgba16ui) uniform readonly uimage2D read;
 layout(binding = 0, r32f) uniform writeonly image2D written;
 layout(set = 1, binding = 1, rgba32f) uniform image2D both;
 layout(binding = 3) uniform sampler2D sampled;
+layout(binding = 4) uniform usampler2D sampled_integers;
 void main() {
-    imageStore(written, ivec2(0), vec4(imageLoad(read, ivec2(0))) + texelFetch(sampled, ivec2(0), 0));
+    imageStore(written, ivec2(0), vec4(imageLoad(read, ivec2(0))) + texelFetch(sampled, ivec2(0), 0) +
+                                      vec4(texelFetch(sampled_integers, ivec2(0), 0)));
     imageStore(both, ivec2(0), imageLoad(both, ivec2(1)));
 })");
-    ASSERT_EQ(all.bindings.size(), 4U);
+    ASSERT_EQ(all.bindings.size(), 5U);
     EXPECT_EQ(all.local_size, (std::array<std::uint32_t, 3>{8, 4, 1}));
-    const std::vector<std::string> names{"written", "read", "sampled", "both"};
-    const std::vector<std::string> formats{"r32f", "rgba16ui", "", "rgba32f"};
+    const std::vector<std::string> names{"written", "read", "sampled", "sampled_integers", "both"};
+    const std::vector<std::string> formats{"r32f", "rgba16ui", "", "", "rgba32f"};
+    const std::vector<std::string> texels{"float", "uint", "float", "uint", "float"};
     const std::vector<std::pair<bool, bool>> access{
-        {false, true}, {true, false}, {true, false}, {true, true}};
+        {false, true}, {true, false}, {true, false}, {true, false}, {true, true}};
     for (std::size_t i = 0; i < names.size(); ++i) {
         EXPECT_EQ(all.bindings[i].name, names[i]);
         EXPECT_EQ(all.bindings[i].format, formats[i]);
+        EXPECT_EQ(all.bindings[i].texel, texels[i]) << names[i];
         EXPECT_EQ(std::pair(all.bindings[i].reads, all.bindings[i].writes), access[i]) << names[i];
     }
     EXPECT_EQ(all.bindings[2].type, BindingType::sampled_image);
-    EXPECT_EQ(all.bindings[3].set, 1U);
+    EXPECT_EQ(all.bindings[4].set, 1U);
     EXPECT_FALSE(all.push_constants);
 }
 

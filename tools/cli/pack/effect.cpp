@@ -49,8 +49,9 @@ gpu::Format format_named(const std::string& name) {
 void bind_nothing(PackedPass& pass, std::vector<effect::PlannedImage>& images) {
     for (const shader::Binding& binding : pass.interface.bindings) {
         if (resource_at(pass, binding) != effect::nothing_image) continue;
-        // A sampled image may have any format.
-        const std::string wanted = binding.format.empty() ? "rgba32f" : binding.format;
+        // A sampled image may have any format of such numbers.
+        const std::string sampled = binding.texel == "uint" ? "r32ui" : "rgba32f";
+        const std::string wanted = binding.format.empty() ? sampled : binding.format;
         const std::string name = std::string(effect::nothing_image) + "_" + wanted;
         pass.plan.resources[binding.number] = name;
         if (std::ranges::find(images, name, &effect::PlannedImage::name) == images.end())
