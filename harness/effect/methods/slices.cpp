@@ -61,8 +61,15 @@ Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t step
     return settings;
 }
 
+Settings at_half_resolution(Settings settings) {
+    settings.resolution = Resolution::half;
+    return settings;
+}
+
 std::vector<Preset> sweep_presets(const MethodInfo& method) {
-    return {{"sweep-performance",
+    return {{"sweep-half", "sweep-balanced at half the resolution: for the least time",
+             at_half_resolution(swept(method, 1, 6))},
+            {"sweep-performance",
              "1 slice of 2 steps to each side, a frame; 128 samples in the mean, filtered in the first 8",
              swept(method, 1, 2)},
             {"sweep-balanced",

@@ -17,7 +17,7 @@ struct BenchFrontOptions {
     std::string half = "unseen";
     std::vector<std::string> plain{"9x3+0", "1x2+1", "3x3+2"};  // SLICESxSTEPS+BLURS
     std::vector<std::string> single{"sweep-quality"};           // PRESET[,NAME=VALUE...]
-    std::vector<std::string> sequence{"fast",           "balanced",  "sweep-performance",
+    std::vector<std::string> sequence{"fast",           "balanced",  "sweep-half", "sweep-performance",
                                       "sweep-balanced", "reference", "moving"};
     std::vector<std::string> sizes{"640x360", "1280x720"};
     int frames = 16;
