@@ -151,8 +151,10 @@ GloamCamera this_camera() {
 
 #include "pixel_samples.glsl"
 
+// Zero while the view stands still: then the image is of an earlier frame.
 vec3 displacement_at(ivec2 pixel) {
-    return gloam_displacement_from_code(GLOAM_FETCH(displacement_image, pixel).x, parameters.displacement_unit);
+    float unit = parameters.still == 0u ? parameters.displacement_unit : 0.0;
+    return gloam_displacement_from_code(GLOAM_FETCH(displacement_image, pixel).x, unit);
 }
 
 // Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells
@@ -178,7 +180,7 @@ void probe(ivec2 pixel, float depth) {
 // Read by the samples, which thereby are the probes.
 float gloam_fetch_depth(ivec2 pixel) {
     float depth = GLOAM_FETCH(depth_image, pixel).x;
-    if (moving_objects && parameters.invalidation != 0u && parameters.still == 0u) probe(pixel, depth);
+    if (moving_objects) probe(pixel, depth);
     return depth;
 }
 

@@ -80,6 +80,10 @@ class Planner {
     }
 
   private:
+    // Whether samples watch for moving objects.
+    [[nodiscard]] bool watches() const {
+        return options_.moving_objects && settings_.invalidation != Invalidation::none;
+    }
     [[nodiscard]] bool converts() const { return options_.encoding != scene::Encoding{}; }
     [[nodiscard]] std::uint32_t divisor() const { return half_ ? 2 : 1; }
     // Linear depth and view-space normals of the view's size.
@@ -247,7 +251,7 @@ class Planner {
                                           .nearest_index = settings_.nearest_index,
                                           .orthographic = options_.orthographic,
                                           .previous_orthographic = options_.orthographic,
-                                          .keeps_displacement = options_.moving_objects};
+                                          .keeps_displacement = watches()};
         ReprojectionParameters parameters =
             reprojection_parameters(moment_.view, moment_.previous, settings_);
         if (half_)
@@ -278,7 +282,7 @@ class Planner {
 
     void occlusion() {
         Program program = program_for(settings_);
-        program.moving_objects = options_.moving_objects;
+        program.moving_objects = watches();
         program.orthographic = options_.orthographic;
         program.listed = options_.tiles;
         program.shows = options_.tiles && filters(settings_);
