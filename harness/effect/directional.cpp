@@ -90,7 +90,7 @@ struct Directional::Impl {
     [[nodiscard]] ViewImages taken(const scene::GBuffer& view, const Settings& settings) {
         require(view, settings);
         ViewImages images(*device, view.extent);
-        images.take(*device, view);
+        images.take_linear(*device, view);
         method.as<MethodValues>()[0] = settings.own;
         if (view.normal.empty()) {
             const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});

@@ -87,7 +87,7 @@ struct FurtherViews::Impl {
     // Uploads a view; reconstructs missing normals.
     [[nodiscard]] ViewImages taken(const scene::GBuffer& view) {
         ViewImages images(*device, view.extent);
-        images.take(*device, view);
+        images.take_linear(*device, view);
         if (!view.normal.empty()) return images;
         const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
         const Step step{"normals_from_depth", &normals, {images.depth, images.normal}, bytes_of(parameters)};

@@ -8,14 +8,6 @@ namespace {
 
 using enum gpu::BindingKind;
 
-glm::ivec2 vector_of_size(gpu::Extent extent) {
-    return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
-}
-
-std::uint32_t flag(bool value) {
-    return value ? 1U : 0U;
-}
-
 // Of the rays, as gloam_half_shift.
 glm::dvec2 shift_of(const View& view) {
     const glm::dvec2 even(1 - vector_of_size(view.extent) % 2);

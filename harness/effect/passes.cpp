@@ -18,14 +18,6 @@ namespace {
 
 using enum gpu::BindingKind;
 
-glm::ivec2 vector_of_size(gpu::Extent extent) {
-    return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
-}
-
-std::uint32_t flag(bool value) {
-    return value ? 1U : 0U;
-}
-
 std::string method_include(const std::string& method) {
     return "gloam/methods/" + method + ".glsl";
 }

@@ -60,6 +60,13 @@ void ViewImages::take(const gpu::Device& device, const scene::GBuffer& view) {
     previous_position->upload(texels_of(view.previous_position));
 }
 
+void ViewImages::take_linear(const gpu::Device& device, const scene::GBuffer& view) {
+    if (!view.stored) return take(device, view);
+    scene::GBuffer linear = view;
+    linear.stored.reset();
+    take(device, linear);
+}
+
 void ViewImages::take_surfaces(const gpu::Device& device, const scene::GBuffer& view) {
     stored_depth.reset();
     stored_normal.reset();

@@ -23,6 +23,7 @@
 #include "reference/shading/directional_occlusion.hpp"
 #include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
+#include "scene/stored_inputs.hpp"
 
 namespace gloam::effect {
 namespace directional_test {
@@ -66,6 +67,16 @@ TEST_F(Directions, AnOpenPlaneBendsNothing) {
         ASSERT_LT(degrees_between(bent.direction[i], {0, 0, 1}), 0.5) << i;
         ASSERT_NEAR(bent.half_angle[i], 0.5 * pi, 0.02) << i;  // L = 1/2
     }
+}
+
+// An engine's depth buffer and encoded normals are converted before.
+TEST_F(Directions, WhatAnEngineStoresIsReadAsDepth) {
+    scene::GBuffer view = step(1.5F, 3.0F, close);
+    const BentNormals wanted = directional_.bent_normals(view, many());
+    view.stored = scene::stored_inputs(view, {.depth_buffer = true, .octahedral = true});
+    const BentNormals found = directional_.bent_normals(view, many());
+    EXPECT_EQ(found.direction, wanted.direction);
+    EXPECT_EQ(found.half_angle, wanted.half_angle);
 }
 
 // Every window with as many pixels as share a pattern contains the whole pattern. On a plane, all pixels with

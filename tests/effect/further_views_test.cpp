@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 
 #include "effect/ambient_occlusion.hpp"
@@ -14,6 +15,7 @@
 #include "on_device.hpp"
 #include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
+#include "scene/stored_inputs.hpp"
 #include "scene/truth.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
@@ -81,6 +83,18 @@ INSTANTIATE_TEST_SUITE_P(All, FurtherOf, testing::ValuesIn(test::method_names([]
                              return method.prepare == nullptr;
                          })),
                          test::parameter_name);
+
+TEST_F(Further, WhatAnEngineStoresIsReadAsDepth) {
+    scene::GBuffer view = view_from(0, 89);
+    scene::GBuffer other = view_from(40, 30);
+    const Settings settings = settings_for("alchemy");
+    const std::vector<float> once = one_frame(view, settings);
+    const std::vector<float> wanted = further_.raised(view, once, std::span(&other, 1), settings);
+    ASSERT_NE(wanted, once);
+    for (scene::GBuffer* each : {&view, &other})
+        each->stored = scene::stored_inputs(*each, {.depth_buffer = true, .world = true});
+    EXPECT_EQ(further_.raised(view, once, std::span(&other, 1), settings), wanted);
+}
 
 TEST_F(Further, AViewThatDoesNotShowThePointChangesNothing) {
     const scene::GBuffer view = view_from(0, 89);

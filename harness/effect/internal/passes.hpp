@@ -20,6 +20,14 @@ namespace gloam::effect {
 constexpr std::uint32_t tile_side = 8;
 constexpr std::uint32_t filter_tiles = 8;  // tiles of one group of the filter, as in tiles/list.glsl
 
+// A size and a choice as shaders take them.
+[[nodiscard]] inline glm::ivec2 vector_of_size(gpu::Extent extent) {
+    return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
+}
+[[nodiscard]] inline std::uint32_t flag(bool value) {
+    return value ? 1U : 0U;
+}
+
 // Push constants, with the layout that each pass declares.
 struct NormalParameters {
     glm::vec2 p00_p11;

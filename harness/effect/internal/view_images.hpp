@@ -16,6 +16,10 @@ struct ViewImages {
     // std::invalid_argument if one of them has another size than the images.
     void take(const gpu::Device& device, const scene::GBuffer& view);
 
+    // The same for passes that do not convert what an engine has stored: depth is linear, normals are of view
+    // space.
+    void take_linear(const gpu::Device& device, const scene::GBuffer& view);
+
     gpu::Image depth;
     gpu::Image normal;
     std::optional<gpu::Image> stored_depth;   // as the engine stores it, if that is not what the passes read
