@@ -67,11 +67,6 @@ float gloam_pair_height(GloamFootprint footprint, ivec2 pixel, float depth, vec3
     return dot(gloam_footprint_position(footprint, pixel, known) - position - aim, normal) / facing;
 }
 
-// Depth of a layer at a tap. layer: 0 to 3.
-float gloam_pair_layer(vec4 depths, int layer) {
-    return gloam_layer_depth(depths.x, depths.yzw, layer);
-}
-
 // The depths of one try. Layers are tried in order: first the visible surface at both taps, then each further layer at
 // the first tap, then each at the second. At each tap the layer with which the pair blocks most is kept. A try has the
 // kept depths, with the new layer at its tap.
@@ -79,8 +74,8 @@ float gloam_pair_layer(vec4 depths, int layer) {
 // Returns depths at both taps; 0 at a tap without such a layer.
 vec2 gloam_pair_look(GloamPairDepths depths, vec2 stayed, int look, int layers) {
     if (look == 0) return vec2(depths.first.x, depths.second.x);
-    return look < layers ? vec2(gloam_pair_layer(depths.first, look), stayed.y)
-                         : vec2(stayed.x, gloam_pair_layer(depths.second, look - layers + 1));
+    return look < layers ? vec2(gloam_layer_depth(depths.first.x, depths.first.yzw, look), stayed.y)
+                         : vec2(stayed.x, gloam_layer_depth(depths.second.x, depths.second.yzw, look - layers + 1));
 }
 
 // Whether a try is kept: if it blocks at least as much. Equality suffices, because beside an unusable tap a new partner
