@@ -7,7 +7,8 @@
 namespace gloam::check {
 namespace {
 
-std::size_t total(const std::array<ClassCount, input_class_count>& classes, std::size_t ClassCount::*member) {
+std::size_t total(const std::array<ClassCount, input_class_count>& classes,
+                  std::size_t ClassCount::* member) {
     return std::accumulate(
         classes.begin(), classes.end(), std::size_t{0},
         [member](std::size_t sum, const ClassCount& count) { return sum + count.*member; });

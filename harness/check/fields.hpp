@@ -16,9 +16,7 @@ struct AnyField {
 
 template <class T, std::size_t... I>
 constexpr bool initializable(std::index_sequence<I...>) {
-    return requires {
-        T{((void)I, AnyField{})...};
-    };
+    return requires { T{((void)I, AnyField{})...}; };
 }
 
 template <class T, std::size_t N = 9>

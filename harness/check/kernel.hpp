@@ -44,9 +44,9 @@ class Kernel {
 
     // Evaluates one input.
     template <class... Arguments>
-    requires std::is_constructible_v<Inputs, Arguments...> &&
-        (!std::is_convertible_v<Arguments, std::span<const Inputs>> && ...) [[nodiscard]] Output
-        operator()(const Arguments&... arguments) const {
+        requires std::is_constructible_v<Inputs, Arguments...> &&
+                 (!std::is_convertible_v<Arguments, std::span<const Inputs>> && ...)
+    [[nodiscard]] Output operator()(const Arguments&... arguments) const {
         const Inputs input(arguments...);
         return run(std::span(&input, 1), {}, nullptr).front();
     }

@@ -37,7 +37,7 @@ auto& part_of(Any& settings) {
 }
 
 template <class Number, class Owner>
-Setting number(const char* name, const char* unit, const char* meaning, Number Owner::*member,
+Setting number(const char* name, const char* unit, const char* meaning, Number Owner::* member,
                const SettingRange& range) {
     return {.name = name,
             .unit = unit,
@@ -53,7 +53,7 @@ Setting number(const char* name, const char* unit, const char* meaning, Number O
                 }};
 }
 
-Setting flag(const char* name, const char* meaning, bool Settings::*member) {
+Setting flag(const char* name, const char* meaning, bool Settings::* member) {
     return {.name = name,
             .meaning = meaning,
             .get = [member](const Settings& s) { return SettingValue(s.*member); },
@@ -62,7 +62,7 @@ Setting flag(const char* name, const char* meaning, bool Settings::*member) {
 
 // A setting with a name for each value, in the order of the enumeration.
 template <class Enumeration>
-Setting choice(const char* name, const char* meaning, Enumeration Settings::*member,
+Setting choice(const char* name, const char* meaning, Enumeration Settings::* member,
                const std::vector<std::string>& names) {
     return {
         .name = name,

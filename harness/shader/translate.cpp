@@ -31,8 +31,7 @@ constexpr const char* only_functions = "only_functions";  // the entry point tha
 // The name of the entry point, from that of the text.
 std::string entry_of(const std::string& name) {
     std::string stem = std::filesystem::path(name).stem().string();
-    std::ranges::replace_if(
-        stem, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    std::ranges::replace_if(stem, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     const bool word = !stem.empty() && std::isdigit(static_cast<unsigned char>(stem.front())) == 0;
     return (word ? stem : "_" + stem) + "_main";
 }

@@ -98,11 +98,8 @@ TEST(Catalogue, GlobsSelectByIdAndFunctionInAnyCase) {
     EXPECT_EQ(select(entries, {"gloam_blend"}).size(), 1U);
     EXPECT_GT(select(entries, {"TSSAO-*"}).size(), 10U);
     EXPECT_EQ(select(entries, {"tssao-5", "TSSAO-5"}).size(), 1U);
-    EXPECT_THAT(
-        [&] {
-            (void)select(entries, {"TSSAO-5", "NO-SUCH"});
-        },
-        testing::ThrowsMessage<std::invalid_argument>(HasSubstr("NO-SUCH")));
+    EXPECT_THAT([&] { (void)select(entries, {"TSSAO-5", "NO-SUCH"}); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("NO-SUCH")));
 }
 
 TEST(Catalogue, Globs) {

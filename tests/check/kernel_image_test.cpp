@@ -18,8 +18,8 @@ class KernelImageTest : public testing::Test {
     static ImageSet images(glm::ivec2 size, Border border) {
         return {{"fetch_depth", make_image<float>(
                                     size, [](glm::ivec2 p) { return float(p.x + 10 * p.y); }, border)},
-                {"fetch_normal", make_image<glm::vec3>(
-                                     size, [](glm::ivec2 p) { return glm::vec3(9, 9, p.x + 1); }, border)}};
+                {"fetch_normal",
+                 make_image<glm::vec3>(size, [](glm::ivec2 p) { return glm::vec3(9, 9, p.x + 1); }, border)}};
     }
 
     static std::vector<std::tuple<glm::ivec2>> pixels(glm::ivec2 size) {
@@ -88,9 +88,7 @@ TEST_F(KernelImageTest, StoreOutsideIsAFaultAndChangesNothing) {
     const ImageSet set{
         {"store_value", make_image<glm::vec2>({2, 2}, [](glm::ivec2) { return glm::vec2(-1); })}};
     EXPECT_THAT(
-        [&] {
-            (void)store.with_images(set, {glm::ivec2(1, 1), glm::ivec2(1, 0)});
-        },
+        [&] { (void)store.with_images(set, {glm::ivec2(1, 1), glm::ivec2(1, 0)}); },
         ThrowsMessage<std::runtime_error>(HasSubstr("store_value: pixel (2, 1) is outside the 2 x 2 image")));
     std::vector<Word> words;
     append_words(glm::ivec2(1, 1), words);

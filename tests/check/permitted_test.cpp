@@ -129,12 +129,10 @@ TEST(ErrorBound, SineAndCosine) {
     const auto near_zero = [&](std::size_t i) { return [&octant, i](float x) { return octant(x, 0)[i]; }; };
     expect_close_below(largest_error(near_zero(0), cosine, 0, turn / 8), 4e-7);
     expect_close_below(largest_error(near_zero(1), sine, 0, turn / 8), 4e-7);
-    expect_close_below(largest_error(
-                           part(turns, 0), [](double t) { return std::cos(turn * t); }, 0, 1),
-                       5e-7);
-    expect_close_below(largest_error(
-                           part(turns, 1), [](double t) { return std::sin(turn * t); }, 0, 1),
-                       5e-7);
+    expect_close_below(
+        largest_error(part(turns, 0), [](double t) { return std::cos(turn * t); }, 0, 1), 5e-7);
+    expect_close_below(
+        largest_error(part(turns, 1), [](double t) { return std::sin(turn * t); }, 0, 1), 5e-7);
 }
 
 TEST(ErrorBound, InverseFunctions) {
@@ -143,23 +141,14 @@ TEST(ErrorBound, InverseFunctions) {
         Rules<float(float)> rules(file, function);
         return largest_error([&](float x) { return rules(x)[0]; }, exact, low, high);
     };
-    expect_close_below(error(
-                           "gloam_asin_half", [](double x) { return std::asin(x); }, 0, 0.5),
-                       1.4e-7);
-    expect_close_below(error(
-                           "gloam_acos", [](double x) { return std::acos(x); }, -1, 1),
-                       1e-6);
-    expect_close_below(error(
-                           "gloam_asin", [](double x) { return std::asin(x); }, -1, 1),
-                       1e-6);
-    expect_close_below(error(
-                           "gloam_atan", [](double x) { return std::atan(x); }, -4, 4),
-                       1e-6);
+    expect_close_below(error("gloam_asin_half", [](double x) { return std::asin(x); }, 0, 0.5), 1.4e-7);
+    expect_close_below(error("gloam_acos", [](double x) { return std::acos(x); }, -1, 1), 1e-6);
+    expect_close_below(error("gloam_asin", [](double x) { return std::asin(x); }, -1, 1), 1e-6);
+    expect_close_below(error("gloam_atan", [](double x) { return std::atan(x); }, -4, 4), 1e-6);
     Rules<float(float, float)> atan2(file, "gloam_atan2");
     const auto half_turn = [&](float x) { return atan2(x, -1.0F)[0]; };
-    expect_close_below(largest_error(
-                           half_turn, [](double y) { return std::atan2(y, -1.0); }, 0.001, 1),
-                       1e-6);
+    expect_close_below(
+        largest_error(half_turn, [](double y) { return std::atan2(y, -1.0); }, 0.001, 1), 1e-6);
 }
 
 // Over two binades.

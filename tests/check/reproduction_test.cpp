@@ -139,12 +139,11 @@ TEST(AllowedOutputs, AreTheBudgetAroundTheReference) {
 }
 
 TEST(AllowedOutputs, SpecialsAndIntegersAreExact) {
-    const Question question{.signature = SignatureOf<void(Out<float>, Out<float>, Out<int>)>::describe(),
-                            .reference =
-                                [](const ImageSet&, std::span<const Word>, std::vector<double>& outputs) {
-                                    outputs = {NAN, INFINITY, -3.0};
-                                },
-                            .budget = {.ulp = 2}};
+    const Question question{
+        .signature = SignatureOf<void(Out<float>, Out<float>, Out<int>)>::describe(),
+        .reference = [](const ImageSet&, std::span<const Word>,
+                        std::vector<double>& outputs) { outputs = {NAN, INFINITY, -3.0}; },
+        .budget = {.ulp = 2}};
     const std::vector<Bounds> allowed = allowed_outputs(question, {}, {.want = {NAN, INFINITY, -3.0}});
     ASSERT_EQ(allowed.size(), 3U);
     EXPECT_TRUE(allowed[0].empty() && allowed[0].nan);

@@ -90,7 +90,7 @@ class ReprojectionPass : public OnDevice<testing::Test> {
     }
 
     // The bilinear mean of a member at the place between (x, y) and its three neighbours.
-    [[nodiscard]] static double mean_at(const Texels& texels, int x, int y, float Texel::*member) {
+    [[nodiscard]] static double mean_at(const Texels& texels, int x, int y, float Texel::* member) {
         const double u = double{shift.x};
         const double v = double{shift.y};
         const auto value = [&](int i, int j) { return double{texels[at(x + i, y + j)].*member}; };

@@ -204,9 +204,7 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
     const auto bump = [](glm::ivec2 p) { return static_cast<float>((p.x * 31 + p.y * 17) % 11) / 11.0F; };
     const auto view = test::view_of(
         glm::ivec2(side), [&](glm::ivec2 p) { return 5.0F - bump(p); },
-        [&](glm::ivec2 p) {
-            return glm::vec3(4.0F * bump(p) - 2.0F, 2.0F - 4.0F * bump({p.y, p.x}), 1.0F);
-        });
+        [&](glm::ivec2 p) { return glm::vec3(4.0F * bump(p) - 2.0F, 2.0F - 4.0F * bump({p.y, p.x}), 1.0F); });
     const auto result = [&](const Method& method) {
         const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.5F, .first = 0, .count = 48};
         return gather.with_images(view, {glm::vec3(0, 0, -4.9F), glm::vec3(0, 0, 1), eye, samples, method});

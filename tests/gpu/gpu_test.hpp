@@ -50,7 +50,8 @@ class GpuTest : public ::testing::Test {
 
 // A value as push constants.
 template <class T>
-requires std::is_trivially_copyable_v<T> std::span<const std::byte> bytes_of(const T& value) {
+    requires std::is_trivially_copyable_v<T>
+std::span<const std::byte> bytes_of(const T& value) {
     return std::as_bytes(std::span(&value, 1));
 }
 

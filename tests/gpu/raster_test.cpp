@@ -300,9 +300,7 @@ TEST_F(RasterMismatchTest, Programs) {
         change(wrong);
         RasterPipeline(device(), wrong);
     };
-    expect_error<std::invalid_argument>([&] { make([](auto& p) {
-                                                  p.attribute_sizes = {3, 5};
-                                              }); },
+    expect_error<std::invalid_argument>([&] { make([](auto& p) { p.attribute_sizes = {3, 5}; }); },
                                         {"5 floats"});
     expect_error<std::invalid_argument>([&] { make([](auto& p) { p.attribute_sizes = {0}; }); },
                                         {"0 floats"});

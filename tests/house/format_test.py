@@ -9,7 +9,6 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 STYLE = HERE.parents[1] / ".clang-format"
-OTHER_VERSION = 77
 
 
 def check(name, text):
@@ -17,10 +16,7 @@ def check(name, text):
     with tempfile.TemporaryDirectory() as folder:
         shutil.copy(STYLE, folder)
         Path(folder, name).write_text(text, encoding="utf-8")
-        status = subprocess.run([HERE / "format", folder], capture_output=True, check=False).returncode
-    if status == OTHER_VERSION:
-        raise unittest.SkipTest("another version of clang-format")
-    return status
+        return subprocess.run([HERE / "format", folder], capture_output=True, check=False).returncode
 
 
 class Format(unittest.TestCase):

@@ -48,14 +48,18 @@ TEST(OutputFolder, FilesAppearWhenKept) {
 
 TEST(OutputFolder, NothingIsLeftOfWhatWasNotKept) {
     const test::TemporaryDirectory scratch;
-    { OutputFolder(scratch.path() / "a" / "b").write("x", "one"); }
+    {
+        OutputFolder(scratch.path() / "a" / "b").write("x", "one");
+    }
     EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 
 TEST(OutputFolder, WhatWasThereStaysUntilKept) {
     const test::TemporaryDirectory scratch;
     std::ofstream(scratch.path() / "x") << "old";
-    { OutputFolder(scratch.path()).write("x", "new"); }
+    {
+        OutputFolder(scratch.path()).write("x", "new");
+    }
     EXPECT_EQ(read(scratch.path() / "x"), "old");
 }
 

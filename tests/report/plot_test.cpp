@@ -86,18 +86,13 @@ TEST(Plot, TheFolderForTemporaryFilesIsNoCommand) {
 
 TEST(Plot, LabelsOfAnotherNumberAreAnError) {
     EXPECT_THAT(
-        [] {
-            (void)to_svg({.title = "t", .curves = {{"c", {{1, 1}, {2, 2}}, CurveStyle::steps, {"one"}}}});
-        },
+        [] { (void)to_svg({.title = "t", .curves = {{"c", {{1, 1}, {2, 2}}, CurveStyle::steps, {"one"}}}}); },
         testing::ThrowsMessage<std::invalid_argument>(HasSubstr("1 labels, expected 2")));
 }
 
 TEST(Plot, WithoutAPointIsAnError) {
-    EXPECT_THAT(
-        [] {
-            (void)to_svg({.title = "empty", .curves = {{"none", {}}}});
-        },
-        testing::ThrowsMessage<std::invalid_argument>(HasSubstr("\"empty\"")));
+    EXPECT_THAT([] { (void)to_svg({.title = "empty", .curves = {{"none", {}}}}); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("\"empty\"")));
 }
 
 }  // namespace plot_test

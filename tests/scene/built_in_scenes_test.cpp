@@ -183,22 +183,13 @@ TEST_F(BuiltInScenes, FramesAndObjectsThatCannotBe) {
     PassLibrary passes(GLOAM_GLSL_DIR);
     Scene scene = make_scene("moving");
     expect_error<std::invalid_argument>(
-        [&] {
-            (void)rasterize(device(), passes, scene, {4, 4}, {.frame = -1});
-        },
-        {"frame -1", "moving"});
+        [&] { (void)rasterize(device(), passes, scene, {4, 4}, {.frame = -1}); }, {"frame -1", "moving"});
     scene.objects[1].mesh.indices[0] = 1'000'000;
-    expect_error<std::invalid_argument>(
-        [&] {
-            (void)rasterize(device(), passes, scene, {4, 4});
-        },
-        {"moving, object 2", "index 1000000"});
+    expect_error<std::invalid_argument>([&] { (void)rasterize(device(), passes, scene, {4, 4}); },
+                                        {"moving, object 2", "index 1000000"});
     scene.objects[1].transform = nullptr;
-    expect_error<std::invalid_argument>(
-        [&] {
-            (void)rasterize(device(), passes, scene, {4, 4});
-        },
-        {"object 2", "transform"});
+    expect_error<std::invalid_argument>([&] { (void)rasterize(device(), passes, scene, {4, 4}); },
+                                        {"object 2", "transform"});
 }
 
 TEST(RigidMotion, TurnsThenMoves) {

@@ -243,11 +243,8 @@ TEST_F(RasterizeTest, SizesThatAreNotPossible) {
 
 TEST_F(RasterizeTest, MeshesThatDoNotFit) {
     const auto expect = [&](const Mesh& mesh, std::initializer_list<const char*> parts) {
-        expect_error<std::invalid_argument>(
-            [&] {
-                (void)shot({.name = "odd", .mesh = mesh}, {4, 4});
-            },
-            parts);
+        expect_error<std::invalid_argument>([&] { (void)shot({.name = "odd", .mesh = mesh}, {4, 4}); },
+                                            parts);
     };
     const Mesh good{
         .positions = {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, .normals = {3, {0, 0, 1}}, .indices = {0, 1, 2}};

@@ -106,9 +106,8 @@ TEST(Compile, TakesHlsl) {
         "SV_DispatchThreadID) { result[id.x] = ";
     EXPECT_THAT(disassemble(compile_hlsl({"h", text + "frac(1.5f); }\n"}, Stage::compute)),
                 AllOf(HasSubstr("Binding 3"), HasSubstr("StorageBuffer")));
-    EXPECT_THAT(test::message_of<CompileError>([&] {
-                    (void)compile_hlsl({"h", text + "no_such; }\n"}, Stage::compute);
-                }),
+    EXPECT_THAT(test::message_of<CompileError>(
+                    [&] { (void)compile_hlsl({"h", text + "no_such; }\n"}, Stage::compute); }),
                 HasSubstr("h:3: "));
     EXPECT_THAT(test::message_of<CompileError>([&] {
                     (void)compile_hlsl({"h", "cbuffer B { float y; };\n" + text + "y; }\n"}, Stage::compute);

@@ -70,9 +70,8 @@ TEST(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {
 }
 
 TEST(Include, MissingIncludeListsWhereItLooked) {
-    const auto message = message_of<std::runtime_error>([] {
-        static_cast<void>(resolve_include("x/y.glsl", "/from", {"/one", "/two"}));
-    });
+    const auto message = message_of<std::runtime_error>(
+        [] { static_cast<void>(resolve_include("x/y.glsl", "/from", {"/one", "/two"})); });
     EXPECT_THAT(message, AllOf(HasSubstr("\"x/y.glsl\""), HasSubstr("/from/x/y.glsl"),
                                HasSubstr("/one/x/y.glsl"), HasSubstr("/two/x/y.glsl")));
     EXPECT_THROW(static_cast<void>(resolve_include("x", {}, {})), std::runtime_error);

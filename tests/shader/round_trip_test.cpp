@@ -93,9 +93,8 @@ TEST(RoundTrip, ServesEveryStage) {
 
 TEST(RoundTrip, WhatCannotBeWrittenIsSaid) {
     EXPECT_THAT(message_of<std::runtime_error>([] { (void)to_glsl({1, 2, 3}); }), HasSubstr("SPIRV-Cross"));
-    EXPECT_THAT(message_of<CompileError>([] {
-                    (void)round_trip({1, 2, 3}, Stage::compute, "the test", Variant::Through::glsl);
-                }),
+    EXPECT_THAT(message_of<CompileError>(
+                    [] { (void)round_trip({1, 2, 3}, Stage::compute, "the test", Variant::Through::glsl); }),
                 AllOf(HasSubstr("the test: "), HasSubstr("SPIRV-Cross cannot write the module as GLSL")));
 }
 

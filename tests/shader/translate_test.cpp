@@ -196,13 +196,11 @@ TEST(Translate, WhatCannotBeTranslatedIsSaid) {
         "#version 450\n#extension GL_EXT_buffer_reference : require\n"
         "layout(buffer_reference) buffer Far { float x; };\nlayout(push_constant) uniform P { Far at; };\n"
         "layout(local_size_x = 1) in;\nvoid main() { at.x = 1.0; }\n";
-    EXPECT_THAT(message_of<std::invalid_argument>([&] {
-                    (void)translated({"far.comp", pointers}, Target::hlsl);
-                }),
-                HasSubstr("far.comp: SPIRV-Cross cannot write the module as HLSL"));
-    EXPECT_THAT(message_of<CompileError>([] {
-                    (void)translated({"x", "#version 450\nfloat f() { return y; }\n"}, Target::hlsl);
-                }),
+    EXPECT_THAT(
+        message_of<std::invalid_argument>([&] { (void)translated({"far.comp", pointers}, Target::hlsl); }),
+        HasSubstr("far.comp: SPIRV-Cross cannot write the module as HLSL"));
+    EXPECT_THAT(message_of<CompileError>(
+                    [] { (void)translated({"x", "#version 450\nfloat f() { return y; }\n"}, Target::hlsl); }),
                 HasSubstr("y"));
 }
 

@@ -42,7 +42,7 @@ void run_round(AmbientOcclusion& effect, const SkipCase& skip_case, Contestant& 
     if (still) show(true);
 }
 
-Settings only(const Settings& settings, bool Settings::*skip) {
+Settings only(const Settings& settings, bool Settings::* skip) {
     Settings one = without_skips(settings);
     one.*skip = true;
     return one;

@@ -46,7 +46,7 @@ GLOAM_BY_DOUBLE(trunc, std::trunc(x))
 GLOAM_BY_DOUBLE(round, std::round(x))
 GLOAM_BY_DOUBLE(round_even, std::nearbyint(x))
 GLOAM_BY_DOUBLE(radians, x*(std::numbers::pi / 180.0))
-GLOAM_BY_DOUBLE(degrees, x*(180.0 / std::numbers::pi))
+GLOAM_BY_DOUBLE(degrees, x * (180.0 / std::numbers::pi))
 #undef GLOAM_BY_DOUBLE
 
 template <Real T>

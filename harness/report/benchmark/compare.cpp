@@ -67,7 +67,7 @@ std::string line_of(const Change& change) {
                        change.error);
 }
 
-std::string list_of(const char* title, const std::vector<Change>& changes, bool Change::*which) {
+std::string list_of(const char* title, const std::vector<Change>& changes, bool Change::* which) {
     std::string lines;
     std::size_t count = 0;
     for (const Change& change : changes) {

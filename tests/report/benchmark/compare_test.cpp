@@ -95,11 +95,8 @@ TEST(BenchmarkJoin, RefusesWhatDoesNotBelongTogether) {
     const Benchmark one = make_benchmark({make_row("a", "m", 4, 10, 0.05)});
     Benchmark other = make_benchmark({make_row("b", "m", 4, 10, 0.05)});
     const auto refusal = [&](const Benchmark& part, const char* text) {
-        EXPECT_THAT(
-            [&] {
-                (void)joined(std::vector{one, part});
-            },
-            testing::ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+        EXPECT_THAT([&] { (void)joined(std::vector{one, part}); },
+                    testing::ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
     };
     refusal(one, "a/m/4/single: in two results");
     other.width = 640;

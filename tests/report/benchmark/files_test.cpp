@@ -259,7 +259,9 @@ TEST_F(BenchmarkJournal, TakesUpWhereItWasLeft) {
 }
 
 TEST_F(BenchmarkJournal, DropsALineThatWasBeingWritten) {
-    { open(false).add(visit(0, 1.0)); }
+    {
+        open(false).add(visit(0, 1.0));
+    }
     const std::string whole = read(file_);
     std::ofstream(file_, std::ios::app) << R"({"configuration":{"scene":"s")";
     Journal journal = open(true);
@@ -270,7 +272,9 @@ TEST_F(BenchmarkJournal, DropsALineThatWasBeingWritten) {
 }
 
 TEST_F(BenchmarkJournal, StartsEmptyWhereNothingIsToBeResumed) {
-    { open(false).add(visit(0, 1.0)); }
+    {
+        open(false).add(visit(0, 1.0));
+    }
     EXPECT_FALSE(open(false).has(configuration(), 0));
     fs::remove(file_);
     EXPECT_FALSE(open(true).has(configuration(), 0));
@@ -280,7 +284,9 @@ TEST_F(BenchmarkJournal, StartsEmptyWhereNothingIsToBeResumed) {
 }
 
 TEST_F(BenchmarkJournal, RefusesWhatWasMeasuredOtherwiseAndWhatIsNone) {
-    { open(false).add(visit(0, 1.0)); }
+    {
+        open(false).add(visit(0, 1.0));
+    }
     const std::string whole = read(file_);
     const auto refusal = [&](const char* text) {
         EXPECT_THAT([&] { (void)open(true); }, testing::ThrowsMessage<std::runtime_error>(HasSubstr(text)));

@@ -29,7 +29,7 @@ bool print_answer(const std::string& question, const std::optional<Overall>& bes
     return false;
 }
 
-std::optional<Overall> least(const std::vector<Overall>& choices, double Overall::*what) {
+std::optional<Overall> least(const std::vector<Overall>& choices, double Overall::* what) {
     const auto found = std::ranges::min_element(choices, {}, what);
     return found == choices.end() ? std::nullopt : std::optional(*found);
 }

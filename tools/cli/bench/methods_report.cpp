@@ -75,7 +75,7 @@ std::string truth_row(const MethodsReport& report) {
 }
 
 // The value furthest from 0 on the planes.
-double widest_plane(const MethodRow& row, double ViewResult::*value) {
+double widest_plane(const MethodRow& row, double ViewResult::* value) {
     double widest = 0.0;
     for (const ViewResult& view : row.views)
         if (is_plane(view) && std::abs(view.*value) > std::abs(widest)) widest = view.*value;
