@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "effect/methods.hpp"
@@ -14,11 +15,11 @@ namespace gloam::effect {
 //   values)
 // GatherKernel has the first five members of GloamKernel; MethodValues is that of passes/method_values.glsl.
 // The function returns (samples times occlusion, samples). If `layers` is more than 1, it reads the layers
-// behind the first by vec3 gloam_fetch_layers(ivec2). Throws std::runtime_error for a file that cannot be
-// written.
+// behind the first by vec3 gloam_fetch_layers(ivec2). farthest: that member of GloamKernel, world units.
+// Throws std::runtime_error for a file that cannot be written.
 class MethodFunctions {
   public:
-    explicit MethodFunctions(int layers = 1);
+    explicit MethodFunctions(int layers = 1, float farthest = std::numeric_limits<float>::infinity());
     ~MethodFunctions();
     MethodFunctions(const MethodFunctions&) = delete;
     MethodFunctions& operator=(const MethodFunctions&) = delete;

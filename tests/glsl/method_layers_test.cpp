@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// What follows, for every method, from the definitions of depth layers and of rejected taps: relations
+// between its results on a rough view whose surfaces change places.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "rough_view.hpp"
+#include "support/lab.hpp"
+#include "support/method_names.hpp"
+
+namespace gloam {
+namespace method_layers_test {
+
+namespace rough = test::rough_view;
+using test::Camera;
+using test::Depths;
+using test::Gather;
+using test::Method;
+
+using Inputs = check::Kernel<Gather>::Inputs;
+using Results = std::vector<glm::vec2>;
+using Surfaces = std::vector<Depths>;
+
+// A method on the rough view. layers, farthest: of its kernel.
+class OnRough {
+  public:
+    OnRough(const std::string& method, int layers, float farthest = std::numeric_limits<float>::infinity())
+        : functions_(layers, farthest), gather_(lab_, functions_.file(method), effect::method_function) {}
+
+    static std::vector<Inputs> points(const Camera& camera) { return rough::points(camera, settings); }
+    [[nodiscard]] glm::vec2 at(const Inputs& point, const Surfaces& surfaces) const {
+        return gather_.with_images(rough::view(surfaces), point);
+    }
+    Results operator()(const Camera& camera, const Surfaces& surfaces) const {
+        return gather_(points(camera), rough::view(surfaces));
+    }
+
+  private:
+    static constexpr Method settings{
+        .range = 0.7F, .epsilon = 0.3F, .intensity = 0.3F, .thickness = 0.4F, .angle_bias = 0.1F, .steps = 4};
+    test::MethodFunctions functions_;
+    check::Lab lab_ = functions_.lab();
+    check::Kernel<Gather> gather_;
+};
+
+const std::vector<Camera> cameras{rough::camera(false), rough::camera(true)};
+
+// Whether a method's text calls a function.
+bool calls(const std::string& method, const std::string& function) {
+    const test::MethodFunctions functions(4);
+    return test::packed_method(functions, functions.file(method)).find(function + "(") != std::string::npos;
+}
+
+bool reads_layers(const effect::MethodInfo& method) {
+    return calls(method.name, "gloam_fetch_layers");
+}
+
+// Fails unless the results are the same to the bit at each point.
+void expect_same(const Results& got, const Results& want, const Camera& camera, const std::string& what) {
+    ASSERT_EQ(got.size(), want.size());
+    for (std::size_t i = 0; i < got.size(); ++i)
+        ASSERT_EQ(got[i], want[i]) << (camera.orthographic ? "orthographic, " : "perspective, ") << what
+                                   << ", point " << i << ": " << got[i].x << ", expected " << want[i].x;
+}
+
+class LayersOfMethod : public testing::TestWithParam<std::string> {};
+
+// A surface blocks from whichever layer it is in; one more time the same surface blocks nothing more.
+TEST_P(LayersOfMethod, ASurfaceCountsFromAnyLayerAndOnce) {
+    const OnRough method(GetParam(), 4);
+    for (const Camera& camera : cameras) {
+        const Depths first = rough::surface(0, camera);
+        const Depths second = rough::surface(1, camera);
+        const Results alone = method(camera, {first});
+        const Results both = method(camera, {first, second});
+        EXPECT_NE(both, alone);
+        expect_same(method(camera, {first, rough::none, second}), both, camera, "in the third layer");
+        expect_same(method(camera, {first, rough::none, rough::none, second}), both, camera, "in the fourth");
+        expect_same(method(camera, {first, first, first, first}), alone, camera, "four times");
+        expect_same(method(camera, {first, first, second, second}), both, camera, "each twice");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LayersOfMethod, testing::ValuesIn(test::method_names(reads_layers)),
+                         test::parameter_name);
+
+// Where of each tap the surface counts that blocks most.
+class OrderOfLayers : public testing::TestWithParam<std::string> {};
+
+TEST_P(OrderOfLayers, MakesNoDifference) {
+    const OnRough method(GetParam(), 4);
+    for (const Camera& camera : cameras) {
+        Surfaces surfaces;
+        for (std::uint32_t i = 0; i < 4; ++i) surfaces.push_back(rough::surface(i, camera));
+        const Results known = method(camera, surfaces);
+        for (int i = 0; i < 3; ++i) {
+            std::ranges::rotate(surfaces, surfaces.begin() + 1);
+            expect_same(method(camera, surfaces), known, camera, "rotated");
+        }
+        std::ranges::reverse(surfaces);
+        expect_same(method(camera, surfaces), known, camera, "reversed");
+    }
+}
+
+// Not for horizons that count each rise at its own distance, a sweep whose next tap begins at the first
+// layer, pairs of which one tap may stand for both, and what the first layer alone prepares.
+INSTANTIATE_TEST_SUITE_P(All, OrderOfLayers,
+                         testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
+                             const std::set<std::string> ordered{"hbao",
+                                                                 "hbao_study",
+                                                                 "hsao",
+                                                                 "dual_resolution",
+                                                                 "sweep",
+                                                                 "angle",
+                                                                 "volumetric",
+                                                                 "volumetric_two",
+                                                                 "tangent_sphere",
+                                                                 "separable",
+                                                                 "volumetric_spiral"};
+                             return reads_layers(method) && !ordered.contains(method.name);
+                         })),
+                         test::parameter_name);
+
+// Half a turn of the kernel exchanges the taps of every pair: where one side alone has a further layer, it
+// counts the same at the first tap and at the second.
+class PairsOfLayers : public testing::TestWithParam<std::string> {};
+
+TEST_P(PairsOfLayers, BothTapsReadThem) {
+    const OnRough method(GetParam(), 4);
+    for (const Camera& camera : cameras) {
+        for (std::size_t i = 0; i < OnRough::points(camera).size(); i += 7) {
+            Inputs input = OnRough::points(camera)[i];
+            const int column = rough::pixel_of(i).x;
+            const auto beside = [&](std::uint32_t number) {
+                return [=, behind = rough::surface(number, camera)](glm::ivec2 p) {
+                    return p.x > column ? behind(p) : 0.0F;
+                };
+            };
+            const Surfaces surfaces{rough::surface(0, camera), beside(1), beside(2), beside(3)};
+            const glm::vec2 known = method.at(input, surfaces);
+            std::get<test::Samples>(input).angle += std::numbers::pi_v<float>;
+            EXPECT_NEAR(method.at(input, surfaces).x, known.x, 1e-4F) << i;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PairsOfLayers,
+                         testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
+                             return calls(method.name, "gloam_pair_look");
+                         })),
+                         test::parameter_name);
+
+// Surfaces too far in front do not count (CS-REJ): a slice goes on without them, a point or tap is not taken.
+class Rejection : public testing::TestWithParam<std::string> {
+  protected:
+    static constexpr float farthest = 0.3F;
+    const OnRough every{GetParam(), 2};
+    const OnRough near{GetParam(), 2, farthest};
+    const bool of_slices = effect::method_named(GetParam()).unit == effect::SampleUnit::slice;
+
+    static bool rejects(float depth, float tap) { return tap > 0.0F && depth - tap > farthest; }
+    // The two surfaces without what is rejected at a point. A tap is rejected with all its layers.
+    [[nodiscard]] Surfaces without_rejected(float depth, const Surfaces& all) const {
+        const auto seen = [=, this](std::size_t layer, glm::ivec2 p) {
+            const float own = all[layer](p);
+            return rejects(depth, of_slices ? own : all[0](p)) ? 0.0F : own;
+        };
+        return {[=](glm::ivec2 p) { return seen(0, p); }, [=](glm::ivec2 p) { return seen(1, p); }};
+    }
+
+    // Rejected where the surface is not, and nowhere else.
+    [[nodiscard]] static Depths contrary(float depth, const Depths& surface) {
+        return [=](glm::ivec2 p) { return rejects(depth, surface(p)) ? depth : depth - 2.0F * farthest; };
+    }
+};
+
+TEST_P(Rejection, WhatIsTooFarInFrontDoesNotCount) {
+    for (const Camera& camera : cameras) {
+        const Surfaces all{rough::surface(0, camera), rough::surface(1, camera)};
+        float left_out = 0.0F;
+        for (std::size_t i = 0; i < every.points(camera).size(); i += 7) {
+            const auto input = every.points(camera)[i];
+            const float depth = -std::get<0>(input).z;
+            const glm::vec2 got = near.at(input, all);
+            const glm::vec2 want = every.at(input, without_rejected(depth, all));
+            EXPECT_NEAR(got.x, want.x, of_slices ? 0.0F : 1e-5F) << i;
+            left_out += every.at(input, all).x - want.x;
+            if (of_slices)
+                EXPECT_EQ(got.y, want.y);
+            else
+                EXPECT_EQ(got.y + near.at(input, {contrary(depth, all[0])}).y, want.y) << i;
+        }
+        EXPECT_GT(left_out, 0.1F);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Rejection, testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
+        // Those of another method, at two radii or beside what is prepared.
+        const std::set<std::string> others{"aksoy_phaneuf_two", "dual_resolution", "separable"};
+        return !others.contains(method.name) && calls(method.name, "gloam_tap_rejected");
+    })),
+    test::parameter_name);
+
+}  // namespace method_layers_test
+}  // namespace gloam
