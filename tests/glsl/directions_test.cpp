@@ -50,6 +50,17 @@ class Directions : public testing::Test {
     }
 };
 
+// Sums outside the range in which they can be divided: no direction is left.
+TEST_F(Directions, AgreementOfSumsAtTheEndsOfTheirRange) {
+    constexpr float least = 1.175494351e-38F;
+    constexpr float most = 8.507059173e37F;
+    for (const float weight : {least, most, 1.0F})
+        EXPECT_EQ(agreement(glm::vec4(0, 0, 0, weight)), 0.0F) << weight;
+    for (const float weight :
+         {0.0F, -1.0F, std::nextafter(least, 0.0F), std::nextafter(most, infinity), infinity})
+        EXPECT_EQ(agreement(glm::vec4(0, 0, 0, weight)), 1.0F) << weight;
+}
+
 TEST_F(Directions, ConesOfKnownLength) {
     const auto linear = cone("_linear");
     const auto exact = cone("");

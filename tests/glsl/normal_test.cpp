@@ -49,6 +49,20 @@ class Normal : public testing::Test {
     }
 };
 
+// The ends of what counts as two directions: an angle of 1e-5, a cross product of length 2.
+TEST_F(Normal, OfDirectionsAtTheEndsOfTheirRange) {
+    const Kernel<glm::vec3(glm::vec3, glm::vec3, glm::vec3)> facing(lab, "gloam/geometry/normal.glsl",
+                                                                    "gloam_facing_normal");
+    const glm::vec3 y(0, 1, 0);
+    const glm::vec3 z(0, 0, 1);
+    const glm::vec3 x(1, 0, 0);
+    EXPECT_EQ(facing(2.0F * y, z, x), x);
+    EXPECT_EQ(facing(2.0F * y, z, -x), -x);
+    EXPECT_EQ(facing(2.0001F * y, z, x), z);
+    EXPECT_EQ(facing(y, y + 1.001e-5F * z, x), x);
+    EXPECT_EQ(facing(y, y + 0.999e-5F * z, x), z);
+}
+
 TEST_F(Normal, OfAPlaneIsItsNormalAtEveryPixelAndSize) {
     for (const glm::dvec3 direction :
          {glm::dvec3(0, 0, 1), glm::dvec3(0.5, 0.3, 1), glm::dvec3(-0.2, 0.8, 0.7)}) {

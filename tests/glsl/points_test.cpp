@@ -241,6 +241,18 @@ TEST_F(Points, CountsAndBias) {
     EXPECT_EQ(bias(0.25F, 8.0F, 2.0F), 1.0F);
     EXPECT_EQ(bias(0.25F, infinity, 2.0F), 0.0F);
     EXPECT_EQ(bias(NAN, 8.0F, 2.0F), 0.0F);
+    // The reference depths that count, and what is beyond the largest float.
+    constexpr float least = 1.175494351e-38F;
+    constexpr float most = 8.507059173e37F;
+    constexpr float largest = std::numeric_limits<float>::max();
+    EXPECT_NEAR(bias(0.25F, least, least), 0.25, 1e-6);
+    EXPECT_NEAR(bias(0.25F, most, most), 0.25, 1e-6);
+    EXPECT_EQ(bias(0.25F, most, std::nextafter(most, infinity)), 0.0F);
+    EXPECT_EQ(bias(0.25F, 1.0F, 0.0F), 0.0F);
+    EXPECT_EQ(bias(-0.25F, 8.0F, 2.0F), 0.0F);
+    EXPECT_EQ(bias(1e38F, 100.0F, 1.0F), largest);
+    EXPECT_EQ(bias(infinity, 1.0F, 1.0F), largest);
+    EXPECT_EQ(bias(infinity, 1e-30F, most), 0.0F);  // the quotient is 0
     const Kernel<vec3(vec3, float)> light(lab, "gloam/shading/ambient_light.glsl", "gloam_ambient_light");
     EXPECT_EQ(light(vec3(4, 2, 1), 0.25F), vec3(3, 1.5F, 0.75F));
     EXPECT_EQ(light(vec3(4, 2, 1), NAN), vec3(4, 2, 1));
@@ -264,6 +276,15 @@ TEST_F(Points, CrytekAgainstTheDepthBuffer) {
     const auto sample = occlusion<Sample>("crytek", "crytek_sample");
     EXPECT_EQ(sample(vec2(0.5F), 0.5F, vec3(1, -1, 1), 2.0F, 4.0F, 400.0F), vec3(1.0F, 0.0F, 0.5625F));
     EXPECT_EQ(sample(vec2(0.5F), 0.5F, vec3(1), 2.0F, infinity, 400.0F), vec3(0.5F));
+    const vec3 along(1, 0, 0);
+    constexpr float most = 8.507059173e37F;
+    for (const float z_far : {1e-30F, most})
+        EXPECT_EQ(sample(vec2(0.5F), 0.5F, along, 2.0F, 4.0F, z_far), vec3(1.0F, 0.5F, 0.5F)) << z_far;
+    for (const float z_far : {std::nextafter(1e-30F, 0.0F), std::nextafter(most, infinity), -1.0F, NAN})
+        EXPECT_EQ(sample(vec2(0.5F), 0.5F, along, 2.0F, 4.0F, z_far), vec3(0.5F)) << z_far;
+    // Depths outside [1e-30, 2^126] are taken into it.
+    EXPECT_NEAR(sample(vec2(0.5F), 0.5F, along, 1e-30F, 1e-33F, 400.0F).x, 1.5, 1e-6);
+    EXPECT_NEAR(sample(vec2(0.5F), 0.5F, along, most, 3e38F, 400.0F).x, 1.5, 1e-6);
 }
 
 // T6: a plane is half occluded at any tilt, an inner corner of 90 degrees three quarters, a convex edge one

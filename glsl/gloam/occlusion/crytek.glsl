@@ -33,7 +33,7 @@ float gloam_contribution_crytek_buffer(float sample_value, float buffer_value) {
 // z_far) a. The scaling of z is a constant that suits one scene, not a projection: p + R s in view space, projected,
 // is exact.
 // uv: of the pixel, texture coordinates. buffer_value: b, in [0, 1]. s: point of the unit ball. radius: R. depth: d,
-// eye-linear, world units. z_far: far plane, world units, > 0.
+// eye-linear, world units; taken into [1e-30, 2^126]. z_far: far plane, world units, > 0.
 // Returns (u, v, b) of the sample; (uv, b) itself for background depth, for z_far outside [1e-30, 2^126], and where the
 // sample would not be finite. Error: 4 ULP of the largest of the value and its change.
 // No method or pass here calls it: it is there to be copied.

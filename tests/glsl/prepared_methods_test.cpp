@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// What methods make of the images that are prepared for them, in closed form, and the pixels that a sample of
+// theirs has seen already.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "gathers.hpp"
+#include "support/lab.hpp"
+
+namespace gloam {
+namespace prepared_methods_test {
+
+using glm::ivec2;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using test::Camera;
+using test::Gather;
+using test::Method;
+using test::Samples;
+
+// A bare plane through (0, 0, -5).
+struct Bare {
+    Camera camera;
+    vec3 normal{0, 0, 1};
+
+    [[nodiscard]] vec3 point(ivec2 pixel) const {
+        const vec2 size(camera.size);
+        const vec2 side = (2.0F * vec2(pixel) + 1.0F - size) / size / camera.p00_p11;
+        if (camera.orthographic) return {side, -5.0F - (normal.x * side.x + normal.y * side.y) / normal.z};
+        return vec3(side, -1.0F) * (-5.0F * normal.z / glm::dot(vec3(side, -1.0F), normal));
+    }
+};
+
+class PreparedMethods : public testing::Test {
+  protected:
+    test::MethodFunctions functions;
+    check::Lab lab = functions.lab();
+    check::Kernel<Gather> separable{lab, functions.file("separable"), effect::method_function};
+    check::Kernel<Gather> dual{lab, functions.file("dual_resolution"), effect::method_function};
+
+    // The occlusion of a pixel of the plane. prepared: of `size` pixels. further: from the plane at a pixel.
+    template <class Prepared>
+    static double occlusion(
+        const check::Kernel<Gather>& gather, const Bare& bare, ivec2 pixel, const Samples& samples,
+        const Method& settings, ivec2 size, const Prepared& prepared,
+        const test::Depths& further = [](ivec2) { return 0.0F; }) {
+        check::ImageSet images =
+            test::view_of(bare.camera.size, [&](ivec2 p) { return -bare.point(p).z + further(p); });
+        images.emplace("gloam_fetch_prepared", check::make_image<vec4>(size, prepared));
+        const vec2 sum =
+            gather.with_images(images, {bare.point(pixel), bare.normal, bare.camera, samples, settings});
+        EXPECT_EQ(sum.y, static_cast<float>(samples.count));
+        return double{sum.x} / double{sum.y};
+    }
+};
+
+// An orthographic view of a floor whose pixels have that size.
+Bare floor_of(ivec2 size, vec2 pixel) {
+    return {{2.0F / (vec2(size) * pixel) * vec2(1, -1), size, true}, vec3(0, 0, 1)};
+}
+
+constexpr float sigma = 0.4F;
+
+// The result of separable on a floor, twice: what it carries from the pixels on a line; the other slice is
+// open.
+Samples line_of(float angle) {
+    return {.radius = 0.5F, .bias = 1e-3F, .angle = angle, .first = 0, .count = 64};
+}
+
+TEST_F(PreparedMethods, ALineCarriesFromBothOfItsSidesAlike) {
+    const ivec2 middle(30, 48);
+    const vec2 pixel(1.0F / 16.0F, 1.0F / 24.0F);
+    const Bare floor = floor_of({61, 97}, pixel);
+    for (const float angle : {0.0F, 0.6F, 1.5F, 2.9F, 4.4F}) {
+        const auto carried = [&](const auto& prepared, const test::Depths& further) {
+            return 2.0 * occlusion(separable, floor, middle, line_of(angle), Method{.epsilon = sigma},
+                                   floor.camera.size, prepared, further);
+        };
+        const auto level = [](ivec2) { return 0.0F; };
+        const auto ramp = [&](ivec2 p) {
+            return vec4(0.5F + glm::dot(vec2(p - middle), vec2(0.004F, -0.006F)));
+        };
+        EXPECT_NEAR(carried(ramp, level), 0.5, 1e-5) << angle;
+        // A pixel beside the middle that lies deeper is of another surface.
+        const auto beside = [&](ivec2 p) { return p.x > 30 || (p.x == 30 && p.y > 48); };
+        const auto apart = [&](ivec2 p) { return beside(p) ? vec4(1) : vec4(0.25F); };
+        EXPECT_GT(carried(apart, level), 0.4) << angle;
+        EXPECT_NEAR(carried(apart, [&](ivec2 p) { return beside(p) ? 0.5F : 0.0F; }), 0.25, 1e-6) << angle;
+        const float just_within = 0.09F * sigma;
+        EXPECT_GT(carried(apart, [&](ivec2 p) { return beside(p) ? just_within : 0.0F; }), 0.4) << angle;
+    }
+}
+
+// The mean of the squared distances, by the Gaussian of the 16 steps to both sides up to two standard
+// deviations.
+TEST_F(PreparedMethods, ALineCarriesByItsGaussian) {
+    const ivec2 middle(63, 90);
+    const vec2 pixel(1.0F / 64.0F, 1.0F / 96.0F);
+    const Bare floor = floor_of({127, 181}, pixel);
+    double whole = 1.0;
+    double squares = 0.0;
+    for (int i = 1; i <= 16; ++i) {
+        const double distance = 2.0 * double{sigma} * i / 16.0;
+        const double weight = 2.0 * std::exp(-0.5 * std::pow(distance / double{sigma}, 2.0));
+        whole += weight;
+        squares += weight * distance * distance;
+    }
+    const auto squared = [&](ivec2 p) {
+        const vec2 offset = vec2(p - middle) * pixel;
+        return vec4(glm::dot(offset, offset));
+    };
+    for (const float angle : {0.0F, 0.7F, 2.0F, 5.0F}) {
+        EXPECT_NEAR(2.0 * occlusion(separable, floor, middle, line_of(angle), Method{.epsilon = sigma},
+                                    floor.camera.size, squared),
+                    squares / whole, 0.01 * squares / whole)
+            << angle;
+    }
+}
+
+// Between small pixels of the plane their results are interpolated. Small pixels of another surface are left
+// out.
+TEST_F(PreparedMethods, SmallPixelsOfTheSurfaceAreInterpolated) {
+    const Samples samples{.radius = 0.5F, .bias = 1e-3F, .angle = 0.0F, .first = 0, .count = 32};
+    const Method settings{.steps = 4, .disagreement = 0.1F};
+    const vec3 normal = glm::normalize(vec3(0.3F, -0.2F, 1.0F));
+    const auto value = [](vec2 small) { return 0.4F + 0.006F * small.x + 0.008F * small.y; };
+    for (const bool orthographic : {false, true}) {
+        const Bare bare{{orthographic ? vec2(0.5F, -0.7F) : vec2(1.5F, -2.5F), ivec2(22, 35), orthographic},
+                        normal};
+        const ivec2 half(11, 18);
+        const auto result = [&](ivec2 pixel, const auto& prepared, const test::Depths& further) {
+            return occlusion(dual, bare, pixel, samples, settings, half, prepared, further);
+        };
+        const auto level = [](ivec2) { return 0.0F; };
+        const auto ramp = [&](ivec2 p) { return vec4(value(vec2(p)), normal); };
+        for (const ivec2 pixel : {ivec2(7, 15), ivec2(8, 15), ivec2(7, 16), ivec2(8, 16), ivec2(21, 33)}) {
+            const vec2 small = glm::min(0.5F * vec2(pixel), vec2(half - 1));
+            EXPECT_NEAR(result(pixel, ramp, level), double{value(small)}, 1e-4) << pixel.x << ' ' << pixel.y;
+        }
+        // Of the four around (7, 15) one, then the two to the right, then all do not lie on its surface.
+        const ivec2 other(4, 7);
+        const double three = double{value({3, 7}) + value({3, 8}) + value({4, 8})} / 3.0;
+        const double left = double{value({3, 7.5F})};
+        const auto turned = [&](const auto& which) {
+            return [&, which](ivec2 p) { return vec4(value(vec2(p)), which(p) ? -normal : normal); };
+        };
+        const auto one = [&](ivec2 p) { return p == other; };
+        EXPECT_NEAR(result({7, 15}, turned(one), level), three, 1e-4);
+        EXPECT_NEAR(result({7, 15}, turned([](ivec2 p) { return p.x == 4; }), level), left, 1e-4);
+        EXPECT_EQ(result({7, 15}, turned([](ivec2) { return true; }), level), 0.0);  // hbao of the plane
+        for (const float depth : {0.5F, std::numeric_limits<float>::infinity()})
+            EXPECT_NEAR(result({7, 15}, ramp, [&](ivec2 p) { return p == 2 * other ? depth : 0.0F; }), three,
+                        2e-4);
+        // Of neighbours that disagree nothing is interpolated.
+        const auto odd_one = [&](ivec2 p) { return p == ivec2(2, 6) ? vec4(0.6F, normal) : ramp(p); };
+        EXPECT_EQ(result({7, 15}, odd_one, level), 0.0);
+    }
+}
+
+// As in gloam/gather/distinct_pixels.glsl.
+struct Distinct {
+    ivec2 center;
+    glm::uvec2 seen;
+};
+
+// Of the 8 x 8 pixels around the shaded one each is new once, whatever others were seen before; the others
+// always.
+TEST_F(PreparedMethods, EachOfThePixelsAroundIsNewOnce) {
+    const check::Kernel<bool(Distinct&, ivec2)> add(lab, "gloam/gather/distinct_pixels.glsl",
+                                                    "gloam_distinct_add");
+    const ivec2 center(20, 30);
+    std::vector<ivec2> around;
+    for (int y = -6; y < 6; ++y)
+        for (int x = -6; x < 6; ++x) around.emplace_back(x, y);
+    for (const ivec2 first : around) {
+        const auto [fresh, known] = add(Distinct{center, glm::uvec2(0)}, center + first);
+        EXPECT_TRUE(fresh);
+        std::vector<std::tuple<Distinct, ivec2>> inputs;
+        for (const ivec2 second : around) inputs.emplace_back(known, center + second);
+        const auto results = add(inputs);
+        const bool remembered = glm::clamp(first, -4, 3) == first;
+        for (std::size_t i = 0; i < around.size(); ++i)
+            EXPECT_EQ(std::get<0>(results[i]), !(remembered && around[i] == first))
+                << first.x << ' ' << first.y << ", then " << around[i].x << ' ' << around[i].y;
+    }
+}
+
+}  // namespace prepared_methods_test
+}  // namespace gloam
