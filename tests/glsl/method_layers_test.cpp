@@ -200,13 +200,14 @@ TEST_P(Rejection, WhatIsTooFarInFrontDoesNotCount) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Rejection, testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
-        // Those of another method, at two radii or beside what is prepared.
-        const std::set<std::string> others{"aksoy_phaneuf_two", "dual_resolution", "separable"};
-        return !others.contains(method.name) && calls(method.name, "gloam_tap_rejected");
-    })),
-    test::parameter_name);
+INSTANTIATE_TEST_SUITE_P(All, Rejection,
+                         testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
+                             // Those of another method, at two radii or beside what is prepared.
+                             const std::set<std::string> others{"aksoy_phaneuf_two", "dual_resolution",
+                                                                "separable"};
+                             return !others.contains(method.name) && calls(method.name, "gloam_tap_rejected");
+                         })),
+                         test::parameter_name);
 
 }  // namespace method_layers_test
 }  // namespace gloam
