@@ -12,6 +12,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+SCRIPT = Path(__file__).resolve().parents[2] / "tools" / "test"
+
 SUITE = "Reprojection"
 SHADER = "gloam/geometry/reprojection.glsl"
 OTHER = "Normal.OfBackgroundIsZero"  # reads other shaders
@@ -83,8 +85,7 @@ class Seeing(unittest.TestCase):
             for name, (files, took) in lists.items():
                 text = "".join(f"/{i}.glsl\n" for i in range(files)) + (f"seconds {took}\n" if ":" in name else "")
                 (seen / name).write_text(text, encoding="utf-8")
-            script = Path(__file__).resolve().parents[2] / "tools" / "test"
-            function = f'source <(sed -n "/^within()/,/^}}/p" {script})'
+            function = f'source <(sed -n "/^within()/,/^}}/p" {SCRIPT})'
             code = f"nproc() {{ echo 1; }}; build={scratch}; {function}; within {seconds}"
             result = subprocess.run(["bash", "-euc", code], input="".join(f"{name}\n" for name in lists),
                                     capture_output=True, text=True, check=True)
@@ -96,6 +97,30 @@ class Seeing(unittest.TestCase):
         self.assertEqual(self.within(9, lists), {"a:narrow", "b:middle"})  # 6 + 2 and the starts of two groups
         self.assertEqual(self.within(7, lists), {"a:narrow"})
         self.assertEqual(self.within(1, lists), {"a:narrow"})  # one at least
+
+    def groups_within(self, seconds, groups, first=()):
+        """The groups that tools/test --within chooses of groups, given as {name: seconds or None}, on one core."""
+        with tempfile.TemporaryDirectory() as scratch:
+            costs = Path(scratch) / "Testing" / "Temporary" / "CTestCostData.txt"
+            costs.parent.mkdir(parents=True)
+            costs.write_text("".join(f"{name} 3 {took}\n" for name, took in groups.items() if took is not None) +
+                             "---\nfailed.before\n", encoding="utf-8")
+            listed = Path(scratch) / "tests" / "releases.txt"
+            listed.parent.mkdir()
+            listed.write_text("# why\n" + "".join(f"{name}\n" for name in first), encoding="utf-8")
+            tests = "".join(f"  Test #{i}: {name}\n" for i, name in enumerate(groups))
+            code = (f"nproc() {{ echo 1; }}; ctest() {{ printf '%s' '{tests}'; }}; build={scratch}; root={scratch}; "
+                    f'source <(sed -n "/^groups_within()/,/^}}/p" {SCRIPT}); groups_within {seconds}')
+            return subprocess.run(["bash", "-euo", "pipefail", "-c", code], capture_output=True, text=True,
+                                  check=True).stdout.split()
+
+    def test_within_a_time_groups_that_differed_come_first_and_then_quick_ones(self):
+        groups = {"a.Slow": 60, "b.Quick": 1, "c.New": None, "d.All/Differs/1of2": 30}
+        differed = ["d.All/Differs/1of2", "e.Removed"]
+        self.assertEqual(self.groups_within(100, groups, differed), ["d.All/Differs/1of2", "b.Quick", "c.New", "a.Slow"])
+        self.assertEqual(self.groups_within(36, groups, differed), ["d.All/Differs/1of2", "b.Quick", "c.New"])
+        self.assertEqual(self.groups_within(32, groups), ["b.Quick", "c.New"])
+        self.assertEqual(self.groups_within(1, groups, differed), ["d.All/Differs/1of2"])  # one at least
 
     def test_a_group_takes_as_long_as_its_tests(self):
         lists = {"a": (1, 0.0), "a:one": (5, 4.0), "a:two": (6, 4.0)}

@@ -39,7 +39,6 @@ TEST(BenchBar, ARunIsHeldAgainstPlainSlices) {
         EXPECT_LE(double{row.at(time).at("median")}, double{row.at(time).at("high")}) << time;
     }
     EXPECT_GT(double{row.at("ms").at("median")}, double{row.at("gather_ms").at("median")});
-    EXPECT_GT(double{row.at("exact_ms").at("median")}, double{row.at("fast_ms").at("median")});
     EXPECT_GT(double{row.at("flicker")}, 0.0);
     const double error = row.at("rmse_geometry").at("shown");
     const double exact = row.at("rmse_geometry_exact").at("shown");

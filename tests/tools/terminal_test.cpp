@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What people see on a terminal: colour, completion, examples, and nothing where they want quiet.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -14,6 +18,16 @@ using testing::Not;
 
 constexpr const char* quick_check = "check gloam_radical_inverse_base2 --inputs 64";
 
+// Whether this machine gives a program a pseudo-terminal. A container without /dev/pts does not.
+bool has_pseudo_terminals() {
+    const int controller = posix_openpt(O_RDWR | O_NOCTTY);
+    if (controller < 0) return false;
+    const bool opens = grantpt(controller) == 0 && unlockpt(controller) == 0 &&
+                       ptsname(controller) != nullptr && access(ptsname(controller), R_OK | W_OK) == 0;
+    close(controller);
+    return opens;
+}
+
 // util-linux's script gives the command a terminal.
 CommandResult on_terminal(const std::string& arguments, std::vector<std::string> environment = {}) {
     environment.emplace_back("TERM=xterm");
@@ -24,6 +38,7 @@ CommandResult on_terminal(const std::string& arguments, std::vector<std::string>
 
 TEST(Terminal, VerdictsHaveColourUnlessItIsNotWanted) {
     if (!fs::exists("/usr/bin/script")) GTEST_SKIP() << "util-linux's script is not installed";
+    if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminals here: /dev/ptmx or /dev/pts is missing";
     EXPECT_THAT(on_terminal(quick_check).out, HasSubstr("\033[32mok\033[0m"));
     EXPECT_THAT(on_terminal(quick_check, {"NO_COLOR=1"}).out, Not(HasSubstr("\033[32m")));
     EXPECT_THAT(on_terminal(quick_check, {"TERM=dumb"}).out, HasSubstr("ok"));
