@@ -92,11 +92,14 @@ void Device::Impl::run_once(const std::function<void(const vk::raii::CommandBuff
     run(commands);
 }
 
+void Device::Impl::require_idle() {
+    if (idle()) return;
+    throw std::runtime_error(
+        fmt::format("device \"{}\" still runs an earlier submission that timed out", physical.info.name));
+}
+
 void Device::Impl::run(const vk::raii::CommandBuffer& commands) {
-    if (!idle()) {
-        throw std::runtime_error(
-            fmt::format("device \"{}\" still runs an earlier submission that timed out", physical.info.name));
-    }
+    require_idle();
     try {
         device.resetFences(*fence);
         queue.submit(vk::SubmitInfo{.commandBufferCount = 1, .pCommandBuffers = &*commands}, *fence);

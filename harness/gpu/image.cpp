@@ -51,7 +51,8 @@ void check_size(const Context& context, Extent extent, Format format) {
     }
 }
 
-ImageHandles create(const Context& context, Extent extent, Format format) {
+ImageHandles create(Context& context, Extent extent, Format format) {
+    context.require_idle();  // a driver may wait for the work before it makes an image
     check_size(context, extent, format);
     vk::raii::Image image(context.device, create_info(extent, format));
     auto memory = allocate(context, image.getMemoryRequirements(),

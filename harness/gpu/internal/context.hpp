@@ -44,6 +44,8 @@ struct Device::Impl {
 
     // False while a submission that timed out still runs; nothing may be destroyed then.
     [[nodiscard]] bool idle() noexcept;
+    // Throws std::runtime_error while a submission that timed out still runs.
+    void require_idle();
 
     // Keeps objects that must not be destroyed until the device is idle.
     void keep(std::shared_ptr<void> handles) { kept_.push_back(std::move(handles)); }
