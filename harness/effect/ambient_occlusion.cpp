@@ -26,7 +26,8 @@ std::array<std::int32_t, 2> words_of_size(gpu::Extent extent) {
 void AmbientOcclusion::Impl::allocate(gpu::Extent size) {
     given.extent = size;
     half.reset();
-    if (settings.resolution == Resolution::half) half.emplace(*device, library, size);
+    if (settings.resolution == Resolution::half)
+        half = std::make_unique<HalfResolution>(*device, library, size);
     images.emplace(*device, half ? half_of(size) : size, settings.precision);
 }
 

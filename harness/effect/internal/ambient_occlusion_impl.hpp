@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,7 +55,7 @@ struct AmbientOcclusion::Impl {
     PreparedImage prepared;
     SampleTable samples;
     std::optional<FrameImages> images;
-    std::optional<HalfResolution> half;  // with Resolution::half
+    std::unique_ptr<HalfResolution> half;  // with Resolution::half
     ReprojectionParameters reprojection_constants{};
     OcclusionParameters occlusion_constants{};
     FilterParameters filter_constants{};
