@@ -41,15 +41,20 @@ Settings settings_for(const std::string& method, std::uint32_t layers, double ra
 
 class LayersOf : public Layers, public testing::WithParamInterface<std::string> {};
 
-// Each can only miss what the others show: the same surface again shows nothing.
+// Each can only miss what the others show: the same surface again shows nothing. Compilers may contract the
+// first try of a tap in another way than the later ones: Mesa 25 rounds one of 2,583 pixels of tangent_sphere
+// to the next number.
 TEST_P(LayersOf, TheSameAgainChangesNothing) {
     scene::GBuffer view = view_of("moving", {63, 41}, 1);
     const double radius = scene::make_scene("moving").ao_radius;
     view.layers.clear();
     const auto once = occlusion(view, settings_for(GetParam(), 1, radius));
     view.layers = {view.depth, view.depth, view.depth};
+    constexpr float rounding = 0x1p-23F;
     for (const std::uint32_t layers : {1U, 2U, 4U})
-        EXPECT_EQ(occlusion(view, settings_for(GetParam(), layers, radius)), once) << layers << " layers";
+        EXPECT_THAT(occlusion(view, settings_for(GetParam(), layers, radius)),
+                    testing::Pointwise(testing::FloatNear(rounding), once))
+            << layers << " layers";
 }
 
 // Behind a bare plane seen at a tilt other planes: nothing of them rises above the first.
