@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/internal/budget_judge.hpp"
 #include "check/reproduction.hpp"
-#include "numeric/float_class.hpp"
 #include "numeric/ulp.hpp"
 
 namespace gloam::check {
@@ -41,24 +41,6 @@ std::vector<Bounds> around(const Question& question, const std::vector<double>& 
     return bounds;
 }
 
-// The inputs that the budget also covers: the input with subnormals flushed, and with each float moved alone.
-std::vector<std::vector<Word>> neighbours(const Question& question, const std::vector<Word>& inputs) {
-    const std::vector<Scalar> scalars = question.signature.input_scalars();
-    std::vector<std::vector<Word>> all{inputs};
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (scalars[i] != Scalar::float_) continue;
-        const auto value = from_word<float>(inputs[i]);
-        if (numeric::classify(value) == numeric::FloatClass::subnormal) all.front()[i] &= 0x80000000U;
-        for (int steps = 1; steps <= question.budget.backward_ulp; ++steps) {
-            for (const int signed_steps : {-steps, steps}) {
-                all.push_back(inputs);
-                all.back()[i] = to_word(numeric::step(value, signed_steps));
-            }
-        }
-    }
-    return all;
-}
-
 }  // namespace
 
 std::vector<Bounds> allowed_outputs(const Question& question, const ImageSet& images, const Sample& sample) {
@@ -70,10 +52,12 @@ std::vector<Bounds> allowed_outputs(const Question& question, const ImageSet& im
     if (question.promised && !question.promised(sample.inputs)) return bounds;
     bounds = around(question, sample.want);
     std::vector<double> want;
-    for (const std::vector<Word>& inputs : neighbours(question, sample.inputs)) {
+    const auto add = [&](const std::vector<Word>& inputs) {
         question.reference(images, inputs, want);
         std::ranges::transform(bounds, around(question, want), bounds.begin(), numeric::hull);
-    }
+        return false;
+    };
+    internal::visit_covered_inputs(question.budget, question.signature.input_scalars(), sample.inputs, add);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         if (scalars[i] != Scalar::float_ || bounds[i].empty()) continue;
         bounds[i].low = std::max(bounds[i].low, codomain.low);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "check/answer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -42,6 +44,11 @@ std::string_view name_of(Reason reason) {
     return "";
 }
 
+std::string_view name_of(Outcome outcome) {
+    if (outcome == Outcome::not_judged) return "not judged";
+    return outcome == Outcome::ok ? "ok" : "failed";
+}
+
 std::size_t Answer::inputs() const {
     return total(classes, &ClassCount::inputs);
 }
@@ -50,6 +57,52 @@ std::size_t Answer::outside() const {
 }
 std::size_t Answer::recorded() const {
     return total(classes, &ClassCount::recorded);
+}
+
+std::size_t Answer::open() const {
+    return total(classes, &ClassCount::open);
+}
+
+std::size_t Answer::judged() const {
+    const std::size_t promised = inputs() - recorded();
+    if (verdict != Verdict::rules || bounded == 0) return promised - open();
+    return promised * (bounded - std::min(open(), bounded)) / bounded;
+}
+
+std::vector<InputClass> Answer::not_promised() const {
+    std::vector<InputClass> found;
+    for (std::size_t i = 0; i < input_class_count; ++i) {
+        const ClassCount& c = classes[i];
+        const std::size_t without = c.recorded + (verdict == Verdict::rules ? c.open : 0);
+        if (c.inputs > 0 && without == c.inputs) found.push_back(static_cast<InputClass>(i));
+    }
+    return found;
+}
+
+Outcome Answer::outcome() const {
+    if (reason == Reason::unsupported) return Outcome::not_judged;
+    if (!ran() || outside() > 0 || !fault.empty()) return Outcome::failed;
+    return not_judged_because().empty() ? Outcome::ok : Outcome::not_judged;
+}
+
+std::string Answer::not_judged_because() const {
+    if (reason == Reason::unsupported) return error;
+    if (!ran() || outside() > 0 || !fault.empty()) return {};
+    if (inputs() == 0) return "there are no inputs";
+    if (recorded() == inputs() && verdict == Verdict::rules)
+        return "it documents no accuracy, and there are no precision rules for this device";
+    if (recorded() == inputs()) return "the device promises nothing for any of its inputs";
+    if (judged() == 0) return "every result would pass";
+    if (static_cast<double>(judged()) < least_judged_share * static_cast<double>(inputs()))
+        return fmt::format("{} of {} inputs could be judged, expected {:.0f} % at least", judged(), inputs(),
+                           100.0 * least_judged_share);
+    for (std::size_t i = 0; i < input_class_count; ++i) {
+        const ClassCount& c = classes[i];
+        if (verdict == Verdict::budget && c.open > 0 && c.open + c.recorded == c.inputs)
+            return fmt::format("every result would pass for its {} inputs",
+                               name_of(static_cast<InputClass>(i)));
+    }
+    return {};
 }
 
 void Answer::add(const Sample& sample, bool is_outside) {
@@ -81,6 +134,7 @@ void Answer::merge(const Answer& later) {
         classes[i].inputs += later.classes[i].inputs;
         classes[i].outside += later.classes[i].outside;
         classes[i].recorded += later.classes[i].recorded;
+        classes[i].open += later.classes[i].open;
         if (!first_outside[i]) first_outside[i] = later.first_outside[i];
     }
     max_ulp = std::max(max_ulp, later.max_ulp);

@@ -49,10 +49,12 @@ struct Sample {
     bool forbidden = false;                  // the rules do not permit the outputs
 };
 
+// The inputs of a class. A recorded or open input was not judged.
 struct ClassCount {
     std::size_t inputs = 0;
     std::size_t outside = 0;   // failed
-    std::size_t recorded = 0;  // the device promises nothing here, so it was not judged
+    std::size_t recorded = 0;  // the device promises nothing here
+    std::size_t open = 0;      // the device's result was free: nothing but a NaN could have failed
 };
 
 // The largest errors that Vulkan's rules permit, over the inputs for which the budget is promised and the
@@ -72,7 +74,7 @@ enum class Reason {
     out_of_memory,  // of the host or of the device
     error,          // any other error, for example a shader that does not compile
     fault,          // the shader accessed a pixel outside an image
-    unsupported     // the function is no text of the device's version of GLSL; not a failure
+    unsupported     // the function is no text of the device's version of GLSL: not judged
 };
 inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,         Reason::hang,
                                          Reason::device_lost, Reason::out_of_memory, Reason::error,
@@ -80,6 +82,21 @@ inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,    
 
 // "", "crash", "hang", "device lost", "out of memory", "error", "fault", "unsupported".
 [[nodiscard]] std::string_view name_of(Reason reason);
+
+// What a check says. Every summary, table, page and exit status is made from it.
+enum class Outcome {
+    ok,         // enough inputs were judged, and none failed
+    failed,     // an input failed, or the check did not run to its end
+    not_judged  // too few inputs were judged: Answer::not_judged_because()
+};
+
+// "ok", "failed", "not judged".
+[[nodiscard]] std::string_view name_of(Outcome outcome);
+
+// The least share of a check's inputs that must be judged. The smallest share in the catalogue is 0.34, on
+// OpenGL (DEPTH-quotient, most of whose results are infinite or NaN). With less than a quarter, the verdict
+// is one of a few corners of the domain.
+inline constexpr double least_judged_share = 0.25;
 
 // The result of one question in one variant on one device, or the reason why there is none. Tables, pages and
 // JSON are made from it, and processes exchange it.
@@ -116,19 +133,27 @@ struct Answer {
     [[nodiscard]] std::size_t inputs() const;
     [[nodiscard]] std::size_t outside() const;
     [[nodiscard]] std::size_t recorded() const;
+    [[nodiscard]] std::size_t open() const;
+    // Inputs for which some result would have failed. Where the rules alone are the verdict, it is known of
+    // the inputs whose bounds were calculated, and the same share is assumed of the others.
+    [[nodiscard]] std::size_t judged() const;
     // The worst error as a fraction of the permitted width, or of the budget.
     [[nodiscard]] double fraction_of_allowed() const {
         return verdict == Verdict::rules ? fraction : budget_fraction;
     }
     [[nodiscard]] bool ran() const { return error.empty(); }
-    [[nodiscard]] bool passed() const {
-        return reason == Reason::unsupported || (ran() && outside() == 0 && fault.empty());
-    }
-    // It ran, and the device promises nothing for any of its inputs.
-    [[nodiscard]] bool recorded_only() const { return ran() && inputs() > 0 && recorded() == inputs(); }
+    [[nodiscard]] Outcome outcome() const;
+    // Why the outcome is `not_judged`; empty otherwise.
+    [[nodiscard]] std::string not_judged_because() const;
+    // The classes for which nothing is promised for any input: by the device, or, where the rules alone are
+    // the verdict, by the rules.
+    [[nodiscard]] std::vector<InputClass> not_promised() const;
+    [[nodiscard]] bool passed() const { return outcome() == Outcome::ok; }
+    [[nodiscard]] bool failed() const { return outcome() == Outcome::failed; }
 
     // Adds a judged sample; `outside` when it failed.
     void add(const Sample& sample, bool is_outside);
+    void add_open(InputClass input_class) { ++count(input_class).open; }  // of an added sample
     void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
     void add_unbounded(const Sample& sample);
     void add_guarantee(const Guarantee& guarantee);

@@ -11,7 +11,8 @@ struct Budget {
     double ulp = 0.0;
     double absolute = 0.0;
     // No forward bound exists where the function is discontinuous. Then a result also passes if it is within
-    // the budget for inputs that are moved by at most this many ULP each.
+    // the budget for inputs that are moved by at most this many ULP each. Inputs that are small whole numbers
+    // stay: a count, or the end of a range, is meant exactly.
     int backward_ulp = 0;
     // Measures each vector or matrix in the ULP of its largest component, not in each component's own.
     bool of_largest_component = false;

@@ -102,6 +102,7 @@ std::string describe(const Signature& signature, const Answer& answer) {
         text += fmt::format("  {:<10} {:>9} inputs {:>9} outside", name_of(static_cast<InputClass>(i)),
                             count.inputs, count.outside);
         if (count.recorded > 0) text += fmt::format(" {:>9} only recorded", count.recorded);
+        if (count.open > 0) text += fmt::format(" {:>9} open", count.open);
         text += "\n";
     }
     if (answer.worst) text += "  worst " + sample_text(signature, *answer.worst);
@@ -123,8 +124,9 @@ void describe_samples(const Signature& signature, Answer& answer) {
 
 std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
     if (!answer.story.empty()) return stream << answer.story;
+    const std::string why = answer.ran() ? answer.not_judged_because() : answer.error;
     return stream << fmt::format("{} ({}): {} of {} inputs outside{}{}\n", answer.function, answer.file,
-                                 answer.outside(), answer.inputs(), answer.ran() ? "" : ": ", answer.error);
+                                 answer.outside(), answer.inputs(), why.empty() ? "" : ": ", why);
 }
 
 }  // namespace gloam::check

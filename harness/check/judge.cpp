@@ -81,18 +81,22 @@ class Judge {
             answer.add_recorded(sample.input_class);
             return;
         }
-        const internal::Error error = budget_.measure(sample);
+        const bool promised = !question_.promised || question_.promised(sample.inputs);
+        const bool edge = options_.edges && question_.reference && internal::is_edge(sample, scalars_);
+        const internal::Error error = budget_.measure(sample, promised);
         sample.ulp = error.ulp;
         sample.absolute = error.absolute;
         sample.budget_fraction = error.fraction;
         sample.fraction = error.fraction;
-        if (permitted_ && plan_.by_rules(sample.index)) ask_rules(answer, sample);
-        const bool promised = !question_.promised || question_.promised(sample.inputs);
+        const bool by_budget = options_.verdict == Verdict::budget && (promised || budget_.has_codomain());
+        const bool free = permitted_ && plan_.by_rules(sample.index)
+                              ? ask_rules(answer, sample, promised, !by_budget && !edge)
+                              : true;
         const bool accurate = promised && sample.budget_fraction <= 1.0;
-        if (options_.edges && question_.reference && !accurate && internal::is_edge(sample, scalars_) &&
-            !internal::holds_at_edge(question_, images_, scalars_, sample))
+        if (edge && !accurate && !internal::holds_at_edge(question_, images_, scalars_, sample))
             sample.fraction = infinity;
         answer.add(sample, sample.fraction > 1.0);
+        if (free && !by_budget && !edge) answer.add_open(sample.input_class);
     }
 
     // Number of instructions for the bounds of an input.
@@ -117,24 +121,27 @@ class Judge {
         }
     }
 
-    void ask_rules(Answer& answer, Sample& sample) {
+    // Whether the rules permit every result; false if that was not asked. `only_rules`: nothing else judges
+    // this input.
+    bool ask_rules(Answer& answer, Sample& sample, bool promised, bool only_rules) {
         const bool bounded = plan_.bounded(sample.index);
+        const bool must_know = only_rules && options_.verdict == Verdict::budget;
         ++answer.by_rules;
-        if (!bounded && permitted_->permits(sample)) {
+        if (!bounded && !must_know && permitted_->permits(sample)) {
             if (options_.verdict == Verdict::rules) sample.fraction = 0.0;
-            return;
+            return false;
         }
         const bool anything = permitted_->measure(sample);
         sample.forbidden = sample.fraction > 1.0;
-        if (bounded) add_bounds(answer, sample, anything);
-        if (options_.verdict == Verdict::rules) return;
-        sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
+        if (bounded) add_bounds(answer, sample, anything, promised);
+        if (options_.verdict == Verdict::budget)
+            sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
+        return (bounded || must_know) && permitted_->permits_every(sample);
     }
 
-    void add_bounds(Answer& answer, const Sample& sample, bool anything) {
+    void add_bounds(Answer& answer, const Sample& sample, bool anything, bool promised) {
         ++answer.bounded;
         if (anything) answer.add_unbounded(sample);
-        const bool promised = !question_.promised || question_.promised(sample.inputs);
         const bool usual = sample.input_class <= InputClass::zero;
         if (anything || !promised || !usual) return;
         const internal::Error largest = permitted_->largest_permitted(sample, budget_);

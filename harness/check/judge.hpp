@@ -16,8 +16,8 @@ struct JudgeOptions {
     // every verdict. Set it to false if the reference documents none (a built-in function of GLSL), and for
     // other arithmetic than float32. Without a reference they are not judged.
     bool edges = true;
-    // Whether the device preserves NaN, infinity and signed zero. If not, inputs and references that contain
-    // one are only recorded.
+    // Whether the device preserves NaN, infinity and signed zero. If not, inputs that contain one, and those
+    // whose reference is NaN or infinite, are only recorded.
     bool nan = true;
     // With Verdict::rules the budget and the codomain are measured, but do not fail.
     Verdict verdict = Verdict::budget;

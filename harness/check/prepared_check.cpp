@@ -140,6 +140,7 @@ PreparedScenario prepare_scenario(const Question& question, const KernelSource& 
                               .inputs = question.domain.draw(
                                   count, internal::input_seed_of(question, scenario, seed), scenario.size),
                               .expectations = {}};
+    internal::set_positive_zeros(prepared.inputs.words, question.signature.input_scalars());
     for (std::size_t i = 0; i < prepared.inputs.count(); ++i)
         prepared.expectations.push_back(
             preparation.expect(prepared.inputs.row(i), prepared.inputs.branch[i]));

@@ -14,7 +14,7 @@ namespace gloam::check {
 
 // How the result for one input is judged.
 enum class Criterion {
-    recorded,  // it is not: the input or the exact result contains NaN, infinity or -0
+    recorded,  // it is not: the input or the exact result contains NaN or infinity
     codomain,  // no accuracy is promised: the outputs must be inside the codomain
     budget,    // the codomain, and the budget around one of Expectation::wants
     edge       // the codomain, and the documented result for zero near one of Expectation::wants
@@ -40,7 +40,8 @@ struct PreparedScenario {
 };
 
 // A check whose shader runs elsewhere, for example in a browser: the text of its kernel, its inputs and what
-// they must give. It is judged as by a device that does not preserve NaN, infinity and -0, and without rules.
+// they must give. It is judged as by a device that does not preserve NaN, infinity and -0, and without rules:
+// no input holds -0.
 struct PreparedCheck {
     std::string kernel;            // a fragment shader in GLSL ES 3.00; empty where there is none
     std::string unsupported;       // why there is none

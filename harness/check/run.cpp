@@ -51,7 +51,8 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
                 trial.compare_constants(few_inputs(question.domain, count, trial.input_seed(), scenario.size),
                                         folded, answer);
             } else {
-                trial.evaluate(question.domain.draw(share, trial.input_seed(), scenario.size), answer);
+                const auto drawn = question.domain.draw(share, trial.input_seed(), scenario.size);
+                trial.judge(trial.run(drawn, answer), answer);
             }
         });
     if (options.coverage) answer.coverage = measure_coverage(lab, question, options);

@@ -128,7 +128,7 @@ class Climb {
             domain_.adjust(std::span(inputs.words).last(inputs.width));
         }
         std::vector<double> fractions(candidates.size());
-        trial_.evaluate(inputs, found_.answer, fractions);
+        trial_.judge(trial_.run(std::move(inputs), found_.answer), found_.answer, fractions);
         for (std::size_t i = 0; i < candidates.size(); ++i) {
             candidates[i].score = fractions[i];
             if (fractions[i] > 0.0) pool_.push_back(std::move(candidates[i]));

@@ -35,7 +35,7 @@ void add_guarantee(EquationAccuracy& equation, const check::Answer& row) {
 }
 
 void add_measured(std::optional<MeasuredError>& measured, const check::Answer& row) {
-    if (!row.ran() || judged_by_rules(row)) return;
+    if (row.judged() == 0 || !row.ran() || judged_by_rules(row)) return;
     if (!measured || row.budget_fraction > measured->fraction)
         measured = MeasuredError{row.budget_fraction, row.variant};
 }
@@ -145,7 +145,8 @@ std::string failure_text(const check::Answer& row) {
     return fmt::format("{} {} of {}", row.variant, row.outside(), row.inputs());
 }
 
-// A row for each variant, in the order of the rows: how many of its checks passed on each driver.
+// A row for each variant, in the order of the rows: how many of its checks passed on each driver, of those
+// that were judged.
 std::string variants_table(const std::vector<CheckReport>& reports) {
     std::vector<std::string> variants;
     for (const CheckReport& report : reports)
@@ -155,10 +156,13 @@ std::string variants_table(const std::vector<CheckReport>& reports) {
     for (const std::string& variant : variants) {
         text += fmt::format("| {} |", variant);
         for (const CheckReport& report : reports) {
-            const auto of_it = [&](const check::Answer& row) { return row.variant == variant; };
-            const auto passed = [&](const check::Answer& row) { return of_it(row) && row.passed(); };
-            text += fmt::format(" {} of {} |", std::ranges::count_if(report.rows, passed),
-                                std::ranges::count_if(report.rows, of_it));
+            const auto count = [&](check::Outcome outcome) {
+                return std::ranges::count_if(report.rows, [&](const check::Answer& row) {
+                    return row.variant == variant && row.outcome() == outcome;
+                });
+            };
+            const auto passed = count(check::Outcome::ok);
+            text += fmt::format(" {} of {} |", passed, passed + count(check::Outcome::failed));
         }
         text += "\n";
     }
@@ -171,7 +175,7 @@ std::string failures_table(const std::vector<CheckReport>& reports) {
     for (const CheckReport& report : reports) {
         std::vector<std::pair<std::string, std::string>> failures;  // by equation: its variants
         for (const check::Answer& row : report.rows) {
-            if (row.passed()) continue;
+            if (!row.failed()) continue;
             if (failures.empty() || failures.back().first != row.equation)
                 failures.emplace_back(row.equation, failure_text(row));
             else

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/answer_json.hpp"
 
+#include <fmt/format.h>
+
 #include "report/internal/answer_json.hpp"
 
 namespace gloam::report {
@@ -44,18 +46,33 @@ ordered_json classes_json(const Answer& answer) {
         const check::ClassCount& c = answer.classes[i];
         if (c.inputs == 0) continue;
         json[std::string(name_of(static_cast<check::InputClass>(i)))] = {
-            {"inputs", c.inputs}, {"outside", c.outside}, {"recorded", c.recorded}};
+            {"inputs", c.inputs}, {"outside", c.outside}, {"recorded", c.recorded}, {"open", c.open}};
     }
     return json;
 }
 
 void read_classes(const JsonReader& json, Answer& answer) {
     for (const auto& [name, value] : json.members()) {
-        answer.classes.at(static_cast<std::size_t>(read_class(name, json))) = {
-            .inputs = value.member("inputs").count(),
-            .outside = value.member("outside").count(),
-            .recorded = value.member("recorded").count()};
+        check::ClassCount& c = answer.classes.at(static_cast<std::size_t>(read_class(name, json)));
+        c = {.inputs = value.member("inputs").count(),
+             .outside = value.member("outside").count(),
+             .recorded = value.member("recorded").count(),
+             .open = value.has("open") ? value.member("open").count()
+                                       : 0};  // results of earlier versions lack it
+        if (c.recorded > c.inputs || c.open > c.inputs - c.recorded || c.outside > c.inputs)
+            value.expected("counts within its inputs");
     }
+}
+
+// Throws where a total or the outcome is not what the counts of the classes give.
+void require_agreement(const JsonReader& json, const Answer& answer) {
+    for (const auto& [name, count] : {std::pair{"inputs", answer.inputs()},
+                                      {"outside", answer.outside()},
+                                      {"recorded", answer.recorded()}}) {
+        if (json.member(name).count() != count) json.member(name).expected("the sum over the classes");
+    }
+    if (json.has("outcome") && json.member("outcome").text() != name_of(answer.outcome()))
+        json.member("outcome").expected(fmt::format("{}, by its counts", name_of(answer.outcome())));
 }
 
 ordered_json sample_json(const std::optional<check::Sample>& sample) {
@@ -158,7 +175,10 @@ ordered_json answer_json(const Answer& answer) {
             {"file", answer.file},
             {"variant", answer.variant},
             {"verdict", name_of(answer.verdict)},
+            {"outcome", name_of(answer.outcome())},
+            {"not_judged_because", answer.not_judged_because()},
             {"inputs", answer.inputs()},
+            {"judged", answer.judged()},
             {"outside", answer.outside()},
             {"recorded", answer.recorded()},
             {"by_rules", answer.by_rules},
@@ -207,11 +227,7 @@ Answer read_answer(const JsonReader& json) {
                   .seconds = json.member("seconds").number(),
                   .story = json.member("story").text()};
     read_classes(json.member("classes"), answer);
-    for (const auto& [name, count] : {std::pair{"inputs", answer.inputs()},
-                                      {"outside", answer.outside()},
-                                      {"recorded", answer.recorded()}}) {
-        if (json.member(name).count() != count) json.member(name).expected("the sum over the classes");
-    }
+    require_agreement(json, answer);
     const JsonReader width = json.member("width_fraction");
     const bool by_rules = answer.verdict == check::Verdict::rules;
     if (width.is_null() == by_rules) width.expected("a number where the verdict is rules, else null");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "report/check_report.hpp"
 
 namespace gloam::report {
@@ -39,6 +41,9 @@ std::string test_case(const check::Answer& row) {
         fmt::format("    <testcase classname=\"{}\" name=\"{} {}\" time=\"{:.3f}\"", escaped(row.file),
                     escaped(row.equation), escaped(row.variant), row.seconds);
     if (row.passed()) return xml + "/>\n";
+    if (!row.failed())
+        return xml + fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n",
+                                 escaped(row.not_judged_because()));
     return xml + fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\"/>\n    </testcase>\n",
                              row.ran() ? "failure" : "error",
                              row.reason == check::Reason::none ? "outside" : name_of(row.reason),
@@ -46,9 +51,8 @@ std::string test_case(const check::Answer& row) {
 }
 
 std::size_t errors(const CheckReport& report) {
-    std::size_t count = 0;
-    for (const check::Answer& row : report.rows) count += row.ran() ? 0 : 1;
-    return count;
+    return static_cast<std::size_t>(std::ranges::count_if(
+        report.rows, [](const check::Answer& row) { return row.failed() && !row.ran(); }));
 }
 
 }  // namespace
@@ -56,9 +60,11 @@ std::size_t errors(const CheckReport& report) {
 std::string to_junit(const std::vector<CheckReport>& reports) {
     std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (const CheckReport& report : reports) {
-        xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
-                           escaped(report.device.name), report.rows.size(),
-                           report.failures() - errors(report), errors(report));
+        xml += fmt::format(
+            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n",
+            escaped(report.device.name), report.rows.size(),
+            report.count(check::Outcome::failed) - errors(report), errors(report),
+            report.count(check::Outcome::not_judged));
         if (!report.versions.empty())
             xml += fmt::format("    <properties><property name=\"versions\" value=\"{}\"/></properties>\n",
                                escaped(report.versions));

@@ -20,7 +20,8 @@ constexpr int device_column = 3;  // if there are several devices
 std::vector<PageColumn> columns(bool several_devices) {
     std::vector<PageColumn> all{
         {.title = "verdict",
-         .meaning = "ok, the number of inputs outside what is allowed, or why it did not run"},
+         .meaning =
+             "ok, the number of inputs outside what is allowed, or why it was not judged or did not run"},
         {.title = "equation"},
         {.title = "function"},
         {.title = "variant", .meaning = "how the shader was compiled", .filter = true},
@@ -28,7 +29,7 @@ std::vector<PageColumn> columns(bool several_devices) {
          .meaning =
              "rules: what Vulkan's precision rules permit. budget: the accuracy that the function documents",
          .filter = true},
-        {.title = "inputs", .numeric = true},
+        {.title = "judged", .meaning = "inputs for which some result would have failed", .numeric = true},
         {.title = "worst ULP",
          .meaning = "largest error in units in the last place of the printed equation in double precision",
          .numeric = true},
@@ -42,7 +43,8 @@ std::vector<PageColumn> columns(bool several_devices) {
 }
 
 PageCell verdict_cell(const check::Answer& row) {
-    return {.text = verdict_of(row), .tone = row.passed() ? Tone::good : Tone::bad};
+    const Tone tone = row.passed() ? Tone::good : row.failed() ? Tone::bad : Tone::plain;
+    return {.text = base::shortened(verdict_of(row), longest_value), .tone = tone};
 }
 
 // The cells of a row, without the device.
@@ -58,7 +60,7 @@ std::vector<PageCell> cells_of(const check::Answer& row) {
         return cells;
     }
     const double used = row.fraction_of_allowed();
-    cells.push_back(number_cell(static_cast<double>(row.inputs()), fmt::format("{}", row.inputs())));
+    cells.push_back(number_cell(static_cast<double>(row.judged()), fmt::format("{}", row.judged())));
     cells.push_back(number_cell(row.max_ulp, fmt::format("{:.3g}", row.max_ulp)));
     cells.push_back(number_cell(row.max_absolute, fmt::format("{:.2e}", row.max_absolute)));
     cells.push_back(number_cell(used, numeric::to_short_text(used)));
@@ -71,17 +73,22 @@ PageTable device_table(const std::vector<CheckReport>& reports) {
                                 {.title = "interface"},
                                 {.title = "checks", .numeric = true},
                                 {.title = "failed", .numeric = true},
+                                {.title = "not judged", .numeric = true},
                                 {.title = "made by", .meaning = "versions of gloam and of the compilers"}},
                     .rows = {}};
     for (const CheckReport& report : reports) {
-        const std::size_t failures = report.failures();
-        PageCell failed = number_cell(static_cast<double>(failures), fmt::format("{}", failures));
-        failed.tone = failures == 0 ? Tone::good : Tone::bad;
+        const auto count = [&](check::Outcome outcome) {
+            return number_cell(static_cast<double>(report.count(outcome)),
+                               fmt::format("{}", report.count(outcome)));
+        };
+        PageCell failed = count(check::Outcome::failed);
+        failed.tone = report.count(check::Outcome::failed) == 0 ? Tone::good : Tone::bad;
         table.rows.push_back(
             {{name_of(report.device)},
              {api_of(report.device)},
              number_cell(static_cast<double>(report.rows.size()), fmt::format("{}", report.rows.size())),
              failed,
+             count(check::Outcome::not_judged),
              {report.versions}});
     }
     return table;
@@ -91,7 +98,7 @@ void add_stories(Page& page, const std::vector<CheckReport>& reports) {
     std::size_t told = 0;
     for (const CheckReport& report : reports) {
         for (const check::Answer& row : report.rows) {
-            if (row.passed()) continue;
+            if (!row.failed()) continue;
             if (told == 0) page.heading("Failures");
             if (++told > most_stories) continue;
             page.preformatted(fmt::format("{} {} on {}: {}", row.equation, row.variant,
@@ -107,10 +114,10 @@ void add_stories(Page& page, const std::vector<CheckReport>& reports) {
 PageTable check_table(const std::vector<CheckReport>& reports) {
     const bool several = reports.size() > 1;
     PageTable table{.columns = columns(several), .rows = {}};
-    for (const bool passed : {false, true}) {
+    for (const auto outcome : {check::Outcome::failed, check::Outcome::not_judged, check::Outcome::ok}) {
         for (const CheckReport& report : reports) {
             for (const check::Answer& row : report.rows) {
-                if (row.passed() != passed) continue;
+                if (row.outcome() != outcome) continue;
                 table.rows.push_back(cells_of(row));
                 std::vector<PageCell>& cells = table.rows.back();
                 if (several) cells.insert(cells.begin() + device_column, {name_of(report.device)});
@@ -121,14 +128,7 @@ PageTable check_table(const std::vector<CheckReport>& reports) {
 }
 
 std::string to_check_page(const std::vector<CheckReport>& reports, const std::vector<std::string>& notes) {
-    std::size_t checks = 0;
-    std::size_t failures = 0;
-    for (const CheckReport& report : reports) {
-        checks += report.rows.size();
-        failures += report.failures();
-    }
-    Page page(failures == 0 ? fmt::format("gloam check: all {} checks passed", checks)
-                            : fmt::format("gloam check: {} of {} checks failed", failures, checks));
+    Page page("gloam check: " + to_text(counts_of(reports)));
     for (const std::string& note : notes) page.paragraph(note);
     page.heading("Devices");
     page.table(device_table(reports));

@@ -39,26 +39,44 @@ struct CheckReport {
     std::vector<check::Answer> rows;
     std::string versions{};  // of gloam and of the compilers; empty: unknown
 
-    [[nodiscard]] std::size_t failures() const;
+    [[nodiscard]] std::size_t count(check::Outcome outcome) const;
 };
 
-// "ok", the number of inputs outside what is allowed ("3 outside"), "not judged" if the device promises
-// nothing for any input, or the reason why the check did not run ("hang").
+// Checks by their outcome.
+struct OutcomeCounts {
+    std::size_t checks = 0;
+    std::size_t failed = 0;
+    std::size_t not_judged = 0;
+
+    void add(const OutcomeCounts& more);
+    // Of a command: 1 if a check failed; 2 if there were some and none was judged; 0
+    // otherwise.
+    [[nodiscard]] int exit_status() const;
+};
+[[nodiscard]] OutcomeCounts counts_of(const std::vector<CheckReport>& reports);
+
+// "411 checks, 0 failed, 14 not judged"; the last part only if there are any.
+[[nodiscard]] std::string to_text(const OutcomeCounts& counts);
+
+// "ok", with what was not judged of it ("ok; not promised: nan"); the number of inputs outside what is
+// allowed
+// ("3 outside"); "not judged" and why; or the reason why the check did not run ("hang").
 [[nodiscard]] std::string verdict_of(const check::Answer& row);
 
-// Column titles, and one line for each row: ID, function, variant, inputs, worst ULP, worst absolute error as
-// a part of what is allowed, by what it was judged ("budget" or "rules"), verdict_of() at the end. The legend
-// explains the titles in a few lines.
+// Column titles, and one line for each row: ID, function, variant, inputs that were judged, worst ULP, worst
+// absolute error, worst error as a part of what is allowed, by what it was judged ("budget" or "rules"),
+// verdict_of() at the end. The legend explains the titles in a few lines.
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_line(const check::Answer& row);
 [[nodiscard]] std::string table_legend();
 
 // {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "results": [{"equation", "function", "file",
-// "variant", "verdict", "inputs", "outside", "recorded", "by_rules", "forbidden", "bounded", "unbounded",
-// "differs", "max_ulp", "max_abs", "width_fraction", "budget_fraction", "guarantee", "unbounded_at",
-// "budget", "classes", "worst", "coverage", "fault", "error", "reason", "seconds", "story"}]}, members as in
-// check::Answer; an array of such objects for several devices. "width_fraction" and "guarantee" are null
-// where the verdict is the budget. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
+// "variant", "verdict", "outcome", "not_judged_because", "inputs", "judged", "outside", "recorded",
+// "by_rules", "forbidden", "bounded", "unbounded", "differs", "max_ulp", "max_abs", "width_fraction",
+// "budget_fraction", "guarantee", "unbounded_at", "budget", "classes", "worst", "coverage", "fault", "error",
+// "reason", "seconds", "story"}]}, members as in check::Answer; an array of such objects for several devices.
+// "width_fraction" and "guarantee" are null where the verdict is the budget. Infinite numbers are the strings
+// "inf" and "-inf", NaN is "nan".
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 
 // Reads such a text: one object or an array of them. Throws std::runtime_error with the place in the text,
@@ -66,7 +84,7 @@ struct CheckReport {
 [[nodiscard]] std::vector<CheckReport> reports_from_json(std::string_view text);
 
 // JUnit XML: a test suite for each device, a test case for each row. A row that did not run is an error whose
-// type is its reason.
+// type is its reason; one that was not judged is skipped.
 [[nodiscard]] std::string to_junit(const std::vector<CheckReport>& reports);
 
 }  // namespace gloam::report

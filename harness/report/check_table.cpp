@@ -12,20 +12,53 @@ namespace {
 // Widths of the longest ID, function and variant.
 constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>10} {:>10}  {:<9} {}";
 
+std::string not_promised_text(const check::Answer& row) {
+    std::string text;
+    for (const check::InputClass input_class : row.not_promised())
+        text += (text.empty() ? "; not promised: " : ", ") + std::string(name_of(input_class));
+    return text;
+}
+
 }  // namespace
 
-std::size_t CheckReport::failures() const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(rows, [](const check::Answer& row) { return !row.passed(); }));
+std::size_t CheckReport::count(check::Outcome outcome) const {
+    return static_cast<std::size_t>(std::ranges::count(rows, outcome, &check::Answer::outcome));
+}
+
+void OutcomeCounts::add(const OutcomeCounts& more) {
+    checks += more.checks;
+    failed += more.failed;
+    not_judged += more.not_judged;
+}
+
+OutcomeCounts counts_of(const std::vector<CheckReport>& reports) {
+    OutcomeCounts all;
+    for (const CheckReport& report : reports)
+        all.add({.checks = report.rows.size(),
+                 .failed = report.count(check::Outcome::failed),
+                 .not_judged = report.count(check::Outcome::not_judged)});
+    return all;
+}
+
+int OutcomeCounts::exit_status() const {
+    constexpr int could_not_run = 2;
+    if (failed > 0) return 1;
+    return checks > 0 && not_judged == checks ? could_not_run : 0;
+}
+
+std::string to_text(const OutcomeCounts& counts) {
+    std::string text = fmt::format("{} checks, {} failed", counts.checks, counts.failed);
+    return counts.not_judged == 0 ? text : text + fmt::format(", {} not judged", counts.not_judged);
 }
 
 std::string table_header() {
-    return fmt::format(line_format, "equation", "function", "variant", "inputs", "worst ulp", "worst abs",
+    return fmt::format(line_format, "equation", "function", "variant", "judged", "worst ulp", "worst abs",
                        "of allowed", "judged by", "verdict");
 }
 
 std::string table_legend() {
-    return "worst ulp, worst abs: largest error, in units in the last place and absolute\n"
+    return "judged: inputs for which some result would have failed\n"
+           "worst ulp, worst abs: largest error, in units in the last place and absolute\n"
            "of allowed: the largest error as a fraction of what is allowed; more than 1 fails\n"
            "judged by: rules = what Vulkan's precision rules permit, budget = the accuracy that the function "
            "documents\n";
@@ -34,11 +67,15 @@ std::string table_legend() {
 std::string verdict_of(const check::Answer& row) {
     if (!row.ran())
         return row.reason == check::Reason::error ? "could not run" : std::string(name_of(row.reason));
-    if (row.recorded_only() && row.passed()) return "not judged";
-    std::string verdict = row.passed() ? "ok" : fmt::format("{} outside", row.outside());
+    std::string verdict =
+        row.failed() ? fmt::format("{} outside", row.outside()) : std::string(name_of(row.outcome()));
     if (!row.fault.empty()) verdict += ", reads outside its image";
     if (row.differs > 0) verdict += fmt::format(", {} differ from run time", row.differs);
-    return verdict;
+    if (!row.failed() && !row.passed()) return verdict + ": " + row.not_judged_because();
+    if (row.open() > 0)
+        verdict += fmt::format("; any result would pass for {} of {}", row.open(),
+                               row.verdict == check::Verdict::rules ? row.bounded : row.inputs());
+    return verdict + not_promised_text(row);
 }
 
 std::string table_line(const check::Answer& row) {
@@ -47,7 +84,7 @@ std::string table_line(const check::Answer& row) {
                            name_of(row.verdict), verdict_of(row));
     }
     const double used = row.fraction_of_allowed();
-    return fmt::format(line_format, row.equation, row.function, row.variant, row.inputs(),
+    return fmt::format(line_format, row.equation, row.function, row.variant, row.judged(),
                        fmt::format("{:.3g}", row.max_ulp), fmt::format("{:.2e}", row.max_absolute),
                        numeric::to_short_text(used), name_of(row.verdict), verdict_of(row));
 }

@@ -19,7 +19,7 @@ std::string cell(const check::Answer& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "FAULT";
     if (row.outside() > 0) return fmt::format("FAIL {}/{}", row.outside(), row.inputs());
-    if (row.recorded_only()) return "not judged";
+    if (!row.passed()) return std::string(name_of(row.outcome()));
     return "ok " + numeric::to_short_text(row.fraction_of_allowed());
 }
 
@@ -61,24 +61,25 @@ std::vector<Line> lines_of(const std::vector<CheckReport>& reports) {
 constexpr std::string_view legend =
     "ok 0.85: passed, the largest error is 0.85 of what is allowed. FAIL 3/100: 3 of 100 inputs are "
     "outside.\n"
-    "A reason, \"hang\" say: the check did not end. -: it was not run.\n";
+    "not judged, unsupported: no verdict. Another reason, \"hang\" say: the check did not end. -: it was not "
+    "run.\n";
 
 std::string summary(const CheckReport& report) {
     std::map<std::string, std::size_t> reasons;
     const check::Answer* worst = nullptr;
     for (const check::Answer& row : report.rows) {
-        if (!row.passed())
+        if (row.failed())
             ++reasons[row.reason == check::Reason::none ? "outside" : std::string(name_of(row.reason))];
-        if (row.ran() && (worst == nullptr || row.fraction_of_allowed() > worst->fraction_of_allowed()))
+        if (row.ran() && row.judged() > 0 &&
+            (worst == nullptr || row.fraction_of_allowed() > worst->fraction_of_allowed()))
             worst = &row;
     }
-    std::string text = fmt::format("{} checks, {} failed", report.rows.size(), report.failures());
-    std::string separator = " (";
+    std::string text = to_text(counts_of({report}));
+    std::string separator = "; failed: ";
     for (const auto& [reason, count] : reasons) {
         text += fmt::format("{}{} {}", separator, count, reason);
         separator = ", ";
     }
-    if (!reasons.empty()) text += ")";
     if (worst != nullptr) {
         text += fmt::format("; worst error {:.3g} of what is allowed: {} {}", worst->fraction_of_allowed(),
                             worst->equation, worst->variant);

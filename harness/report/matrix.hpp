@@ -9,9 +9,9 @@
 namespace gloam::report {
 
 // A table of equation by driver and variant. A cell is "ok 0.85" with the worst error as a fraction of what
-// is allowed, or "FAIL 3/100" with the inputs outside, or the reason of a check that did not run. It is "-"
-// if no check was run. Above the table are the drivers by number. Below it are, for each driver, the number
-// of failed checks with the reasons, and its worst error.
+// is allowed, "FAIL 3/100" with the inputs outside, or "not judged". It is the reason of a check that did not
+// run, and "-" if no check was run. Above the table are the drivers by number. Below it are, for each driver,
+// how many checks failed and why, how many were not judged, and the worst error.
 [[nodiscard]] std::string to_matrix(const std::vector<CheckReport>& reports);
 
 // The same as a Markdown page.

@@ -26,7 +26,7 @@ Key key_of(const check::Answer& row) {
 auto severity(const check::Answer& row) {
     const double share =
         row.inputs() == 0 ? 0.0 : static_cast<double>(row.outside()) / static_cast<double>(row.inputs());
-    return std::tuple(!row.ran(), !row.fault.empty(), share, row.fraction_of_allowed());
+    return std::tuple(row.failed(), !row.ran(), !row.fault.empty(), share, row.fraction_of_allowed());
 }
 
 bool tell_the_same(check::Answer a, check::Answer b) {
@@ -37,6 +37,7 @@ bool tell_the_same(check::Answer a, check::Answer b) {
 std::string outcome(const check::Answer& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "a fault";
+    if (!row.failed() && !row.passed()) return "not judged";
     return fmt::format("{} of {} inputs outside, worst error {:.3g} of what is allowed", row.outside(),
                        row.inputs(), row.fraction_of_allowed());
 }

@@ -98,6 +98,17 @@ TEST_F(JudgeTest, DiscreteResultsMustBeEqualOrMeetTheBackwardBudget) {
                      .passed());
 }
 
+// A count is meant exactly: the end of a range is not swallowed by the backward budget.
+TEST_F(JudgeTest, SmallWholeNumbersAreNotMoved) {
+    const auto above = [](double x, double limit) { return x > limit; };
+    for (const float end : {0.0F, 1.0F, -3.0F, 256.0F}) {
+        const Domain at_end{constant(end), constant(end)};
+        const Answer result = compare<bool(float, float)>(lab, "wrong.glsl", "at_least", above, at_end,
+                                                          {.backward_ulp = 4}, {.inputs = 8});
+        EXPECT_EQ(result.outside(), 8U) << end;
+    }
+}
+
 TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
     Question question{.file = "wrong.glsl",
                       .function = "identity_one_up",
@@ -105,9 +116,11 @@ TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
                       .domain = {uniform(0, 2)},
                       .reference = make_reference<float(float)>([](double x) { return x; }),
                       .promised = make_predicate<float(float)>([](float) { return false; })};
+    EXPECT_EQ(run(lab, question).outcome(), Outcome::not_judged);
+    question.codomain = {-1, 3};
     EXPECT_TRUE(run(lab, question).passed());
     question.codomain = {0, 1};
-    EXPECT_FALSE(run(lab, question).passed());
+    EXPECT_TRUE(run(lab, question).failed());
 }
 
 TEST_F(JudgeTest, TheCodomainHoldsForIntegers) {

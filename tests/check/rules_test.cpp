@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "check/judge.hpp"
+#include "check/permitted.hpp"
 #include "numeric/ulp.hpp"
 #include "support/lab.hpp"
 

@@ -58,6 +58,29 @@ TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
     EXPECT_FALSE(row.passed());
 }
 
+TEST(AnswerJson, SaysTheOutcomeAndHowManyInputsWereJudged) {
+    check::Answer row = passing_row("A");
+    row.classes.back() = {.inputs = 40, .recorded = 30, .open = 4};
+    EXPECT_THAT(to_json(row), AllOf(HasSubstr("\"outcome\":\"ok\",\"not_judged_because\":\"\""),
+                                    HasSubstr("\"inputs\":90,\"judged\":56,")));
+    EXPECT_EQ(answer_from_json(to_json(row)).classes.back().open, 4U);
+    EXPECT_THAT(to_json(unjudged_row("A")),
+                AllOf(HasSubstr("\"outcome\":\"not judged\""), HasSubstr("the device promises nothing"),
+                      HasSubstr("\"judged\":0,")));
+    EXPECT_THAT(to_json(failing_row()), HasSubstr("\"outcome\":\"failed\""));
+}
+
+// Files of earlier versions do not say the outcome.
+TEST(AnswerJson, TheOutcomeFollowsFromTheCounts) {
+    std::string text = to_json(unjudged_row("A"));
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(text, "\"not judged\"", "\"ok\"")); },
+                says("outcome: expected not judged, by its counts, found \"ok\""));
+    text = replaced(text, "\"outcome\"", "\"earlier\"");
+    EXPECT_EQ(answer_from_json(replaced(text, ",\"open\":0", "")).outcome(), check::Outcome::not_judged);
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(text, "\"open\":0", "\"open\":60")); },
+                says("classes.ordinary: expected counts within its inputs"));
+}
+
 TEST(AnswerJson, IsOneLineWhateverItHolds) {
     EXPECT_EQ(to_json(failing_row()).find('\n'), std::string::npos);
     check::Answer row = passing_row("A");

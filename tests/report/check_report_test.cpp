@@ -5,11 +5,13 @@
 
 #include <stdexcept>
 
+#include "report/check_page.hpp"
 #include "report/rows.hpp"
 
 namespace gloam::report {
 namespace check_report_test {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -34,7 +36,7 @@ TEST(CheckReport, OneDeviceIsAnObjectSeveralAnArrayAndBothAreReadBack) {
         EXPECT_EQ(to_json(back), to_json(reports));
         EXPECT_TRUE(back.front().device.preserves_signed_zero_inf_nan);
         EXPECT_FALSE(back.front().device.flushes_denormals);
-        EXPECT_EQ(back.front().failures(), 1U);
+        EXPECT_EQ(back.front().count(check::Outcome::failed), 1U);
     }
 }
 
@@ -58,11 +60,32 @@ TEST(CheckReport, ForeignTextsAreNamed) {
 TEST(CheckReport, JunitTellsFailuresFromErrors) {
     const std::string xml =
         to_junit({report_of("A & B", {failing_row(), passing_row("EQ-2"), crashed_row()})});
-    EXPECT_THAT(xml, HasSubstr("<testsuite name=\"A &amp; B\" tests=\"3\" failures=\"1\" errors=\"1\">"));
+    EXPECT_THAT(xml, HasSubstr("<testsuite name=\"A &amp; B\" tests=\"3\" failures=\"1\" errors=\"1\" skipped=\"0\">"));
     EXPECT_THAT(xml, HasSubstr("<failure type=\"fault\" message=\"line one&#10;line &lt;two&gt;"));
     EXPECT_THAT(xml, HasSubstr("<error type=\"crash\" message=\"ended by signal 9 (Killed)?[0m\""));
     EXPECT_THAT(xml, HasSubstr("name=\"EQ-2 shipped\" time=\"0.000\"/>"));
     EXPECT_THAT(xml, Not(HasSubstr("\x1b")));
+}
+
+TEST(CheckReport, WhatWasNotJudgedIsCountedApart) {
+    const std::vector<CheckReport> reports{
+        report_of("A", {failing_row(), passing_row("EQ-2"), unjudged_row("EQ-3"), unsupported_row("EQ-4")})};
+    EXPECT_EQ(to_text(counts_of(reports)), "4 checks, 1 failed, 2 not judged");
+    EXPECT_THAT(to_junit(reports), AllOf(HasSubstr("failures=\"1\" errors=\"0\" skipped=\"2\">"),
+                                         HasSubstr("<skipped message=\"the device promises nothing"),
+                                         HasSubstr("<skipped message=\"h is no GLSL 3.30\"/>")));
+    const std::string page = to_check_page(reports);
+    EXPECT_THAT(page, AllOf(HasSubstr("4 checks, 1 failed, 2 not judged"), HasSubstr(">not judged</button>")));
+}
+
+TEST(CheckReport, TheExitStatusSaysWhetherAnythingWasJudged) {
+    const auto status = [](std::vector<check::Answer> rows) {
+        return counts_of({report_of("A", std::move(rows))}).exit_status();
+    };
+    EXPECT_EQ(status({passing_row("EQ-1"), unjudged_row("EQ-2")}), 0);
+    EXPECT_EQ(status({failing_row(), unjudged_row("EQ-2")}), 1);
+    EXPECT_EQ(status({unsupported_row("EQ-1"), unjudged_row("EQ-2")}), 2);
+    EXPECT_EQ(status({}), 0) << "a part of the checks without any";
 }
 
 TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
@@ -72,6 +95,16 @@ TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
     check::Answer row = crashed_row();
     row.reason = check::Reason::error;
     EXPECT_THAT(table_line(row), HasSubstr("could not run"));
+    EXPECT_THAT(table_line(unjudged_row("EQ-3")), HasSubstr("not judged: the device promises nothing"));
+    EXPECT_THAT(table_line(unsupported_row("EQ-4")), HasSubstr("unsupported"));
+}
+
+// A verdict that says less than "ok" does not read as if it said all.
+TEST(CheckReport, TheVerdictNamesWhatWasNotJudged) {
+    check::Answer row = passing_row("EQ-2");
+    row.classes.back() = {.inputs = 10, .recorded = 10};
+    ordinary(row).open = 3;
+    EXPECT_EQ(verdict_of(row), "ok; any result would pass for 3 of 60; not promised: nan");
 }
 
 }  // namespace check_report_test

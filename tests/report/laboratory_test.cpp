@@ -49,39 +49,37 @@ TEST(DriverGroup, IsOfTheVendorTheDriverAndItsVersion) {
 
 // The stream sees what the document holds, whatever kind a row is.
 TEST(ResultStream, SeesWhatTheDocumentHolds) {
-    check::Answer unsupported = passing_row("EQ-4");
-    unsupported.error = "needs what it lacks";
-    unsupported.reason = check::Reason::unsupported;
     const std::vector<CheckReport> reports{
-        report_of_device(geforce, {failing_row(), passing_row("EQ-2"), hanging_row("EQ-3"), unsupported}),
+        report_of_device(geforce, {failing_row(), passing_row("EQ-2"), hanging_row("EQ-3"),
+                                   unsupported_row("EQ-4"), unjudged_row("EQ-5")}),
         report_of_device(device_of("B", "b 1"), {passing_row("EQ-2", "strict")})};
     std::vector<std::string> devices;
-    std::vector<Outcome> rows;
-    read_results(to_json(reports), [&](const DeviceSummary& device, const Outcome& row) {
+    std::vector<ResultRow> rows;
+    read_results(to_json(reports), [&](const DeviceSummary& device, const ResultRow& row) {
         devices.push_back(device.name + "/" + device.driver + "/" + api_of(device));
         rows.push_back(row);
     });
-    ASSERT_EQ(rows.size(), 5U);
+    ASSERT_EQ(rows.size(), 6U);
     EXPECT_EQ(devices.front(), "NVIDIA GeForce RTX 4090/NVIDIA 535.104.05/Vulkan 1.3.230");
     EXPECT_EQ(devices.back(), "B/b 1/Vulkan 1.3.230");
     std::size_t at = 0;
     for (const CheckReport& report : reports) {
         for (const check::Answer& answer : report.rows) {
-            const Outcome& row = rows[at++];
+            const ResultRow& row = rows[at++];
             EXPECT_EQ(row.equation, answer.equation);
             EXPECT_EQ(row.variant, answer.variant);
             EXPECT_EQ(row.inputs, answer.inputs());
             EXPECT_EQ(row.outside, answer.outside());
             EXPECT_EQ(row.fraction, answer.fraction_of_allowed());
             EXPECT_EQ(row.reason, name_of(answer.reason));
-            EXPECT_EQ(row.passed, answer.passed()) << answer.equation;
+            EXPECT_EQ(row.outcome, answer.outcome()) << answer.equation;
         }
     }
 }
 
 std::string message_of(const std::string& text) {
     try {
-        read_results(text, [](const DeviceSummary&, const Outcome&) {});
+        read_results(text, [](const DeviceSummary&, const ResultRow&) {});
         return "";
     } catch (const std::runtime_error& error) {
         return error.what();
@@ -131,6 +129,18 @@ TEST(LaboratorySummary, CountsRunsOfAllMachinesOfADriver) {
     EXPECT_EQ(first.outside, failing_row().outside());
     EXPECT_EQ(first.worst, failing_row().fraction_of_allowed());
     EXPECT_THAT(group.checks.at({"EQ-2", "shipped"}).reasons, ElementsAre("hang"));
+}
+
+TEST(LaboratorySummary, CountsWhatNoMachineJudged) {
+    const LaboratorySummary summary = summary_of(
+        {report_of_device(geforce, {unjudged_row("EQ-1"), unsupported_row("EQ-2"), passing_row("EQ-3")}),
+         report_of_device(geforce, {passing_row("EQ-1")})});
+    const GroupSummary& group = summary.groups().at(group_of(geforce));
+    EXPECT_EQ(group.checks.at({"EQ-1", "shipped"}).not_judged, 1U);
+    EXPECT_EQ(group.not_judged(), 1U) << "EQ-1 was judged on one machine";
+    EXPECT_EQ(group.failing(), 0U);
+    EXPECT_THAT(to_summary_text(summary, std::nullopt),
+                HasSubstr("2 files, 1 drivers, 3 checks, 0 failed, 1 not judged"));
 }
 
 // A file that ends in the middle counts for nothing.

@@ -45,7 +45,7 @@ TEST(Merge, DriversAreToldApartByAllTheySay) {
     ASSERT_EQ(merged.reports.size(), 3U);
     EXPECT_THAT(merged.conflicts, IsEmpty());
     EXPECT_EQ(merged.reports[1].device.driver, "driver 1.3");
-    EXPECT_EQ(merged.reports[2].failures(), 1U);
+    EXPECT_EQ(merged.reports[2].count(check::Outcome::failed), 1U);
 }
 
 TEST(Merge, TheSameRowTwiceIsOneWhateverItsTime) {
@@ -107,12 +107,20 @@ TEST(Matrix, HasALineForEachEquationAndAColumnForEachDriverAndVariant) {
               "\n"
               "ok 0.85: passed, the largest error is 0.85 of what is allowed. FAIL 3/100: 3 of 100 inputs "
               "are outside.\n"
-              "A reason, \"hang\" say: the check did not end. -: it was not run.\n"
+              "not judged, unsupported: no verdict. Another reason, \"hang\" say: the check did not end. "
+              "-: it was not run.\n"
               "\n"
               "driver 1: 2 checks, 0 failed; worst error 0.5 of what is allowed: EQ-2 strict\n"
-              "driver 2: 3 checks, 3 failed (2 crash, 1 outside); worst error 0.25 of what is allowed: EQ-2 "
-              "shipped; "
-              "the device cannot be opened\n");
+              "driver 2: 3 checks, 3 failed; failed: 2 crash, 1 outside; worst error 0.25 of what is "
+              "allowed: EQ-2 shipped; the device cannot be opened\n");
+}
+
+TEST(Matrix, WhatWasNotJudgedIsNotCountedAsOk) {
+    const std::string text =
+        to_matrix({report_of("A", {passing_row("EQ-1"), unjudged_row("EQ-2"), unsupported_row("EQ-3")})});
+    EXPECT_THAT(text, HasSubstr("EQ-2      not judged\n"));
+    EXPECT_THAT(text, HasSubstr("EQ-3      unsupported\n"));
+    EXPECT_THAT(text, HasSubstr("driver 1: 3 checks, 0 failed, 2 not judged; worst error 0.25"));
 }
 
 TEST(Matrix, MarkdownHoldsTheSame) {

@@ -62,6 +62,24 @@ inline check::Answer passing_row(const std::string& equation, const std::string&
     return row;
 }
 
+// A row whose inputs were only recorded.
+inline check::Answer unjudged_row(const std::string& equation) {
+    check::Answer row = passing_row(equation);
+    ordinary(row).recorded = ordinary(row).inputs;
+    row.budget_fraction = 0.0;
+    return row;
+}
+
+// A row of a function that the device's language lacks.
+inline check::Answer unsupported_row(const std::string& equation) {
+    return {.equation = equation,
+            .function = "h",
+            .file = "gloam/h.glsl",
+            .variant = "shipped",
+            .error = "h is no GLSL 3.30",
+            .reason = check::Reason::unsupported};
+}
+
 inline CheckReport report_of(const std::string& device, std::vector<check::Answer> rows) {
     return {.device = {.name = device,
                        .driver = "driver 1.2",

@@ -46,6 +46,15 @@ TEST_F(OpenGlCommands, EveryListedDeviceRunsChecks) {
     EXPECT_THAT(result.out, HasSubstr("not judged"));
 }
 
+// There are no precision rules for OpenGL ES 3.0, and a built-in function documents no accuracy.
+TEST_F(OpenGlCommands, NothingJudgedIsNoSuccess) {
+    const CommandResult result =
+        run_command({"check", "BUILTIN-sin", "--inputs", "64", "--device", "es:llvmpipe-3.0"});
+    EXPECT_EQ(result.status, 2) << result.out << result.err;
+    EXPECT_THAT(result.out, HasSubstr("not judged: it documents no accuracy"));
+    EXPECT_THAT(result.out, HasSubstr("1 checks, 0 failed, 1 not judged"));
+}
+
 TEST_F(OpenGlCommands, TheListIsAlsoForPeople) {
     const CommandResult result = run_command({"devices"});
     expect_success(result);

@@ -107,7 +107,8 @@ void print_row(const check::Answer& row) {
     std::string line = report::table_line(row);
     const std::string verdict = report::verdict_of(row);
     line.resize(line.size() - verdict.size());
-    fmt::print("{}{}\n", line, colored(verdict, row.passed() ? Ink::good : Ink::bad));
+    const bool judged = row.passed() || row.failed();
+    fmt::print("{}{}\n", line, judged ? colored(verdict, row.passed() ? Ink::good : Ink::bad) : verdict);
     std::fflush(stdout);
 }
 
@@ -203,7 +204,7 @@ class CheckRun {
     [[nodiscard]] std::optional<check::Answer> known(const report::DeviceSummary& on,
                                                      const CheckTask& task) const {
         std::optional<check::Answer> row = journal_.known(on, task);
-        if (row && !row->passed() && failures_.wanted()) return std::nullopt;
+        if (row && row->failed() && failures_.wanted()) return std::nullopt;
         return row;
     }
 
@@ -271,11 +272,8 @@ CheckOutcome check(const CheckOptions& options) {
     const report::OutputFile junit(options.junit);
     const report::OutputFile html(options.html);
     CheckOutcome outcome{.reports = reports_of(options)};
-    for (report::CheckReport& report : outcome.reports) {
-        report.versions = versions();
-        outcome.checks += report.rows.size();
-        outcome.failures += report.failures();
-    }
+    for (report::CheckReport& report : outcome.reports) report.versions = versions();
+    outcome.counts = counts_of(outcome.reports);
     json.write(report::to_json(outcome.reports));
     junit.write(report::to_junit(outcome.reports));
     html.write(report::to_check_page(outcome.reports));
@@ -290,14 +288,14 @@ int run_check(const CheckOptions& options) {
     const CheckOutcome outcome = check(options);
     for (const report::CheckReport& report : outcome.reports) {
         for (const check::Answer& row : report.rows) {
-            if (!row.passed()) print_failure(options, report.device, row);
+            if (row.failed()) print_failure(options, report.device, row);
         }
     }
     if (options.rows) fmt::print("\n{}", report::table_legend());
     for (const report::CheckReport& report : outcome.reports) print_coverage(report);
-    const std::string count = fmt::format("{} checks, {} failed", outcome.checks, outcome.failures);
-    fmt::print("{}\n", colored(count, outcome.failures == 0 ? Ink::good : Ink::bad));
-    return outcome.failures == 0 ? 0 : 1;
+    const int status = outcome.counts.exit_status();
+    fmt::print("{}\n", colored(to_text(outcome.counts), status == 0 ? Ink::good : Ink::bad));
+    return status;
 }
 
 namespace {

@@ -42,14 +42,13 @@ struct CheckOptions {
 // The results of every device.
 struct CheckOutcome {
     std::vector<report::CheckReport> reports;
-    std::size_t checks = 0;
-    std::size_t failures = 0;
+    report::OutcomeCounts counts;
 };
 
 // Runs the checks and writes the requested files.
 [[nodiscard]] CheckOutcome check(const CheckOptions& options);
 
-// Runs check() and prints the story of each failure. Returns the exit status: 0 or 1.
+// Runs check() and prints the story of each failure. Returns the exit status: 0, 1 or 2.
 [[nodiscard]] int run_check(const CheckOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

@@ -89,8 +89,8 @@ void add_check(report::Page& page, const CheckOutcome& outcome) {
     page.heading("The check");
     page.paragraph(
         fmt::format("Every equation of the library ran on this device with {} inputs, and each result "
-                    "was compared with the equation in double precision: {} checks, {} failed.",
-                    few_inputs, outcome.checks, outcome.failures));
+                    "was compared with the equation in double precision: {}.",
+                    few_inputs, to_text(outcome.counts)));
     page.table(report::check_table(outcome.reports));
 }
 
@@ -104,21 +104,28 @@ std::string pictures_line(const std::vector<Shown>& scenes) {
 }
 
 std::string check_line(const CheckOutcome& outcome) {
-    if (outcome.failures == 0) {
-        return fmt::format("check     {} equations, {} inputs each: {}", outcome.checks, few_inputs,
-                           colored("all are as exact as they document", Ink::good));
+    const report::OutcomeCounts& counts = outcome.counts;
+    if (counts.failed == 0) {
+        const std::string all = counts.not_judged == 0
+                                    ? "all are as exact as they document"
+                                    : fmt::format(
+                                          "{} could not be judged, all others are as exact as they "
+                                          "document",
+                                          counts.not_judged);
+        return fmt::format("check     {} equations, {} inputs each: {}", counts.checks, few_inputs,
+                           colored(all, Ink::good));
     }
     std::string names;
     std::size_t named = 0;
     for (const report::CheckReport& report : outcome.reports) {
         for (const check::Answer& row : report.rows) {
-            if (row.passed() || ++named > most_named) continue;
+            if (!row.failed() || ++named > most_named) continue;
             names += (names.empty() ? "" : ", ") + row.function;
         }
     }
     if (named > most_named) names += ", ...";
-    return fmt::format("check     {} equations, {} inputs each: {}", outcome.checks, few_inputs,
-                       colored(fmt::format("{} failed ({})", outcome.failures, names), Ink::bad));
+    return fmt::format("check     {} equations, {} inputs each: {}", counts.checks, few_inputs,
+                       colored(fmt::format("{} failed ({})", counts.failed, names), Ink::bad));
 }
 
 // The pictures come first, beginning with the sheet, because the check takes longer than all of them.
@@ -147,7 +154,7 @@ int run_demo(const DemoOptions& demo) {
     say(demo, check_line(outcome));
     say(demo, "look at   " + (folder / "index.html").string() + " (sliders, and the check's table)");
     say(demo, "next      gloam check --help, gloam render --help");
-    return std::max(validation_status(bench.device), outcome.failures == 0 ? 0 : 1);
+    return std::max(validation_status(bench.device), outcome.counts.exit_status());
 }
 
 }  // namespace

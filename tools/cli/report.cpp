@@ -65,9 +65,7 @@ int run_report(const ReportOptions& options) {
         fmt::print("\n{}{}\n", options.markdown || options.accuracy ? "- " : "", conflict);
     json.write(report::to_json(merged.reports));
     html.write(report::to_check_page(merged.reports, merged.conflicts));
-    std::size_t failures = 0;
-    for (const report::CheckReport& report : merged.reports) failures += report.failures();
-    return failures == 0 ? 0 : 1;
+    return counts_of(merged.reports).exit_status();
 }
 
 }  // namespace

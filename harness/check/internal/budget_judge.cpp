@@ -33,12 +33,21 @@ std::vector<Word> flushed(const std::vector<Scalar>& scalars, std::span<const Wo
     return moved;
 }
 
-// Moves each float input alone, then all of them together in every combination of directions.
+// Whether a value is meant exactly: 0 and other small whole numbers are counts, sizes and ends of ranges,
+// which a calculation before the function yields without an error.
+bool is_meant_exactly(float value) {
+    constexpr float largest = 256.0F;
+    return std::abs(value) <= largest && value == std::trunc(value);
+}
+
+// Moves each float input that is not meant exactly alone, then all of them together in every combination of
+// directions.
 bool visit_moved(const std::vector<Scalar>& scalars, std::span<const Word> inputs, int steps,
                  const InputVisitor& visit) {
     std::vector<std::size_t> floats;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (scalars[i] == Scalar::float_) floats.push_back(i);
+        if (scalars[i] == Scalar::float_ && !is_meant_exactly(from_word<float>(inputs[i])))
+            floats.push_back(i);
     }
     const auto move = [steps](std::vector<Word>& words, std::size_t i, bool up) {
         words[i] = to_word(numeric::step(from_word<float>(words[i]), up ? steps : -steps));
@@ -80,8 +89,13 @@ double as_number(Scalar scalar, Word word) {
     }
 }
 
-Error BudgetJudge::measure(const Sample& sample) {
-    const bool promised = !question_.promised || question_.promised(sample.inputs);
+bool BudgetJudge::has_codomain() const {
+    const bool bounded = question_.codomain.low > -infinity || question_.codomain.high < infinity;
+    return bounded &&
+           std::ranges::any_of(scalars_.outputs, [](Scalar scalar) { return scalar != Scalar::bool_; });
+}
+
+Error BudgetJudge::measure(const Sample& sample, bool promised) {
     if (!inside_codomain(sample.got)) return {.ulp = infinity, .absolute = infinity, .fraction = infinity};
     return promised ? best_error(sample) : Error{};
 }

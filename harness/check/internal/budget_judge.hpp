@@ -44,8 +44,12 @@ class BudgetJudge {
     BudgetJudge(const Question& question, const ImageSet& images, const Scalars& scalars)
         : question_(question), images_(images), scalars_(scalars) {}
 
-    // The error of the outputs of an input; infinite if one is outside the codomain.
-    [[nodiscard]] Error measure(const Sample& sample);
+    // The error of the outputs of an input; infinite if one is outside the codomain, and otherwise 0 if the
+    // budget is not promised for the input.
+    [[nodiscard]] Error measure(const Sample& sample, bool promised);
+
+    // Whether some result other than NaN is outside the codomain.
+    [[nodiscard]] bool has_codomain() const;
 
     // The error of a value against another.
     [[nodiscard]] Error float_error(double got, double want, double unit) const;

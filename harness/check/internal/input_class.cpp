@@ -38,6 +38,12 @@ InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& sca
     return worst;
 }
 
+void set_positive_zeros(std::span<Word> words, const std::vector<Scalar>& scalars) {
+    constexpr Word negative_zero = 0x80000000U;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (words[i] == negative_zero && scalars[i % scalars.size()] == Scalar::float_) words[i] = 0;
+}
+
 bool holds_special(const Sample& sample, const std::vector<Scalar>& scalars) {
     for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
         if (scalars[i] != Scalar::float_) continue;

@@ -15,4 +15,8 @@ namespace gloam::check::internal {
 // Whether an input or its exact result contains NaN, infinity or -0, which some devices do not preserve.
 [[nodiscard]] bool holds_special(const Sample& sample, const std::vector<shader::Scalar>& scalars);
 
+// Makes +0 of every -0, for a device that need not keep its sign: so the kernel and the reference get the
+// same input, and it can be judged. `words`: one input after another.
+void set_positive_zeros(std::span<Word> words, const std::vector<shader::Scalar>& scalars);
+
 }  // namespace gloam::check::internal

@@ -27,6 +27,16 @@ bool RulesJudge::measure(Sample& sample) {
     return std::ranges::any_of(sample.permitted, [](const auto& bounds) { return bounds.is_anything(); });
 }
 
+bool RulesJudge::permits_every(const Sample& sample) const {
+    for (std::size_t i = 0; i < sample.permitted.size(); ++i) {
+        const numeric::Bounds& bounds = sample.permitted[i];
+        const bool is_bool = scalars_.outputs[i] == shader::Scalar::bool_;
+        if (bounds.low > (is_bool ? 0.0 : -infinity) || bounds.high < (is_bool ? 1.0 : infinity))
+            return false;
+    }
+    return true;
+}
+
 double RulesJudge::fraction_of(const Sample& sample, std::span<const numeric::Bounds> outcome) const {
     double fraction = 0.0;
     for (std::size_t i = 0; i < outcome.size(); ++i) {

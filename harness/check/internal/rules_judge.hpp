@@ -19,6 +19,10 @@ class RulesJudge {
     // outcome contains the outputs. Returns whether the rules permit every value for some output.
     bool measure(Sample& sample);
 
+    // Whether the rules permit every result of the last measured sample, but for NaN: any number for each
+    // float and integer, both values for each bool.
+    [[nodiscard]] bool permits_every(const Sample& sample) const;
+
     // The largest error, as the budget measures it, that the rules permit for the last measured sample.
     [[nodiscard]] Error largest_permitted(const Sample& sample, const BudgetJudge& budget) const;
 

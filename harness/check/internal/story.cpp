@@ -36,7 +36,7 @@ std::string explanation_of(const Lab& lab, const Question& question, const Sampl
 }  // namespace
 
 void tell_story(const Lab& lab, const Question& question, std::uint64_t seed, Answer& answer) {
-    if (answer.passed()) return;
+    if (!answer.failed()) return;
     answer.story = describe(question.signature, answer);
     if (answer.outside() > 0 && answer.worst)
         answer.story += explanation_of(lab, question, *answer.worst, seed);

@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "check/internal/input_class.hpp"
 
 namespace gloam::check::internal {
 namespace {
@@ -32,38 +35,40 @@ Trial::Trial(const Lab& lab, const Question& question, const KernelCore& kernel,
                .nan = lab.info().float32.preserves_signed_zero_inf_nan,
                .verdict = verdict} {}
 
-KernelCore::Result Trial::run(const Domain::Inputs& inputs, Answer& answer) const {
+Trial::Evaluated Trial::run(Domain::Inputs inputs, Answer& answer) const {
     if (inputs.width != kernel_.input_words()) {
         throw std::invalid_argument(fmt::format("{}: the domain draws {} words, the function takes {}",
                                                 answer.function, inputs.width, kernel_.input_words()));
     }
+    if (!options_.nan) set_positive_zeros(inputs.words, question_.signature.input_scalars());
     KernelCore::Result outputs = kernel_.run(inputs.words, inputs.count(), images_);
     lab_.require_silent_validation();
     if (outputs.fault && answer.fault.empty()) {
         answer.fault = to_text(*outputs.fault);
         answer.reason = Reason::fault;
     }
-    return outputs;
+    return {std::move(inputs), std::move(outputs)};
 }
 
-void Trial::evaluate(const Domain::Inputs& inputs, Answer& answer, std::span<double> fractions) const {
-    const KernelCore::Result outputs = run(inputs, answer);
+void Trial::judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions) const {
+    const KernelCore::Result& result = evaluated.result;
     JudgeOptions options = options_;
-    options.modules = outputs.modules;
+    options.modules = result.modules;
     options.recorded_only =
-        outputs.modules.empty() && (options.verdict == Verdict::rules || !question_.reference);
-    answer.merge(judge(question_, options, inputs, outputs.outputs, images_, scenario_.name, fractions));
+        result.modules.empty() && (options.verdict == Verdict::rules || !question_.reference);
+    answer.merge(check::judge(question_, options, evaluated.inputs, result.outputs, images_, scenario_.name,
+                              fractions));
 }
 
-void Trial::compare_constants(const Domain::Inputs& inputs, const ConstantKernel& constants,
-                              Answer& answer) const {
-    const KernelCore::Result at_run_time = run(inputs, answer);
-    const KernelCore::Result folded = constants.run(inputs.words, inputs.count(), images_);
-    lab_.require_silent_validation();
+void Trial::compare_constants(Domain::Inputs drawn, const ConstantKernel& constants, Answer& answer) const {
     JudgeOptions options = options_;
     options.nan = options.nan && constants.preserves_nan();
+    if (!options.nan) set_positive_zeros(drawn.words, question_.signature.input_scalars());
+    const auto [inputs, at_run_time] = run(std::move(drawn), answer);
+    const KernelCore::Result folded = constants.run(inputs.words, inputs.count(), images_);
+    lab_.require_silent_validation();
     options.modules = folded.modules;
-    answer.merge(judge(question_, options, inputs, folded.outputs, images_, scenario_.name));
+    answer.merge(check::judge(question_, options, inputs, folded.outputs, images_, scenario_.name));
     const std::size_t width = kernel_.output_words();
     const std::vector<shader::Scalar> scalars = question_.signature.output_scalars();
     for (std::size_t i = 0; i < inputs.count(); ++i) {

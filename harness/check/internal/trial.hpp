@@ -17,13 +17,21 @@ class Trial {
     Trial(const Lab& lab, const Question& question, const KernelCore& kernel, const ImageScenario& scenario,
           std::uint64_t seed, Verdict verdict);
 
-    // Evaluates and judges the inputs, and adds the results to the answer. `fractions`: as in judge().
-    void evaluate(const Domain::Inputs& inputs, Answer& answer, std::span<double> fractions = {}) const;
+    // Inputs as the device was given them, with what it made of them.
+    struct Evaluated {
+        Domain::Inputs inputs;
+        KernelCore::Result result;
+    };
+    // Evaluates inputs, and notes an access outside an image in the answer. On a device that need not keep
+    // the sign of zero, +0 takes the place of -0.
+    [[nodiscard]] Evaluated run(Domain::Inputs inputs, Answer& answer) const;
 
-    // The same with the inputs as constants of the shader. Counts the results that differ from those of this
+    // Judges what run() returned, and adds the results to the answer. `fractions`: as in check::judge().
+    void judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions = {}) const;
+
+    // Both with the inputs as constants of the shader. Counts the results that differ from those of this
     // kernel.
-    void compare_constants(const Domain::Inputs& inputs, const ConstantKernel& constants,
-                           Answer& answer) const;
+    void compare_constants(Domain::Inputs inputs, const ConstantKernel& constants, Answer& answer) const;
 
     [[nodiscard]] const JudgeOptions& judge_options() const { return options_; }
     [[nodiscard]] const ImageSet& images() const { return images_; }
@@ -32,8 +40,6 @@ class Trial {
     [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
 
   private:
-    [[nodiscard]] KernelCore::Result run(const Domain::Inputs& inputs, Answer& answer) const;
-
     const Lab& lab_;
     const Question& question_;
     const KernelCore& kernel_;

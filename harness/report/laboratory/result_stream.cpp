@@ -19,8 +19,9 @@ constexpr std::size_t deepest = 64;  // arrays and objects within each other
 
 // A row while it is read: numbers of both kinds of verdict, until its end says which counts.
 struct Row {
-    Outcome outcome;
+    ResultRow row;
     std::string verdict;
+    std::string outcome;
     double width_fraction = 0.0;
     double budget_fraction = 0.0;
     bool fault = false;
@@ -31,7 +32,7 @@ struct Row {
 // results, 3 a row; deeper values are skipped.
 class Events final : public nlohmann::json_sax<json> {
   public:
-    explicit Events(const std::function<void(const DeviceSummary&, const Outcome&)>& take) : take_(&take) {}
+    explicit Events(const std::function<void(const DeviceSummary&, const ResultRow&)>& take) : take_(&take) {}
 
     bool start_object(std::size_t) override {
         enter();
@@ -70,8 +71,8 @@ class Events final : public nlohmann::json_sax<json> {
         return true;
     }
     bool number_unsigned(json::number_unsigned_t value) override {
-        if (in_row() && key_ == "inputs") row_.outcome.inputs = value;
-        if (in_row() && key_ == "outside") row_.outcome.outside = value;
+        if (in_row() && key_ == "inputs") row_.row.inputs = value;
+        if (in_row() && key_ == "outside") row_.row.outside = value;
         return number_float(static_cast<double>(value), "");
     }
     bool number_integer(json::number_integer_t value) override {
@@ -113,15 +114,24 @@ class Events final : public nlohmann::json_sax<json> {
     }
 
     void take_text(const std::string& value) {
-        if (key_ == "equation") row_.outcome.equation = name("equation", value);
-        if (key_ == "variant") row_.outcome.variant = name("variant", value);
-        if (key_ == "reason") row_.outcome.reason = name("reason", value);
+        if (key_ == "equation") row_.row.equation = name("equation", value);
+        if (key_ == "variant") row_.row.variant = name("variant", value);
+        if (key_ == "reason") row_.row.reason = name("reason", value);
         if (key_ == "verdict") row_.verdict = value;
+        if (key_ == "outcome") row_.outcome = value;
         if (key_ == "fault") row_.fault = !value.empty();
         if (key_ == "error") row_.error = !value.empty();
         const double infinite = value == "inf" ? std::numeric_limits<double>::infinity() : 0.0;
         if (key_ == "width_fraction") row_.width_fraction = infinite;
         if (key_ == "budget_fraction") row_.budget_fraction = infinite;
+    }
+
+    // Results of earlier versions do not say their outcome.
+    [[nodiscard]] check::Outcome outcome() const {
+        if (row_.row.reason == name_of(check::Reason::unsupported)) return check::Outcome::not_judged;
+        if (row_.error || row_.fault || row_.row.outside > 0) return check::Outcome::failed;
+        return row_.outcome == name_of(check::Outcome::not_judged) ? check::Outcome::not_judged
+                                                                   : check::Outcome::ok;
     }
 
     void finish_report() {
@@ -132,14 +142,13 @@ class Events final : public nlohmann::json_sax<json> {
 
     void finish_row() {
         if (!has_device_) throw std::runtime_error("results: expected a device before them");
-        if (row_.outcome.equation.empty()) throw std::runtime_error("results: a row without an equation");
-        row_.outcome.fraction = row_.verdict == "rules" ? row_.width_fraction : row_.budget_fraction;
-        const bool ran_well = !row_.error && !row_.fault && row_.outcome.outside == 0;
-        row_.outcome.passed = row_.outcome.reason == name_of(check::Reason::unsupported) || ran_well;
-        (*take_)(device_, row_.outcome);
+        if (row_.row.equation.empty()) throw std::runtime_error("results: a row without an equation");
+        row_.row.fraction = row_.verdict == "rules" ? row_.width_fraction : row_.budget_fraction;
+        row_.row.outcome = outcome();
+        (*take_)(device_, row_.row);
     }
 
-    const std::function<void(const DeviceSummary&, const Outcome&)>* take_;
+    const std::function<void(const DeviceSummary&, const ResultRow&)>* take_;
     std::size_t level_ = 0;
     bool in_list_ = false;
     std::string section_;  // the member of the report
@@ -154,7 +163,7 @@ class Events final : public nlohmann::json_sax<json> {
 }  // namespace
 
 void read_results(std::string_view text,
-                  const std::function<void(const DeviceSummary& device, const Outcome& row)>& take) {
+                  const std::function<void(const DeviceSummary& device, const ResultRow& row)>& take) {
     Events events(take);
     (void)json::sax_parse(text.begin(), text.end(), &events);
     if (events.reports() == 0)

@@ -16,19 +16,22 @@ constexpr std::size_t most_checks = 2'000'000;
 void add(CheckTally& tally, const CheckTally& other) {
     tally.runs += other.runs;
     tally.failed += other.failed;
+    tally.not_judged += other.not_judged;
     tally.inputs += other.inputs;
     tally.outside += other.outside;
     tally.worst = std::max(tally.worst, other.worst);
     tally.reasons.insert(other.reasons.begin(), other.reasons.end());
 }
 
-CheckTally tally_of(const Outcome& row) {
+CheckTally tally_of(const ResultRow& row) {
+    const bool failed = row.outcome == check::Outcome::failed;
     CheckTally tally{.runs = 1,
-                     .failed = row.passed ? 0U : 1U,
+                     .failed = failed ? 1U : 0U,
+                     .not_judged = row.outcome == check::Outcome::not_judged ? 1U : 0U,
                      .inputs = row.inputs,
                      .outside = row.outside,
                      .worst = row.fraction > 0.0 ? row.fraction : 0.0};
-    if (!row.passed && !row.reason.empty()) tally.reasons.insert(row.reason);
+    if (failed && !row.reason.empty()) tally.reasons.insert(row.reason);
     return tally;
 }
 
@@ -44,9 +47,14 @@ std::size_t GroupSummary::failing() const {
         std::ranges::count_if(checks, [](const auto& each) { return each.second.failed > 0; }));
 }
 
+std::size_t GroupSummary::not_judged() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        checks, [](const auto& each) { return each.second.not_judged == each.second.runs; }));
+}
+
 void LaboratorySummary::add_file(std::string_view text) {
     LaboratorySummary one;
-    read_results(text, [&](const DeviceSummary& device, const Outcome& row) {
+    read_results(text, [&](const DeviceSummary& device, const ResultRow& row) {
         GroupSummary& group = one.groups_[group_of(device)];
         group.files = 1;
         group.devices.insert(device.name);

@@ -16,6 +16,7 @@ namespace gloam::report {
 struct CheckTally {
     std::size_t runs = 0;
     std::size_t failed = 0;           // of these
+    std::size_t not_judged = 0;       // of all runs
     std::size_t inputs = 0;           // of all runs
     std::size_t outside = 0;          // of these
     double worst = 0.0;               // largest error as a fraction of what is allowed
@@ -29,7 +30,8 @@ struct GroupSummary {
     std::set<std::string> devices{};  // their names
     std::map<CheckName, CheckTally> checks{};
 
-    [[nodiscard]] std::size_t failing() const;  // checks with a failed run
+    [[nodiscard]] std::size_t failing() const;     // checks with a failed run
+    [[nodiscard]] std::size_t not_judged() const;  // checks that no run judged
 };
 
 // The results of many machines by group. It grows with the number of different drivers, not of files.

@@ -28,6 +28,7 @@ ordered_json line_of(const DriverGroup& key, const GroupSummary& group, const Ch
             {"variant", name.second},
             {"runs", tally.runs},
             {"failed", tally.failed},
+            {"not_judged", tally.not_judged},
             {"inputs", tally.inputs},
             {"outside", tally.outside},
             {"worst", internal::number_json(tally.worst)},

@@ -10,8 +10,8 @@
 namespace gloam::report {
 
 // JSON lines, one for each check of each group, for databases: {"vendor", "driver", "version", "api",
-// "files", "devices", "equation", "variant", "runs", "failed", "inputs", "outside", "worst", "reasons"}.
-// "files" and "devices" count those of the group. An infinite "worst" is the string "inf".
+// "files", "devices", "equation", "variant", "runs", "failed", "not_judged", "inputs", "outside", "worst",
+// "reasons"}. "files" and "devices" count those of the group. An infinite "worst" is the string "inf".
 [[nodiscard]] std::string to_json_lines(const LaboratorySummary& summary);
 
 // What a later summary compares with: which checks of which groups failed.

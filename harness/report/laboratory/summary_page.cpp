@@ -50,15 +50,14 @@ std::vector<std::pair<std::string, std::vector<std::string>>> kinds_of(const New
     return kinds;
 }
 
+OutcomeCounts counts_of(const GroupSummary& group) {
+    return {.checks = group.checks.size(), .failed = group.failing(), .not_judged = group.not_judged()};
+}
+
 std::string headline(const LaboratorySummary& summary) {
-    std::size_t failing = 0;
-    std::size_t checks = 0;
-    for (const auto& [key, group] : summary.groups()) {
-        failing += group.failing();
-        checks += group.checks.size();
-    }
-    return fmt::format("{} files, {} drivers, {} checks, {} failed", summary.files(), summary.groups().size(),
-                       checks, failing);
+    OutcomeCounts all;
+    for (const auto& [key, group] : summary.groups()) all.add(counts_of(group));
+    return fmt::format("{} files, {} drivers, {}", summary.files(), summary.groups().size(), to_text(all));
 }
 
 PageTable group_table(const LaboratorySummary& summary) {
@@ -72,7 +71,8 @@ PageTable group_table(const LaboratorySummary& summary) {
                     {.title = "checks", .meaning = "equations in variants", .numeric = true},
                     {.title = "failed",
                      .meaning = "checks that failed on one machine at least",
-                     .numeric = true}},
+                     .numeric = true},
+                    {.title = "not judged", .meaning = "checks that no machine judged", .numeric = true}},
         .rows = {}};
     for (const auto& [key, group] : summary.groups()) {
         const auto count = [](std::size_t n) {
@@ -87,10 +87,12 @@ PageTable group_table(const LaboratorySummary& summary) {
                               count(group.devices.size()),
                               count(group.files),
                               count(group.checks.size()),
-                              failed});
+                              failed,
+                              count(group.not_judged())});
     }
-    std::ranges::stable_sort(table.rows, std::ranges::greater{},
-                             [](const std::vector<PageCell>& row) { return row.back().value.value_or(0.0); });
+    std::ranges::stable_sort(table.rows, std::ranges::greater{}, [](const std::vector<PageCell>& row) {
+        return row.rbegin()[1].value.value_or(0.0);
+    });
     return table;
 }
 
@@ -136,11 +138,11 @@ std::string to_summary_text(const LaboratorySummary& summary, const std::optiona
             ++passed;
             continue;
         }
-        text += fmt::format("{}: {}: {} files, {} devices, {} checks, {} failed", key.vendor, name_of(key),
-                            group.files, group.devices.size(), group.checks.size(), group.failing());
+        text += fmt::format("{}: {}: {} files, {} devices, {}", key.vendor, name_of(key), group.files,
+                            group.devices.size(), to_text(counts_of(group)));
         text += group.failing() > 0 ? " (" + some(failing_names(group)) + ")\n" : "\n";
     }
-    if (passed > 0) text += fmt::format("{} other drivers passed all checks\n", passed);
+    if (passed > 0) text += fmt::format("{} other drivers failed no check\n", passed);
     if (!news) return text;
     const auto kinds = kinds_of(*news);
     text += kinds.empty() ? "\nnothing is new\n" : "\n";

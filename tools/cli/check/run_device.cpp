@@ -145,7 +145,7 @@ void work(WorkerSession& session, const DeviceRun& run, const catalogue::Entries
         while (const auto task = board.take()) {
             const Answer row = ask(session, run.tasks[*task], entries);
             board.put(*task, row);
-            if (!row.passed() && run.on_failure)
+            if (row.failed() && run.on_failure)
                 board.hand_over(row, ask_more(session, run.tasks[*task], row));
         }
     } catch (const NoWorker& none) {
@@ -197,7 +197,7 @@ void run_here(const DeviceRun& run, report::CheckReport& report) {
         report.rows.push_back(known ? *known : checker->run(task));
         const Answer& row = report.rows.back();
         if (run.on_row) run.on_row(report.device, row);
-        if (known || row.passed() || !run.on_failure) continue;
+        if (known || !row.failed() || !run.on_failure) continue;
         run.on_failure(report.device, row, checker->hand_over(request_for(task, row)));
     }
 }

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Wrong results, planted behind the back of each kind of device: the check of every equation notices them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <tuple>
+
+#include "check/internal/trial.hpp"
+#include "check/prepared_check.hpp"
+#include "check/run.hpp"
+#include "support/entries.hpp"
+#include "support/lab.hpp"
+#include "support/test_name.hpp"
+
+namespace gloam::check {
+namespace planted_test {
+
+using catalogue::Entry;
+
+// A few inputs are enough for most equations; the others get more.
+constexpr std::array<std::size_t, 3> inputs_tried{48, 512, 4096};
+constexpr std::size_t shards = 6;
+
+struct Plant {
+    const char* name;
+    void (*into)(std::vector<Word>& outputs);
+};
+constexpr std::array plants{
+    Plant{"42", [](std::vector<Word>& outputs) { std::ranges::fill(outputs, to_word(42.0F)); }},
+    Plant{"zero", [](std::vector<Word>& outputs) { std::ranges::fill(outputs, Word{0}); }},
+    // Each word moves by one place: to the next output, or to the next input.
+    Plant{"swapped", [](std::vector<Word>& outputs) { std::ranges::rotate(outputs, outputs.begin() + 1); }}};
+
+// What is said of the right results and of each plant.
+struct Verdicts {
+    Answer right;
+    std::array<Answer, plants.size()> planted;
+
+    explicit Verdicts(const Answer& empty) : right(empty) { planted.fill(empty); }
+    // `judge` adds what it says of some outputs to an answer.
+    template <class Judge>
+    void add(const std::vector<Word>& outputs, Judge judge) {
+        judge(outputs, right);
+        for (std::size_t i = 0; i < plants.size(); ++i) {
+            if (planted[i].failed()) continue;
+            std::vector<Word> wrong = outputs;
+            plants[i].into(wrong);
+            judge(wrong, planted[i]);
+        }
+    }
+    [[nodiscard]] bool notices_all() const {
+        return right.outcome() == Outcome::not_judged ||
+               std::ranges::all_of(planted, [](const Answer& answer) { return answer.failed(); });
+    }
+};
+
+// Tries more inputs until every plant is noticed.
+template <class Evaluate>
+void expect_noticed(const Entry& entry, Evaluate evaluate) {
+    for (const std::size_t inputs : inputs_tried) {
+        const Verdicts verdicts = evaluate(inputs);
+        EXPECT_FALSE(verdicts.right.failed()) << entry.description.id << ": " << verdicts.right;
+        if (verdicts.notices_all()) return;
+        if (inputs != inputs_tried.back()) continue;
+        for (std::size_t i = 0; i < plants.size(); ++i)
+            EXPECT_TRUE(verdicts.planted[i].failed()) << entry.description.id << ": " << plants[i].name
+                                                      << " is " << name_of(verdicts.planted[i].outcome());
+    }
+}
+
+Verdicts verdicts_on(const Lab& lab, const KernelCore& kernel, const Question& question, std::size_t inputs) {
+    const Verdict verdict = verdict_of(lab.options().variant, question);
+    Verdicts verdicts(empty_answer(question, verdict));
+    internal::for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
+        const internal::Trial trial(lab, question, kernel, scenario, 1, verdict);
+        auto evaluated =
+            trial.run(question.domain.draw(share, trial.input_seed(), scenario.size), verdicts.right);
+        verdicts.add(evaluated.result.outputs, [&](const std::vector<Word>& outputs, Answer& answer) {
+            auto as_given = evaluated;
+            as_given.result.outputs = outputs;
+            trial.judge(as_given, answer);
+        });
+    });
+    return verdicts;
+}
+
+// Kernels compile in every version, but for wrappers of built-ins and probes.
+void expect_noticed_on(const Lab& lab, const Entry& entry) {
+    const Question& question = entry.question;
+    try {
+        const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+        expect_noticed(entry, [&](std::size_t inputs) { return verdicts_on(lab, kernel, question, inputs); });
+    } catch (const Unsupported& error) {
+        EXPECT_TRUE(entry.description.file.starts_with("builtin/")) << entry.description.id << error.what();
+    }
+}
+
+// One of so many parts of the catalogue, with a device.
+class Planted : public testing::TestWithParam<std::tuple<const char*, std::size_t>> {
+  protected:
+    template <class Each>
+    static void for_each_entry(Each each) {
+        for (std::size_t i = std::get<1>(GetParam()); i < test::entries().size(); i += shards)
+            each(test::entries()[i]);
+    }
+};
+
+std::string name_of_shard(const testing::TestParamInfo<Planted::ParamType>& info) {
+    return test::test_name(std::get<0>(info.param)) + "_" + std::to_string(std::get<1>(info.param));
+}
+
+class PlantedOnVulkan : public Planted {};
+
+TEST_P(PlantedOnVulkan, FailsForEveryEquation) {
+    const Lab lab = test::make_lab({}, shader::variant(std::get<0>(GetParam())));
+    for_each_entry([&](const Entry& entry) { expect_noticed_on(lab, entry); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, PlantedOnVulkan,
+                         testing::Combine(testing::Values("shipped", "strict"),
+                                          testing::Range(std::size_t{0}, shards)),
+                         name_of_shard);
+
+class PlantedOnOpenGl : public Planted {};
+
+TEST_P(PlantedOnOpenGl, FailsForEveryEquationThatIsJudged) {
+    std::unique_ptr<Lab> lab;
+    try {
+        lab = std::make_unique<Lab>(LabOptions{.device = std::get<0>(GetParam()),
+                                               .include_roots = {GLOAM_GLSL_DIR},
+                                               .cache_directory = test::cache_directory()});
+    } catch (const gl::Unavailable& error) {
+        GTEST_SKIP() << error.what();
+    } catch (const gl::VersionRefused& error) {
+        GTEST_SKIP() << error.what();
+    }
+    for_each_entry([&](const Entry& entry) { expect_noticed_on(*lab, entry); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, PlantedOnOpenGl,
+                         testing::Combine(testing::Values("gl:llvmpipe-4.5", "gl:llvmpipe-3.3",
+                                                          "es:llvmpipe-3.2", "es:llvmpipe-3.1",
+                                                          "es:llvmpipe-3.0", "gl:softpipe-3.3",
+                                                          "es:softpipe-3.1", "es:softpipe-3.0"),
+                                          testing::Range(std::size_t{0}, shards)),
+                         name_of_shard);
+
+std::size_t recorded(const PreparedScenario& scenario) {
+    return static_cast<std::size_t>(
+        std::ranges::count(scenario.expectations, Criterion::recorded, &Expectation::criterion));
+}
+
+// What a browser is sent, judged as its page judges it: by the budget, and without NaN, infinity and -0.
+Verdicts verdicts_in_browser(const Lab& lab, const KernelCore& kernel, const Question& question,
+                             std::size_t inputs) {
+    Verdicts verdicts(empty_answer(question, Verdict::budget));
+    std::size_t not_judged = 0;
+    for (const auto& scenario : prepare(lab, question, {.inputs = inputs}).scenarios) {
+        not_judged += recorded(scenario);
+        const auto outputs =
+            kernel.run(scenario.inputs.words, scenario.inputs.count(), scenario.images).outputs;
+        verdicts.add(outputs, [&](const std::vector<Word>& given, Answer& answer) {
+            answer.merge(judge(question, {.nan = false}, scenario.inputs, given, scenario.images));
+        });
+    }
+    EXPECT_EQ(verdicts.right.recorded(), not_judged) << question.name;
+    return verdicts;
+}
+
+class PlantedInBrowser : public Planted {};
+
+TEST_P(PlantedInBrowser, FailsForEveryEquationThatIsPrepared) {
+    const Lab lab({.device = std::string(interpreter_name),
+                   .include_roots = {GLOAM_GLSL_DIR},
+                   .cache_directory = test::cache_directory()});
+    for_each_entry([&](const Entry& entry) {
+        const Question& question = entry.question;
+        if (question.only_rules) return;
+        const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+        expect_noticed(
+            entry, [&](std::size_t inputs) { return verdicts_in_browser(lab, kernel, question, inputs); });
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, PlantedInBrowser,
+                         testing::Combine(testing::Values("browser"), testing::Range(std::size_t{0}, shards)),
+                         name_of_shard);
+
+}  // namespace planted_test
+}  // namespace gloam::check
