@@ -20,8 +20,7 @@ constexpr int device_column = 3;  // if there are several devices
 std::vector<PageColumn> columns(bool several_devices) {
     std::vector<PageColumn> all{
         {.title = "verdict",
-         .meaning =
-             "ok, the number of inputs outside what is allowed, or why it was not judged or did not run"},
+         .meaning = "ok, the number of inputs outside what is allowed, not judged, or why it did not run"},
         {.title = "equation"},
         {.title = "function"},
         {.title = "variant", .meaning = "how the shader was compiled", .filter = true},
@@ -37,6 +36,7 @@ std::vector<PageColumn> columns(bool several_devices) {
         {.title = "of allowed",
          .meaning = "the largest error as a fraction of what is allowed; more than 1 fails",
          .numeric = true},
+        {.title = "remark", .meaning = "why it was not judged, or what the verdict says nothing of"},
         {.title = "worst input", .meaning = "the input with the largest error"}};
     if (several_devices) all.insert(all.begin() + device_column, {.title = "device", .filter = true});
     return all;
@@ -44,7 +44,7 @@ std::vector<PageColumn> columns(bool several_devices) {
 
 PageCell verdict_cell(const check::Answer& row) {
     const Tone tone = row.passed() ? Tone::good : row.failed() ? Tone::bad : Tone::plain;
-    return {.text = base::shortened(verdict_of(row), longest_value), .tone = tone};
+    return {.text = verdict_of(row), .tone = tone};
 }
 
 // The cells of a row, without the device.
@@ -56,6 +56,7 @@ std::vector<PageCell> cells_of(const check::Answer& row) {
                                 {std::string(name_of(row.verdict))}};
     if (!row.ran()) {
         cells.insert(cells.end(), 4, {"-"});
+        cells.push_back({base::shortened(remark_on(row), longest_value)});
         cells.push_back({base::shortened(row.error, longest_value)});
         return cells;
     }
@@ -64,6 +65,7 @@ std::vector<PageCell> cells_of(const check::Answer& row) {
     cells.push_back(number_cell(row.max_ulp, fmt::format("{:.3g}", row.max_ulp)));
     cells.push_back(number_cell(row.max_absolute, fmt::format("{:.2e}", row.max_absolute)));
     cells.push_back(number_cell(used, numeric::to_short_text(used)));
+    cells.push_back({remark_on(row)});
     cells.push_back({row.worst ? base::shortened(row.worst->values, longest_value) : "-"});
     return cells;
 }

@@ -58,16 +58,21 @@ struct OutcomeCounts {
 // "411 checks, 0 failed, 14 not judged"; the last part only if there are any.
 [[nodiscard]] std::string to_text(const OutcomeCounts& counts);
 
-// "ok", with what was not judged of it ("ok; not promised: nan"); the number of inputs outside what is
-// allowed
-// ("3 outside"); "not judged" and why; or the reason why the check did not run ("hang").
+// "ok", the number of inputs outside what is allowed ("3 outside"), "not judged", or the reason why the check
+// did not run ("hang").
 [[nodiscard]] std::string verdict_of(const check::Answer& row);
+
+// Why a row was not judged, or what the verdict says nothing of: "any result would pass for 3 of 512; not
+// promised: nan". Empty if there is nothing to say.
+[[nodiscard]] std::string remark_on(const check::Answer& row);
 
 // Column titles, and one line for each row: ID, function, variant, inputs that were judged, worst ULP, worst
 // absolute error, worst error as a part of what is allowed, by what it was judged ("budget" or "rules"),
-// verdict_of() at the end. The legend explains the titles in a few lines.
+// verdict_of() and remark_on() at the end. The legend explains the titles in a few lines.
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_line(const check::Answer& row);
+// The same with another text in place of the verdict, for example in colour.
+[[nodiscard]] std::string table_line(const check::Answer& row, const std::string& verdict);
 [[nodiscard]] std::string table_legend();
 
 // {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "results": [{"equation", "function", "file",

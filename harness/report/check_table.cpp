@@ -12,13 +12,6 @@ namespace {
 // Widths of the longest ID, function and variant.
 constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>10} {:>10}  {:<9} {}";
 
-std::string not_promised_text(const check::Answer& row) {
-    std::string text;
-    for (const check::InputClass input_class : row.not_promised())
-        text += (text.empty() ? "; not promised: " : ", ") + std::string(name_of(input_class));
-    return text;
-}
-
 }  // namespace
 
 std::size_t CheckReport::count(check::Outcome outcome) const {
@@ -71,22 +64,39 @@ std::string verdict_of(const check::Answer& row) {
         row.failed() ? fmt::format("{} outside", row.outside()) : std::string(name_of(row.outcome()));
     if (!row.fault.empty()) verdict += ", reads outside its image";
     if (row.differs > 0) verdict += fmt::format(", {} differ from run time", row.differs);
-    if (!row.failed() && !row.passed()) return verdict + ": " + row.not_judged_because();
+    return verdict;
+}
+
+std::string remark_on(const check::Answer& row) {
+    const std::string why = row.not_judged_because();
+    if (!why.empty() || !row.ran()) return why;
+    std::string remark;
     if (row.open() > 0)
-        verdict += fmt::format("; any result would pass for {} of {}", row.open(),
-                               row.verdict == check::Verdict::rules ? row.bounded : row.inputs());
-    return verdict + not_promised_text(row);
+        remark = fmt::format("any result would pass for {} of {}", row.open(),
+                             row.verdict == check::Verdict::rules ? row.bounded : row.inputs());
+    std::string separator = remark.empty() ? "not promised: " : "; not promised: ";
+    for (const check::InputClass input_class : row.not_promised()) {
+        remark += separator + std::string(name_of(input_class));
+        separator = ", ";
+    }
+    return remark;
 }
 
 std::string table_line(const check::Answer& row) {
+    return table_line(row, verdict_of(row));
+}
+
+std::string table_line(const check::Answer& row, const std::string& verdict) {
     if (!row.ran()) {
         return fmt::format(line_format, row.equation, row.function, row.variant, "-", "-", "-", "-",
-                           name_of(row.verdict), verdict_of(row));
+                           name_of(row.verdict), verdict);
     }
     const double used = row.fraction_of_allowed();
+    const std::string remark = remark_on(row);
     return fmt::format(line_format, row.equation, row.function, row.variant, row.judged(),
                        fmt::format("{:.3g}", row.max_ulp), fmt::format("{:.2e}", row.max_absolute),
-                       numeric::to_short_text(used), name_of(row.verdict), verdict_of(row));
+                       numeric::to_short_text(used), name_of(row.verdict), verdict) +
+           (remark.empty() ? "" : "; " + remark);
 }
 
 }  // namespace gloam::report

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <tuple>
 
 #include "check/internal/trial.hpp"
@@ -24,7 +26,7 @@ constexpr std::array<std::size_t, 3> inputs_tried{48, 512, 4096};
 constexpr std::size_t shards = 6;
 
 struct Plant {
-    const char* name;
+    std::string_view name;
     void (*into)(std::vector<Word>& outputs);
 };
 constexpr std::array plants{
@@ -32,6 +34,11 @@ constexpr std::array plants{
     Plant{"zero", [](std::vector<Word>& outputs) { std::ranges::fill(outputs, Word{0}); }},
     // Each word moves by one place: to the next output, or to the next input.
     Plant{"swapped", [](std::vector<Word>& outputs) { std::ranges::rotate(outputs, outputs.begin() + 1); }}};
+
+// A probe asks which of several right results a device gives. Zero is one of them, and may be its only one.
+bool is_wrong(const Plant& plant, const Question& question) {
+    return question.file != "builtin/probe.glsl" || plant.name == plants.front().name;
+}
 
 // What is said of the right results and of each plant.
 struct Verdicts {
@@ -50,10 +57,6 @@ struct Verdicts {
             judge(wrong, planted[i]);
         }
     }
-    [[nodiscard]] bool notices_all() const {
-        return right.outcome() == Outcome::not_judged ||
-               std::ranges::all_of(planted, [](const Answer& answer) { return answer.failed(); });
-    }
 };
 
 // Tries more inputs until every plant is noticed.
@@ -62,11 +65,13 @@ void expect_noticed(const Entry& entry, Evaluate evaluate) {
     for (const std::size_t inputs : inputs_tried) {
         const Verdicts verdicts = evaluate(inputs);
         EXPECT_FALSE(verdicts.right.failed()) << entry.description.id << ": " << verdicts.right;
-        if (verdicts.notices_all()) return;
-        if (inputs != inputs_tried.back()) continue;
+        if (verdicts.right.outcome() == Outcome::not_judged) return;
+        std::string unnoticed;
         for (std::size_t i = 0; i < plants.size(); ++i)
-            EXPECT_TRUE(verdicts.planted[i].failed()) << entry.description.id << ": " << plants[i].name
-                                                      << " is " << name_of(verdicts.planted[i].outcome());
+            if (is_wrong(plants[i], entry.question) && !verdicts.planted[i].failed())
+                unnoticed.append(" ").append(plants[i].name);
+        if (unnoticed.empty()) return;
+        EXPECT_NE(inputs, inputs_tried.back()) << entry.description.id << " passes with" << unnoticed;
     }
 }
 

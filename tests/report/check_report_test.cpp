@@ -60,7 +60,9 @@ TEST(CheckReport, ForeignTextsAreNamed) {
 TEST(CheckReport, JunitTellsFailuresFromErrors) {
     const std::string xml =
         to_junit({report_of("A & B", {failing_row(), passing_row("EQ-2"), crashed_row()})});
-    EXPECT_THAT(xml, HasSubstr("<testsuite name=\"A &amp; B\" tests=\"3\" failures=\"1\" errors=\"1\" skipped=\"0\">"));
+    EXPECT_THAT(
+        xml,
+        HasSubstr("<testsuite name=\"A &amp; B\" tests=\"3\" failures=\"1\" errors=\"1\" skipped=\"0\">"));
     EXPECT_THAT(xml, HasSubstr("<failure type=\"fault\" message=\"line one&#10;line &lt;two&gt;"));
     EXPECT_THAT(xml, HasSubstr("<error type=\"crash\" message=\"ended by signal 9 (Killed)?[0m\""));
     EXPECT_THAT(xml, HasSubstr("name=\"EQ-2 shipped\" time=\"0.000\"/>"));
@@ -75,7 +77,8 @@ TEST(CheckReport, WhatWasNotJudgedIsCountedApart) {
                                          HasSubstr("<skipped message=\"the device promises nothing"),
                                          HasSubstr("<skipped message=\"h is no GLSL 3.30\"/>")));
     const std::string page = to_check_page(reports);
-    EXPECT_THAT(page, AllOf(HasSubstr("4 checks, 1 failed, 2 not judged"), HasSubstr(">not judged</button>")));
+    EXPECT_THAT(page,
+                AllOf(HasSubstr("4 checks, 1 failed, 2 not judged"), HasSubstr(">not judged</button>")));
 }
 
 TEST(CheckReport, TheExitStatusSaysWhetherAnythingWasJudged) {
@@ -95,16 +98,20 @@ TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
     check::Answer row = crashed_row();
     row.reason = check::Reason::error;
     EXPECT_THAT(table_line(row), HasSubstr("could not run"));
-    EXPECT_THAT(table_line(unjudged_row("EQ-3")), HasSubstr("not judged: the device promises nothing"));
+    EXPECT_THAT(table_line(unjudged_row("EQ-3")), HasSubstr("not judged; the device promises nothing"));
     EXPECT_THAT(table_line(unsupported_row("EQ-4")), HasSubstr("unsupported"));
 }
 
 // A verdict that says less than "ok" does not read as if it said all.
-TEST(CheckReport, TheVerdictNamesWhatWasNotJudged) {
+TEST(CheckReport, WhatWasNotJudgedIsRemarked) {
     check::Answer row = passing_row("EQ-2");
     row.classes.back() = {.inputs = 10, .recorded = 10};
     ordinary(row).open = 3;
-    EXPECT_EQ(verdict_of(row), "ok; any result would pass for 3 of 60; not promised: nan");
+    EXPECT_EQ(verdict_of(row), "ok");
+    EXPECT_EQ(remark_on(row), "any result would pass for 3 of 60; not promised: nan");
+    EXPECT_THAT(table_line(row), testing::EndsWith(" ok; " + remark_on(row)));
+    EXPECT_EQ(remark_on(passing_row("EQ-2")), "");
+    EXPECT_EQ(remark_on(unsupported_row("EQ-4")), "h is no GLSL 3.30");
 }
 
 }  // namespace check_report_test

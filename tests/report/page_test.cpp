@@ -96,7 +96,7 @@ TEST(CheckPage, FailuresComeFirstAndEveryRowIsThere) {
     EXPECT_EQ(table.rows[0].back().text, failing_row().worst->values);
     const std::string html = to_check_page(reports, {"a note <of> ours"});
     EXPECT_EQ(count_of(html, "<script"), 1U);
-    EXPECT_THAT(html, HasSubstr("<title>gloam check: 2 of 3 checks failed</title>"));
+    EXPECT_THAT(html, HasSubstr("<title>gloam check: 3 checks, 2 failed</title>"));
     EXPECT_THAT(html, HasSubstr("a note &lt;of&gt; ours"));
     EXPECT_THAT(html, HasSubstr("line &lt;two&gt;"));  // the story
     EXPECT_THAT(to_check_page({report_of("A", {passing_row("EQ-1")})}), HasSubstr("all 1 checks passed"));

@@ -51,7 +51,7 @@ TEST_F(OpenGlCommands, NothingJudgedIsNoSuccess) {
     const CommandResult result =
         run_command({"check", "BUILTIN-sin", "--inputs", "64", "--device", "es:llvmpipe-3.0"});
     EXPECT_EQ(result.status, 2) << result.out << result.err;
-    EXPECT_THAT(result.out, HasSubstr("not judged: it documents no accuracy"));
+    EXPECT_THAT(result.out, HasSubstr("not judged; it documents no accuracy"));
     EXPECT_THAT(result.out, HasSubstr("1 checks, 0 failed, 1 not judged"));
 }
 

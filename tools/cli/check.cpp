@@ -104,11 +104,9 @@ void print_device(const report::DeviceSummary& device) {
 }
 
 void print_row(const check::Answer& row) {
-    std::string line = report::table_line(row);
-    const std::string verdict = report::verdict_of(row);
-    line.resize(line.size() - verdict.size());
-    const bool judged = row.passed() || row.failed();
-    fmt::print("{}{}\n", line, judged ? colored(verdict, row.passed() ? Ink::good : Ink::bad) : verdict);
+    std::string verdict = report::verdict_of(row);
+    if (row.passed() || row.failed()) verdict = colored(verdict, row.passed() ? Ink::good : Ink::bad);
+    fmt::print("{}\n", report::table_line(row, verdict));
     std::fflush(stdout);
 }
 
