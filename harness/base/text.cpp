@@ -35,9 +35,21 @@ std::string shortened(std::string_view text, std::size_t most) {
     return std::string(text.substr(0, size)) + std::string(dots);
 }
 
+std::string for_terminal(std::string_view text) {
+    std::string safe(text);
+    for (std::size_t i = 0; i < safe.size(); ++i) {
+        const bool layout = safe[i] == '\n' || safe[i] == '\t';
+        if (is_control(safe[i]) && !layout) safe[i] = ' ';
+        // U+0080 to U+009F in UTF-8: also control characters.
+        if (safe[i] == '\xc2' && i + 1 < safe.size() && static_cast<unsigned char>(safe[i + 1]) < 0xa0U)
+            safe.replace(i, 2, " ");
+    }
+    return safe;
+}
+
 std::string one_line(std::string_view text) {
     while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
-    std::string line(text);
+    std::string line = for_terminal(text);
     std::ranges::replace_if(line, is_control, ' ');
     return line;
 }

@@ -11,6 +11,10 @@ namespace gloam::base {
 // quotes in messages.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
 
+// The text without control characters other than line breaks and tabs: each becomes a space. A text from
+// elsewhere could otherwise change the terminal that it is printed on.
+[[nodiscard]] std::string for_terminal(std::string_view text);
+
 // The text in one line for a terminal: every character that is not printable, for example a line break,
 // becomes a space.
 [[nodiscard]] std::string one_line(std::string_view text);

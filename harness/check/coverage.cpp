@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/text.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/measure_coverage.hpp"
@@ -22,14 +23,18 @@ constexpr std::uint64_t most_steps = 100'000'000;  // about a second
 constexpr std::size_t first_inputs = 1024;         // of each scenario; they contain inputs of all kinds
 constexpr std::size_t first_look = 64;             // first test after this many inputs
 
-// The lines of a source file; empty if it cannot be read.
-std::vector<std::string> lines_of(const std::string& file) {
+using Roots = std::vector<std::filesystem::path>;
+
+// The lines of a source file; empty if it cannot be read or lies outside the include roots, because #line can
+// name any file.
+std::vector<std::string> lines_of(const std::string& file, const Roots& roots) {
     std::vector<std::string> lines;
     try {
-        std::istringstream text(shader::read_text(file));
+        const std::string path = std::filesystem::absolute(file).string();
+        std::istringstream text(shader::read_text(shader::resolve_include(path, {}, roots)));
         for (std::string line; std::getline(text, line);) {
             const std::size_t first = line.find_first_not_of(" \t");
-            lines.push_back(first == std::string::npos ? "" : line.substr(first));
+            lines.push_back(first == std::string::npos ? "" : base::one_line(line.substr(first)));
         }
     } catch (const std::exception&) {
         lines.clear();
@@ -40,13 +45,16 @@ std::vector<std::string> lines_of(const std::string& file) {
 // The lines of source files.
 class Texts {
   public:
+    explicit Texts(const Roots& roots) : roots_(roots) {}
+
     std::string at(const std::string& file, unsigned line) {
         const auto [known, fresh] = files_.try_emplace(file);
-        if (fresh) known->second = lines_of(file);
+        if (fresh) known->second = lines_of(file, roots_);
         return line >= 1 && line <= known->second.size() ? known->second[line - 1] : "";
     }
 
   private:
+    const Roots& roots_;
     std::map<std::string, std::vector<std::string>> files_;
 };
 
@@ -58,7 +66,8 @@ bool is_of_source(const interpreter::Place& place) {
 class Measurement {
   public:
     Measurement(const Lab& lab, const Question& question, const RunOptions& options)
-        : question_(question),
+        : lab_(lab),
+          question_(question),
           options_(options),
           module_(module_of(lab, question)),
           program_(module_.spirv),
@@ -71,7 +80,7 @@ class Measurement {
                                         if (!complete_) run(scenario, share, most_steps / scenarios);
                                     });
         Coverage all = summary();
-        Texts texts;
+        Texts texts(lab_.options().include_roots);
         for (Coverage::Point& point : all.points) point.text = texts.at(point.file, point.line);
         return all;
     }
@@ -121,6 +130,7 @@ class Measurement {
         return all;
     }
 
+    const Lab& lab_;
     const Question& question_;
     const RunOptions& options_;
     KernelModule module_;
@@ -149,7 +159,7 @@ std::string to_text(const Coverage& coverage) {
         // If a branch was not reached, its missed line is reported and not its ways.
         if (point.reached || (kind == 1 && missed_lines.contains({point.file, point.line}))) continue;
         if (kind == 0) missed_lines.insert({point.file, point.line});
-        missed += fmt::format("\n    {}:{} {}: {}", point.file, point.line,
+        missed += fmt::format("\n    {}:{} {}: {}", base::one_line(point.file), point.line,
                               kind == 0 ? "not reached" : "never " + point.way, point.text);
     }
     return fmt::format("lines {} of {}, ways of branches {} of {}, {} inputs{}", reached[0], all[0],

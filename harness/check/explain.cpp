@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
 #include "numeric/paths.hpp"
@@ -106,8 +107,9 @@ std::string permitted_text(const numeric::Bounds& bounds) {
 constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
 
 std::string line_of(const ExplainedStep& step, bool is_worst) {
-    const std::string place = fmt::format("{}:{} {}", std::filesystem::path(step.file).filename().string(),
-                                          step.line, step.function);
+    const std::string place =
+        fmt::format("{}:{} {}", base::one_line(std::filesystem::path(step.file).filename().string()),
+                    step.line, step.function);
     const std::string operation = step.component == 0
                                       ? step.operation
                                       : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);

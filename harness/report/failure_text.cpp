@@ -85,7 +85,16 @@ std::string shell_word(const std::string& text) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
                std::string_view("-_./=,:+").find(c) != std::string_view::npos;
     };
+    const auto is_control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
     if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+    if (std::ranges::any_of(text, is_control)) {
+        std::string word = "$'";
+        for (const char c : text)
+            word += is_control(c)            ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c))
+                    : c == '\'' || c == '\\' ? std::string("\\") + c
+                                             : std::string(1, c);
+        return word + "'";
+    }
     std::string word = "'";
     for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
     return word + "'";

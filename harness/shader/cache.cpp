@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shader/cache.hpp"
 
-#include <cstring>
 #include <optional>
 
 #include "shader/include.hpp"
@@ -11,13 +10,6 @@
 
 namespace gloam::shader {
 namespace {
-
-std::optional<Spirv> decode_module(std::string_view bytes) {
-    if (bytes.empty() || bytes.size() % sizeof(Spirv::value_type) != 0) return std::nullopt;
-    Spirv module(bytes.size() / sizeof(Spirv::value_type));
-    std::memcpy(module.data(), bytes.data(), bytes.size());
-    return module;
-}
 
 // A hash of everything on which the result depends.
 internal::Hash key_of(std::string_view kind, const Source& source, const CompileOptions& options) {
@@ -60,7 +52,7 @@ auto stored_or_made(const std::filesystem::path& directory, std::string_view kin
 SpirvCache::SpirvCache(std::filesystem::path directory) : directory_(std::move(directory)) {}
 
 Spirv SpirvCache::compile(const Source& source, const CompileOptions& options) const {
-    return stored_or_made(directory_, "spv", source, options, decode_module, internal::compiled_apart);
+    return stored_or_made(directory_, "spv", source, options, internal::module_of, internal::compiled_bytes);
 }
 
 std::vector<Function> SpirvCache::functions(const Source& source, const CompileOptions& options) const {
@@ -68,7 +60,7 @@ std::vector<Function> SpirvCache::functions(const Source& source, const CompileO
     any_variant.variant = {};
     any_variant.lines = false;
     return stored_or_made(directory_, "functions", source, any_variant, internal::decode,
-                          internal::functions_apart);
+                          internal::functions_bytes);
 }
 
 }  // namespace gloam::shader

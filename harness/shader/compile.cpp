@@ -5,6 +5,7 @@
 #include <spirv-tools/libspirv.h>
 
 #include "shader/decorate.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/round_trip.hpp"
 #include "shader/internal/storage_buffers.hpp"
@@ -37,7 +38,7 @@ Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& 
 
 }  // namespace
 
-Spirv compile(const Source& source, const CompileOptions& options) {
+Spirv internal::compile_here(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
     Spirv module = internal::to_spirv(source, options.stage, options.include_roots, {.lines = options.lines});
     try {

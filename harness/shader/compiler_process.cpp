@@ -2,106 +2,173 @@
 #include "shader/internal/compiler_process.hpp"
 
 #include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "base/apart.hpp"
+#include "shader/include.hpp"
 #include "shader/internal/dependencies.hpp"
 #include "shader/internal/function_codec.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::shader {
+namespace internal {
 namespace {
+
+using Json = nlohmann::json;
 
 const base::ProcessLimits limits{.memory_bytes = std::uint64_t{3} << 30,
                                  .cpu = std::chrono::seconds(60),
                                  .patience = std::chrono::minutes(5)};
 
-// Serialises texts and numbers, one after another.
-class Writer {
-  public:
-    void add(std::string_view text) {
-        add(text.size());
-        bytes_ += text;
+enum class Work { compile, functions, pack, translate };
+
+// The first byte of an answer: the result follows, or the message of what the work threw.
+constexpr char result = 'r';
+constexpr char compile_error = 'c';
+constexpr char invalid_argument = 'i';
+
+constexpr int no_stage = -1;
+
+Json json_of(const Source& source) {
+    return Json::array({source.name, source.text});
+}
+
+Source source_from(const Json& json) {
+    return {.name = json.at(0).get<std::string>(), .text = json.at(1).get<std::string>()};
+}
+
+Json json_of(const std::vector<std::filesystem::path>& roots) {
+    Json json = Json::array();
+    for (const auto& root : roots) json.push_back(root.string());
+    return json;
+}
+
+std::vector<std::filesystem::path> roots_from(const Json& json) {
+    std::vector<std::filesystem::path> roots;
+    for (const Json& root : json) roots.emplace_back(root.get<std::string>());
+    return roots;
+}
+
+Json json_of(const CompileOptions& options) {
+    const Variant& variant = options.variant;
+    return Json::array({options.stage, json_of(options.include_roots), variant.optimization, variant.through,
+                        variant.strict, variant.relaxed, options.lines});
+}
+
+CompileOptions options_from(const Json& json) {
+    CompileOptions options{.stage = json.at(0), .include_roots = roots_from(json.at(1)), .variant = {}};
+    json.at(2).get_to(options.variant.optimization);
+    json.at(3).get_to(options.variant.through);
+    json.at(4).get_to(options.variant.strict);
+    json.at(5).get_to(options.variant.relaxed);
+    json.at(6).get_to(options.lines);
+    return options;
+}
+
+Json json_of(const PackRequest& request) {
+    return Json::array({request.language, request.functions,
+                        request.stage ? static_cast<int>(*request.stage) : no_stage, request.constants});
+}
+
+PackRequest request_from(const Json& json) {
+    PackRequest request{
+        .language = json.at(0), .functions = json.at(1), .stage = {}, .constants = json.at(3)};
+    if (const int stage = json.at(2); stage != no_stage) request.stage = static_cast<Stage>(stage);
+    return request;
+}
+
+// The work of a question: [work, dependency list, its arguments].
+std::string done(const Json& question) {
+    use_dependency_list(question.at(1).get<std::string>());  // of the test that asks
+    const Json& arguments = question.at(2);
+    switch (question.at(0).get<Work>()) {
+        case Work::compile: {
+            const Spirv module = compile_here(source_from(arguments.at(0)), options_from(arguments.at(1)));
+            return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(Spirv::value_type)};
+        }
+        case Work::functions:
+            return encode(functions_here(source_from(arguments.at(0)), options_from(arguments.at(1))));
+        case Work::pack: {
+            std::vector<Source> sources;
+            for (const Json& source : arguments.at(0)) sources.push_back(source_from(source));
+            return pack_here(sources, request_from(arguments.at(1)), roots_from(arguments.at(2)));
+        }
+        default:
+            return translated_here(source_from(arguments.at(0)), arguments.at(1).get<Target>(),
+                                   arguments.at(2).get<Stage>());
     }
-    void add(std::uint64_t number) { bytes_.append(reinterpret_cast<const char*>(&number), sizeof number); }
-    std::string take() { return std::move(bytes_); }
-
-  private:
-    std::string bytes_;
-};
-
-// Reads what a Writer of this program has written; never untrusted bytes.
-class Reader {
-  public:
-    explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-    std::uint64_t number() {
-        std::uint64_t value = 0;
-        std::memcpy(&value, bytes_.substr(0, sizeof value).data(), sizeof value);
-        bytes_.remove_prefix(sizeof value);
-        return value;
-    }
-    std::string text() {
-        const std::uint64_t size = number();
-        std::string value(bytes_.substr(0, size));
-        bytes_.remove_prefix(size);
-        return value;
-    }
-
-  private:
-    std::string_view bytes_;
-};
-
-std::string question_of(bool wants_functions, const Source& source, const CompileOptions& options) {
-    Writer writer;
-    writer.add(std::uint64_t{wants_functions});
-    writer.add(dependency_list());
-    writer.add(source.name);
-    writer.add(source.text);
-    writer.add(static_cast<std::uint64_t>(options.stage));
-    writer.add(static_cast<std::uint64_t>(options.variant.optimization));
-    writer.add(static_cast<std::uint64_t>(options.variant.through));
-    for (const bool step : {options.variant.strict, options.variant.relaxed, options.lines})
-        writer.add(std::uint64_t{step});
-    writer.add(options.include_roots.size());
-    for (const auto& root : options.include_roots) writer.add(root.string());
-    return writer.take();
 }
 
 std::string answer_to(std::string_view question) {
-    Reader reader(question);
-    const bool wants_functions = reader.number() != 0;
-    use_dependency_list(reader.text());  // the process outlives the test that it was started in
-    Source source{.name = reader.text(), .text = reader.text()};
-    CompileOptions options{.stage = static_cast<Stage>(reader.number()), .include_roots = {}, .variant = {}};
-    options.variant.optimization = static_cast<Optimization>(reader.number());
-    options.variant.through = static_cast<Variant::Through>(reader.number());
-    for (bool* step : {&options.variant.strict, &options.variant.relaxed, &options.lines})
-        *step = reader.number() != 0;
-    for (std::uint64_t left = reader.number(); left > 0; --left)
-        options.include_roots.emplace_back(reader.text());
-    if (wants_functions) return encode(functions(source, options));
-    const Spirv module = compile(source, options);
-    return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(Spirv::value_type)};
+    try {
+        return result + done(Json::from_cbor(question));
+    } catch (const CompileError& error) {
+        return compile_error + std::string(error.what());
+    } catch (const std::invalid_argument& error) {
+        return invalid_argument + std::string(error.what());
+    }
 }
 
-std::string asked(const Source& source, const std::string& question) {
+// The result of the work. `name`: of the text, for the limits' messages.
+std::string asked(Work work, const std::string& name, Json arguments) {
     thread_local base::Apart compiler(answer_to, limits);
+    std::string question;
+    Json::to_cbor(Json::array({work, dependency_list(), std::move(arguments)}), question);
+    std::string answer;
     try {
-        return compiler.ask(question);
-    } catch (const base::WorkError& error) {
-        throw CompileError(error.what());
+        answer = compiler.ask(question);
     } catch (const base::LimitError& error) {
-        throw CompileError(source.name + ": the compiler " + error.what());
+        throw CompileError(name + ": the compiler " + error.what());
     }
+    const char kind = answer.at(0);
+    answer.erase(0, 1);
+    if (kind == compile_error) throw CompileError(answer);
+    if (kind == invalid_argument) throw std::invalid_argument(answer);
+    return answer;
 }
 
 }  // namespace
 
-std::string compiled_apart(const Source& source, const CompileOptions& options) {
-    return asked(source, question_of(false, source, options));
+std::optional<Spirv> module_of(std::string_view bytes) {
+    if (bytes.empty() || bytes.size() % sizeof(Spirv::value_type) != 0) return std::nullopt;
+    Spirv module(bytes.size() / sizeof(Spirv::value_type));
+    std::memcpy(module.data(), bytes.data(), bytes.size());
+    return module;
 }
 
-std::string functions_apart(const Source& source, const CompileOptions& options) {
-    return asked(source, question_of(true, source, options));
+std::string compiled_bytes(const Source& source, const CompileOptions& options) {
+    return asked(Work::compile, source.name, Json::array({json_of(source), json_of(options)}));
 }
 
-}  // namespace gloam::shader::internal
+std::string functions_bytes(const Source& source, const CompileOptions& options) {
+    return asked(Work::functions, source.name, Json::array({json_of(source), json_of(options)}));
+}
+
+}  // namespace internal
+
+Spirv compile(const Source& source, const CompileOptions& options) {
+    return internal::module_of(internal::compiled_bytes(source, options)).value();
+}
+
+std::vector<Function> functions(const Source& source, const CompileOptions& options) {
+    return internal::decode(internal::functions_bytes(source, options)).value();
+}
+
+std::string pack(const std::vector<Source>& sources, const PackRequest& request,
+                 const std::vector<std::filesystem::path>& roots) {
+    using internal::Json;
+    Json texts = Json::array();
+    for (const Source& source : sources) texts.push_back(internal::json_of(source));
+    return internal::asked(internal::Work::pack, sources.empty() ? "nothing" : sources.back().name,
+                           Json::array({texts, internal::json_of(request), internal::json_of(roots)}));
+}
+
+std::string translated(const Source& packed, Target target, Stage stage) {
+    using internal::Json;
+    return internal::asked(internal::Work::translate, packed.name,
+                           Json::array({internal::json_of(packed), target, stage}));
+}
+
+}  // namespace gloam::shader

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "shader/compile.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/declarations.hpp"
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/signature.hpp"
@@ -85,7 +86,7 @@ std::vector<Function> listed(const std::vector<Signature>& signatures,
 
 }  // namespace
 
-std::vector<Function> functions(const Source& source, const CompileOptions& options) {
+std::vector<Function> internal::functions_here(const Source& source, const CompileOptions& options) {
     internal::require_vulkan_version(source);
     // The unchanged text is parsed first, so that messages have its line numbers.
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "shader/include.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
+#include "base/read_file.hpp"
 #include "shader/internal/dependencies.hpp"
+#include "shader/internal/includer.hpp"
 #include "shader/internal/lines.hpp"
 
 namespace gloam::shader {
@@ -23,28 +25,75 @@ std::vector<Path> candidates(std::string_view name, const Path& from, const std:
     return files;
 }
 
-std::optional<Path> first_file(const std::vector<Path>& files) {
+bool is_file(const Path& file) {
     std::error_code ignored;
+    return std::filesystem::is_regular_file(file, ignored);
+}
+
+// Whether an existing file lies below a root. Links are followed on both sides.
+bool is_below(const Path& file, const std::vector<Path>& roots) {
+    std::error_code error;
+    const Path real = std::filesystem::canonical(file, error);
+    if (error) return false;
+    return std::ranges::any_of(roots, [&](const Path& root) {
+        const Path folder = std::filesystem::canonical(root, error);
+        return !error && std::ranges::mismatch(folder, real).in1 == folder.end();
+    });
+}
+
+std::optional<Path> first_file(const std::vector<Path>& files, const std::vector<Path>& permitted) {
     for (const Path& file : files)
-        if (std::filesystem::is_regular_file(file, ignored)) return file;
+        if (is_file(file) && is_below(file, permitted)) return file;
     return std::nullopt;
 }
 
+std::string listed(const std::vector<Path>& files) {
+    std::string list;
+    for (const Path& file : files) list += " " + file.string();
+    return list;
+}
+
+// Visits includes in the order of first mention. A chain of includes can be as long as their author wants, so
+// that the open files are a list and not calls within calls.
 class Closure {
   public:
-    explicit Closure(const std::vector<Path>& roots) : roots_(roots) {}
+    explicit Closure(internal::IncludeFolders folders) : folders_(std::move(folders)) {}
 
-    void visit(std::string_view text, const Path& from) {
-        for (const internal::Line& line : internal::split_lines(text))
-            if (const auto include = internal::include_of(line))
-                mention(include->name, include->system ? Path() : from);
+    std::vector<IncludedFile> run(std::string_view text, const Path& from) {
+        open(text, from);
+        while (!open_.empty()) {
+            std::vector<Name>& names = open_.back();
+            if (names.empty()) {
+                open_.pop_back();
+                continue;
+            }
+            Name next = std::move(names.back());
+            names.pop_back();
+            if (mentioned_.insert(next).second) mention(next);  // a repeated name is the same file
+        }
+        return std::move(files_);
     }
 
-    std::vector<IncludedFile> take() { return std::move(files_); }
-
   private:
-    void mention(const std::string& name, const Path& from) {
-        const std::optional<Path> file = first_file(candidates(name, from, roots_));
+    struct Name {
+        std::string name;
+        Path from;
+        auto operator<=>(const Name&) const = default;
+    };
+
+    // The includes of a text, the last one first.
+    void open(std::string_view text, const Path& from) {
+        std::vector<Name> names;
+        for (const internal::Line& line : internal::split_lines(text))
+            if (const auto include = internal::include_of(line))
+                names.push_back({include->name, include->system ? Path() : from});
+        std::ranges::reverse(names);
+        open_.push_back(std::move(names));
+    }
+
+    void mention(const Name& name) {
+        const std::optional<Path> file =
+            first_file(candidates(name.name, name.from, folders_.roots), folders_.permitted);
         if (!file || !seen_.insert(*file).second) return;
         std::string text;
         try {
@@ -52,12 +101,19 @@ class Closure {
         } catch (const std::runtime_error&) {
             return;
         }
+        bytes_ += text.size();
+        if (bytes_ > base::largest_text)
+            throw std::runtime_error(file->string() + ": the includes together are longer than " +
+                                     std::to_string(base::largest_text) + " bytes");
         files_.push_back({*file, text});
-        visit(text, file->parent_path());
+        open(text, file->parent_path());
     }
 
-    const std::vector<Path>& roots_;
+    internal::IncludeFolders folders_;
+    std::set<Name> mentioned_;
     std::set<Path> seen_;
+    std::vector<std::vector<Name>> open_;
+    std::size_t bytes_ = 0;
     std::vector<IncludedFile> files_;
 };
 
@@ -65,30 +121,52 @@ class Closure {
 
 std::string read_text(const Path& file) {
     std::error_code error;
-    if (std::filesystem::is_directory(file, error))
-        throw std::runtime_error(file.string() + ": is a folder, expected a text file");
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream) throw std::runtime_error(file.string() + ": cannot read the file");
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw std::runtime_error(
+            file.string() +
+            (std::filesystem::is_directory(status) ? ": is a folder" : ": is no regular file") +
+            ", expected a text file");
+    std::string text = base::read_file(file);
+    if (text.find('\0') != std::string::npos)
+        throw std::runtime_error(file.string() + ": contains a NUL byte, expected a text in UTF-8");
     internal::note_dependency(file);
     return text;
 }
 
+namespace internal {
+
+IncludeFolders include_folders(const std::vector<Path>& roots, const std::vector<Source>& texts) {
+    IncludeFolders folders{.roots = roots, .permitted = roots};
+    for (const Source& text : texts)
+        if (const Path own = Path(text.name).parent_path(); !own.empty()) folders.permitted.push_back(own);
+    return folders;
+}
+
+Path resolved(std::string_view name, const Path& from, const IncludeFolders& folders) {
+    const std::vector<Path> files = candidates(name, from, folders.roots);
+    if (const std::optional<Path> file = first_file(files, folders.permitted)) return *file;
+    const std::string quoted = "include \"" + std::string(name) + "\"";
+    const auto outside = std::ranges::find_if(files, is_file);
+    if (outside != files.end())
+        throw std::runtime_error(
+            quoted + " is outside the include roots, expected a file below" +
+            (folders.permitted.empty() ? " one of them, found none" : listed(folders.permitted)));
+    if (files.empty()) throw std::runtime_error("cannot find " + quoted + ": no folder to look in");
+    throw std::runtime_error("cannot find " + quoted + "; looked for" + listed(files));
+}
+
+}  // namespace internal
+
 Path resolve_include(std::string_view name, const Path& from, const std::vector<Path>& roots) {
-    const std::vector<Path> files = candidates(name, from, roots);
-    if (const std::optional<Path> file = first_file(files)) return *file;
-    std::string message = "cannot find include \"" + std::string(name) + "\"";
-    if (files.empty()) throw std::runtime_error(message + ": no folder to look in");
-    message += "; looked for";
-    for (const Path& file : files) message.append(" ").append(file.string());
-    throw std::runtime_error(message);
+    return internal::resolved(name, from, {.roots = roots, .permitted = roots});
 }
 
 std::vector<IncludedFile> include_closure(std::string_view text, const std::vector<Path>& roots,
                                           const Path& from) {
-    Closure closure(roots);
-    closure.visit(text, from);
-    return closure.take();
+    std::vector<Path> permitted = roots;
+    if (!from.empty()) permitted.push_back(from);
+    return Closure({.roots = roots, .permitted = std::move(permitted)}).run(text, from);
 }
 
 }  // namespace gloam::shader

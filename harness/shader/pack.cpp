@@ -13,6 +13,7 @@
 
 #include "shader/include.hpp"
 #include "shader/internal/active_text.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/internal/outline.hpp"
 
@@ -279,8 +280,8 @@ void check_as_it_is(const Source& source, Language language,
 
 }  // namespace
 
-std::string pack(const std::vector<Source>& sources, const PackRequest& request,
-                 const std::vector<std::filesystem::path>& roots) {
+std::string internal::pack_here(const std::vector<Source>& sources, const PackRequest& request,
+                                const std::vector<std::filesystem::path>& roots) {
     const Stage stage = request.stage.value_or(usual_stage(request.language));
     const std::string name = sources.empty() ? "nothing" : sources.back().name;
     Packed result;

@@ -10,6 +10,7 @@
 
 #include "shader/internal/callable.hpp"
 #include "shader/internal/comments.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/cross_text.hpp"
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/lines.hpp"
@@ -244,7 +245,7 @@ std::string suffix(Target target) {
     return target == Target::hlsl ? ".hlsl" : ".metal";
 }
 
-std::string translated(const Source& packed, Target target, Stage stage) {
+std::string internal::translated_here(const Source& packed, Target target, Stage stage) {
     try {
         if (target == Target::wgsl) return internal::wgsl::packed_text(packed, stage);
         return Writer(packed, target, stage).run();

@@ -23,7 +23,9 @@ const std::map<std::uint32_t, std::string>& builtin_values() {
         {SpvBuiltInLocalInvocationId, "local_invocation_id"},
         {SpvBuiltInLocalInvocationIndex, "local_invocation_index"},
         {SpvBuiltInWorkgroupId, "workgroup_id"},
-        {SpvBuiltInNumWorkgroups, "num_workgroups"}};
+        {SpvBuiltInNumWorkgroups, "num_workgroups"},
+        {SpvBuiltInSubgroupSize, "subgroup_size"},
+        {SpvBuiltInSubgroupLocalInvocationId, "subgroup_invocation_id"}};
     return names;
 }
 
@@ -41,7 +43,8 @@ class Writer {
           options_(options) {
         const auto entry = module_.entry_points.find(SpvExecutionModelGLCompute);
         if (entry != module_.entry_points.end()) main_ = entry->second;
-        if (options.entry_point && main_ == 0) throw WgslError("a shader of another stage than compute here");
+        if (options.entry_point && main_ == 0)
+            throw NotTranslated("a vertex or fragment shader, only compute shaders");
     }
 
     std::string run() {
@@ -51,8 +54,8 @@ class Writer {
         std::string globals;
         for (const wgsl::Variable& variable : globals_in_order())
             if (used_.contains(variable.id)) globals += comment_of(variable.id) + global_text(variable);
-        std::string result =
-            options_.head + text_.structures() + text_.overrides(text_.overrides_used()) + globals;
+        std::string result = options_.head + text_.enabled();
+        result += text_.structures() + text_.overrides(text_.overrides_used()) + globals;
         result += prototypes() + text_.helpers() + bodies;
         for (std::size_t at = result.find("\n\n\n"); at != std::string::npos; at = result.find("\n\n\n", at))
             result.erase(at, 1);
@@ -111,7 +114,7 @@ class Writer {
             const bool pointer = module_.type(type).kind == wgsl::Type::Kind::pointer;
             const Id named = passing[p] == Passing::copied ? head_of(id) : id;
             parameters += fmt::format(
-                "{}{}: {}", p == 0 ? "" : ", ", names.at(named),
+                "{}{}: {}", p == 0 ? "" : ", ", wgsl::entry_of(names, named, "a parameter without a name"),
                 text_.type(pointer && passing[p] != Passing::pointer ? module_.type(type).element : type));
         }
         const bool nothing = module_.type(function.result).kind == wgsl::Type::Kind::void_;
@@ -159,8 +162,7 @@ class Writer {
             if (!is_builtin(variable) || !used_.contains(variable.id)) continue;
             const auto builtin = builtin_values().find(*module_.decorations_of(variable.id).built_in);
             if (builtin == builtin_values().end())
-                throw WgslError("a builtin value that compute shaders of WGSL lack: " +
-                                module_.name_of(variable.id));
+                throw NotTranslated("the builtin value " + module_.name_of(variable.id));
             const bool elsewhere = used_elsewhere_.contains(variable.id);
             const std::string name = elsewhere ? builtin->second : text_.name(variable.id);
             parameters += fmt::format("{}@builtin({}) {}: {}", parameters.empty() ? "" : ", ",
@@ -210,7 +212,8 @@ class Writer {
                 return fmt::format("@group({}) @binding(0) var<uniform> {}: {};\n", free_group(), name,
                                    text_.variable_type(variable));
             case SpvStorageClassUniformConstant:
-                return fmt::format("{}var {}: {};\n", place, name, text_.variable_type(variable));
+                return fmt::format("{}var {}: {};\n", place, name, text_.variable_type(variable)) +
+                       sampler_text(variable);
             case SpvStorageClassWorkgroup:
                 return fmt::format("var<workgroup> {}: {};\n", name, text_.variable_type(variable));
             case SpvStorageClassPrivate:
@@ -218,10 +221,23 @@ class Writer {
                     "var<private> {}: {}{};\n", name, text_.variable_type(variable),
                     variable.initial == 0 ? "" : " = " + text_.constant(variable.initial).text);
             default:
-                if (!is_builtin(variable)) throw WgslError("an input or output of a stage: " + name);
+                if (!is_builtin(variable)) throw NotTranslated("an input or output of a stage: " + name);
                 if (!used_elsewhere_.contains(variable.id)) return "";
                 return fmt::format("var<private> {}: {};\n", name, text_.type(variable.type));
         }
+    }
+
+    // The sampler of a combined one, at the next binding of its group that nothing has.
+    std::string sampler_text(const wgsl::Variable& variable) {
+        if (!text_.has_sampler(variable.id)) return "";
+        const std::uint32_t group = module_.decorations_of(variable.id).set;
+        std::uint32_t& binding = next_binding_[group];
+        for (const wgsl::Variable& other : module_.variables) {
+            const wgsl::Decorations taken = module_.decorations_of(other.id);
+            if (has_binding(other) && taken.set == group) binding = std::max(binding, taken.binding + 1);
+        }
+        return fmt::format("@group({}) @binding({}) var {}: sampler;\n", group, binding++,
+                           text_.sampler_of(variable.id));
     }
 
     // Resources by their bindings, then the rest.
@@ -273,6 +289,7 @@ class Writer {
     std::set<Id> used_;
     std::set<Id> used_elsewhere_;  // by other functions than main
     std::vector<const wgsl::Function*> prototypes_;
+    std::map<std::uint32_t, std::uint32_t> next_binding_;  // of a group, for samplers
 };
 
 }  // namespace

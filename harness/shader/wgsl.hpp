@@ -11,9 +11,14 @@
 
 namespace gloam::shader {
 
-// The module uses what WGSL cannot express. what() is one line.
+// The module uses what WGSL does not have. what() is one line that names it.
 class WgslError : public std::runtime_error {
     using std::runtime_error::runtime_error;
+};
+
+// The module uses what WGSL may have, but this translator does not know.
+class NotTranslated : public WgslError {
+    using WgslError::WgslError;
 };
 
 struct WgslOptions {
@@ -35,12 +40,15 @@ struct WgslOptions {
 //
 // - Push constants become a uniform buffer in the first group that has no other resource, at binding 0.
 // - Images that are only read become textures, read with textureLoad; those that are written become storage
-//   textures.
+//   textures. A combined sampler becomes a texture and a sampler, which has the next free binding of the
+//   group.
+// - Types of 16 bits need the extension f16 of WGSL, subgroup operations the extension subgroups: the text
+//   then begins with `enable`.
 // - Specialization constants become `override` with the same @id.
 // - An out or inout parameter becomes a pointer.
 //
-// Throws WgslError for what WGSL cannot express, and std::runtime_error for words that are not a SPIR-V
-// module.
+// Throws WgslError for what WGSL does not have, NotTranslated for what is not translated, and
+// std::runtime_error for words that are not a SPIR-V module.
 [[nodiscard]] std::string to_wgsl(const Spirv& module, const WgslOptions& options = {});
 
 }  // namespace gloam::shader

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <functional>
 
+#include "base/read_file.hpp"
 #include "shader/cache.hpp"
 #include "shader/include.hpp"
 #include "support.hpp"
@@ -29,8 +30,8 @@ class CacheDamage : public testing::Test {
         module_entry_ = only_file("spv");
         static_cast<void>(cache_.functions(source, {}));
         functions_entry_ = only_file("functions");
-        module_bytes_ = read_text(module_entry_);
-        functions_bytes_ = read_text(functions_entry_);
+        module_bytes_ = base::read_file(module_entry_);
+        functions_bytes_ = base::read_file(functions_entry_);
     }
 
     std::filesystem::path only_file(const std::string& extension) const {
@@ -48,11 +49,11 @@ class CacheDamage : public testing::Test {
     // The result is right, and the entry is as new.
     void expect_repaired(const std::string& what) const {
         EXPECT_EQ(cache_.compile(source, {}), module_) << what;
-        EXPECT_EQ(read_text(module_entry_), module_bytes_) << what;
+        EXPECT_EQ(base::read_file(module_entry_), module_bytes_) << what;
         const auto functions = cache_.functions(source, {});
         ASSERT_EQ(functions.size(), 2u) << what;
         EXPECT_EQ(to_glsl(functions[0]), "float f(float x)") << what;
-        EXPECT_EQ(read_text(functions_entry_), functions_bytes_) << what;
+        EXPECT_EQ(base::read_file(functions_entry_), functions_bytes_) << what;
     }
 
     // Both entries with their bytes changed.
@@ -117,7 +118,7 @@ TEST_F(CacheDamage, ExchangedEntriesAreNoticed) {
 
     TempDir other;
     static_cast<void>(SpirvCache(other.path()).compile(kernel("", "7.0"), {}));
-    write(module_entry_, read_text(std::filesystem::directory_iterator(other.path())->path()));
+    write(module_entry_, base::read_file(std::filesystem::directory_iterator(other.path())->path()));
     expect_repaired("other key");
 }
 
@@ -132,7 +133,7 @@ TEST_F(CacheDamage, AFullFolderInPlaceStaysAndCostsOnlySpeed) {
     std::filesystem::create_directory(module_entry_);
     write(module_entry_ / "precious", "kept");
     for (int i = 0; i < 2; ++i) EXPECT_EQ(cache_.compile(source, {}), module_);
-    EXPECT_EQ(read_text(module_entry_ / "precious"), "kept");
+    EXPECT_EQ(base::read_file(module_entry_ / "precious"), "kept");
     for (const auto& entry : std::filesystem::directory_iterator(dir_.path()))
         EXPECT_NE(entry.path().extension(), ".tmp");
 }
@@ -155,7 +156,7 @@ TEST_F(CacheDamage, AFolderThatCannotBeCostsOnlySpeed) {
     for (const auto& folder : {file, file / "below", std::filesystem::path("/proc/gloam-cache"),
                                std::filesystem::path("/dev/null")})
         for (int i = 0; i < 2; ++i) EXPECT_EQ(SpirvCache(folder).compile(source, {}), module_) << folder;
-    EXPECT_EQ(read_text(file), "in the way");
+    EXPECT_EQ(base::read_file(file), "in the way");
 }
 
 TEST_F(CacheDamage, AReadOnlyFolderCostsOnlySpeed) {

@@ -62,11 +62,15 @@ TEST(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {
     const auto first = dir.write("first/a.glsl", "");
     const auto second = dir.write("second/a.glsl", "");
     const auto last = dir.write("second/b.glsl", "");
-    const std::vector roots{first.parent_path(), second.parent_path()};
+    const std::vector roots{first.parent_path(), second.parent_path(), dir.path()};
     EXPECT_EQ(resolve_include("a.glsl", own.parent_path(), roots), own);
     EXPECT_EQ(resolve_include("a.glsl", {}, roots), first);
     EXPECT_EQ(resolve_include("b.glsl", own.parent_path(), roots), last);
     EXPECT_EQ(resolve_include("../own/a.glsl", {}, roots), own);
+    EXPECT_THAT(
+        message_of<std::runtime_error>(
+            [&] { (void)resolve_include("../own/a.glsl", {}, {first.parent_path()}); }),
+        HasSubstr("outside the include roots, expected a file below " + first.parent_path().string()));
 }
 
 TEST(Include, MissingIncludeListsWhereItLooked) {

@@ -222,7 +222,75 @@ TEST(Wgsl, WhatItCannotExpressIsOneLine) {
                   (void)shader_of("layout(location = 0) out vec4 c; void main() { c = vec4(1.0); }",
                                   Stage::fragment);
               }),
-              "a shader of another stage than compute here");
+              "a vertex or fragment shader, only compute shaders");
+}
+
+std::string translated_fixture(const std::string& name) {
+    const std::filesystem::path file = test::fixture("wgsl/" + name);
+    return translated({name, pack(std::vector{file}, {}, {})}, Target::wgsl);
+}
+
+TEST(Wgsl, ImagesOfEveryKind) {
+    const std::string text = translated_fixture("images.comp");
+    EXPECT_THAT(
+        text,
+        AllOf(HasSubstr("@group(0) @binding(0) var line: texture_1d<f32>;\n"
+                        "@group(0) @binding(14) var line_sampler: sampler;\n"),
+              HasSubstr("var layers: texture_2d_array<f32>;\n"), HasSubstr("var volume: texture_3d<f32>;\n"),
+              HasSubstr("var sky: texture_cube<f32>;\n"), HasSubstr("var skies: texture_cube_array<f32>;\n"),
+              HasSubstr("var samples: texture_multisampled_2d<f32>;\n"),
+              HasSubstr("var cells: texture_3d<u32>;\n"), Not(HasSubstr("cells_sampler")),
+              HasSubstr("var volume_out: texture_storage_3d<r32float, write>;\n"),
+              HasSubstr("var layers_out: texture_storage_2d_array<rgba16float, write>;\n")));
+    EXPECT_THAT(text,
+                AllOf(HasSubstr("textureSampleLevel(picture, picture_sampler, at.xy, 0.0)"),
+                      HasSubstr("textureSampleLevel(apart, filtered, at.yx, 0.0)"),
+                      HasSubstr("textureGather(1, picture, picture_sampler, at.xy)"),
+                      HasSubstr("textureLoad(layers, cell.xy, cell.z, 0)"),
+                      HasSubstr("textureLoad(samples, cell.xy, 2)"),
+                      HasSubstr("vec3i(vec3u(textureDimensions(layers, 0), textureNumLayers(layers)))")));
+}
+
+TEST(Wgsl, AnExchangeIsRepeatedUntilItIsThatOfGlsl) {
+    EXPECT_THAT(translated_fixture("exchange.comp"),
+                AllOf(HasSubstr("    var exchange = atomicCompareExchangeWeak(&owner, 0u, key);\n"
+                                "    while (!exchange.exchanged && exchange.old_value == 0u) {\n"
+                                "        exchange = atomicCompareExchangeWeak(&owner, 0u, key);\n    }\n"),
+                      HasSubstr("let place = &table.keys[slot + table.at[i & 3]];\n"),
+                      HasSubstr("let before = exchange.old_value;\n")));
+}
+
+TEST(Wgsl, ExtensionsAreEnabled) {
+    EXPECT_THAT(
+        translated_fixture("half.comp"),
+        AllOf(HasSubstr("\nenable f16;\n"), HasSubstr("scale: f16,\n    offset: vec2h,\n"),
+              HasSubstr("fn curve(x: vec2h, most: ptr<function, f16>) -> vec2h {\n"),
+              HasSubstr("(vec2h(3.0h) - x * 2.0h)"), HasSubstr("mat2x2h("), HasSubstr("var most = -1.5h;")));
+    EXPECT_THAT(translated_fixture("subgroups.comp"),
+                AllOf(HasSubstr("\nenable subgroups;\ndiagnostic(off, subgroup_uniformity);\n"),
+                      HasSubstr("subgroupExclusiveAdd(x)"), HasSubstr("quadSwapDiagonal(x)"),
+                      HasSubstr("@builtin(subgroup_size)")));
+    EXPECT_THAT(functions_of("float f(float x) { return x; }"), Not(HasSubstr("enable")));
+}
+
+// Two kinds of refusal: what the language lacks, and what the translator does not know.
+TEST(Wgsl, WhatItDoesNotTranslateItSays) {
+    const std::string head = "#version 450\nlayout(local_size_x = 1) in;\n";
+    const auto refusal = [&](const std::string& rest) {
+        return message_of<std::invalid_argument>(
+            [&] { (void)translated({"s.comp", head + rest}, Target::wgsl); });
+    };
+    EXPECT_EQ(
+        refusal("layout(binding = 0) uniform sampler2DShadow s; layout(binding = 1) buffer B { float x; };\n"
+                "void main() { x = textureLod(s, vec3(0.5), 0.0); }"),
+        "s.comp: gloam does not translate to WGSL yet: a depth comparison, a projective read or derivatives "
+        "of a texture");
+    EXPECT_EQ(
+        refusal("layout(binding = 0) uniform sampler2D s; layout(binding = 1) buffer B { vec4 x; };\n"
+                "vec4 f(sampler2D t) { return texture(t, vec2(0.5)); } void main() { x = f(s); }"),
+        "s.comp: gloam does not translate to WGSL yet: an image or a sampler as a parameter or in an array");
+    EXPECT_EQ(refusal("layout(binding = 0) buffer B { double x; };\nvoid main() { x *= 2.0LF; }"),
+              "s.comp: WGSL cannot express floats of 64 bits");
 }
 
 // An optimised module has values of several blocks, and few names: the text is another one, but whole.

@@ -101,7 +101,8 @@ async function runEffect(effect, texts, given, view) {
 // The messages of the compiler for each text; empty where it has accepted the text.
 async function compileAll(texts) {
     const adapter = await navigator.gpu.requestAdapter();
-    const device = await adapter.requestDevice();
+    const extensions = ["shader-f16", "subgroups"].filter((feature) => adapter.features.has(feature));
+    const device = await adapter.requestDevice({requiredFeatures: extensions});
     const results = [];
     for (const code of texts) {
         device.pushErrorScope("validation");

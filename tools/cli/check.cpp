@@ -21,6 +21,7 @@
 #include "cli/check/worker.hpp"
 #include "cli/driver_probe.hpp"
 #include "cli/drivers.hpp"
+#include "cli/environment.hpp"
 #include "cli/gl_devices.hpp"
 #include "cli/progress.hpp"
 #include "cli/terminal.hpp"
@@ -58,7 +59,8 @@ bool is_of_file(const CheckOptions& options) {
 std::vector<std::string> names_of(const CheckOptions& options) {
     if (is_of_file(options))
         return own_functions(options.equations.front(),
-                             {options.equations.begin() + 1, options.equations.end()}, options.ranges);
+                             {options.equations.begin() + 1, options.equations.end()}, options.ranges,
+                             options.includes);
     std::vector<std::string> names;
     for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(), options.equations))
         names.push_back(entry.description.id);
@@ -92,7 +94,8 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options) {
                              .seed = options.seed,
                              .coverage = options.coverage,
                              .file = file,
-                             .ranges = options.ranges});
+                             .ranges = options.ranges,
+                             .includes = options.includes});
         }
     }
     return tasks;
@@ -116,6 +119,7 @@ std::string command_for(const CheckOptions& options, const report::DeviceSummary
     std::string what = report::shell_word(row.equation);
     if (is_of_file(options)) what = report::shell_word(options.equations.front()) + " " + what;
     for (const std::string& range : options.ranges) what += " --range " + report::shell_word(range);
+    for (const std::string& folder : options.includes) what += " --include " + report::shell_word(folder);
     std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
                                       report::shell_word(row.variant), report::shell_word(device.name),
                                       options.inputs, options.seed);
@@ -253,6 +257,8 @@ std::vector<report::CheckReport> reports_of(const CheckOptions& options) {
         throw std::invalid_argument("--resume is for equations, not for a shader file");
     if (!is_of_file(options) && !options.ranges.empty())
         throw std::invalid_argument("--range is for the functions of a shader file");
+    if (!is_of_file(options) && !options.includes.empty())
+        throw std::invalid_argument("--include is for a shader file");
     std::vector<CheckTask> tasks = tasks_of(options);
     std::vector<report::CheckReport> reports;
     if (options.device != check::interpreter_name && !is_opengl(options.device))
@@ -326,6 +332,7 @@ void add_check(CLI::App& app, int& status) {
         "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions");
     command->add_option("--range", options->ranges,
                         "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
+    add_include_option(*command, options->includes);
     command->add_option("--device", options->device,
                         "name or index of the device, or all: every Vulkan device; gl: every OpenGL and "
                         "OpenGL ES device, or one's "

@@ -18,10 +18,11 @@ namespace gloam::cli {
 // The options of `gloam check`.
 struct CheckOptions {
     std::vector<std::string>
-        equations;                    // IDs, functions or globs; empty: all. Or a shader file and functions
-    std::vector<std::string> ranges;  // of a shader file's parameters: "x=0:1"
-    std::string device;               // name, index or "all"; empty: the default
-    std::string variant = "shipped";  // see variants(), or "all"
+        equations;                      // IDs, functions or globs; empty: all. Or a shader file and functions
+    std::vector<std::string> ranges;    // of a shader file's parameters: "x=0:1"
+    std::vector<std::string> includes;  // further include roots of a shader file
+    std::string device;                 // name, index or "all"; empty: the default
+    std::string variant = "shipped";    // see variants(), or "all"
     std::size_t inputs = 65'536;
     std::uint64_t seed = 1;
     std::string shard;  // see shard_from()

@@ -2,6 +2,7 @@
 #include "cli/environment.hpp"
 
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdlib>
 #include <stdexcept>
@@ -35,6 +36,21 @@ fs::path data_in(const char* name, const fs::path& source, const char* content) 
 
 fs::path glsl_directory() {
     return data_in("gloam/glsl", GLOAM_GLSL_DIR, "gloam");
+}
+
+std::vector<fs::path> include_roots_of(const fs::path& file, const std::vector<std::string>& further) {
+    std::vector<fs::path> roots{fs::absolute(file).parent_path()};
+    for (const std::string& folder : further) roots.push_back(fs::absolute(folder));
+    roots.push_back(glsl_directory());
+    return roots;
+}
+
+void add_include_option(CLI::App& command, std::vector<std::string>& further) {
+    command
+        .add_option("--include", further,
+                    "folder in which and below which your own file's includes may also lie; may be repeated")
+        ->allow_extra_args(false)
+        ->check(CLI::ExistingDirectory);
 }
 
 fs::path stress_shaders_directory() {

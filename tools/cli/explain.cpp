@@ -14,6 +14,7 @@
 
 #include "check/explain.hpp"
 #include "cli/environment.hpp"
+#include "shader/include.hpp"
 #include "shader/variant.hpp"
 
 namespace gloam::cli {
@@ -27,6 +28,7 @@ struct ExplainOptions {
     std::string function;
     std::vector<std::string> values;
     std::string variant = "strict";
+    std::vector<std::string> includes;  // further include roots
 };
 
 template <class T>
@@ -64,12 +66,10 @@ Word word_from(Scalar scalar, const std::string& text) {
 }
 
 void run_explain(const ExplainOptions& options) {
-    const auto folder = std::filesystem::absolute(options.file).parent_path();
-    const shader::CompileOptions compile{.include_roots = {folder, glsl_directory()},
+    const shader::CompileOptions compile{.include_roots = include_roots_of(options.file, options.includes),
                                          .variant = shader::variant(options.variant)};
     const std::string name = options.file.filename().string();
-    if (!std::filesystem::exists(options.file))
-        throw std::runtime_error(fmt::format("cannot read {}", options.file.string()));
+    static_cast<void>(shader::read_text(options.file));  // says what is wrong with it
     const std::vector<Scalar> scalars = check::inputs_of(compile, name, options.function);
     if (scalars.size() != options.values.size())
         throw std::invalid_argument(fmt::format("{} takes {} values, got {}", options.function,
@@ -94,6 +94,7 @@ void add_explain(CLI::App& app) {
         "one for each scalar of its parameters, in order: a number, true or false, or bits as 0x...");
     command->add_option("--variant", options->variant, "how the shader is compiled (gloam list variants)")
         ->capture_default_str();
+    add_include_option(*command, options->includes);
     command->callback([options] { run_explain(*options); });
 }
 

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "shader/include.hpp"
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/includer.hpp"
 
@@ -55,13 +54,12 @@ std::string joined(const Line& line) {
 }
 
 // The compiler looks beside the first of several texts only.
-std::string include_line(const TextFile& file, const Line& line,
-                         const std::vector<std::filesystem::path>& roots) {
+std::string include_line(const TextFile& file, const Line& line, const IncludeFolders& folders) {
     const auto include = include_of(line);
     if (!include || include->system) return joined(line);
     try {
         const auto folder = std::filesystem::path(file.name).parent_path();
-        return "#include \"" + resolve_include(include->name, folder, roots).string() + "\"";
+        return "#include \"" + resolved(include->name, folder, folders).string() + "\"";
     } catch (const std::runtime_error&) {
         return joined(line);  // only the compiler knows whether a condition hides it
     }
@@ -69,7 +67,7 @@ std::string include_line(const TextFile& file, const Line& line,
 
 // What the preprocessor is given of a line.
 std::string marked_line(const TextFile& file, std::size_t number, std::size_t index,
-                        const std::vector<std::filesystem::path>& roots) {
+                        const IncludeFolders& folders) {
     const Line& line = file.lines[index];
     const auto directive = directive_of(line);
     if (!directive) return mark_of(number, index);
@@ -77,20 +75,19 @@ std::string marked_line(const TextFile& file, std::size_t number, std::size_t in
         require_version(file, line, *directive);
         return "";
     }
-    if (directive->keyword == "include") return include_line(file, line, roots);
+    if (directive->keyword == "include") return include_line(file, line, folders);
     if (is_one_of(directive->keyword, conditions)) return joined(line);
     if (is_one_of(directive->keyword, macros)) return joined(line) + "\n" + mark_of(number, index);
     return mark_of(number, index);
 }
 
 // The file with marks for its code. Lines keep their numbers, for messages.
-std::string marked(const TextFile& file, std::size_t number,
-                   const std::vector<std::filesystem::path>& roots) {
+std::string marked(const TextFile& file, std::size_t number, const IncludeFolders& folders) {
     std::string text;
     int next = 1;  // number that the compiler gives the next line
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
         if (next != file.lines[i].number) text += "#line " + std::to_string(file.lines[i].number) + "\n";
-        const std::string line = marked_line(file, number, i, roots);
+        const std::string line = marked_line(file, number, i, folders);
         text += line + "\n";
         next = file.lines[i].number + 1 + static_cast<int>(std::ranges::count(line, '\n'));
     }
@@ -122,10 +119,10 @@ std::vector<Line> with_directives_apart(const std::vector<Line>& lines) {
 }
 
 // Adds a file; returns what the preprocessor is to read instead of it.
-std::string added(ActiveText& all, Source source, const std::vector<std::filesystem::path>& roots) {
+std::string added(ActiveText& all, Source source, const IncludeFolders& folders) {
     TextFile& file = all.files.emplace_back(TextFile{std::move(source.name), std::move(source.text), {}});
     file.lines = with_directives_apart(split_lines(file.text));
-    return marked(file, all.files.size() - 1, roots);
+    return marked(file, all.files.size() - 1, folders);
 }
 
 // The number at the front, which goes, and the '_' behind it.
@@ -152,16 +149,17 @@ std::vector<ActiveText::Place> places_in(std::string_view preprocessed, const Ac
 
 ActiveText active_text(std::vector<Source> given, Language language, Stage stage,
                        const std::vector<std::filesystem::path>& roots) {
+    const IncludeFolders folders = include_folders(roots, given);
     ActiveText all;
     all.given = given.size();
     // Errors of the version itself are the first text's.
     std::vector<Source> pieces{{given.empty() ? "nothing" : given.back().name, preamble(language)}};
     for (Source& source : given) {
         const std::string name = source.name;
-        pieces.push_back({name, added(all, std::move(source), roots)});
+        pieces.push_back({name, added(all, std::move(source), folders)});
     }
-    Includer includer(roots, [&](const std::filesystem::path& path, std::string text) {
-        return added(all, {path.string(), std::move(text)}, roots);
+    Includer includer(folders, [&](const std::filesystem::path& path, std::string text) {
+        return added(all, {path.string(), std::move(text)}, folders);
     });
     const std::string text = preprocessed(pieces, stage, client_of(language), includer);
     all.lines = places_in(text, all);

@@ -82,7 +82,7 @@ Parse::Parse(Stage stage, Client client, std::string name, std::vector<Source> p
     strings_.give_to(shader_);
     if (client != Client::hlsl) shader_.setPreamble(preamble);
     if (client != Client::none) set_client(shader_, language_, client);
-    Includer includer(roots);
+    Includer includer(include_folders(roots, pieces_));
     const bool accepted =
         shader_.parse(GetDefaultResources(), version_when_missing, false, messages_, includer);
     if (!accepted) throw CompileError(error_lines(shader_.getInfoLog(), name_));
@@ -97,7 +97,7 @@ const glslang::TIntermediate& Parse::link(Unreached unreached) {
 }
 
 std::string preprocessed(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots) {
-    Includer includer(roots);
+    Includer includer(include_folders(roots, {source}));
     return preprocessed(std::vector<Source>{source}, stage, Client::vulkan, includer);
 }
 

@@ -8,6 +8,8 @@
 
 namespace gloam::shader::internal {
 
+constexpr std::size_t most_nested = 256;
+
 using Path = std::filesystem::path;
 using Result = glslang::TShader::Includer::IncludeResult;
 
@@ -32,10 +34,13 @@ void Includer::releaseInclude(Result* result) {
 
 Result* Includer::open(const char* name, const Path& from) {
     try {
-        Path path = resolve_include(name, from, roots_);
+        Path path = resolved(name, from, folders_);
         const bool again =
             std::any_of(open_.begin(), open_.end(), [&](const auto& o) { return o->path == path; });
         if (again) return fail("include cycle: " + chain_to(path));
+        if (open_.size() >= most_nested)
+            return fail("includes are nested more than " + std::to_string(most_nested) + " deep at " +
+                        path.string());
         std::string text = read_text(path);
         if (reading_) text = reading_(path, std::move(text));
         return hold(std::move(path), std::move(text));

@@ -8,9 +8,26 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "shader/compile.hpp"
+
 namespace gloam::shader::internal {
+
+// The folders in which includes are searched, and those below which they must lie.
+struct IncludeFolders {
+    std::vector<std::filesystem::path> roots;
+    std::vector<std::filesystem::path> permitted;
+};
+
+// The roots; includes may also lie below the folder of each text whose name is a path with a folder.
+[[nodiscard]] IncludeFolders include_folders(const std::vector<std::filesystem::path>& roots,
+                                             const std::vector<Source>& texts);
+
+// resolve_include() of these folders. Nothing about `from` is assumed, because #line can name any.
+[[nodiscard]] std::filesystem::path resolved(std::string_view name, const std::filesystem::path& from,
+                                             const IncludeFolders& folders);
 
 // Serves #include from files. An include's name is its path, which error messages then contain. The text
 // passed to the compiler can differ from the file's.
@@ -18,8 +35,8 @@ namespace gloam::shader::internal {
 class Includer final : public glslang::TShader::Includer {
   public:
     using Reading = std::function<std::string(const std::filesystem::path&, std::string text)>;
-    explicit Includer(const std::vector<std::filesystem::path>& roots, Reading reading = {})
-        : roots_(roots), reading_(std::move(reading)) {}
+    explicit Includer(IncludeFolders folders, Reading reading = {})
+        : folders_(std::move(folders)), reading_(std::move(reading)) {}
 
     IncludeResult* includeLocal(const char* name, const char* includer, std::size_t depth) override;
     IncludeResult* includeSystem(const char* name, const char* includer, std::size_t depth) override;
@@ -37,7 +54,7 @@ class Includer final : public glslang::TShader::Includer {
     IncludeResult* hold(std::filesystem::path path, std::string text);
     [[nodiscard]] std::string chain_to(const std::filesystem::path& path) const;
 
-    const std::vector<std::filesystem::path>& roots_;
+    IncludeFolders folders_;
     Reading reading_;
     std::vector<std::unique_ptr<Open>> open_;
     std::optional<std::string> local_failure_;

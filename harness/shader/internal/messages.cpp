@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.hpp"
+
 namespace gloam::shader::internal {
 namespace {
 
@@ -86,7 +88,7 @@ std::string error_lines(const std::string& log, const std::string& file) {
         if (!has_place(error)) text.append(file).append(": ");
         text += tidied(error);
     }
-    return text;
+    return base::for_terminal(text);  // it quotes the shader
 }
 
 }  // namespace gloam::shader::internal

@@ -20,12 +20,10 @@ namespace {
 constexpr std::string_view first_variant = "shipped";
 
 std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader::Variant& variant,
-                                     const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> roots{glsl_directory()};
-    if (!folder.empty()) roots.insert(roots.begin(), folder);
+                                     const std::vector<std::filesystem::path>& roots) {
     return std::make_unique<check::Lab>(check::LabOptions{.device = options.device,
                                                           .validation = options.validation,
-                                                          .include_roots = std::move(roots),
+                                                          .include_roots = roots,
                                                           .cache_directory = cache_directory(),
                                                           .variant = variant,
                                                           .timeout = options.timeout});
@@ -38,21 +36,22 @@ check::RunOptions options_of(const CheckTask& task) {
 }  // namespace
 
 Checker::Checker(CheckerOptions options) : options_(std::move(options)), entries_(catalogue::all_entries()) {
-    lab(std::string(first_variant), {});
+    lab(std::string(first_variant), {glsl_directory()});
 }
 
-const check::Lab& Checker::lab(const std::string& variant, const std::filesystem::path& folder) {
-    if (!lab_ || variant != variant_ || folder != folder_) {
+const check::Lab& Checker::lab(const std::string& variant, const std::vector<std::filesystem::path>& roots) {
+    if (!lab_ || variant != variant_ || roots != roots_) {
         lab_.reset();  // destroyed before the next is made: a device may lack memory for two
-        lab_ = make_lab(options_, select_variants(variant).front(), folder);
+        lab_ = make_lab(options_, select_variants(variant).front(), roots);
         variant_ = variant;
-        folder_ = folder;
+        roots_ = roots;
     }
     return *lab_;
 }
 
 const check::Lab& Checker::lab(const CheckTask& task) {
-    return lab(task.variant, std::filesystem::path(task.file).parent_path());
+    if (task.file.empty()) return lab(task.variant, {glsl_directory()});
+    return lab(task.variant, include_roots_of(task.file, task.includes));
 }
 
 check::Question Checker::question_of(const CheckTask& task) {

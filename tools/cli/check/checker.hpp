@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "catalogue/catalogue.hpp"
 #include "cli/check/hand_over.hpp"
@@ -41,14 +42,14 @@ class Checker {
     [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
 
   private:
-    const check::Lab& lab(const std::string& variant, const std::filesystem::path& folder);
+    const check::Lab& lab(const std::string& variant, const std::vector<std::filesystem::path>& roots);
     const check::Lab& lab(const CheckTask& task);
     [[nodiscard]] check::Question question_of(const CheckTask& task);
 
     CheckerOptions options_;
     catalogue::Entries entries_;
-    std::string variant_;           // that lab_ compiles
-    std::filesystem::path folder_;  // of a user's files
+    std::string variant_;                       // that lab_ compiles
+    std::vector<std::filesystem::path> roots_;  // in which it looks for includes
     std::unique_ptr<check::Lab> lab_;
 };
 

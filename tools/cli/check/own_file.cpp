@@ -10,6 +10,7 @@
 
 #include "check/own_function.hpp"
 #include "cli/environment.hpp"
+#include "shader/include.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -54,11 +55,12 @@ bool is_shader_file(const std::string& word) {
 }
 
 std::vector<std::string> own_functions(const std::string& file, const std::vector<std::string>& names,
-                                       const std::vector<std::string>& ranges) {
+                                       const std::vector<std::string>& ranges,
+                                       const std::vector<std::string>& includes) {
     const std::filesystem::path path = std::filesystem::absolute(file);
-    if (!std::filesystem::exists(path)) throw std::runtime_error(fmt::format("cannot read {}", file));
+    static_cast<void>(shader::read_text(file));  // says what is wrong with it
     const check::Ranges known = ranges_from(ranges);
-    const shader::CompileOptions options{.include_roots = {path.parent_path(), glsl_directory()}};
+    const shader::CompileOptions options{.include_roots = include_roots_of(path, includes)};
     const std::vector<shader::Function> functions =
         asked_for(check::own_functions(options, path.filename().string()), names, file);
     require_known(known, functions);

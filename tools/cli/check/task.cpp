@@ -63,20 +63,21 @@ std::vector<std::string> texts_in(const json& object, const char* member) {
 std::string to_line(const CheckTask& task) {
     const json object{{"equation", task.equation}, {"variant", task.variant},   {"inputs", task.inputs},
                       {"seed", task.seed},         {"coverage", task.coverage}, {"file", task.file},
-                      {"ranges", task.ranges}};
+                      {"ranges", task.ranges},     {"includes", task.includes}};
     return object.dump(-1, ' ', false, replace);
 }
 
 CheckTask task_from(std::string_view line) {
-    const json object =
-        object_from(line, {"equation", "variant", "inputs", "seed", "coverage", "file", "ranges"});
+    const json object = object_from(
+        line, {"equation", "variant", "inputs", "seed", "coverage", "file", "ranges", "includes"});
     return {.equation = text_in(object, "equation"),
             .variant = text_in(object, "variant"),
             .inputs = count_in(object, "inputs"),
             .seed = count_in(object, "seed"),
             .coverage = flag_in(object, "coverage"),
             .file = text_in(object, "file"),
-            .ranges = texts_in(object, "ranges")};
+            .ranges = texts_in(object, "ranges"),
+            .includes = texts_in(object, "includes")};
 }
 
 std::string to_line(const Greeting& greeting) {

@@ -18,8 +18,9 @@ struct CheckTask {
     std::size_t inputs = 0;
     std::uint64_t seed = 0;
     bool coverage = false;
-    std::string file;                 // a user's file, with its folder; empty: an equation of the catalogue
-    std::vector<std::string> ranges;  // of its parameters: see check::range_from()
+    std::string file;                   // a user's file, with its folder; empty: an equation of the catalogue
+    std::vector<std::string> ranges;    // of its parameters: see check::range_from()
+    std::vector<std::string> includes;  // its further include roots
 };
 
 // The messages between workers and their parent, one line of JSON each. Reading throws std::runtime_error

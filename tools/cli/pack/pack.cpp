@@ -2,17 +2,17 @@
 #include "cli/pack/pack.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "base/apart.hpp"
+#include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/pack/effect_command.hpp"
 #include "cli/pack/line_table.hpp"
@@ -29,6 +29,7 @@ namespace fs = std::filesystem;
 struct PackOptions {
     std::vector<std::string> files;
     std::vector<std::string> functions;
+    std::vector<std::string> includes;  // further include roots
     std::string version = "450";
     std::string target;  // empty: GLSL
     fs::path out;
@@ -40,7 +41,7 @@ struct PackOptions {
 // A file by its path, or by its name inside the library.
 fs::path find_file(const std::string& name, const std::vector<fs::path>& roots) {
     std::error_code none;
-    if (fs::is_regular_file(name, none)) return name;
+    if (fs::exists(name, none)) return name;  // reading it says whether it is a text
     return shader::resolve_include(name, {}, roots);
 }
 
@@ -52,19 +53,6 @@ std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
         if (file.extension() == ".frag") return shader::Stage::fragment;
     }
     return std::nullopt;
-}
-
-// Runs work within limits of time and memory, because files can be untrusted, and their macros can exhaust a
-// compiler.
-std::string within_limits(const std::function<std::string()>& work, const std::string& name) {
-    const base::ProcessLimits limits{.memory_bytes = std::uint64_t{2} << 30,
-                                     .cpu = std::chrono::seconds(30),
-                                     .patience = std::chrono::minutes(5)};
-    try {
-        return base::run_apart(work, limits);
-    } catch (const base::LimitError& error) {
-        throw std::runtime_error(fmt::format("{}: packing it {}", name, error.what()));
-    }
 }
 
 // A GLSL text in the language of --target; the name of its first file names it.
@@ -95,19 +83,17 @@ void pack_files(const PackOptions& options) {
                                     "\": expected 450, 330, 300es, 310es or 320es");
     }
     const std::optional<shader::Target> target = target_of(options);
-    const std::vector<fs::path> roots{glsl_directory()};
+    std::vector<fs::path> roots{glsl_directory()};
+    roots.insert(roots.begin(), options.includes.begin(), options.includes.end());
     std::vector<fs::path> files;
     for (const std::string& name : options.files) files.push_back(find_file(name, roots));
     const report::OutputFile out(options.out);
     const shader::PackRequest request{
         .language = *language, .functions = options.functions, .stage = stage_of(files)};
-    const std::string text = within_limits(
-        [&] {
-            return in_language(shader::pack(files, request, roots), files.front(), target, request.stage);
-        },
-        files.front().string());
+    const std::string text =
+        in_language(shader::pack(files, request, roots), files.front(), target, request.stage);
     if (options.out.empty()) {
-        fmt::print("{}", text);
+        fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? base::for_terminal(text) : text);
     } else {
         out.write(text);
     }
@@ -176,6 +162,7 @@ void add_pack(CLI::App& app) {
                      "only this function and what it uses (default: main, else every function of the files); "
                      "may be repeated")
         ->allow_extra_args(false);
+    add_include_option(*command, options->includes);
     command->add_option("--version", options->version, "450, 330, 300es, 310es or 320es")
         ->capture_default_str();
     command->add_option(

@@ -42,10 +42,27 @@ Expression float_literal(std::uint32_t bits) {
             .typed = text + "f"};
 }
 
+namespace {
+
+// A constant of 16 bits, with the suffix of its type.
+Expression half_literal(std::uint32_t bits) {
+    const std::uint32_t exponent = (bits >> 10U) & 0x1fU;
+    const auto fraction = static_cast<float>(bits & 0x3ffU);
+    if (exponent == 0x1fU) throw NotTranslated("an infinite or NaN constant of 16 bits");
+    const float size = exponent == 0 ? std::ldexp(fraction, -24)
+                                     : std::ldexp(1024.0F + fraction, static_cast<int>(exponent) - 25);
+    const bool negative = (bits & 0x8000U) != 0;
+    return {.text = (negative ? "-" : "") + digits_of(size) + "h",
+            .level = negative ? Level::unary : Level::primary};
+}
+
+}  // namespace
+
 Expression ModuleText::number(const Instruction& i) {
     const std::uint32_t bits = i.word(3);
     switch (module_.type(i.word(1)).kind) {
         case TypeKind::float_:
+            if (module_.is_half(i.word(1))) return half_literal(bits);
             // A constant expression of WGSL has no infinity and no NaN.
             if (is_special(bits)) return plain(fmt::format("{}(0x{:x}u)", helper("float_of_bits", 0), bits));
             return float_literal(bits);
@@ -91,16 +108,16 @@ Expression ModuleText::computed(const Instruction& i) {
     if (mixed) return call(type(i.word(1)), {parts[0]});
     Expression result;
     if (!operation(*this, inner, parts, result))
-        throw WgslError("a specialization constant that is computed in a way that is not supported");
+        throw NotTranslated("a specialization constant that is computed");
     return result;
 }
 
 Expression ModuleText::constant(Id id) {
     const Instruction* i = module_.constant(id);
-    if (i == nullptr) throw WgslError("a value that is no constant");
+    if (i == nullptr) throw NotTranslated("a constant of another kind");
     if (names_.contains(id)) {
         overrides_used_.insert(id);
-        return plain(names_.at(id));
+        return plain(entry_of(names_, id, "a constant without a name"));
     }
     switch (i->opcode) {
         case SpvOpConstantTrue:
@@ -132,7 +149,7 @@ std::string ModuleText::overrides(const std::set<Id>& used) {
                                                                        : number(i).text;
         text += comment("", module_.name_of(id), "");
         text += fmt::format("@id({}) override {}: {} = {};\n", *module_.decorations_of(id).spec_id,
-                            names_.at(id), type(i.word(1)), value);
+                            entry_of(names_, id, "a constant without a name"), type(i.word(1)), value);
     }
     return text;
 }

@@ -21,7 +21,7 @@ void FunctionWriter::branch(Id from, Id to, const Open& open, Statements& out) {
 
 void FunctionWriter::set_phis(Id from, Id to, Statements& out) {
     std::vector<std::pair<Id, Expression>> values;
-    for (const Instruction& i : function_.blocks.at(to).body) {
+    for (const Instruction& i : function_.block(to).body) {
         if (i.opcode != SpvOpPhi) break;
         if (shape_.fold_results.contains(i.word(2)) || shape_.only_values.contains(i.word(2))) continue;
         for (std::size_t w = 3; w + 1 < i.words.size(); w += 2)
@@ -46,7 +46,7 @@ void FunctionWriter::set_phis(Id from, Id to, Statements& out) {
 // Writes all blocks from `start` to the end of the region.
 void FunctionWriter::region(Id start, const Open& open, Statements& out) {
     for (Id label = start; label != 0 && !is_jump(label, open);) {
-        const Block& here = function_.blocks.at(label);
+        const Block& here = function_.block(label);
         if (here.merge && here.merge->opcode == SpvOpLoopMerge) {
             loop(here, open, out);
             label = here.merge->word(1);
@@ -98,7 +98,7 @@ void FunctionWriter::folded(const Block&, const Fold& fold, Statements& out) {
     std::set<Id> inner;
     for (const Id label : fold.blocks) {
         if (inner.contains(label)) continue;
-        const Block& here = function_.blocks.at(label);
+        const Block& here = function_.block(label);
         body_of(here, out);
         const auto further = shape_.folds.find(label);
         if (further == shape_.folds.end()) continue;
@@ -119,7 +119,9 @@ void FunctionWriter::folded(const Block&, const Fold& fold, Statements& out) {
             value.reads.insert(part->reads.begin(), part->reads.end());
     }
     values_[fold.result] = value;
-    if (shape_.uses[fold.result] != 1 || shape_.home[fold.result] != shape_.straight.at(fold.merge)) {
+    if (shape_.uses[fold.result] != 1 ||
+        shape_.home[fold.result] !=
+            entry_of(shape_.straight, fold.merge, "a value of a block that is not reached")) {
         keep(fold.result, value, out);
     } else {
         pending_.push_back(fold.result);
@@ -150,7 +152,7 @@ Id FunctionWriter::two_ways(const Block& here, const Open& open, Statements& out
     keep_all(out);
     const bool yes_leaves = is_jump(yes, open);
     const bool no_leaves = is_jump(no, open);
-    if (!yes_leaves && !no_leaves) throw WgslError("a branch that is not structured");
+    if (!yes_leaves && !no_leaves) throw NotTranslated("a branch that is not structured");
     if (yes_leaves && no_leaves) {
         Statement statement{.kind = StatementKind::condition, .value = condition.text, .lists = {{}, {}}};
         branch(here.label, yes, open, statement.lists[0]);

@@ -121,7 +121,7 @@ void declare(FunctionBody& body, Id variable) {
     if (first.target != variable || mentions(first.value, variable) || has_initial) {
         first.declares.push_back(variable);
         if (!has_initial && !body.types.contains(variable))
-            throw WgslError("a result that WGSL has no type for");
+            throw NotTranslated("a variable of a type without a name that is set on several ways");
         return;
     }
     first.keyword = writes == 1 && !body.addressed.contains(variable) ? "let" : "var";

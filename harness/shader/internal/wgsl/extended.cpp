@@ -105,7 +105,7 @@ bool of_scalars(std::uint32_t instruction, const std::vector<Expression>& a, Exp
                 call("select", {unary("-", a[0]), a[0], binary("<", binary("*", a[1], a[2]), plain("0.0"))});
             return true;
         case GLSLstd450Refract:
-            throw WgslError("refract() of scalars");
+            throw NotTranslated("refract() of scalars");
         default:
             return false;
     }
@@ -124,7 +124,8 @@ bool extended_operation(ModuleText& text, const Instruction& i, const std::vecto
     }
     if (module.type(type).kind == Type::Kind::float_ && of_scalars(which, operands, result)) return true;
     const auto* const name = std::ranges::find(names, which, &std::pair<std::uint32_t, const char*>::first);
-    if (name == std::end(names)) throw WgslError(fmt::format("instruction {} of GLSL.std.450", which));
+    if (name == std::end(names))
+        throw NotTranslated(fmt::format("the instruction {} of GLSL.std.450", which));
     const bool bits =
         which == GLSLstd450FindILsb || which == GLSLstd450FindSMsb || which == GLSLstd450FindUMsb;
     result = call(name->second, operands);

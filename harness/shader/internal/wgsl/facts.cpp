@@ -95,6 +95,10 @@ void Facts::read_use(const Instruction& i, FunctionFacts& facts) {
         case SpvOpEmitVertex:
             facts.changes_memory = true;
             break;
+        case SpvOpImageSampleExplicitLod:
+        case SpvOpImageGather:
+            sampled_.insert(image_of(i.word(3)));
+            break;
         case SpvOpImageRead:
         case SpvOpImageFetch:
             read_.insert(image_of(i.word(3)));
@@ -105,6 +109,7 @@ void Facts::read_use(const Instruction& i, FunctionFacts& facts) {
                 facts.changes_memory = facts.reads_memory = true;
                 read_atomic(i);
             }
+            if (is_subgroup_operation(i.opcode)) facts.changes_memory = true;
             for (const Id id : operands(i))
                 if (uses_.contains(id)) ++uses_[id].parts;
     }
@@ -201,6 +206,7 @@ bool fits(const Module& module, Id id, const shader::Type& declared) {
                         : module.is_signed(id) ? Scalar::int_
                         : module.is_bool(id)   ? Scalar::bool_
                                                : Scalar::uint_;
+    if (module.is_half(id)) return declared.scalar == Scalar::unsupported;
     const bool simple = type.kind != TypeKind::array && type.kind != TypeKind::image;
     if (!simple) return declared.scalar == Scalar::unsupported;
     return declared.scalar == scalar && declared.columns == 1 &&

@@ -13,6 +13,9 @@ namespace gloam::shader::internal::wgsl {
 // The IDs that an instruction uses, without its type and result.
 [[nodiscard]] std::vector<Id> operands(const Instruction& instruction);
 
+// Whether an instruction works on a subgroup: its result depends on the invocations that run it.
+[[nodiscard]] bool is_subgroup_operation(std::uint32_t opcode);
+
 // The result of an instruction; 0 where it has none.
 [[nodiscard]] Id result_of(const Instruction& instruction);
 
@@ -49,8 +52,12 @@ class Facts {
   public:
     Facts(const Module& module, const std::vector<shader::Function>& declared);
 
-    [[nodiscard]] const FunctionFacts& of(Id function) const { return facts_.at(function); }
-    [[nodiscard]] const VariableUses& uses_of(Id variable) const { return uses_.at(variable); }
+    [[nodiscard]] const FunctionFacts& of(Id function) const {
+        return entry_of(facts_, function, "a call of a function without a body");
+    }
+    [[nodiscard]] const VariableUses& uses_of(Id variable) const {
+        return entry_of(uses_, variable, "a pointer to no variable");
+    }
     // The variable or parameter behind a pointer.
     [[nodiscard]] Id base_of(Id pointer) const;
     // The variable of a loaded image.
@@ -63,10 +70,16 @@ class Facts {
     // Whether it leads to a scalar that atomic operations change.
     [[nodiscard]] bool is_atomic_pointer(Id pointer) const;
     [[nodiscard]] bool is_written(Id variable) const { return written_.contains(variable); }
+    // Whether a combined sampler is read by its sampler, not only by texelFetch().
+    [[nodiscard]] bool is_sampled(Id variable) const { return sampled_.contains(variable); }
     [[nodiscard]] bool is_read(Id variable) const { return read_.contains(variable); }
     // Whether the function, or one that it calls, uses the variable of the module.
-    [[nodiscard]] const std::set<Id>& calls_of(Id function) const { return calls_.at(function); }
-    [[nodiscard]] const std::set<Id>& globals_of(Id function) const { return globals_.at(function); }
+    [[nodiscard]] const std::set<Id>& calls_of(Id function) const {
+        return entry_of(calls_, function, "a call of a function without a body");
+    }
+    [[nodiscard]] const std::set<Id>& globals_of(Id function) const {
+        return entry_of(globals_, function, "a call of a function without a body");
+    }
 
   private:
     void read_function(const Function& function);
@@ -90,6 +103,7 @@ class Facts {
     std::set<Id> atomic_variables_;
     std::set<Id> written_;
     std::set<Id> read_;
+    std::set<Id> sampled_;
     std::map<Id, std::set<Id>> calls_;
     std::map<Id, std::set<Id>> globals_;
     std::map<Id, std::vector<Instruction>> call_sites_;

@@ -60,7 +60,13 @@ class FunctionWriter {
     bool value(const Instruction& instruction, Statements& out);
     bool memory_access(const Instruction& instruction, Statements& out);
     bool image_access(const Instruction& instruction, Statements& out);
+    [[nodiscard]] std::vector<Expression> coordinates(Id image, Id coordinate, Statements& out);
+    void image_size(const Instruction& instruction, Statements& out);
+    void sample(const Instruction& instruction, Statements& out);
     bool atomic_access(const Instruction& instruction, Statements& out);
+    [[nodiscard]] Expression written_twice(Id value, Statements& out);
+    void compare_exchange(const Instruction& instruction, Statements& out);
+    bool subgroup_operation(const Instruction& instruction, Statements& out);
     void load(const Instruction& instruction, Statements& out);
     void store(const Instruction& instruction, Statements& out);
     void store_value(Id to, const Expression& value, Statements& out);
@@ -94,6 +100,7 @@ class FunctionWriter {
     Shape shape_;
     FunctionBody body_;
     std::map<Id, Expression> values_;
+    std::map<Id, Expression> samplers_;       // of combined images
     std::vector<Id> pending_;                 // values that are not written yet, in order
     std::map<Id, std::set<Id>> chain_reads_;  // what the indices of a chain read
     std::map<Id, int> left_;                  // uses of a pending value that are still to come

@@ -9,12 +9,47 @@
 
 namespace gloam::shader::internal::wgsl {
 
+// Of the operands of an access: that the texels are signed or unsigned integers, which their type says.
+constexpr std::uint32_t of_integers = SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask;
+
+// Coordinates as arguments: WGSL has the layer of an image apart, as an integer.
+std::vector<Expression> FunctionWriter::coordinates(Id image, Id coordinate, Statements& out) {
+    const Type& type = module_.image_type(module_.type_of(image));
+    Expression all = take(coordinate);
+    if (!type.arrayed) return {all};
+    if (marks_in(all.text).size() != 1 || all.text != mark(marks_in(all.text)[0])) {
+        const Id copy = copy_of(coordinate);  // it is written twice
+        body_.wanted_names[copy] = "at";
+        out.push_back({.kind = StatementKind::assign, .target = copy, .value = all.text});
+        all = {.text = mark(copy)};
+    }
+    const std::uint32_t count = module_.components(module_.type_of(coordinate));
+    Expression place = plain(all.text + std::string(".xyz").substr(0, count));
+    Expression layer = plain(all.text + "." + "xyzw"[count - 1]);
+    if (module_.is_float(module_.type_of(coordinate)))
+        layer = call("i32", {call("floor", {binary("+", layer, plain("0.5"))})});
+    place.reads = layer.reads = all.reads;
+    return {place, layer};
+}
+
+void FunctionWriter::image_size(const Instruction& i, Statements& out) {
+    const Expression image = take(i.word(3));
+    std::vector<Expression> arguments{image};
+    if (i.opcode == SpvOpImageQuerySizeLod && !module_.image_type(module_.type_of(i.word(3))).multisampled)
+        arguments.push_back(take(i.word(4)));
+    Expression size = call("textureDimensions", arguments);
+    if (module_.image_type(module_.type_of(i.word(3))).arrayed)
+        size = call("vec3u", {size, call("textureNumLayers", {image})});
+    define(i.word(2), call(text_.type(i.word(1)), {size}), out);
+}
+
 bool FunctionWriter::image_access(const Instruction& i, Statements& out) {
     switch (i.opcode) {
         case SpvOpImageRead: {
             const Expression image = take(i.word(3));
             const bool texture = text_.image_use(facts_.image_of(i.word(3))) == ImageUse::texture;
-            std::vector<Expression> arguments{image, take(i.word(4))};
+            std::vector<Expression> arguments = coordinates(i.word(3), i.word(4), out);
+            arguments.insert(arguments.begin(), image);
             if (texture) arguments.push_back(plain("0"));
             Expression texel = call("textureLoad", arguments);
             if (!texture) texel.reads.insert(memory);
@@ -22,34 +57,78 @@ bool FunctionWriter::image_access(const Instruction& i, Statements& out) {
             return true;
         }
         case SpvOpImageFetch: {
-            const Expression level = i.words.size() > 6 ? take(i.word(6)) : plain("0");
-            define(i.word(2), call("textureLoad", {take(i.word(3)), take(i.word(4)), level}), out);
+            std::vector<Expression> arguments = coordinates(i.word(3), i.word(4), out);
+            arguments.insert(arguments.begin(), take(i.word(3)));
+            if ((i.word(5) & ~(SpvImageOperandsLodMask | SpvImageOperandsSampleMask | of_integers)) != 0)
+                throw NotTranslated("texelFetchOffset()");
+            arguments.push_back(i.words.size() > 6 ? take(i.word(6)) : plain("0"));
+            define(i.word(2), call("textureLoad", arguments), out);
             return true;
         }
         case SpvOpImageWrite: {
-            const Expression write =
-                call("textureStore", {take(i.word(1)), take(i.word(2)), take(i.word(3))});
+            std::vector<Expression> arguments = coordinates(i.word(1), i.word(2), out);
+            arguments.insert(arguments.begin(), take(i.word(1)));
+            arguments.push_back(take(i.word(3)));
             before_change(memory, out);
-            out.push_back({.value = write.text});
+            out.push_back({.value = call("textureStore", arguments).text});
             return true;
         }
         case SpvOpImage:
             values_[i.word(2)] = take(i.word(3));
             return true;
         case SpvOpImageQuerySize:
-        case SpvOpImageQuerySizeLod: {
-            std::vector<Expression> arguments{take(i.word(3))};
-            if (i.opcode == SpvOpImageQuerySizeLod) arguments.push_back(take(i.word(4)));
-            define(i.word(2), call(text_.type(i.word(1)), {call("textureDimensions", arguments)}), out);
+        case SpvOpImageQuerySizeLod:
+            image_size(i, out);
             return true;
-        }
-        case SpvOpImageSampleImplicitLod:
-        case SpvOpImageSampleExplicitLod:
+        case SpvOpImageQueryLevels:
+            define(i.word(2), call(text_.type(i.word(1)), {call("textureNumLevels", {take(i.word(3))})}),
+                   out);
+            return true;
         case SpvOpSampledImage:
-            throw WgslError("a texture with its sampler: read it with texelFetch()");
+            values_[i.word(2)] = take(i.word(3));
+            samplers_[i.word(2)] = take(i.word(4));
+            return true;
+        case SpvOpImageSampleExplicitLod:
+        case SpvOpImageGather:
+            sample(i, out);
+            return true;
         default:
+            if (i.opcode >= SpvOpImageSampleImplicitLod && i.opcode <= SpvOpImageDrefGather)
+                throw NotTranslated("a depth comparison, a projective read or derivatives of a texture");
             return false;
     }
+}
+
+// A texture read by its sampler. The operands behind the mask stand in the order of its bits.
+void FunctionWriter::sample(const Instruction& i, Statements& out) {
+    const bool gather = i.opcode == SpvOpImageGather;
+    const Type& image = module_.image_type(module_.type_of(i.word(3)));
+    if (!module_.is_float(image.element)) throw WgslError("an integer texture with a sampler");
+    if (image.depth) throw NotTranslated("a depth comparison of a texture");
+    const Id loaded = facts_.image_of(i.word(3));
+    const auto apart = samplers_.find(i.word(3));
+    std::vector<Expression> arguments = coordinates(i.word(3), i.word(4), out);
+    const Expression sampler = apart != samplers_.end() ? apart->second : plain(text_.sampler_of(loaded));
+    arguments.insert(arguments.begin(), {take(i.word(3)), sampler});
+    const std::uint32_t mask = i.word(gather ? 6 : 5);
+    std::size_t next = gather ? 7 : 6;
+    if (gather) arguments.insert(arguments.begin(), take(i.word(5)));
+    if ((mask & SpvImageOperandsLodMask) != 0) arguments.push_back(take(i.word(next++)));
+    if ((mask & SpvImageOperandsGradMask) != 0) {
+        arguments.push_back(take(i.word(next++)));
+        arguments.push_back(take(i.word(next++)));
+    }
+    if ((mask & SpvImageOperandsConstOffsetMask) != 0) arguments.push_back(take(i.word(next++)));
+    constexpr std::uint32_t known =
+        SpvImageOperandsLodMask | SpvImageOperandsGradMask | SpvImageOperandsConstOffsetMask;
+    if ((mask & ~known) != 0) throw NotTranslated("a texture read with an offset that varies, or a bias");
+    const bool gradient = (mask & SpvImageOperandsGradMask) != 0;
+    define(i.word(2),
+           call(gather     ? "textureGather"
+                : gradient ? "textureSampleGrad"
+                           : "textureSampleLevel",
+                arguments),
+           out);
 }
 
 bool FunctionWriter::atomic_access(const Instruction& i, Statements& out) {
@@ -61,8 +140,13 @@ bool FunctionWriter::atomic_access(const Instruction& i, Statements& out) {
         {SpvOpAtomicAnd, "atomicAnd"},   {SpvOpAtomicOr, "atomicOr"},
         {SpvOpAtomicXor, "atomicXor"}};
     if (i.opcode < SpvOpAtomicLoad || i.opcode > SpvOpAtomicXor) return false;
+    if (i.opcode == SpvOpAtomicCompareExchange) {
+        compare_exchange(i, out);
+        return true;
+    }
     const auto name = names.find(i.opcode);
-    if (name == names.end()) throw WgslError(fmt::format("the atomic instruction {} of SPIR-V", i.opcode));
+    if (name == names.end())
+        throw NotTranslated(fmt::format("the atomic instruction {} of SPIR-V", i.opcode));
     std::vector<Expression> arguments{plain("&" + pointer(i.word(3)).text)};
     if (i.words.size() > 6) arguments.push_back(take(i.word(6)));
     const Expression result = call(name->second, arguments);
@@ -75,9 +159,48 @@ bool FunctionWriter::atomic_access(const Instruction& i, Statements& out) {
     return true;
 }
 
+// A value that is written twice: a constant, a name, or a variable made for it.
+Expression FunctionWriter::written_twice(Id value, Statements& out) {
+    const Expression once = take(value);
+    const std::vector<Id> marks = marks_in(once.text);
+    const bool name = marks.size() == 1 && once.text == mark(marks[0]) && once.reads.empty();
+    if (name || module_.constant(value) != nullptr) return once;
+    const Id copy = copy_of(value);
+    body_.wanted_names[copy] = "t";
+    out.push_back({.kind = StatementKind::assign, .target = copy, .value = once.text});
+    return {.text = mark(copy)};
+}
+
+// The exchange of WGSL may fail although the values are equal; that of GLSL does not.
+void FunctionWriter::compare_exchange(const Instruction& i, Statements& out) {
+    const Expression place = pointer(i.word(3));
+    before_change(memory, out);
+    const Expression compared = written_twice(i.word(8), out);
+    const Expression value = written_twice(i.word(7), out);
+    const Id address = copy_of(i.word(3));
+    const Id result = copy_of(i.word(2));
+    const auto indexed = chain_reads_.find(i.word(3));
+    Expression target = plain("&" + place.text);
+    if (indexed != chain_reads_.end() && !indexed->second.empty()) {  // the index may change in between
+        body_.wanted_names[address] = "place";
+        out.push_back({.kind = StatementKind::assign, .target = address, .value = target.text});
+        target = plain(mark(address));
+    }
+    body_.wanted_names[result] = "exchange";
+    const Statement exchange{.kind = StatementKind::assign,
+                             .target = result,
+                             .value = call("atomicCompareExchangeWeak", {target, compared, value}).text};
+    const std::string failed =
+        fmt::format("!{0}.exchanged && {0}.old_value == {1}", mark(result), compared.text);
+    out.push_back(exchange);
+    out.push_back({.kind = StatementKind::loop, .value = failed, .lists = {{exchange}, {}}});
+    define(i.word(2), {.text = mark(result) + ".old_value"}, out);
+}
+
 void FunctionWriter::barrier(const Instruction& i, Statements& out) {
     if (i.opcode == SpvOpMemoryBarrier)
         throw WgslError("a barrier of memory alone: WGSL has it only together with barrier()");
+    if (module_.integer(i.word(1)) == SpvScopeSubgroup) throw WgslError("subgroupBarrier()");
     const std::uint32_t semantics = module_.integer(i.word(3)).value_or(0);
     before_change(memory, out);
     out.push_back({.value = "workgroupBarrier()"});

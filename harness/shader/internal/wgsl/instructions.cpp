@@ -28,10 +28,11 @@ void FunctionWriter::instruction(const Instruction& i, Statements& out) {
         }
         return;
     }
-    if (memory_access(i, out) || image_access(i, out) || atomic_access(i, out)) return;
+    if (memory_access(i, out) || image_access(i, out) || atomic_access(i, out) || subgroup_operation(i, out))
+        return;
     // The operands of a value that nobody uses stay where they are.
     if (result_of(i) != 0 && shape_.uses[result_of(i)] == 0) return;
-    if (!value(i, out)) throw WgslError(fmt::format("SPIR-V instruction {} has no like in WGSL", i.opcode));
+    if (!value(i, out)) throw NotTranslated(fmt::format("the instruction {} of SPIR-V", i.opcode));
 }
 
 // The names that WGSL has for the members of results of more than one value.
@@ -269,7 +270,8 @@ Expression FunctionWriter::argument_of(Id argument, Passing passing) {
     if (passing != Passing::pointer) return pointer(argument);
     Expression place = pointer(argument);
     const Id variable = same(argument);
-    if (text_.has_name(variable)) throw WgslError("an out parameter that is given a variable of the module");
+    if (text_.has_name(variable))
+        throw NotTranslated("an out parameter that is given a variable of the module");
     body_.addressed.insert(variable);
     // *p of a pointer is the pointer itself.
     place.text = place.level == Level::unary ? place.text.substr(1) : "&" + place.text;

@@ -39,13 +39,13 @@ const Block* FunctionWriter::straight_on(const Block& at, const Block& header, c
         to = fold->second.merge;
     } else if (at.end.opcode == SpvOpBranch && (!at.merge || &at == &header)) {
         to = at.end.word(1);
-        const Block& block = function_.blocks.at(to);
+        const Block& block = function_.block(to);
         if (is_jump(to, open) || (block.merge && !shape_.folds.contains(to))) return nullptr;
         set_phis(at.label, to, out);
     } else {
         return nullptr;
     }
-    const Block& block = function_.blocks.at(to);
+    const Block& block = function_.block(to);
     body_of(block, out);
     return &block;
 }
@@ -103,7 +103,7 @@ void FunctionWriter::continuing(const Block& header, Id next, Id leave, Statemen
     Statements& list = loop.lists[1];
     const Open open{.stop = header.label, .leave = leave, .next = 0};
     for (Id label = next; label != 0 && label != header.label;) {
-        const Block& here = function_.blocks.at(label);
+        const Block& here = function_.block(label);
         const bool decides = here.end.opcode == SpvOpBranchConditional && !here.merge &&
                              (here.end.word(2) == header.label || here.end.word(3) == header.label);
         if (!decides) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shader/internal/wgsl/module.hpp"
 
-#include "shader/wgsl.hpp"
-
 namespace gloam::shader::internal::wgsl {
 namespace {
 
@@ -57,7 +55,7 @@ void Module::drop_dead_blocks(Function& function) {
         const Id label = open.back();
         open.pop_back();
         if (!reached.insert(label).second) continue;
-        const Block& block = function.blocks.at(label);
+        const Block& block = function.block(label);
         for (const Id to : targets_of(block)) open.push_back(to);
     }
     std::erase_if(function.blocks, [&](const auto& entry) { return !reached.contains(entry.first); });
@@ -66,7 +64,8 @@ void Module::drop_dead_blocks(Function& function) {
 
 const Type& Module::type(Id id) const {
     const auto found = types.find(id);
-    if (found == types.end()) throw WgslError("a type that WGSL does not have");
+    if (found == types.end())
+        throw NotTranslated("a type that is no number, vector, matrix, array, structure or image");
     return found->second;
 }
 
@@ -101,6 +100,17 @@ bool Module::is_float(Id id) const {
     const Type& t = type(id);
     return t.kind == Type::Kind::float_ ||
            ((t.kind == Type::Kind::vector || t.kind == Type::Kind::matrix) && is_float(t.element));
+}
+
+bool Module::is_half(Id id) const {
+    const Type& t = type(id);
+    if (t.kind == Type::Kind::vector || t.kind == Type::Kind::matrix) return is_half(t.element);
+    return t.kind == Type::Kind::float_ && t.bits == 16;
+}
+
+const Type& Module::image_type(Id id) const {
+    const Type& declared = type(id);
+    return declared.kind == TypeKind::sampled_image ? type(declared.element) : declared;
 }
 
 bool Module::is_signed(Id id) const {
@@ -211,8 +221,10 @@ bool Module::read_scalar_type(const Instruction& i, Type& t) {
             t.kind = i.word(3) == 0 ? TypeKind::uint_ : TypeKind::int_;
             return true;
         case SpvOpTypeFloat:
-            if (i.word(2) != 32) throw WgslError("floats of " + std::to_string(i.word(2)) + " bits");
+            if (i.word(2) != 32 && i.word(2) != 16)
+                throw WgslError("floats of " + std::to_string(i.word(2)) + " bits");
             t.kind = TypeKind::float_;
+            t.bits = i.word(2);
             return true;
         default:
             return false;
@@ -259,7 +271,9 @@ bool Module::read_opaque_type(const Instruction& i, Type& t) {
             t.kind = TypeKind::image;
             t.element = i.word(2);
             t.dimension = i.word(3);
-            t.plain = i.word(4) != 1 && i.word(5) == 0 && i.word(6) == 0;
+            t.depth = i.word(4) == 1;
+            t.arrayed = i.word(5) != 0;
+            t.multisampled = i.word(6) != 0;
             t.format = i.word(8);
             return true;
         case SpvOpTypeSampledImage:

@@ -14,10 +14,20 @@
 #include <vector>
 
 #include "shader/instructions.hpp"
+#include "shader/wgsl.hpp"
 
 namespace gloam::shader::internal::wgsl {
 
 using Id = std::uint32_t;
+
+// The entry of a map. Throws NotTranslated, with `what` it is about, where there is none.
+template <class Map>
+[[nodiscard]] const typename Map::mapped_type& entry_of(const Map& map, const typename Map::key_type& key,
+                                                        const char* what) {
+    const auto found = map.find(key);
+    if (found == map.end()) throw NotTranslated(what);
+    return found->second;
+}
 
 struct Member {
     Id type = 0;
@@ -51,9 +61,12 @@ struct Type {
     std::uint32_t stride = 0;
     std::vector<Member> members;
     std::uint32_t storage = 0;  // of a pointer
+    std::uint32_t bits = 32;    // of a float
     std::uint32_t dimension = 0;
-    bool plain = true;         // an image without depth, layers, samples
-    std::uint32_t format = 0;  // of a storage image
+    bool depth = false;         // an image that is compared with a depth
+    bool arrayed = false;       // an image with layers
+    bool multisampled = false;  // an image with samples
+    std::uint32_t format = 0;   // of a storage image
 };
 
 using TypeKind = Type::Kind;
@@ -87,6 +100,9 @@ struct Function {
     std::map<Id, Block> blocks;
     std::vector<Id> order;  // of the blocks
     [[nodiscard]] Id first() const { return order.front(); }
+    [[nodiscard]] const Block& block(Id label) const {
+        return entry_of(blocks, label, "a branch to a block of another function");
+    }
 };
 
 // What a module declares.
@@ -98,6 +114,8 @@ class Module {
     [[nodiscard]] const Type& type(Id id) const;
     // The type of a value or of a parameter.
     [[nodiscard]] Id type_of(Id value) const;
+    // The image type of an image or a combined sampler.
+    [[nodiscard]] const Type& image_type(Id type) const;
     [[nodiscard]] const Type& value_type(Id value) const { return type(type_of(value)); }
     // Of a pointer: the type of what it points to.
     [[nodiscard]] Id pointee(Id pointer) const { return value_type(pointer).element; }
@@ -106,6 +124,7 @@ class Module {
     [[nodiscard]] const Instruction* constant(Id id) const;
     [[nodiscard]] std::optional<std::uint32_t> integer(Id id) const;  // of an OpConstant
     [[nodiscard]] bool is_float(Id type) const;                       // or a vector of them
+    [[nodiscard]] bool is_half(Id type) const;                        // is_float(), of 16 bits
     [[nodiscard]] bool is_signed(Id type) const;
     [[nodiscard]] bool is_bool(Id type) const;
     [[nodiscard]] std::uint32_t components(Id type) const;  // 1 for a scalar

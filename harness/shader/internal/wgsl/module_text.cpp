@@ -36,7 +36,7 @@ void ModuleText::name_all() {
     for (const Function& function : module_.functions)
         names_[function.id] = free(module_.name_of(function.id));
     for (const Id id : module_.type_order)
-        if (module_.types.at(id).kind == TypeKind::structure) names.reserve(identifier(module_.name_of(id)));
+        if (module_.type(id).kind == TypeKind::structure) names.reserve(identifier(module_.name_of(id)));
     for (const Variable& variable : module_.variables) {
         std::string name = module_.name_of(variable.id);
         if (name.empty()) {  // a block without a name: its own in small letters
@@ -44,6 +44,8 @@ void ModuleText::name_all() {
             if (!name.empty()) name.front() = static_cast<char>(std::tolower(name.front()));
         }
         names_[variable.id] = free(name);
+        if (module_.type(variable.type).kind == TypeKind::sampled_image && facts_.is_sampled(variable.id))
+            sampler_names_[variable.id] = free(names_[variable.id] + "_sampler");
     }
     for (const Id id : module_.constant_order)
         if (module_.decorations_of(id).spec_id) names_[id] = free(module_.name_of(id));
@@ -59,12 +61,13 @@ std::string ModuleText::type(Id id) {
         case TypeKind::uint_:
             return "u32";
         case TypeKind::float_:
-            return "f32";
+            if (t.bits == 16) need_extension("f16");
+            return t.bits == 16 ? "f16" : "f32";
         case TypeKind::vector:
             if (module_.is_bool(id)) return fmt::format("vec{}<bool>", t.count);
-            return fmt::format("vec{}{}", t.count, type(t.element).front());
+            return fmt::format("vec{}{}", t.count, type(t.element) == "f16" ? 'h' : type(t.element).front());
         case TypeKind::matrix:
-            return fmt::format("mat{}x{}f", t.count, module_.type(t.element).count);
+            return fmt::format("mat{}x{}{}", t.count, module_.type(t.element).count, type(t.element).back());
         case TypeKind::array:
         case TypeKind::runtime_array:
             return array(t);
@@ -73,7 +76,7 @@ std::string ModuleText::type(Id id) {
         case TypeKind::pointer:
             return fmt::format("ptr<function, {}>", type(t.element));
         default:
-            throw WgslError("WGSL has no type for an image, a sampler or a function as a value");
+            throw NotTranslated("an image or a sampler as a parameter or in an array");
     }
 }
 
@@ -209,16 +212,43 @@ const char* format_name(std::uint32_t format) {
     }
 }
 
+// What names of texture types say of the dimensions; empty where there is no such type.
+std::string shape_of(const Type& image) {
+    const std::string layers = image.arrayed ? "_array" : "";
+    switch (image.dimension) {
+        case SpvDim1D:
+            return image.arrayed ? "" : "1d";
+        case SpvDim2D:
+            return "2d" + layers;
+        case SpvDim3D:
+            return "3d";
+        case SpvDimCube:
+            return "cube" + layers;
+        default:
+            return "";
+    }
+}
+
 }  // namespace
 
+std::string ModuleText::enabled() const {
+    std::string text;
+    for (const std::string& extension : extensions_) text += "enable " + extension + ";\n";
+    // GLSL allows them where only some invocations of a subgroup run.
+    if (extensions_.contains("subgroups")) text += "diagnostic(off, subgroup_uniformity);\n";
+    return text.empty() ? text : text + "\n";
+}
+
 std::string ModuleText::image(const Variable& variable) {
-    const std::string& name = names_.at(variable.id);
-    const Type& declared = module_.type(variable.type);
-    const Type& t = declared.kind == TypeKind::sampled_image ? module_.type(declared.element) : declared;
-    if (t.dimension != SpvDim2D || !t.plain)
-        throw WgslError(fmt::format("the image {} is not two-dimensional, or has layers or samples", name));
+    const std::string& name = entry_of(names_, variable.id, "a variable without a name");
+    const Type& t = module_.image_type(variable.type);
+    const std::string shape = shape_of(t);
     const ImageUse use = image_use(variable.id);
-    if (use == ImageUse::texture) return fmt::format("texture_2d<{}>", type(t.element));
+    const bool cube = t.dimension == SpvDimCube;
+    if (shape.empty() || t.depth || (t.multisampled && t.arrayed) || (use != ImageUse::texture && cube))
+        throw NotTranslated(fmt::format("the kind of image of {}", name));
+    if (use == ImageUse::texture)
+        return fmt::format("texture_{}{}<{}>", t.multisampled ? "multisampled_" : "", shape, type(t.element));
     const char* format = format_name(t.format);
     if (format == nullptr)
         throw WgslError(fmt::format("the image {} has a format that storage textures of WGSL lack", name));
@@ -229,16 +259,18 @@ std::string ModuleText::image(const Variable& variable) {
             fmt::format("the image {} is read and written in the format {}: WGSL allows that for "
                         "formats of one channel of 32 bits",
                         name, view));
-    return fmt::format("texture_storage_2d<{}, {}>", view, both ? "read_write" : "write");
+    return fmt::format("texture_storage_{}<{}, {}>", shape, view, both ? "read_write" : "write");
 }
 
 Layout layout_of(const Module& module, Id id) {
     const Type& t = module.type(id);
     switch (t.kind) {
-        case TypeKind::vector:
-            return {4 * t.count, t.count == 2 ? 8U : 16U};
+        case TypeKind::vector: {
+            const std::uint32_t scalar = layout_of(module, t.element).size;
+            return {scalar * t.count, scalar * (t.count == 2 ? 2 : 4)};
+        }
         case TypeKind::matrix: {
-            const std::uint32_t column = module.type(t.element).count == 2 ? 8 : 16;
+            const std::uint32_t column = layout_of(module, t.element).alignment;
             return {column * t.count, column};
         }
         case TypeKind::array:
@@ -261,7 +293,7 @@ Layout layout_of(const Module& module, Id id) {
             return all;
         }
         default:
-            return {4, 4};
+            return {t.bits / 8, t.bits / 8};
     }
 }
 

@@ -32,9 +32,22 @@ class ModuleText {
     // The type of a variable of the module.
     [[nodiscard]] std::string variable_type(const Variable& variable);
     [[nodiscard]] std::string member_name(Id structure, std::uint32_t member);
-    [[nodiscard]] const std::string& name(Id id) const { return names_.at(id); }
+    [[nodiscard]] const std::string& name(Id id) const {
+        return entry_of(names_, id,
+                        "a function with an image, a sampler or a pointer to a buffer as a parameter");
+    }
     [[nodiscard]] bool has_name(Id id) const { return names_.contains(id); }
     [[nodiscard]] ImageUse image_use(Id variable) const;
+    // The sampler that is declared for a combined one.
+    [[nodiscard]] std::string sampler_of(Id variable) const {
+        return entry_of(sampler_names_, variable, "a function with a sampler as a parameter");
+    }
+    [[nodiscard]] bool has_sampler(Id variable) const { return sampler_names_.contains(variable); }
+
+    // The text needs `enable EXTENSION;`.
+    void need_extension(const std::string& extension) { extensions_.insert(extension); }
+    // The lines that enable what is needed.
+    [[nodiscard]] std::string enabled() const;
 
     // A constant, also one that is specialized.
     [[nodiscard]] Expression constant(Id id);
@@ -73,6 +86,8 @@ class ModuleText {
     std::map<std::string, std::string> structure_by_body_;
     std::map<Id, std::vector<std::string>> member_names_;
     std::map<std::string, std::string> helper_names_;
+    std::map<Id, std::string> sampler_names_;  // by the combined ones
+    std::set<std::string> extensions_;
     std::set<Id> overrides_used_;
     std::string structures_;
     std::string helpers_;

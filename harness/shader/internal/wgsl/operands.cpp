@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shader/internal/wgsl/facts.hpp"
 
+#include <algorithm>
+
 namespace gloam::shader::internal::wgsl {
 namespace {
 
@@ -33,6 +35,21 @@ Range ids_of(const Instruction& i, std::size_t first) {
     }
 }
 
+// The word that says which further operands an access to an image has.
+std::size_t mask_of_image_operands(std::uint32_t opcode) {
+    switch (opcode) {
+        case SpvOpImageSampleDrefImplicitLod:
+        case SpvOpImageSampleDrefExplicitLod:
+        case SpvOpImageSampleProjDrefImplicitLod:
+        case SpvOpImageSampleProjDrefExplicitLod:
+        case SpvOpImageGather:
+        case SpvOpImageDrefGather:
+            return 6;
+        default:
+            return 5;
+    }
+}
+
 }  // namespace
 
 Id result_of(const Instruction& i) {
@@ -47,10 +64,18 @@ std::vector<Id> operands(const Instruction& i) {
     if (i.opcode == SpvOpExtInst) return {i.words.begin() + 5, i.words.end()};
     if (i.opcode == SpvOpImageWrite) return {i.word(1), i.word(2), i.word(3)};
     if (i.opcode == SpvOpImageRead || i.opcode == SpvOpImageFetch ||
-        i.opcode == SpvOpImageSampleExplicitLod) {
-        std::vector<Id> ids{i.word(3), i.word(4)};
-        for (std::size_t w = 6; w < i.words.size(); ++w) ids.push_back(i.word(w));
+        (i.opcode >= SpvOpImageSampleImplicitLod && i.opcode <= SpvOpImageDrefGather)) {
+        const std::size_t mask = mask_of_image_operands(i.opcode);
+        std::vector<Id> ids;
+        for (std::size_t w = 3; w < i.words.size(); ++w)
+            if (w != mask) ids.push_back(i.word(w));
         return ids;
+    }
+    if (is_subgroup_operation(i.opcode)) {
+        const bool sum = i.opcode >= SpvOpGroupNonUniformIAdd && i.opcode <= SpvOpGroupNonUniformLogicalXor;
+        const bool count = i.opcode == SpvOpGroupNonUniformBallotBitCount;
+        const std::size_t first = std::min<std::size_t>(sum || count ? 5 : 4, i.words.size());
+        return {i.words.begin() + static_cast<std::ptrdiff_t>(first), i.words.end()};
     }
     bool has_result = false;
     bool has_type = false;

@@ -147,7 +147,7 @@ Expression bitcast(ModuleText& text, const Instruction& i, const Expression& val
     const Instruction* constant = module.constant(i.word(3));
     const Id from = constant != nullptr ? constant->word(1) : module.type_of(i.word(3));
     if (!module.is_float(type) && !module.is_float(from)) return call(text.type(type), {typed(value)});
-    if (constant != nullptr && constant->opcode == SpvOpConstant)
+    if (constant != nullptr && constant->opcode == SpvOpConstant && !module.is_half(type))
         return call(text.helper("float_of_bits", 0), {typed(value)});
     return call("bitcast<" + text.type(type) + ">", {typed(value)});
 }
@@ -229,6 +229,7 @@ bool convert(ModuleText& text, const Instruction& i, const Operands& operands, E
         case SpvOpConvertFToU:
         case SpvOpConvertSToF:
         case SpvOpConvertUToF:
+        case SpvOpFConvert:
             result = call(text.type(i.word(1)), operands);
             return true;
         case SpvOpBitcast:
@@ -290,6 +291,8 @@ bool helped(ModuleText& text, const Instruction& i, const Operands& operands, Ex
     const auto help = [&](const char* kind) {
         const Instruction* constant = text.module().constant(i.word(3));
         const Id type = constant != nullptr ? constant->word(1) : text.module().type_of(i.word(3));
+        if (text.module().is_half(type) && (i.opcode == SpvOpIsNan || i.opcode == SpvOpIsInf))
+            throw NotTranslated("isnan() and isinf() of 16 bits");
         result = call(text.helper(kind, type), operands);
         return true;
     };

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shader/internal/comments.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/declarations.hpp"
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/outline.hpp"
@@ -48,7 +49,7 @@ std::string packed_text(const Source& packed, Stage stage) {
     const Outline glsl = outline(packed.text);
     const Comments comments(glsl);
     WgslOptions options{
-        .functions = functions(packed, compiled),
+        .functions = functions_here(packed, compiled),
         .comment_above =
             [&comments](const shader::Function& function) { return comment_above(comments, function); },
         .comment_of = [&comments](const std::string& block,
@@ -60,7 +61,10 @@ std::string packed_text(const Source& packed, Stage stage) {
     const bool whole =
         std::ranges::any_of(options.functions, [](const shader::Function& f) { return f.name == "main"; });
     try {
-        return whole ? to_wgsl(compile(packed, compiled), options) : module_of_functions(packed, options);
+        return whole ? to_wgsl(compile_here(packed, compiled), options)
+                     : module_of_functions(packed, options);
+    } catch (const NotTranslated& error) {
+        throw NotTranslated(std::string("gloam does not translate to WGSL yet: ") + error.what());
     } catch (const WgslError& error) {
         throw WgslError(std::string("WGSL cannot express ") + error.what());
     }

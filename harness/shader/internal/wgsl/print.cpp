@@ -29,7 +29,8 @@ class Printer {
         for (const Id variable : s.declares) {
             const auto initial = body_.initial.find(variable);
             line(depth, initial == body_.initial.end()
-                            ? fmt::format("var {}: {};", mark(variable), body_.types.at(variable))
+                            ? fmt::format("var {}: {};", mark(variable),
+                                          entry_of(body_.types, variable, "a variable without a type"))
                             : fmt::format("var {} = {};", mark(variable), initial->second));
         }
     }
@@ -198,7 +199,8 @@ std::string with_names(const std::string& text, const std::map<Id, std::string>&
             continue;
         }
         const std::size_t end = text.find('\x02', at);
-        result += names.at(static_cast<Id>(std::stoul(text.substr(at + 1, end - at - 1))));
+        result += entry_of(names, static_cast<Id>(std::stoul(text.substr(at + 1, end - at - 1))),
+                           "a variable without a declaration");
         at = end;
     }
     return result;

@@ -36,7 +36,7 @@ class Folder {
         const auto known = shape_.folds.find(label);
         if (known != shape_.folds.end()) return &known->second;
         if (!tried_.insert(label).second) return nullptr;
-        const Block& block = function_.blocks.at(label);
+        const Block& block = function_.block(label);
         if (!block.merge || block.merge->opcode != SpvOpSelectionMerge ||
             block.end.opcode != SpvOpBranchConditional)
             return nullptr;
@@ -50,7 +50,7 @@ class Folder {
     std::optional<Fold> fold_of(const Block& block, Id merge) {
         const Id yes = block.end.word(2);
         const Id no = block.end.word(3);
-        const Block& end = function_.blocks.at(merge);
+        const Block& end = function_.block(merge);
         const bool has_phi = !end.body.empty() && end.body.front().opcode == SpvOpPhi;
         if (has_phi && end.body.size() > 1 && end.body[1].opcode == SpvOpPhi) return std::nullopt;
         if (has_phi && (yes == merge || no == merge)) return logic_of(block, end, yes == merge ? no : yes);
@@ -124,7 +124,7 @@ class Folder {
     std::optional<Arm> arm_of(Id start, Id merge) {
         Arm arm;
         for (Id label = start; label != merge;) {
-            const Block& block = function_.blocks.at(label);
+            const Block& block = function_.block(label);
             arm.blocks.push_back(label);
             arm.last = label;
             for (const Instruction& i : block.body)
@@ -158,12 +158,15 @@ class Folder {
             }
             case SpvOpImageRead:
             case SpvOpImageFetch:
+            case SpvOpImageSampleExplicitLod:
+            case SpvOpImageGather:
                 arm.calls = true;
                 return true;
             case SpvOpPhi:
                 return shape_.fold_results.contains(i.word(2));
             default:
-                return result_of(i) != 0 && (i.opcode < SpvOpAtomicLoad || i.opcode > SpvOpAtomicXor);
+                return result_of(i) != 0 && !is_subgroup_operation(i.opcode) &&
+                       (i.opcode < SpvOpAtomicLoad || i.opcode > SpvOpAtomicXor);
         }
     }
 

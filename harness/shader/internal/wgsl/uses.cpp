@@ -155,7 +155,8 @@ void join_blocks(const Function& function, Shape& shape) {
     }
     const std::map<Id, int> ways = ways_to_blocks(function);
     for (const auto& [label, block] : function.blocks)
-        if (block.end.opcode == SpvOpBranch && !block.merge && ways.at(block.end.word(1)) == 1)
+        if (block.end.opcode == SpvOpBranch && !block.merge &&
+            entry_of(ways, block.end.word(1), "a branch to a block of another function") == 1)
             join(shape, {label, block.end.word(1)});
 }
 
@@ -178,7 +179,7 @@ Id only_value(const Function& function, const Instruction& phi, Id here) {
 }
 
 void count(Shape& shape, Id value, Id block) {
-    const Id here = shape.straight.at(block);
+    const Id here = entry_of(shape.straight, block, "a value of a block that is not reached");
     const int uses = ++shape.uses[value];
     Id& home = shape.home[value];
     home = uses == 1 || home == here ? here : 0;
@@ -196,7 +197,8 @@ void count_uses(const Function& function, Shape& shape) {
     for (const auto& [label, block] : function.blocks) {
         for (const Instruction& i : block.body) {
             if (const Id result = result_of(i); result != 0)
-                shape.defined_in[result] = shape.straight.at(label);
+                shape.defined_in[result] =
+                    entry_of(shape.straight, label, "a value of a block that is not reached");
             if (shape.idle.contains(i.at) || shape.idle_values.contains(result_of(i))) continue;
             if (i.opcode == SpvOpPhi && shape.fold_results.contains(i.word(2))) continue;
             if (const Id only = i.opcode == SpvOpPhi ? only_value(function, i, label) : 0; only != 0) {

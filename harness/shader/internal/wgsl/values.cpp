@@ -54,7 +54,7 @@ Id FunctionWriter::same(Id variable) const {
 Expression FunctionWriter::take(Id value) {
     if (module_.constant(value) != nullptr) return text_.constant(value);
     const auto found = values_.find(value);
-    if (found == values_.end()) throw WgslError("a value of a kind that is not supported");
+    if (found == values_.end()) throw NotTranslated("a value that is used before it is known");
     if (--left_[value] <= 0) std::erase(pending_, value);
     return found->second;
 }
@@ -91,15 +91,17 @@ void FunctionWriter::keep(Id result, const Expression& expression, Statements& o
 void FunctionWriter::before_change(Id variable, Statements& out) {
     for (const auto& [chain, reads] : chain_reads_)
         if (chain_uses_[chain] > 0 && reads.contains(variable))
-            throw WgslError("an index that changes before the element is used");
+            throw NotTranslated("an index that changes before the element is used");
     const std::vector<Id> pending = pending_;
     for (const Id value : pending)
-        if (values_.at(value).reads.contains(variable)) keep(value, values_.at(value), out);
+        if (entry_of(values_, value, "a value that is used before it is known").reads.contains(variable))
+            keep(value, entry_of(values_, value, "a value that is used before it is known"), out);
 }
 
 void FunctionWriter::keep_all(Statements& out) {
     const std::vector<Id> pending = pending_;
-    for (const Id value : pending) keep(value, values_.at(value), out);
+    for (const Id value : pending)
+        keep(value, entry_of(values_, value, "a value that is used before it is known"), out);
 }
 
 namespace {
