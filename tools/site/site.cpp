@@ -109,9 +109,7 @@ void write_pages(const SiteOptions& options, Files& files) {
 // The pages of measurements, one script each.
 void write_documents(const fs::path& folder, Files& files) {
     const std::map<std::string, std::vector<std::string>> sources{
-        {"accuracy", {"accuracy.md"}},
-        {"drivers", {"drivers.md"}},
-        {"benchmark", {"benchmark.md", "data/benchmark.md"}}};
+        {"accuracy", {"accuracy.md"}}, {"drivers", {"drivers.md"}}, {"benchmark", {"benchmark.md"}}};
     for (const auto& [name, pages] : sources) {
         std::string blocks;
         for (const std::string& page : pages)

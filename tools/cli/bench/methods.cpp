@@ -156,7 +156,9 @@ void add_bench_methods(CLI::App& bench, int& status) {
     add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
     command->add_option("--out", options->out, "folder for pictures");
-    command->add_option("--page", options->page, "page whose tables are written anew (docs/data/methods.md)");
+    command->add_option(
+        "--page", options->page,
+        "page whose tables are written anew, between <!-- begin NAME --> and <!-- end NAME -->");
     command->callback([options, &status] { status = run_bench_methods(*options); });
 }
 

@@ -27,8 +27,8 @@ struct MethodsReport {
     std::vector<MethodRow> rows;
 };
 
-// Tables as Markdown, for the blocks of docs/data/methods.md: what methods estimate, their results on
-// closed-form views, the differences from the truth, their errors on scenes, and the paths of their pictures.
+// Tables as Markdown, for the blocks of a page: what methods estimate, their results on closed-form views,
+// the differences from the truth, their errors on scenes, and the paths of their pictures.
 [[nodiscard]] std::vector<PageBlock> to_blocks(const MethodsReport& report);
 
 // All numbers as JSON.
