@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -13,6 +14,7 @@
 
 #include "shader/include.hpp"
 #include "shader/internal/active_text.hpp"
+#include "shader/internal/calling.hpp"
 #include "shader/internal/compiler_process.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/internal/outline.hpp"
@@ -79,8 +81,10 @@ class Selection {
     [[nodiscard]] std::vector<const Piece*> ordered() {
         keep_comments();
         const bool movable = !redefines_macros();
-        for (std::size_t i = 0; movable && i < pieces_.size(); ++i)
-            if (kept_[i] && is_given_by_user(i)) place(i);
+        for (const bool prototypes : {true, false})
+            for (std::size_t i = 0; movable && i < pieces_.size(); ++i)
+                if (kept_[i] && is_given_by_user(i) && (pieces_[i].kind == Kind::prototype) == prototypes)
+                    place(i);
         for (std::size_t i = 0; i < pieces_.size(); ++i)
             if (kept_[i]) place(i);
         return std::move(order_);
@@ -117,6 +121,21 @@ class Selection {
                 const auto found = named_.find(name);
                 if (found != named_.end())
                     open.insert(open.end(), found->second.begin(), found->second.end());
+            }
+            add_constants_in_comments(pieces_[i], open);
+        }
+    }
+
+    // A comment may name values that no function reads: "GLOAM_FALLOFF_*" says what a member may hold.
+    void add_constants_in_comments(const Piece& piece, std::vector<std::size_t>& open) const {
+        for (std::string name : internal::constants_in_comments(piece)) {
+            const bool family = name.ends_with('*');
+            if (family) name.pop_back();
+            for (auto found = named_.lower_bound(name); found != named_.end(); ++found) {
+                if (family ? !found->first.starts_with(name) : found->first != name) break;
+                std::ranges::copy_if(found->second, std::back_inserter(open), [this](std::size_t i) {
+                    return pieces_[i].kind == Kind::variable || pieces_[i].kind == Kind::macro;
+                });
             }
         }
     }
@@ -228,7 +247,7 @@ std::string for_opengl(const std::string& text) {
 }
 
 std::string written(const Outline& outline, const std::vector<const Piece*>& pieces,
-                    const PackRequest& request) {
+                    const PackRequest& request, const std::string& head) {
     const std::string preamble = shader::preamble(request.language);
     const std::size_t version = preamble.find('\n');
     std::string text = preamble.substr(0, version);
@@ -236,7 +255,8 @@ std::string written(const Outline& outline, const std::vector<const Piece*>& pie
         if (!lines.empty()) add_block(text, joined(lines), false);
     if (version + 1 < preamble.size())
         add_block(text, preamble.substr(version + 1, preamble.size() - version - 2), false);
-    for (const std::string& head : outline.heads) add_block(text, head);
+    if (!head.empty() && std::ranges::count(outline.heads, head) == 0) add_block(text, head);
+    for (const std::string& own : outline.heads) add_block(text, own);
     const Piece* before = nullptr;
     for (const Piece* piece : pieces) {
         const bool same = before && before->paragraph == piece->paragraph && before->file == piece->file;
@@ -262,8 +282,10 @@ Packed packed(const std::vector<Source>& sources, const PackRequest& request, St
     const std::vector<std::string> wanted = request.functions.empty() ? selection.usual() : request.functions;
     selection.want(wanted);
     if (wanted.empty()) selection.want_all_given();
-    return {written(outline, selection.ordered(), request),
-            std::ranges::find(wanted, "main") != wanted.end()};
+    const std::vector<const Piece*> pieces = selection.ordered();
+    const bool has_main = std::ranges::find(wanted, "main") != wanted.end();
+    const std::string head = has_main ? "" : internal::calling_comment(pieces, wanted);
+    return {written(outline, pieces, request, head), has_main};
 }
 
 // The same of each text as it is names its own lines, and those of what it includes.

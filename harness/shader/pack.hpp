@@ -24,10 +24,12 @@ struct PackRequest {
 };
 
 // One text of this version without includes and conditions. Its order: the #version line, licences,
-// #extension lines, and the comment at the head of the texts; then what the user has to supply (bindings,
-// specialization constants, structures of the functions' parameters, prototypes without a body); then the
-// rest. Each declaration follows those that it uses.
-// Declarations that the functions do not use are dropped. Comments stay with the declaration below them. A
+// #extension lines, a comment that says what to call and what to define where there are prototypes without a
+// body, and the comment at the head of the texts; then what the user has to supply (those prototypes,
+// bindings, specialization constants, structures of the functions' parameters); then the rest. Each
+// declaration follows those that it uses.
+// Declarations that the functions do not use are dropped, except constants and macros that a kept comment
+// names: "FX_STEP", or "FX_FALLOFF_*" for all that begin so. Comments stay with the declaration below them. A
 // name counts as a use of every declaration with this name, so the result can contain unused declarations,
 // but lacks none. The result has been compiled. Throws CompileError (for the original texts, if the error is
 // there), std::invalid_argument for a function that the texts do not have, std::runtime_error for a file that

@@ -141,13 +141,83 @@ float other() { return helpless(Unused(LONELY[0])) + nothing(1); }
 TEST(Pack, LeavesOutWhatTheFunctionDoesNotReach) {
     const std::string text = packed(two_of_each, {.functions = {"wanted"}});
     EXPECT_EQ(text,
-              "#version 450\n\nstruct Used { float x; };\n// Of the user.\nfloat fetch(int at);\n"
+              "#version 450\n\n// Call: wanted\n// Define: fetch: Of the user\n"
+              "// Structures to fill in: Used\n\n"
+              "// Of the user.\nfloat fetch(int at);\nstruct Used { float x; };\n"
               "#define TWICE(x) (2.0 * (x))\nconst float ONE = 1.0, OTHER = 5.0;\n"
               "float helper(Used u) { return TWICE(u.x); }\n"
               "float wanted(Used u, int THRICE) { return helper(u) + ONE + fetch(THRICE); }\n");
     const std::string both = packed(two_of_each);
     for (const char* name : {"Unused", "THRICE(x)", "LONELY", "nothing", "helpless"})
         EXPECT_THAT(both, HasSubstr(name));
+}
+
+// Values that no function reads, because another value is the rest; a setting may have them all the same.
+TEST(Pack, ConstantsThatAKeptCommentNamesAreKept) {
+    const std::string text = packed(R"(
+const uint FX_LAW_STEP = 0u;
+const uint FX_LAW_LINEAR = 1u;
+#define FX_LAW_CUBIC 2u
+const uint FX_MODE_OFF = 0u;
+const uint FX_MODE_ON = 1u;
+const uint FX_LAW = 7u;
+struct Settings {
+    uint law;   // FX_LAW_*, linear for any other number
+    uint mode;  // FX_MODE_ON or another
+};
+/* FX_MODE_OFF */
+float unused() { return 1.0; }
+float wanted(Settings s) { return s.law == FX_LAW_STEP ? 1.0 : 0.0; }
+)",
+                                    {.functions = {"wanted"}});
+    for (const char* kept : {"FX_LAW_STEP = 0u", "FX_LAW_LINEAR = 1u", "FX_LAW_CUBIC 2u", "FX_MODE_ON = 1u"})
+        EXPECT_THAT(text, HasSubstr(kept));
+    for (const char* dropped : {"FX_MODE_OFF", "FX_LAW = 7u"}) EXPECT_THAT(text, Not(HasSubstr(dropped)));
+}
+
+constexpr const char* has_fetches = R"(// What the file is.
+
+struct Result { float x; };
+struct Camera { float width; };
+// Defined by the user: depth of a pixel,
+// in metres.
+float fetch(int at);
+/* Defined by the user: a weight. */
+float weigh(Camera camera);
+float helper(int at) { return fetch(at); }
+// The whole.
+Result whole(Camera camera, int at) { return Result(helper(at) * weigh(camera)); }
+)";
+
+TEST(Pack, TheHeadSaysWhatToCallAndWhatToDefine) {
+    const std::string text = packed(has_fetches);
+    EXPECT_THAT(text,
+                StartsWith("#version 450\n\n// Call: whole\n// Define: fetch: depth of a pixel, in metres\n"
+                           "// Define: weigh: a weight\n// Structures to fill in: Camera\n\n"
+                           "// What the file is.\n\n// Defined by the user: depth of a pixel,\n"
+                           "// in metres.\nfloat fetch(int at);\nstruct Camera"))
+        << text;
+    EXPECT_EQ(packed(text), text) << "packed twice";
+    EXPECT_THAT(packed(std::string(has_fetches) + "float fetch(int at) { return 1.0; }\n"
+                                                  "float weigh(Camera camera) { return 1.0; }\n"),
+                Not(HasSubstr("// Call")));
+    EXPECT_THAT(
+        packed(has_fetches, {.functions = {"helper"}}),
+        StartsWith("#version 450\n\n// Call: helper\n// Define: fetch: depth of a pixel, in metres\n\n"));
+}
+
+TEST(Pack, LinesOfTheHeadFitThePage) {
+    std::string meaning;
+    for (int i = 0; i < 60; ++i) meaning += "\n// word";
+    const std::string text = packed("// Defined by the user:" + meaning +
+                                    "\nfloat fetch(int at);\nfloat f() { return fetch(1); }\n");
+    const std::string head = text.substr(0, text.find("// Defined"));
+    EXPECT_EQ(count_of(head, "word"), 60U);
+    EXPECT_EQ(count_of(head, "\n//   word"), 2U) << head;
+    for (std::size_t at = 0, end = 0; end != std::string::npos; at = end + 1) {
+        end = head.find('\n', at);
+        EXPECT_LE(head.substr(at, end - at).size(), 120U);
+    }
 }
 
 TEST(Pack, AFunctionThatIsNotThereIsNamed) {
