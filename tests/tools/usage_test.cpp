@@ -103,6 +103,51 @@ TEST(List, NamesOneALine) {
     }
 }
 
+TEST(List, SettingsWithDefaultAndRange) {
+    const CommandResult result = run_command({"list", "settings"});
+    expect_success(result);
+    for (const char* line :
+         {"samples            k_1: for each pixel that has not converged, in each frame (32 samples; ",
+          "skip_open          off: tiles that nothing can block are sampled, to the same result (on; "
+          "on or off)"})
+        EXPECT_THAT(result.out, HasSubstr(line));
+    const auto settings = nlohmann::json::parse(run_command({"list", "settings", "--json"}).out);
+    EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));
+    const CommandResult one = run_command({"list", "settings", "samples"});
+    EXPECT_THAT(one.out, HasSubstr("name: samples\n"));
+    EXPECT_THAT(one.out, HasSubstr("default: 32\n"));
+}
+
+// What is printed of a preset makes the same: as text by --set, as JSON by --preset.
+TEST(List, APresetSaysWhatItSets) {
+    const CommandResult result = run_command({"list", "presets", "sweep-balanced"});
+    expect_success(result);
+    EXPECT_THAT(result.out, testing::StartsWith("name: sweep-balanced\ndescription: "));
+    const CommandResult as_json = run_command({"list", "presets", "sweep-balanced", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(as_json.out).at("settings").at("method"), "sweep");
+    const TemporaryDirectory folder;
+    const std::string file = (folder.path() / "same.json").string();
+    std::ofstream(file) << as_json.out;
+    std::vector<std::string> by_settings;
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("  ")) by_settings.insert(by_settings.end(), {"--set", line.substr(2)});
+    const auto used = [&](std::vector<std::string> options) {
+        const std::vector<std::string> command{"render", "corner", "--radius", "1",
+                                               "--size", "16x9",   "--out",    folder.path().string()};
+        options.insert(options.begin(), command.begin(), command.end());
+        expect_success(run_command(options));
+        std::ifstream stream(folder.path() / "render.json");
+        return nlohmann::json::parse(stream).at("settings");
+    };
+    const auto expected = used({"--preset", "sweep-balanced"});
+    EXPECT_NE(used({"--preset", "paper"}), expected);
+    by_settings.insert(by_settings.end(), {"--preset", "paper"});
+    EXPECT_EQ(used(by_settings), expected);
+    EXPECT_EQ(used({"--preset", file}), expected);
+    expect_could_not_run(run_command({"list", "presets", "no-such"}), "no-such");
+}
+
 TEST(List, EquationsSayAllThatIsKnownOfThem) {
     for (const auto& equation : nlohmann::json::parse(run_command({"list", "equations", "--json"}).out)) {
         for (const char* member : {"name", "description", "function", "file", "formula", "error", "source"})

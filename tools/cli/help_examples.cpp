@@ -21,7 +21,8 @@ const std::map<std::string, std::string>& examples() {
         {"devices", "  gloam devices --json\n"},
         {"list",
          "  gloam list methods\n"
-         "  gloam list settings --json\n"},
+         "  gloam list settings --json\n"
+         "  gloam list presets sweep-balanced    the settings that it changes\n"},
         {"check",
          "  gloam check                                          every equation on the default device\n"
          "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"

@@ -15,6 +15,8 @@
 #include "catalogue/catalogue.hpp"
 #include "cli/names.hpp"
 #include "cli/setting_json.hpp"
+#include "effect/presets.hpp"
+#include "effect/setting_table.hpp"
 #include "report/output_file.hpp"
 #include "report/page.hpp"
 #include "shader/variant.hpp"
@@ -24,6 +26,7 @@ namespace {
 
 struct ListOptions {
     std::string kind;
+    std::string name;  // empty: all
     bool json = false;
     std::filesystem::path html;
 };
@@ -67,6 +70,19 @@ nlohmann::ordered_json equation_json(const catalogue::Entry& entry) {
             {"source", d.source}};
 }
 
+// As `--preset FILE.json` reads it: "settings" has those that differ from the defaults of `gloam list
+// settings`.
+nlohmann::ordered_json preset_json(const Named& named) {
+    nlohmann::ordered_json json = named_json(named);
+    json["settings"] = nlohmann::ordered_json::object();
+    const effect::Preset preset = effect::preset_named(named.name);
+    for (const effect::Setting& setting : effect::setting_table()) {
+        const effect::SettingValue value = setting.get(preset.settings);
+        if (value != setting.get(effect::Settings{})) json["settings"][setting.name] = json_of(value);
+    }
+    return json;
+}
+
 // The names of a kind with all their properties.
 nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& names) {
     auto json = nlohmann::ordered_json::array();
@@ -75,8 +91,28 @@ nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Name
         return json;
     }
     for (const Named& named : names)
-        json.push_back(kind == "settings" ? json_of(effect::setting_named(named.name)) : named_json(named));
+        json.push_back(kind == "settings"  ? json_of(effect::setting_named(named.name))
+                       : kind == "presets" ? preset_json(named)
+                                           : named_json(named));
     return json;
+}
+
+// All that is known of one name. Throws std::invalid_argument for a name that the kind does not have.
+nlohmann::ordered_json one_of(const std::string& kind, const nlohmann::ordered_json& all,
+                              const std::string& name) {
+    for (const auto& each : all)
+        if (each.at("name") == name) return each;
+    throw std::invalid_argument(
+        fmt::format("{} \"{}\": expected a name of `gloam list {}`", kind, name, kind));
+}
+
+// A property a line; what a preset sets as `--set` takes it.
+void print_one(const nlohmann::ordered_json& one) {
+    for (const auto& [key, value] : one.items()) {
+        if (!value.is_object()) fmt::print("{}: {}\n", key, text_of(value));
+        if (value.is_object())
+            for (const auto& [setting, set] : value.items()) fmt::print("  {}={}\n", setting, text_of(set));
+    }
 }
 
 // A page of all equations that can be searched and sorted.
@@ -108,6 +144,15 @@ std::string equations_page() {
     return page.html();
 }
 
+// One name a line; with its meaning where all kinds are listed, and for settings, which need a value.
+void print_names(const std::vector<Named>& names, const std::string& kind) {
+    for (const Named& named : names) {
+        if (!kind.empty() && kind != "settings") fmt::print("{}\n", named.name);
+        if (kind.empty() || kind == "settings")
+            fmt::print("{}{:<18} {}\n", kind.empty() ? "  " : "", named.name, named.description);
+    }
+}
+
 void run_list(const ListOptions& options) {
     if (!options.html.empty()) {
         if (options.kind != "equations")
@@ -123,11 +168,10 @@ void run_list(const ListOptions& options) {
         if (options.kind.empty() && !options.json) fmt::print("{}\n", kind);
         const std::vector<Named> all = names();
         json[kind] = kind_json(kind, all);
+        if (!options.name.empty()) json[kind] = one_of(kind, json[kind], options.name);
         if (options.json) continue;
-        for (const Named& named : all) {
-            if (options.kind.empty()) fmt::print("  {:<26} {}\n", named.name, named.description);
-            if (!options.kind.empty()) fmt::print("{}\n", named.name);
-        }
+        if (!options.name.empty()) print_one(json[kind]);
+        if (options.name.empty()) print_names(all, options.kind);
     }
     if (json.empty()) {
         throw std::invalid_argument(
@@ -141,10 +185,13 @@ void run_list(const ListOptions& options) {
 void add_list(CLI::App& app) {
     auto options = std::make_shared<ListOptions>();
     CLI::App* command = app.add_subcommand("list", "the names that the other commands take");
-    command->add_option("kind", options->kind,
-                        "equations, methods, presets, scenes, settings, variants or views (one name a line); "
-                        "all when not given");
-    command->add_flag("--json", options->json, "names and descriptions as JSON");
+    command->add_option(
+        "kind", options->kind,
+        "equations, methods, presets, scenes, settings, variants or views: one name a line, of "
+        "settings with meaning, default and range; all when not given");
+    command->add_option("name", options->name,
+                        "all that is known of this one: of a preset the settings that it changes");
+    command->add_flag("--json", options->json, "names, descriptions and all other properties as JSON");
     command->add_option("--html", options->html,
                         "equations only: write a page of them all that is searched and sorted");
     command->callback([options] { run_list(*options); });

@@ -12,18 +12,8 @@
 #include "effect/setting_table.hpp"
 
 namespace gloam::cli {
-namespace {
 
 using nlohmann::ordered_json;
-
-// A value as text that effect::set() reads.
-std::string text_of(const ordered_json& value) {
-    if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-    if (value.is_string()) return value.get<std::string>();
-    return value.dump();
-}
-
-}  // namespace
 
 std::string preset_json(const std::string& name, const std::string& description,
                         const effect::Settings& settings) {

@@ -15,6 +15,12 @@ ordered_json json_of(const effect::SettingValue& value) {
     return std::isfinite(number) ? ordered_json::parse(effect::text_of(value)) : ordered_json("inf");
 }
 
+std::string text_of(const ordered_json& value) {
+    if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+    if (value.is_string()) return value.get<std::string>();
+    return value.dump();
+}
+
 ordered_json json_of(const effect::Setting& setting) {
     const effect::SettingValue value = setting.get(effect::Settings{});
     ordered_json json{{"name", setting.name},
