@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 // packed_fragment gl|es FRAGMENT_SHADER PICTURE.pgm: the ambient occlusion of a wall on a floor, drawn by the
 // packed shader in a context of OpenGL 3.3 or OpenGL ES 3.0 without a window.
+// packed_fragment gl|es --compile SHADER: functions without a main are compiled.
+// packed_fragment gl|es --method FRAGMENT_SHADER FRAME RADIUS RENDERED.pfm: the occlusion of a frame that
+// `gloam render --write-gbuffer` has written (FRAME: the files' path up to f0000), compared with what it
+// rendered.
 #define GL_GLES_PROTOTYPES 0
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES3/gl3.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iterator>
@@ -16,8 +23,11 @@
 #include <string>
 #include <vector>
 
+#include "../vulkan/files.hpp"
+
 namespace {
 
+// Of the wall on a floor.
 constexpr int width = 96;
 constexpr int height = 64;
 constexpr float p00 = 1.2F;
@@ -91,42 +101,97 @@ std::vector<float> depths() {
     return all;
 }
 
-void texture(GLint internal, GLenum format, GLenum type, const void* texels) {
+struct Size {
+    GLsizei width;
+    GLsizei height;
+};
+
+// Without texels: what is drawn to.
+void texture(Size size, GLint internal, GLenum format, GLenum type, const void* texels) {
     GLuint name = 0;
     GL(GENTEXTURES, GenTextures)(1, &name);
     GL(BINDTEXTURE, BindTexture)(GL_TEXTURE_2D, name);
-    GL(TEXIMAGE2D, TexImage2D)(GL_TEXTURE_2D, 0, internal, width, height, 0, format, type, texels);
+    GL(TEXIMAGE2D, TexImage2D)(GL_TEXTURE_2D, 0, internal, size.width, size.height, 0, format, type, texels);
     GL(TEXPARAMETERI, TexParameteri)(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     GL(TEXPARAMETERI, TexParameteri)(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     if (texels != nullptr) return;
-    GLuint target = 0;  // drawn to
+    GLuint target = 0;
     GL(GENFRAMEBUFFERS, GenFramebuffers)(1, &target);
     GL(BINDFRAMEBUFFER, BindFramebuffer)(GL_FRAMEBUFFER, target);
     GL(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)
     (GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
 }
 
-// One channel, 0 to 255, rows from the bottom.
-std::vector<std::uint8_t> drawn(GLuint program) {
-    const std::vector<float> depth = depths();
-    texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    texture(GL_R32F, GL_RED, GL_FLOAT, depth.data());
-    GL(USEPROGRAM, UseProgram)(program);
-    const auto location = GL(GETUNIFORMLOCATION, GetUniformLocation);
-    GL(UNIFORM1I, Uniform1i)(location(program, "engine_depth"), 0);
-    GL(UNIFORM2F, Uniform2f)(location(program, "p00_p11"), p00, p11);
-    GL(UNIFORM1F, Uniform1f)(location(program, "radius"), 1.0F);
+// A uniform of the program in use.
+GLint uniform(GLuint program, const char* name) {
+    return GL(GETUNIFORMLOCATION, GetUniformLocation)(program, name);
+}
+
+// Draws a triangle over the whole target, and reads the first of its four channels, rows from the first.
+template <class Value>
+std::vector<Value> drawn(Size size, GLenum type) {
     GLuint nothing = 0;
     GL(GENVERTEXARRAYS, GenVertexArrays)(1, &nothing);
     GL(BINDVERTEXARRAY, BindVertexArray)(nothing);
-    GL(VIEWPORT, Viewport)(0, 0, width, height);
+    GL(VIEWPORT, Viewport)(0, 0, size.width, size.height);
     GL(DRAWARRAYS, DrawArrays)(GL_TRIANGLES, 0, 3);
-    std::vector<std::uint8_t> texels(std::size_t{4} * width * height);
-    GL(READPIXELS, ReadPixels)(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    std::vector<Value> texels(std::size_t{4} * static_cast<std::size_t>(size.width * size.height));
+    GL(READPIXELS, ReadPixels)(0, 0, size.width, size.height, GL_RGBA, type, texels.data());
     require(GL(GETERROR, GetError)() == GL_NO_ERROR, "OpenGL reports an error");
-    std::vector<std::uint8_t> values;
+    std::vector<Value> values;
     for (std::size_t i = 0; i < texels.size(); i += 4) values.push_back(texels[i]);
     return values;
+}
+
+// 0 to 255, rows from the bottom.
+std::vector<std::uint8_t> wall_on_floor(GLuint program) {
+    const Size size{width, height};
+    const std::vector<float> depth = depths();
+    texture(size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    texture(size, GL_R32F, GL_RED, GL_FLOAT, depth.data());
+    GL(USEPROGRAM, UseProgram)(program);
+    GL(UNIFORM1I, Uniform1i)(uniform(program, "engine_depth"), 0);
+    GL(UNIFORM2F, Uniform2f)(uniform(program, "p00_p11"), p00, p11);
+    GL(UNIFORM1F, Uniform1f)(uniform(program, "radius"), 1.0F);
+    return drawn<std::uint8_t>(size, GL_UNSIGNED_BYTE);
+}
+
+// The occlusion of a frame; images have their rows from the top, and so has the result.
+std::vector<float> of_frame(GLuint program, const std::string& frame, float radius) {
+    const Picture depth = read_pfm(frame + "_depth.pfm");
+    const Picture normal = read_pfm(frame + "_normal.pfm");
+    const std::vector<std::uint32_t> projection = read_view(frame + ".json").at("p00_p11");
+    const Size size{static_cast<GLsizei>(depth.width), static_cast<GLsizei>(depth.height)};
+    texture(size, GL_RGBA32F, GL_RGBA, GL_FLOAT, nullptr);
+    texture(size, GL_R32F, GL_RED, GL_FLOAT, depth.values.data());
+    GL(ACTIVETEXTURE, ActiveTexture)(GL_TEXTURE1);
+    texture(size, GL_RGB32F, GL_RGB, GL_FLOAT, normal.values.data());
+    GL(USEPROGRAM, UseProgram)(program);
+    GL(UNIFORM1I, Uniform1i)(uniform(program, "engine_depth"), 0);
+    GL(UNIFORM1I, Uniform1i)(uniform(program, "engine_normal"), 1);
+    GL(UNIFORM2F, Uniform2f)
+    (uniform(program, "p00_p11"), std::bit_cast<float>(projection[0]), std::bit_cast<float>(projection[1]));
+    GL(UNIFORM1F, Uniform1f)(uniform(program, "radius"), radius);
+    return drawn<float>(size, GL_FLOAT);
+}
+
+// Drivers round differently, and a tap within rounding of a pixel's border falls to either side.
+void compare(const std::vector<float>& occlusion, const std::string& file) {
+    const std::vector<float> rendered = read_pfm(file).values;
+    require(occlusion.size() == rendered.size(), "the images differ in size");
+    double sum = 0.0;
+    float greatest = 0.0F;
+    std::size_t apart = 0;
+    for (std::size_t i = 0; i < rendered.size(); ++i) {
+        const float difference = std::abs(occlusion[i] - rendered[i]);
+        sum += occlusion[i];
+        greatest = std::max(greatest, difference);
+        if (!(difference <= 1e-4F)) ++apart;
+    }
+    const double mean = sum / static_cast<double>(rendered.size());
+    std::printf("mean occlusion %.4f; %zu of %zu pixels differ by more than 1e-4, the most by %g\n", mean,
+                apart, rendered.size(), static_cast<double>(greatest));
+    require(mean > 0.01 && 100 * apart <= rendered.size(), "that is not what gloam has rendered");
 }
 
 void write(const char* file, const std::vector<std::uint8_t>& values) {
@@ -159,24 +224,34 @@ std::string text_of(const char* file) {
     return text;
 }
 
+// The program of a context that it makes.
+GLuint program_of(bool es, const std::string& fragment) {
+    make_context(es);
+    return program(es ? "#version 300 es\n" : "#version 330\n", fragment);
+}
+
+void run(const std::vector<std::string>& words) {
+    require(words.size() == 3 || words.size() == 6, "usage: see the head of main.cpp");
+    const bool es = words[0] == "es";
+    if (words[1] == "--method") {
+        require(words.size() == 6, "--method takes a shader, a frame, a radius and a picture");
+        const GLuint shader = program_of(es, text_of(words[2].c_str()));
+        compare(of_frame(shader, words[3], std::strtof(words[4].c_str(), nullptr)), words[5]);
+    } else if (words[1] == "--compile") {  // functions without a main
+        make_context(es);
+        (void)compiled(GL_FRAGMENT_SHADER, text_of(words[2].c_str()));
+    } else {
+        const std::vector<std::uint8_t> values = wall_on_floor(program_of(es, text_of(words[1].c_str())));
+        write(words[2].c_str(), values);
+        check(values);
+    }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
     try {
-        require(count == 4,
-                "usage: packed_fragment gl|es FRAGMENT_SHADER PICTURE.pgm, or gl|es --compile SHADER");
-        const bool es = std::string(arguments[1]) == "es";
-        const bool only_compiles = std::string(arguments[2]) == "--compile";
-        const std::string fragment = text_of(arguments[only_compiles ? 3 : 2]);
-        make_context(es);
-        if (only_compiles) {  // functions without a main
-            (void)compiled(GL_FRAGMENT_SHADER, fragment);
-            return 0;
-        }
-        const std::vector<std::uint8_t> values =
-            drawn(program(es ? "#version 300 es\n" : "#version 330\n", fragment));
-        write(arguments[3], values);
-        check(values);
+        run({arguments + 1, arguments + count});
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "packed_fragment: %s\n", error.what());

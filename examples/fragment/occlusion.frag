@@ -2,10 +2,11 @@
 // Alchemy ambient occlusion in one draw call, as an OpenGL 3.3 or OpenGL ES 3.0 engine has it: a triangle over the
 // whole image, the depth in a texture.
 
-// What the engine has. The projection's y is up, as OpenGL's rows are.
-uniform sampler2D engine_depth;  // eye-linear, world units, R32F
-uniform vec2 p00_p11;            // elements [0][0] and [1][1] of the projection
-uniform float radius;            // of influence, world units
+// What the engine has. The projection's y is up, as OpenGL's rows are. Without `highp` OpenGL ES reads samplers with
+// as few bits as it likes.
+uniform highp sampler2D engine_depth;  // eye-linear, world units, R32F
+uniform vec2 p00_p11;                  // elements [0][0] and [1][1] of the projection
+uniform float radius;                  // of influence, world units
 
 layout(location = 0) out vec4 visibility;
 

@@ -8,7 +8,8 @@ them does not do what the page says. A block's first line says what it is:
     ```sh           commands, run one after the other in a scratch folder; each must exit with 0
     ```sh WHY       commands that another test runs, or that would take too long here; WHY is one of WHY_NOT_RUN
     ```text         what the commands above printed: every line, in its order; "..." stands for any lines
-    ```glsl NAME    the file tests/check/fixtures/guide/NAME, which is compiled by the tests
+    ```glsl NAME    the file tests/check/fixtures/guide/NAME, which is compiled by the tests; NAME.frag: the file
+                    examples/fragment/NAME.frag, which is drawn by them
     ```cpp          lines of tests/check/guide_test.cpp
     ```cpp consumer    lines of the test in examples/own_function
     ```cmake consumer  lines of its CMakeLists.txt; others may stand between them
@@ -84,7 +85,8 @@ class Guide:
         elif kind == "text":
             self.expect_printed(text)
         elif kind == "glsl":
-            self.expect_in(f"tests/check/fixtures/guide/{argument}", text)
+            folder = "examples/fragment" if argument.endswith(".frag") else "tests/check/fixtures/guide"
+            self.expect_in(f"{folder}/{argument}", text)
         elif kind == "cpp":
             self.expect_in("examples/own_function/shader_test.cpp" if argument else "tests/check/guide_test.cpp",
                            text)

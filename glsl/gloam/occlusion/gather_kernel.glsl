@@ -14,12 +14,14 @@ struct GloamKernel {
     float bias;  // world units: hides the rounding of positions and depths, so at least the spacing of depths (2^-23 of
                  // the depth in float32, 2^-10 in halves: 0.05 at 50 units). The presets use 1e-3 of the radius at any
                  // depth; bias_depth adds a lower limit as a share of the depth
-    float angle;   // rotation of the kernel, radians; 0 once the pixel has converged (TSSAO-ROT)
-    uint first;    // j, samples taken before
-    uint count;    // k
+    float angle;   // rotation of the kernel, radians: another for each pixel (gloam_hash_rotation); 0 once the pixel
+                   // has converged (TSSAO-ROT)
+    uint first;    // j, samples taken before; 0 without a history
+    uint count;    // k: taps in all. Methods of slices take whole slices of 2 x steps taps, at least one: what is left
+                   // of the division is not taken
     float farthest;     // world units: points, taps and slices further in front than this are rejected (CS-REJ);
                         // infinity: none is
-    int layers;         // depth layers that the samples see, 1 to 4
+    int layers;         // depth layers that the samples see, 1 to 4; at 1 gloam_fetch_layers is not called
     bool ends_marches;  // skip taps that cannot change a march any more; bit-identical result
 };
 
