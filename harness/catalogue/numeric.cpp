@@ -72,7 +72,7 @@ void append_turns(Entries& entries) {
                                 .source = "definition"},
                                &reference::gloam_turns,
                                {.domain = {uniform(-70000, 70000).and_near({65536.0}).and_special()},
-                                .budget = {.ulp = 1},
+                                .budget = {.ulp = 1.2},
                                 .codomain = {-10430.4, 10430.4}}));
 }
 

@@ -35,9 +35,11 @@ vec2 gloam_sincos_turns(float turns) {
 }
 
 // Turns of an angle.
-// angle: radians, |angle| <= 65536; anything else, NaN included, counts as 0. Returns turns. Error: 1 ULP.
+// angle: radians, |angle| <= 65536; anything else, NaN included, counts as 0.
+// Returns turns. Error: 1.7 ULP whatever the rounding, 1.2 ULP where it is to nearest. It is one product, which every
+// language rounds correctly; a quotient may err by 2.5 ULP more than the constant does.
 float gloam_turns(float angle) {
-    return abs(angle) <= 65536.0 ? angle / 6.283185307 : 0.0;
+    return abs(angle) <= 65536.0 ? angle * 0.159154943 : 0.0;
 }
 
 // Cosine and sine of an angle in radians.
