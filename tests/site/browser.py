@@ -121,10 +121,11 @@ class Browser:
             time.sleep(0.05)
 
     def key(self, name, seconds=0):
-        """Presses a key for so long: "Tab", "Enter", "ArrowRight"."""
-        code = {"Tab": 9, "Enter": 13, "ArrowRight": 39}[name]
-        press = {"key": name, "code": name, "windowsVirtualKeyCode": code}
-        self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": "\r"} if name == "Enter" else {}))
+        """Presses a key for so long: "Tab", "Enter", "Space", "ArrowRight"."""
+        code = {"Tab": 9, "Enter": 13, "Space": 32, "ArrowRight": 39}[name]
+        text = {"Enter": "\r", "Space": " "}.get(name)
+        press = {"key": " " if name == "Space" else name, "code": name, "windowsVirtualKeyCode": code}
+        self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": text} if text else {}))
         time.sleep(seconds)
         self.call("Input.dispatchKeyEvent", type="keyUp", **press)
 

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The page of the site that checks the browser, and the program that writes it."""
+import json
+import shutil
 import subprocess
+import tempfile
+from pathlib import Path
 
 NATIVE = "es:llvmpipe-3.0"  # the device whose verdicts a browser's must be
 
@@ -15,10 +19,24 @@ class Gloam:
         return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, check=False)
 
 
-def replace(file, old, new):
-    text = file.read_text(encoding="utf-8")
-    assert old in text, f"{old} is not in {file}"
-    file.write_text(text.replace(old, new, 1), encoding="utf-8")
+class Spoiled:
+    """Copies of a small site in which the kernel of a function of the filters is changed in one place: call it with the
+    old and the new text."""
+
+    def __init__(self, gloam, folder):
+        self.folder = folder
+        self.site = folder / "few"
+        written = gloam("site", self.site, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc", "--no-pictures")
+        assert written.returncode == 0, written.stderr
+
+    def __call__(self, old, new):
+        copy = Path(tempfile.mkdtemp(dir=self.folder)) / "site"
+        shutil.copytree(self.site, copy)
+        file = copy / "checks-filter.js"
+        text = file.read_text(encoding="utf-8")
+        assert old in text, f"{old} is not in {file}"
+        file.write_text(text.replace(old, new, 1), encoding="utf-8")
+        return copy
 
 
 def compare(test, known, rows):
@@ -45,7 +63,7 @@ class CheckPage:
         """Selects "webgl2" or "webgpu" and waits for its device. False where the browser has none."""
         ready = "!document.getElementById('run').disabled"
         self.browser.wait(ready)
-        if interface == "webgpu" and not self.browser.evaluate("gloam.webgpu.available()"):
+        if interface == "webgpu" and not self.browser.evaluate("gloam.runner.hasWebgpu()"):
             return False
         self.browser.wait(f"!document.querySelector('#api option[value={interface}]').disabled")
         self.browser.evaluate("(() => { const api = document.getElementById('api');"
@@ -62,11 +80,25 @@ class CheckPage:
     def finish(self):
         self.browser.wait("/finished|stopped/.test(document.getElementById('told').textContent)")
 
+    def in_worker(self, script):
+        """Adds a script to those of the worker in which the kernels run, and starts a new worker."""
+        self.browser.evaluate(f"gloam.workerText += {json.dumps(script)}; gloam.checkPage.state.runner.end()")
+
+    def before_run(self, interface, function, script):
+        """Makes the worker run a script before the kernel of a function; it sees `device`, `check` and `data`."""
+        self.in_worker(f"""{{
+            const {{run}} = gloam.{interface};
+            gloam.{interface}.run = async (device, program, check, data) => {{
+                if (check.text.includes("gloam_kernel_result = {function}(")) {{ {script} }}
+                return run(device, program, check, data);
+            }};
+        }}""")
+
     def rows(self):
         return self.browser.evaluate("gloam.checkPage.state.rows")
 
     def shown(self, column):
         """The texts of a column in the rows that are not hidden."""
         return self.browser.evaluate(
-            "[...document.querySelectorAll('tbody tr')].filter((row) => !row.hidden)"
+            "[...document.querySelectorAll('tbody tr:not(.more)')].filter((row) => !row.hidden)"
             f".map((row) => row.cells[{column}].textContent)")

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 from browser import Browser, program
-from check_page import NATIVE, CheckPage, Gloam, compare, replace
+from check_page import NATIVE, CheckPage, Gloam, Spoiled, compare
 
 run = Gloam(sys.argv[1])
 # Some of each kind: with images, with many outputs, integers, structures.
@@ -25,6 +25,7 @@ class WebGpuTest(unittest.TestCase):
         cls.site = cls.folder / "site"
         written = run("site", cls.site, *EQUATIONS, "--no-pictures")
         assert written.returncode == 0, written.stderr
+        cls.spoiled = Spoiled(run, cls.folder)
         cls.browser = Browser()
         if not CheckPage(cls.browser, cls.site).choose("webgpu"):
             print("no WebGPU")
@@ -44,14 +45,6 @@ class WebGpuTest(unittest.TestCase):
             page.finish()
         return page
 
-    def spoiled(self, old, new):
-        """A copy of the site in which the kernel of one function of the filters is changed in one place."""
-        copy = Path(tempfile.mkdtemp(dir=self.folder))
-        written = run("site", copy, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc", "--no-pictures")
-        self.assertEqual(0, written.returncode, written.stderr)
-        replace(copy / "checks-filter.js", old, new)
-        return copy
-
     def test_the_results_agree_with_those_of_the_program(self):
         file = self.folder / "native.json"
         native = run("check", *EQUATIONS, "--device", NATIVE, "--inputs", 512, "--json", file)
@@ -61,7 +54,7 @@ class WebGpuTest(unittest.TestCase):
         page = self.checked()
         self.assertGreater(len(page.rows()), 20)
         compare(self, known, page.rows())
-        self.assertIn("0 failed (finished)", page.text("told"))
+        self.assertIn(" 0 failed, 0 not judged (finished)", page.text("told"))
         self.assertEqual([], self.browser.problems())
 
     def test_a_kernel_with_a_wrong_result_fails(self):
@@ -87,22 +80,19 @@ class WebGpuTest(unittest.TestCase):
     def test_a_lost_device_costs_one_check(self):
         page = CheckPage(self.browser, self.site)
         self.assertTrue(page.choose("webgpu"))
-        self.browser.evaluate("""(() => {
-            const {run} = gloam.webgpu;
-            let runs = 0;
-            gloam.webgpu.run = async (gpu, ...rest) => {
-                if (++runs === 3) {
-                    gpu.destroy();
-                    await gpu.lost;
-                }
-                return run(gpu, ...rest);
-            };
-        })()""")
+        page.before_run("webgpu", "gloam_gtao_arc", "device.destroy(); await device.lost;")
         page.click("run")
         page.finish()
         self.assertEqual(["device lost"], [row["reason"] for row in page.rows() if row["reason"]])
-        self.assertIn("1 failed (finished)", page.text("told"))
+        self.assertIn("1 failed, 0 not judged (finished)", page.text("told"))
         self.browser.open(self.site / "index.html")  # the next test begins with a page of its own
+
+    def test_a_kernel_that_never_ends_costs_one_check(self):
+        page = self.checked(self.spoiled("let gloam_kernel_output_at", "loop { } for (;;) { } while true { if true "
+                                         "{ continue; } } let gloam_kernel_output_at"))
+        self.assertEqual(["error"], [row["reason"] for row in page.rows() if row["outcome"] == "failed"])
+        self.assertIn("does not end for input 0", [row["error"] for row in page.rows() if row["error"]][0])
+        self.assertIn("1 failed, 0 not judged (finished)", page.text("told"))
 
     def test_the_saved_file_is_merged_with_those_of_drivers(self):
         page = self.checked()

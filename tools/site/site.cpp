@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "base/read_file.hpp"
@@ -90,6 +91,15 @@ std::string page_of(const std::string& form, const fs::path& file) {
     return page;
 }
 
+// The script of the worker in which the kernels run, as a text: a page of file:// cannot read a file.
+std::string worker_text(const fs::path& folder) {
+    std::set<fs::path> parts;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder)) parts.insert(file.path());
+    std::string text = "const gloam = {};\n";
+    for (const fs::path& part : parts) text += base::read_file(part);
+    return nlohmann::ordered_json(text).dump();
+}
+
 // The pages, the libraries that they use, and the licences of these as a script.
 void write_pages(const SiteOptions& options, Files& files) {
     const fs::path third_party = options.files / "third-party";
@@ -98,6 +108,8 @@ void write_pages(const SiteOptions& options, Files& files) {
     for (const fs::directory_entry& file : fs::directory_iterator(options.files / "page"))
         if (file.path().extension() == ".html")
             files.write(file.path().filename().string(), page_of(form, file.path()));
+    files.write("worker-text.js",
+                "gloam.workerText = " + worker_text(options.files / "page" / "worker") + ";\n");
     copy_files(third_party, ".js.css", files);
     nlohmann::ordered_json licences = nlohmann::ordered_json::array();
     for (const char* name : {"uplot", "img-comparison-slider"})

@@ -4,162 +4,169 @@
 
 gloam.checkPage = (() => {
     const at = (id) => document.getElementById(id);
-    const state = {running: false, stop: false, rows: [], device: null, table: null};
+    // rows: the results; shown: what the table shows of them, in the same order.
+    const state = {running: false, stop: false, rows: [], shown: [], runner: null, table: null, toldAt: 0};
 
-    const asNumber = (value) => value === "inf" ? Infinity : value === "nan" ? NaN : value;
-    const short = (value) => Number.isFinite(value) ? String(Number(value.toPrecision(3))) : "infinite";
-
-    function verdictOf(row) {
-        if (row.reason === "unsupported") return "unsupported";
-        if (row.error !== "" || row.fault !== "") return row.reason;
-        if (row.outside > 0) return "failed";
-        return row.recorded === row.inputs ? "not judged" : "passed";
-    }
-
-    // The worst input, or why there is no result.
-    function detailOf({check, row, worst}) {
-        if (row.error !== "" || row.fault !== "") return row.error || row.fault;
-        if (worst === null) return "";
-        const line = (name, text) => [gloam.element("dt", {}, name), gloam.element("dd", {}, text)];
-        return gloam.element("details", {}, gloam.element("summary", {}, "input " + worst.index),
-            gloam.element("dl", {}, ...line("input", gloam.results.inputText(check, worst.inputs)),
-                ...line("got", gloam.results.outputText(check, worst.got)),
-                ...line("exact", worst.want.join(", ")), ...line("class", worst.inputClass),
-                ...line("allowed", check.budget.text)));
-    }
-
-    const columns = [
-        {title: "equation", value: ({row}) => row.equation},
-        {title: "function", value: ({row}) => row.function},
-        {title: "verdict", value: ({row}) => verdictOf(row), cell: ({row}) => gloam.element("span",
-            {class: gloam.results.passed(row) ? "good" : "bad"}, verdictOf(row))},
-        {title: "of allowed", number: true, value: ({row}) => asNumber(row.budget_fraction),
-            cell: ({row}) => short(asNumber(row.budget_fraction))},
-        {title: "worst ulp", number: true, value: ({row}) => asNumber(row.max_ulp),
-            cell: ({row}) => short(asNumber(row.max_ulp))},
-        {title: "worst absolute", number: true, value: ({row}) => asNumber(row.max_abs),
-            cell: ({row}) => short(asNumber(row.max_abs))},
-        {title: "inputs", number: true, value: ({row}) => row.inputs},
-        {title: "not judged", number: true, value: ({row}) => row.recorded},
-        {title: "ms", number: true, value: ({row}) => Math.round(row.seconds * 1000)},
-        {title: "worst input", value: ({row}) => row.worst === null ? row.error : row.worst.values, cell: detailOf}
-    ];
-
-    // The outcome of one check. `started`: its program, whose compilation has begun.
-    async function outcomeOf(device, check, started) {
+    // What a check gave: {tally, fault, error, reason, seconds} for gloam.results.row(), null where it was stopped.
+    async function runOf(check) {
         const begin = performance.now();
-        const outcome = {tally: gloam.judge.newTally(), fault: "", error: "", reason: ""};
+        const run = {tally: gloam.judge.newTally(), fault: "", error: state.runner.unsupported(check), reason: ""};
+        if (run.error !== "") return {...run, reason: "unsupported", seconds: 0};
         try {
-            const program = await device.link(started);
-            for (const scenario of check.scenarios) {
-                const data = gloam.judge.decode(scenario);
-                const {outputs, fault} = await device.run(program, check, data);
-                gloam.judge.addScenario(outcome.tally, check, data, outputs);
-                outcome.fault = outcome.fault || fault;
-            }
-            device.drop(program);
-            if (outcome.fault !== "") outcome.reason = "fault";
+            const scenarios = check.scenarios.map(gloam.judge.decode);
+            const results = await state.runner.evaluate(check, scenarios);
+            results.forEach(({outputs, fault}, i) => {
+                gloam.judge.addScenario(run.tally, check, scenarios[i], outputs);
+                run.fault ||= fault;
+            });
+            if (run.fault !== "") run.reason = "fault";
         } catch (error) {
-            outcome.tally = gloam.judge.newTally();
-            outcome.error = String(error.message);
-            outcome.reason = device.isLost() ? "device lost" : "error";
+            if (error.reason === "stopped") return null;
+            if (error.reason === undefined) throw error;
+            Object.assign(run, {error: error.message, reason: error.reason});
         }
-        outcome.seconds = (performance.now() - begin) / 1000;
-        return outcome;
+        return {...run, seconds: (performance.now() - begin) / 1000};
     }
 
-    const unsupported = (check) => ({tally: gloam.judge.newTally(), fault: "", error: state.device.unsupported(check),
-        reason: "unsupported", seconds: 0});
+    // What the table shows of a check, without its inputs: they take most of the memory.
+    function shownOf({scenarios, ...check}, run) {
+        return {check, row: gloam.results.row(check, run), worst: run.tally.worst, kernel: state.runner.kernel(check)};
+    }
 
-    function addResult(check, outcome) {
-        const row = gloam.results.row(check, outcome);
-        state.rows.push(row);
-        state.table.add({check, row, worst: outcome.tally.worst});
+    function add(check, run) {
+        const shown = shownOf(check, run);
+        state.shown.push(shown);
+        state.rows.push(shown.row);
+        state.table.add(shown);
         at("progress").value = state.rows.length;
-        tellProgress();
+        if (performance.now() - state.toldAt > 1000) tellProgress();  // a screen reader reads each
     }
 
     function tellProgress() {
-        const failed = state.rows.filter((row) => !gloam.results.passed(row)).length;
-        const ends = state.running ? "" : state.rows.length < gloam.site.checks ? " (stopped)" : " (finished)";
-        at("told").textContent =
-            `${state.rows.length} of ${gloam.site.checks} checks, ${failed} failed${ends}`;
-        at("told").className = failed > 0 ? "bad" : "";
+        state.toldAt = performance.now();
+        const count = (outcome) => state.rows.filter((row) => row.outcome === outcome).length;
+        const end = state.running ? "" : state.rows.length < gloam.site.checks ? " (stopped)" : " (finished)";
+        at("told").textContent = `${state.rows.length} of ${gloam.site.checks} checks: ${count("ok")} ok, ` +
+            `${count("failed")} failed, ${count("not judged")} not judged${end}`;
+        at("told").className = count("failed") > 0 ? "bad" : "";
     }
 
-    // Runs the checks of one part. The next program compiles while one runs.
-    async function runPart(checks) {
-        const start = (check) =>
-            check && state.device.unsupported(check) === "" ? state.device.begin(check) : null;
-        let started = start(checks[0]);
-        for (let i = 0; i < checks.length && !state.stop; ++i) {
-            const next = start(checks[i + 1]);
-            addResult(checks[i], started === null ? unsupported(checks[i])
-                : await outcomeOf(state.device, checks[i], started));
-            started = next;
-            await gloam.pause();
-            if (!state.device.isLost()) continue;
-            state.device = await state.device.reopen();  // the checks that follow get a new context
-            started = start(checks[i + 1]);
+    // The checks of a file of the site, by the name of their part.
+    async function checksOf(file) {
+        await gloam.loadScript(file);
+        const [[part, checks]] = gloam.parts;
+        gloam.parts.delete(part);  // frees the memory of its data
+        return checks;
+    }
+
+    // Runs the checks of a file. A lost GPU opens again before the next check. Where it does not, the run ends.
+    async function runFile(file) {
+        for (const check of await checksOf(file)) {
+            if (state.stop) return;
+            await state.runner.open();
+            const run = await runOf(check);
+            if (run !== null) add({...check, from: file}, run);
         }
     }
 
-    async function run() {
-        Object.assign(state, {running: true, stop: false, rows: []});
+    // Does some work with the buttons as they are while checks run.
+    async function whileRunning(work) {
+        Object.assign(state, {running: true, stop: false});
+        const focused = document.activeElement;
+        setButtons();
+        if (focused === at("run")) at("stop").focus();
+        try {
+            await work();
+            state.running = false;
+            tellProgress();
+        } catch (error) {
+            state.running = false;
+            fail(error, ". The results so far can be saved.");
+        }
+        const stopped = document.activeElement === at("stop");
+        setButtons();
+        if (stopped) at("run").focus();
+    }
+
+    function setButtons() {
+        at("run").disabled = at("api").disabled = state.running;
+        at("stop").disabled = !state.running;
+        at("save").disabled = state.running || state.rows.length === 0;
+        at("run").textContent = state.rows.length === 0 ? "Run the checks" : "Run all again";
+    }
+
+    function clear() {
+        Object.assign(state, {rows: [], shown: []});
         state.table.clear();
-        at("progress").max = gloam.site.checks;
-        at("run").disabled = at("save").disabled = at("api").disabled = true;
-        at("stop").disabled = false;
-        for (const file of gloam.site.files) {
-            if (state.stop) break;
-            await gloam.loadScript(file);
-            const [[part, checks]] = gloam.parts;
-            await runPart(checks);
-            gloam.parts.delete(part);  // frees the memory of its data
-        }
-        state.running = false;
-        at("run").disabled = at("save").disabled = at("api").disabled = false;
-        at("stop").disabled = true;
+        at("progress").value = 0;
+    }
+
+    const runAll = () => whileRunning(async () => {
+        clear();
         tellProgress();
+        at("progress").max = gloam.site.checks;
+        for (const file of gloam.site.files) if (!state.stop) await runFile(file);
+    });
+
+    // Runs one check again, and shows the new result in the place of the old one.
+    const runAgain = (old) => state.running || whileRunning(async () => {
+        at("told").textContent = `${old.check.equation} runs again`;
+        const checks = await checksOf(old.check.from);
+        const check = checks.find(({equation}) => equation === old.check.equation);
+        await state.runner.open();
+        const run = await runOf(check);
+        if (run === null) return;
+        const shown = shownOf({...check, from: old.check.from}, run);
+        const index = state.shown.indexOf(old);
+        state.shown[index] = shown;
+        state.rows[index] = shown.row;
+        const line = state.table.replace(old, shown);
+        if (document.activeElement === document.body) line.querySelector(".again").focus();
+    });
+
+    function stop() {
+        state.stop = true;
+        state.runner.end();
     }
 
     function save() {
-        const blob = new Blob([gloam.results.file(state.device, state.rows)], {type: "application/json"});
+        const blob = new Blob([gloam.results.file(state.runner.facts, state.rows)], {type: "application/json"});
         const link = gloam.element("a", {href: URL.createObjectURL(blob), download: `gloam-${at("api").value}.json`});
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60000);
     }
 
-    function fail(error) {
-        at("told").textContent = String(error.message);
+    function fail(error, more = "") {
+        at("told").textContent = error.message + more;
         at("told").className = "bad";
-        at("run").disabled = true;
     }
 
-    // Opens the device of the chosen interface. Results of another one are no longer shown.
+    // Opens the GPU of the chosen interface. Results of another one are no longer shown.
     async function choose() {
         at("run").disabled = at("save").disabled = true;
-        state.rows = [];
-        state.table.clear();
+        clear();
         at("told").textContent = "No check has run.";
         at("told").className = "";
-        state.device = await (at("api").value === "webgpu" ? gloam.webgpu : gloam.kernel).open();
-        at("gpu").textContent = `${state.device.renderer} (${state.device.version})`;
-        at("run").disabled = false;
+        state.runner?.end();
+        state.runner = new gloam.runner.Runner(at("api").value);
+        await state.runner.open();
+        at("gpu").textContent = `${state.runner.facts.renderer} (${state.runner.facts.version})`;
+        setButtons();
     }
 
     async function begin() {
         at("agent").textContent = navigator.userAgent;
         at("versions").textContent = gloam.site.versions;
-        state.table = new gloam.Table(columns, "One line for each equation");
+        state.table = new gloam.Table(gloam.checkRow.columns(runAgain), "One line for each equation",
+            gloam.checkRow.more);
         at("results").append(state.table.root);
-        at("run").addEventListener("click", () => run().catch(fail));
-        at("stop").addEventListener("click", () => { state.stop = true; });
+        at("run").addEventListener("click", runAll);
+        at("stop").addEventListener("click", stop);
         at("save").addEventListener("click", save);
         at("filter").addEventListener("input", () => state.table.filter(at("filter").value));
         at("api").addEventListener("change", () => choose().catch(fail));
         const [webgpu] = [...at("api").options].filter((option) => option.value === "webgpu");
-        gloam.webgpu.available().then((there) => { webgpu.disabled = !there; }, () => {});
+        gloam.runner.hasWebgpu().then((there) => { webgpu.disabled = !there; }, () => {});
         await choose();
     }
 

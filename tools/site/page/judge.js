@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Judges outputs of a kernel by the documented accuracy, as harness/check/judge.cpp does for a device that does not
-// preserve NaN, infinity and -0. It needs no page and no GPU.
+// preserve NaN, infinity and -0, and says what the check is worth, as harness/check/answer.cpp does. It needs neither
+// a page nor a GPU.
 "use strict";
 
 gloam.judge = (() => {
     const classNames = ["ordinary", "branch", "zero", "subnormal", "huge", "infinite", "nan"];
     // How an input is judged: the values of check::Criterion.
     const criterion = {recorded: 0, codomain: 1, budget: 2, edge: 3};
+    const leastJudgedShare = 0.25;  // of a check's inputs: check::least_judged_share
     const largestFloat = 3.4028234663852886e38;
     const smallestNormal = 2 ** -126;
     const view = new DataView(new ArrayBuffer(8));
@@ -96,6 +98,11 @@ gloam.judge = (() => {
         return best;
     }
 
+    // Whether some result is outside the codomain.
+    function hasCodomain(check) {
+        return check.codomain.some((end) => end !== null) && /[^b]/.test(check.outputs);
+    }
+
     function insideCodomain(check, got) {
         const low = check.codomain[0] ?? -Infinity;
         const high = check.codomain[1] ?? Infinity;
@@ -147,8 +154,8 @@ gloam.judge = (() => {
 
     // An empty tally of a check: counts for each class, the largest errors, the worst input.
     function newTally() {
-        return {classes: classNames.map(() => ({inputs: 0, outside: 0, recorded: 0})), maxUlp: 0, maxAbsolute: 0,
-            budgetFraction: 0, worst: null};
+        return {classes: classNames.map(() => ({inputs: 0, outside: 0, recorded: 0, open: 0})), maxUlp: 0,
+            maxAbsolute: 0, budgetFraction: 0, worst: null};
     }
 
     // The data of a scenario, decoded.
@@ -184,6 +191,7 @@ gloam.judge = (() => {
             }
             const got = Array.from(words, (word, k) => valueOf(check.outputs[k], word));
             const result = judgeInput(check, data.criteria[i], got, wants);
+            if (data.criteria[i] === criterion.codomain && !hasCodomain(check)) ++tally.classes[data.classes[i]].open;
             addInput(tally, data.classes[i], result, () => ({index: i, inputClass: classNames[data.classes[i]],
                 scenario: data.name, inputs: Array.from(inputRow(check, data, i)), got: Array.from(words),
                 want: Array.from(wants[0])}));
@@ -194,5 +202,33 @@ gloam.judge = (() => {
         return data.inputs.subarray(i * check.inputs.length, (i + 1) * check.inputs.length);
     }
 
-    return {classNames, newTally, decode, addScenario, valueOf};
+    const sum = (tally, member) => tally.classes.reduce((total, counts) => total + counts[member], 0);
+
+    // Inputs for which some result would have failed.
+    const judged = (tally) => sum(tally, "inputs") - sum(tally, "recorded") - sum(tally, "open");
+
+    // Why no verdict follows from a tally without failures; empty where one does.
+    function notJudgedBecause(tally) {
+        const inputs = sum(tally, "inputs");
+        if (inputs === 0) return "there are no inputs";
+        if (sum(tally, "recorded") === inputs) return "the device promises nothing for any of its inputs";
+        if (judged(tally) === 0) return "every result would pass";
+        if (judged(tally) < leastJudgedShare * inputs)
+            return `${judged(tally)} of ${inputs} inputs could be judged, ` +
+                `expected ${100 * leastJudgedShare} % at least`;
+        const open = tally.classes.findIndex((counts) => counts.open > 0 &&
+            counts.open + counts.recorded === counts.inputs);
+        return open < 0 ? "" : `every result would pass for its ${classNames[open]} inputs`;
+    }
+
+    // {outcome: "ok", "failed" or "not judged", because}. `because`: why it is not judged. `run`: {tally, fault, error,
+    // reason}, of which `reason` is "unsupported" where there was no kernel to run.
+    function outcomeOf({tally, fault, error, reason}) {
+        if (reason === "unsupported") return {outcome: "not judged", because: error};
+        if (error !== "" || fault !== "" || sum(tally, "outside") > 0) return {outcome: "failed", because: ""};
+        const because = notJudgedBecause(tally);
+        return {outcome: because === "" ? "ok" : "not judged", because};
+    }
+
+    return {classNames, newTally, decode, addScenario, valueOf, sum, judged, outcomeOf};
 })();

@@ -56,7 +56,7 @@ gloam.results = (() => {
         return json;
     }
 
-    const sum = (tally, member) => tally.classes.reduce((total, counts) => total + counts[member], 0);
+    const {sum} = gloam.judge;
 
     // The story of a failure: the worst input.
     function storyOf(check, tally) {
@@ -67,23 +67,25 @@ gloam.results = (() => {
             `    got  ${outputText(check, tally.worst.got)}\n    want ${tally.worst.want.join(", ")}\n`;
     }
 
-    // The row of one check. `outcome`: {tally, fault, error, reason, seconds}.
-    function row(check, outcome) {
-        const {tally} = outcome;
+    // The row of one check. `run`: {tally, fault, error, reason, seconds}.
+    function row(check, run) {
+        const {tally} = run;
+        const {outcome, because} = gloam.judge.outcomeOf(run);
         return {equation: check.equation, function: check.function, file: check.file, variant: "shipped",
-            verdict: "budget", inputs: sum(tally, "inputs"), outside: sum(tally, "outside"),
-            recorded: sum(tally, "recorded"), by_rules: 0, forbidden: 0, bounded: 0, unbounded: 0, differs: 0,
+            verdict: "budget", outcome, not_judged_because: because, inputs: sum(tally, "inputs"),
+            judged: gloam.judge.judged(tally), outside: sum(tally, "outside"), recorded: sum(tally, "recorded"),
+            by_rules: 0, forbidden: 0, bounded: 0, unbounded: 0, differs: 0,
             max_ulp: number(tally.maxUlp), max_abs: number(tally.maxAbsolute), width_fraction: null,
             budget_fraction: number(tally.budgetFraction), guarantee: null, unbounded_at: "", budget: check.budget,
             classes: classesJson(tally), worst: sampleJson(check, tally.worst), coverage: null,
-            fault: outcome.fault, error: outcome.error, reason: outcome.reason, seconds: outcome.seconds,
+            fault: run.fault, error: run.error, reason: run.reason, seconds: run.seconds,
             story: storyOf(check, tally)};
     }
 
     // One line of at most 400 characters, as the readers of these files demand.
     const name = (text) => String(text).replace(/[\u0000-\u001f\u007f]+/g, " ").trim().slice(0, 400);
 
-    // The file. `device`: what open() of gloam.kernel or gloam.webgpu returned.
+    // The file. `device`: what is reported of the GPU.
     function file(device, rows) {
         const float_controls = {signed_zero_inf_nan_preserve: false, denorm_preserve: false,
             denorm_flush_to_zero: false, rounding_mode_rte: false};
@@ -94,8 +96,5 @@ gloam.results = (() => {
             results: rows}, null, 2) + "\n";
     }
 
-    const passed = (result) => result.reason === "unsupported" ||
-        (result.error === "" && result.fault === "" && result.outside === 0);
-
-    return {row, file, passed, inputText, outputText};
+    return {row, file, inputText, outputText};
 })();

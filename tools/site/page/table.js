@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A table that sorts by a click on a column's head, and shows only the rows with a given text.
+// A table that sorts by a click on a column's head, shows only the rows with a given text, and more of a row on demand.
 "use strict";
 
 gloam.Table = class {
     // columns: {title, number?, value(row), cell?(row)}. value() gives what is sorted by and searched; cell() gives a
-    // text or an element to show in its place.
-    constructor(columns, caption) {
+    // text or an element to show in its place. more: the elements that a button in the last column shows below a row.
+    constructor(columns, caption, more = null) {
         this.columns = columns;
-        this.rows = [];
+        this.more = more;
+        this.lines = [];
         this.needle = "";
         this.sorted = {column: null, descending: false};
         this.body = gloam.element("tbody");
@@ -23,16 +24,54 @@ gloam.Table = class {
     }
 
     add(row) {
+        const line = this.makeLine(row);
+        this.lines.push(line);
+        this.body.append(...line.elements);
+    }
+
+    // Puts a row in the place of another one. Returns its element.
+    replace(old, row) {
+        const at = this.lines.findIndex((line) => line.row === old);
+        const line = this.makeLine(row);
+        this.lines[at].elements.slice(1).forEach((element) => element.remove());
+        this.lines[at].elements[0].replaceWith(...line.elements);
+        this.lines[at] = line;
+        return line.elements[0];
+    }
+
+    makeLine(row) {
         const cells = this.columns.map((column) => gloam.element("td", {class: column.number ? "number" : ""},
             column.cell ? column.cell(row) : String(column.value(row))));
-        const line = {row, element: gloam.element("tr", {}, ...cells)};
-        this.rows.push(line);
-        line.element.hidden = !this.matches(line);
-        this.body.append(line.element);
+        const line = {row, open: false, elements: [gloam.element("tr", {}, ...cells)]};
+        if (this.more !== null) cells.at(-1).append(this.makeOpener(line));
+        this.show(line);
+        return line;
+    }
+
+    // The button that shows more of a row.
+    makeOpener(line) {
+        const button = gloam.element("button", {type: "button", class: "small", "aria-expanded": "false",
+            "aria-label": `details of ${this.columns[0].value(line.row)}`}, "details");
+        button.addEventListener("click", () => {
+            line.open = !line.open;
+            button.setAttribute("aria-expanded", line.open);
+            if (line.elements.length === 1) {
+                const cell = gloam.element("td", {colspan: this.columns.length}, ...this.more(line.row));
+                line.elements.push(gloam.element("tr", {class: "more"}, cell));
+                line.elements[0].after(line.elements[1]);
+            }
+            this.show(line);
+        });
+        return button;
+    }
+
+    show(line) {
+        const matches = this.matches(line);
+        line.elements.forEach((element, i) => { element.hidden = !matches || (i > 0 && !line.open); });
     }
 
     clear() {
-        this.rows = [];
+        this.lines = [];
         this.body.replaceChildren();
     }
 
@@ -41,8 +80,8 @@ gloam.Table = class {
         const again = this.sorted.column === column;
         this.sorted = {column, descending: again ? !this.sorted.descending : Boolean(column.number)};
         const sign = this.sorted.descending ? -1 : 1;
-        this.rows.sort((a, b) => sign * gloam.Table.compare(column.value(a.row), column.value(b.row)));
-        this.body.append(...this.rows.map((line) => line.element));
+        this.lines.sort((a, b) => sign * gloam.Table.compare(column.value(a.row), column.value(b.row)));
+        this.body.append(...this.lines.flatMap((line) => line.elements));
         this.columns.forEach((other, i) => {
             const order = this.sorted.descending ? "descending" : "ascending";
             if (other === column) this.heads[i].setAttribute("aria-sort", order);
@@ -57,7 +96,7 @@ gloam.Table = class {
 
     filter(needle) {
         this.needle = needle.toLowerCase();
-        for (const line of this.rows) line.element.hidden = !this.matches(line);
+        for (const line of this.lines) this.show(line);
     }
 
     matches(line) {

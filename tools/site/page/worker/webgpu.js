@@ -8,12 +8,7 @@ gloam.webgpu = (() => {
 
     const limits = ["maxStorageBuffersPerShaderStage", "maxStorageBufferBindingSize", "maxBufferSize"];
 
-    // Whether this browser has an adapter.
-    async function available() {
-        return Boolean(await navigator.gpu?.requestAdapter());
-    }
-
-    // The device, and what is told of the GPU. Throws an Error where there is no WebGPU.
+    // What is reported of the GPU, and how kernels run. Throws an Error where there is no WebGPU.
     async function open() {
         const adapter = await navigator.gpu?.requestAdapter({powerPreference: "high-performance"});
         if (!adapter) throw new Error("this browser has no WebGPU");
@@ -24,14 +19,11 @@ gloam.webgpu = (() => {
         const {vendor, architecture, device, description} = adapter.info;
         const renderer = description || [vendor, architecture, device].filter((text) => text !== "").join(" ");
         return {
-            gpu, renderer, vendor, version: "WebGPU", type: "webgpu", name: "webgpu: " + (renderer || "unknown"),
-            unsupported: (check) => check.wgsl_unsupported,
-            begin: (check) => begin(gpu, check.wgsl),
-            link,
+            facts: {renderer, vendor, version: "WebGPU", type: "webgpu", name: "webgpu: " + (renderer || "unknown")},
+            compile: (text) => compile(gpu, gloam.bounded.wgsl(text)),
             run: (program, check, data) => gloam.webgpu.run(gpu, program, check, data),
             drop: () => {},
-            isLost: () => state.lost,
-            reopen: open
+            isLost: () => state.lost
         };
     }
 
@@ -45,29 +37,24 @@ gloam.webgpu = (() => {
         return groups.map((entries) => gpu.createBindGroupLayout({entries}));
     }
 
-    // Starts the compilation of a kernel. link() ends it.
-    function begin(gpu, text) {
+    // The compiled program. Throws an Error with the compiler's message.
+    async function compile(gpu, text) {
         gpu.pushErrorScope("validation");
         const module = gpu.createShaderModule({code: text});
         const layouts = layoutsOf(gpu, text);
         const bindings = new Set([...text.matchAll(/@group\(0\) @binding\((\d+)\)/g)].map((match) => Number(match[1])));
         const pipeline = gpu.createComputePipelineAsync({
             layout: gpu.createPipelineLayout({bindGroupLayouts: layouts}), compute: {module}});
-        pipeline.catch(() => {});  // link() tells
-        const error = gpu.popErrorScope();
-        return {module, layouts, bindings, pipeline, error};
-    }
-
-    // The compiled program. Throws an Error with the compiler's message.
-    async function link(started) {
-        const {messages} = await started.module.getCompilationInfo();
+        pipeline.catch(() => {});  // awaited below
+        const scope = gpu.popErrorScope();
+        const {messages} = await module.getCompilationInfo();
         const errors = messages.filter((message) => message.type === "error");
         if (errors.length > 0)
             throw new Error("the kernel does not compile: " +
                 errors.map((message) => `${message.lineNum}: ${message.message}`).join(" "));
-        const error = await started.error;
+        const error = await scope;
         if (error !== null) throw new Error(error.message);
-        return {...started, pipeline: await started.pipeline};
+        return {layouts, bindings, pipeline: await pipeline};
     }
 
     function bufferOf(gpu, words, usage) {
@@ -125,7 +112,7 @@ gloam.webgpu = (() => {
         const outputs = new Uint32Array(data.count * width);
         for (let i = 0; i < data.count; ++i) {
             const row = rows.subarray(i * (width + 1), (i + 1) * (width + 1));
-            if (row[width] !== (canary ^ i) >>> 0) throw new Error("the kernel did not finish for input " + i);
+            gloam.bounded.requireEnd(row[width], canary, i);
             outputs.set(row.subarray(0, width), i * width);
         }
         const fault = faults[0] === 0 ? "" :
@@ -145,5 +132,5 @@ gloam.webgpu = (() => {
         return outputsOf(check, data, rows, faults, canary);
     }
 
-    return {available, open, run};
+    return {open, run};
 })();

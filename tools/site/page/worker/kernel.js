@@ -12,28 +12,22 @@ void main() {
     gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
 }`;
 
-    // The context, what is told of the GPU, and how kernels run: the same members as those of gloam.webgpu.open().
-    // Throws an Error where there is no WebGL2.
+    // What is reported of the GPU, and how kernels run: the same members as those of gloam.webgpu.open(). Throws an
+    // Error where there is no WebGL2.
     function open() {
-        const canvas = document.createElement("canvas");
+        if (typeof OffscreenCanvas === "undefined") throw new Error("this browser has no OffscreenCanvas");
+        const canvas = new OffscreenCanvas(1, 1);
         const gl = canvas.getContext("webgl2", {antialias: false, depth: false, powerPreference: "high-performance"});
         if (gl === null) throw new Error("this browser has no WebGL2");
         const info = gl.getExtension("WEBGL_debug_renderer_info");
         const renderer = gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
         return {
-            gl,
-            renderer,
-            vendor: gl.getParameter(info ? info.UNMASKED_VENDOR_WEBGL : gl.VENDOR),
-            version: gl.getParameter(gl.VERSION),
-            type: "webgl",
-            name: "webgl2: " + renderer,
-            unsupported: (check) => check.unsupported,
-            begin: (check) => begin(gl, check.kernel),
-            link: (started) => link(gl, started),
+            facts: {renderer, vendor: gl.getParameter(info ? info.UNMASKED_VENDOR_WEBGL : gl.VENDOR),
+                version: gl.getParameter(gl.VERSION), type: "webgl", name: "webgl2: " + renderer},
+            compile: (text) => compile(gl, gloam.bounded.glsl(text)),
             run: (program, check, data) => gloam.kernel.run(gl, program, check, data),
             drop: (program) => gl.deleteProgram(program),
-            isLost: () => gl.isContextLost(),
-            reopen: open
+            isLost: () => gl.isContextLost()
         };
     }
 
@@ -44,18 +38,12 @@ void main() {
         return shader;
     }
 
-    // Starts the compilation of a program. link() ends it.
-    function begin(gl, text) {
+    // The linked program. Throws an Error with the driver's message.
+    function compile(gl, text) {
         const stages = [compileStage(gl, gl.VERTEX_SHADER, vertexText), compileStage(gl, gl.FRAGMENT_SHADER, text)];
         const program = gl.createProgram();
         for (const stage of stages) gl.attachShader(program, stage);
         gl.linkProgram(program);
-        return {program, stages};
-    }
-
-    // The linked program. Throws an Error with the driver's message.
-    function link(gl, started) {
-        const {program, stages} = started;
         const linked = gl.getProgramParameter(program, gl.LINK_STATUS);
         const log = linked ? "" : stages.map((stage) => gl.getShaderInfoLog(stage)).join(" ") +
             (gl.getProgramInfoLog(program) ?? "");
@@ -149,7 +137,7 @@ void main() {
         let fault = "";
         for (let i = 0; i < data.count; ++i) {
             const row = rows.subarray(i * check.row, (i + 1) * check.row);
-            if (row[width] !== (canary ^ i) >>> 0) throw new Error("the kernel did not finish for input " + i);
+            gloam.bounded.requireEnd(row[width], canary, i);
             outputs.set(row.subarray(0, width), i * width);
             if (data.images.length > 0 && row[width + 1] > 0 && fault === "")
                 fault = `image ${row[width + 2]}: pixel (${row[width + 3] | 0}, ${row[width + 4] | 0}) is outside`;
@@ -168,5 +156,5 @@ void main() {
         return outputsOf(check, data, rows, canary);
     }
 
-    return {open, begin, link, run};
+    return {open, run};
 })();

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""plants_test.py GLOAM: the page that checks the browser notices wrong results in every check of the site.
+
+Left with status 77 where there is no Chromium."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import Browser, program
+from check_page import CheckPage, Gloam
+
+run = Gloam(sys.argv[1])
+# Replaces what each kernel returns, judges that as the page does, and keeps in gloam.missed what does not fail.
+PLANT = """(() => {
+    const constant = {f: 0x42280000, i: 42, u: 42, b: 1};  // 42.0
+    const rows = (outputs, width) => Array.from({length: outputs.length / width},
+        (_, i) => outputs.slice(i * width, (i + 1) * width));
+    const plants = {
+        constant: (outputs, check) => outputs.map((_, i) => constant[check.outputs[i % check.outputs.length]]),
+        zero: (outputs) => outputs.map(() => 0),
+        "swapped words": (outputs, check) =>
+            Uint32Array.from(rows(outputs, check.outputs.length).flatMap((row) => [...row.reverse()])),
+        "results of another input": (outputs, check) =>
+            Uint32Array.from(rows(outputs, check.outputs.length).reverse().flatMap((row) => [...row]))
+    };
+    const outcomeOf = (check, scenarios, outputs) => {
+        const tally = gloam.judge.newTally();
+        scenarios.forEach((data, i) => gloam.judge.addScenario(tally, check, data, outputs[i]));
+        return gloam.judge.outcomeOf({tally, fault: "", error: "", reason: ""}).outcome;
+    };
+    gloam.missed = [];
+    const {evaluate} = gloam.runner.Runner.prototype;
+    gloam.runner.Runner.prototype.evaluate = async function (check, scenarios) {
+        const results = await evaluate.call(this, check, scenarios);
+        for (const [name, plant] of Object.entries(plants)) {
+            if (name === "swapped words" && check.outputs.length === 1) continue;
+            const outputs = results.map((result) => plant(result.outputs, check));
+            const outcome = outcomeOf(check, scenarios, outputs);
+            if (outcome !== "failed") gloam.missed.push(`${check.equation}, ${name}: ${outcome}`);
+        }
+        return results;
+    };
+})()"""
+
+
+class PlantsTest(unittest.TestCase):
+    def test_each_planted_result_fails_in_every_check(self):
+        with tempfile.TemporaryDirectory() as folder:
+            written = run("site", folder, "--no-pictures", "--inputs", "128")
+            self.assertEqual(0, written.returncode, written.stderr)
+            with Browser(timeout=250) as browser:
+                for interface in ("webgl2", "webgpu"):
+                    with self.subTest(interface):
+                        self.plant(browser, Path(folder), interface)
+
+    def plant(self, browser, folder, interface):
+        page = CheckPage(browser, folder)
+        if not page.choose(interface):
+            self.skipTest("no WebGPU")
+        browser.evaluate(PLANT)
+        # The loops of all kernels need 1/16 of the rounds that they may take.
+        browser.evaluate("gloam.workerText = gloam.workerText.replace('most = 2 ** 14', 'most = 2 ** 10');"
+                         "gloam.checkPage.state.runner.end()")
+        page.click("run")
+        page.finish()
+        rows = page.rows()
+        self.assertGreater(len(rows), 300)
+        self.assertEqual([], [(row["equation"], row["outcome"], row["not_judged_because"], row["error"])
+                              for row in rows if row["outcome"] != "ok" and row["reason"] != "unsupported"])
+        self.assertEqual([], browser.evaluate("gloam.missed"))
+
+
+if __name__ == "__main__":
+    if program() is None:
+        print("no Chromium")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
