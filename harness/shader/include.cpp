@@ -9,7 +9,7 @@
 
 #include "base/read_file.hpp"
 #include "shader/internal/dependencies.hpp"
-#include "shader/internal/includer.hpp"
+#include "shader/internal/include_folders.hpp"
 #include "shader/internal/lines.hpp"
 
 namespace gloam::shader {

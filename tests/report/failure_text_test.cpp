@@ -56,6 +56,7 @@ TEST(ShellWord, IsOneWordForAShell) {
     EXPECT_EQ(shell_word("llvmpipe (LLVM 15.0.6, 256 bits)"), "'llvmpipe (LLVM 15.0.6, 256 bits)'");
     EXPECT_EQ(shell_word("it's; $(id)"), "'it'\\''s; $(id)'");
     EXPECT_EQ(shell_word(""), "''");
+    EXPECT_EQ(shell_word("a\n\x1b'b"), R"($'a\x0a\x1b\'b')");
 }
 
 TEST(Slug, IsFitForAFolder) {

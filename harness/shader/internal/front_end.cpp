@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "shader/internal/includer.hpp"
 #include "shader/internal/messages.hpp"
 
@@ -62,8 +63,9 @@ Strings::Strings(const std::vector<Source>& pieces) {
     for (const Source& piece : pieces) {
         texts_.push_back(piece.text.c_str());
         lengths_.push_back(static_cast<int>(piece.text.size()));
-        names_.push_back(piece.name.c_str());
+        shown_.push_back(base::one_line(piece.name));  // a message ends with its line
     }
+    for (const std::string& name : shown_) names_.push_back(name.c_str());
 }
 
 void Strings::give_to(glslang::TShader& shader) const {

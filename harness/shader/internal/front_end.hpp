@@ -29,6 +29,7 @@ class Strings {
   private:
     std::vector<const char*> texts_;
     std::vector<int> lengths_;
+    std::vector<std::string> shown_;
     std::vector<const char*> names_;
 };
 

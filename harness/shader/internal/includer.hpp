@@ -8,26 +8,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "shader/compile.hpp"
+#include "shader/internal/include_folders.hpp"
 
 namespace gloam::shader::internal {
-
-// The folders in which includes are searched, and those below which they must lie.
-struct IncludeFolders {
-    std::vector<std::filesystem::path> roots;
-    std::vector<std::filesystem::path> permitted;
-};
-
-// The roots; includes may also lie below the folder of each text whose name is a path with a folder.
-[[nodiscard]] IncludeFolders include_folders(const std::vector<std::filesystem::path>& roots,
-                                             const std::vector<Source>& texts);
-
-// resolve_include() of these folders. Nothing about `from` is assumed, because #line can name any.
-[[nodiscard]] std::filesystem::path resolved(std::string_view name, const std::filesystem::path& from,
-                                             const IncludeFolders& folders);
 
 // Serves #include from files. An include's name is its path, which error messages then contain. The text
 // passed to the compiler can differ from the file's.
