@@ -14,13 +14,18 @@ constexpr std::size_t hlsl_inputs = 256;
 
 class Sweep : public testing::TestWithParam<std::size_t> {
   protected:
+    // Of a built-in function the rules may permit every result: determinant(), for example.
+    void expect_ok(const check::Answer& result) const {
+        const bool is_ours = entry_.description.file.starts_with("gloam/");
+        EXPECT_TRUE(is_ours ? result.passed() : !result.failed()) << entry_.description.id << ": " << result;
+    }
     const Entry& entry_ = test::entries()[GetParam()];
 };
 
 TEST_P(Sweep, StaysWithinItsBudget) {
     const check::Lab lab = test::make_lab();
     const check::Answer result = check::run(lab, entry_.question, {.inputs = inputs_per_equation});
-    EXPECT_TRUE(result.passed()) << entry_.description.id << ": " << result;
+    expect_ok(result);
     EXPECT_EQ(result.inputs(), inputs_per_equation);
 }
 
@@ -29,7 +34,7 @@ TEST_P(Sweep, StaysWithinItsBudget) {
 TEST_P(Sweep, IsPermittedWhenStrict) {
     const check::Lab lab = test::make_lab({}, shader::variant("strict"));
     const check::Answer result = check::run(lab, entry_.question, {.inputs = strict_inputs});
-    EXPECT_TRUE(result.passed()) << entry_.description.id << ": " << result;
+    expect_ok(result);
     EXPECT_EQ(result.verdict, check::Verdict::rules);
     EXPECT_EQ(result.by_rules, strict_inputs);
 }
@@ -45,7 +50,7 @@ TEST_P(Sweep, IsTheSameEquationInHlsl) {
     const std::string& id = entry_.description.id;
     try {
         const check::Answer result = check::run(lab, entry_.question, {.inputs = hlsl_inputs});
-        EXPECT_TRUE(result.passed()) << id << ": " << result;
+        expect_ok(result);
     } catch (const shader::CompileError& error) {
         EXPECT_TRUE(may_be_lost_in_hlsl(id)) << id << ": " << error.what();
     }

@@ -96,7 +96,7 @@ TEST_P(CatalogueTest, PermitsTheDevicesResults) {
     const check::Lab lab = test::make_lab({}, shader::variant("strict"));
     constexpr std::size_t inputs = 1024;
     const check::Answer result = check::run(lab, entry_.question, {.inputs = inputs});
-    EXPECT_TRUE(result.passed()) << result;
+    EXPECT_FALSE(result.failed()) << result;
     EXPECT_EQ(result.by_rules + result.recorded(), inputs);
 }
 
