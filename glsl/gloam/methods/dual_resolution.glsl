@@ -38,32 +38,32 @@ const float GLOAM_DUAL_LEAST_WEIGHT = 0.25;
 // The interpolated small image with one of its pixels added.
 // share: weight by position, [0, 1].
 GloamWeightedMean gloam_dual_add(GloamWeightedMean mean, ivec2 small, float share, vec3 position, vec3 normal,
-                                 GloamCamera camera, GloamKernel kernel) {
+                                 GloamFootprint footprint, float radius) {
     if (!(share > 0.0)) return mean;
     ivec2 source = gloam_half_source(small);
     float depth = gloam_fetch_depth(source);
-    if (gloam_is_background(depth)) return mean;
+    if (!gloam_tap_sees(depth)) return mean;
     vec4 texel = gloam_fetch_prepared(small);
-    float height =
-        dot(gloam_camera_position(source, depth, camera) - position, normal) / (GLOAM_DUAL_HEIGHT * kernel.radius);
+    vec3 offset = gloam_footprint_position(footprint, source, depth) - position;
+    float height = dot(offset, normal) / (GLOAM_DUAL_HEIGHT * radius);
     vec3 facing = gloam_safe_normalize(texel.yzw, vec3(0.0));
     float weight = gloam_mssao_upsample_weight(share, height, dot(facing, normal), GLOAM_DUAL_HEIGHT_POWER,
                                                GLOAM_DUAL_NORMAL_POWER);
     return gloam_weighted_mean_add(mean, texel.x, weight);
 }
 
-// The small image at a pixel: the mean of those of the four small pixels around it that lie on its surface. Where the
-// pixel is that of a small one, only that one.
-GloamWeightedMean gloam_dual_interpolated(ivec2 pixel, vec3 position, vec3 normal, GloamCamera camera,
-                                          GloamKernel kernel) {
-    ivec2 first = pixel / 2;
-    ivec2 last = min(first + 1, gloam_half_size(camera.size) - 1);
-    vec2 along = 0.5 * vec2(pixel - gloam_half_source(first));
+// The small image at the footprint's pixel: the mean of those of the four small pixels around it that lie on its
+// surface. Where the pixel is that of a small one, only that one.
+GloamWeightedMean gloam_dual_interpolated(vec3 position, vec3 normal, GloamFootprint footprint, float radius) {
+    ivec2 first = footprint.pixel / 2;
+    ivec2 last = min(first + 1, gloam_half_size(ivec2(footprint.size)) - 1);
+    vec2 along = 0.5 * vec2(footprint.pixel - gloam_half_source(first));
     GloamWeightedMean mean = gloam_weighted_mean_empty();
-    mean = gloam_dual_add(mean, first, (1.0 - along.x) * (1.0 - along.y), position, normal, camera, kernel);
-    mean = gloam_dual_add(mean, ivec2(last.x, first.y), along.x * (1.0 - along.y), position, normal, camera, kernel);
-    mean = gloam_dual_add(mean, ivec2(first.x, last.y), (1.0 - along.x) * along.y, position, normal, camera, kernel);
-    return gloam_dual_add(mean, last, along.x * along.y, position, normal, camera, kernel);
+    vec2 share = 1.0 - along;
+    mean = gloam_dual_add(mean, first, share.x * share.y, position, normal, footprint, radius);
+    mean = gloam_dual_add(mean, ivec2(last.x, first.y), along.x * share.y, position, normal, footprint, radius);
+    mean = gloam_dual_add(mean, ivec2(first.x, last.y), share.x * along.y, position, normal, footprint, radius);
+    return gloam_dual_add(mean, last, along.x * along.y, position, normal, footprint, radius);
 }
 
 // All samples of one pixel in one frame; where the small image is taken, those of its pixels.
@@ -74,10 +74,9 @@ GloamWeightedMean gloam_dual_interpolated(ivec2 pixel, vec3 position, vec3 norma
 GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                     GloamDualResolution settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
-    ivec2 pixel = gloam_footprint(position, kernel.radius, camera).pixel;
-    if (!gloam_dual_resolution_disagrees(pixel / 2, gloam_half_size(camera.size), settings.disagreement)) {
-        vec3 n = normalize(normal);
-        GloamWeightedMean mean = gloam_dual_interpolated(pixel, position, n, camera, kernel);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    if (!gloam_dual_resolution_disagrees(footprint.pixel / 2, gloam_half_size(camera.size), settings.disagreement)) {
+        GloamWeightedMean mean = gloam_dual_interpolated(position, normalize(normal), footprint, kernel.radius);
         uint samples = gloam_whole_samples(kernel.count, 2u * max(settings.steps, 1u));
         if (mean.weight >= GLOAM_DUAL_LEAST_WEIGHT)
             return GloamEstimate(gloam_weighted_mean_value(mean, 0.0), float(samples), 0u);

@@ -4,6 +4,7 @@
 
 #include "gloam/filter/mssao_upsample.glsl"
 #include "gloam/filter/weighted_mean.glsl"
+#include "gloam/gather/footprint.glsl"
 #include "gloam/gather/pyramid.glsl"
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/camera.glsl"
@@ -69,8 +70,8 @@ struct GloamLevels {
 
 // Texels from the point to the edge of its kernel, along both axes, and the weight of the level's result. The weight
 // is 1, but less between 2 texels and 1, because on coarser levels the kernel then comes to lie within its own texel.
-vec3 gloam_mssao_reach(vec3 position, int level, GloamCamera camera, float radius) {
-    vec2 texels = gloam_camera_radius(radius, -position.z, camera) * vec2(camera.size) / float(1 << level);
+vec3 gloam_mssao_reach(GloamFootprint footprint, int level) {
+    vec2 texels = footprint.reach * footprint.size / float(1 << level);
     float largest = max(abs(texels.x), abs(texels.y));
     float share = level == 0 ? 1.0 : clamp(largest - 1.0, 0.0, 1.0);
     return vec3(largest > GLOAM_MSSAO_REACH ? texels * (GLOAM_MSSAO_REACH / largest) : texels, share);
@@ -130,8 +131,9 @@ GloamLevels gloam_mssao_upsampled(vec3 position, vec3 normal, vec2 center, int l
 // position: view space, world units, in front of the eye. normal: unit.
 GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera camera, GloamKernel kernel,
                            int coarsest) {
-    vec2 center = gloam_camera_uv(position, camera) * vec2(camera.size);
-    vec3 reach = gloam_mssao_reach(position, level, camera, kernel.radius);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 center = footprint.center * footprint.size;
+    vec3 reach = gloam_mssao_reach(footprint, level);
     float own = reach.z == 0.0 ? 0.0
                                : gloam_mssao_occlusion(position, normal, center / float(1 << level), reach.xy, level,
                                                        camera, kernel);

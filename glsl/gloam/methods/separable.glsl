@@ -3,7 +3,6 @@
 #define GLOAM_METHODS_SEPARABLE_GLSL
 
 #include "gloam/filter/weighted_mean.glsl"
-#include "gloam/geometry/background.glsl"
 #include "gloam/methods/gtao.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/separable.glsl"
@@ -58,7 +57,7 @@ const float GLOAM_SEPARABLE_HEIGHT = 0.1;
 GloamWeightedMean gloam_separable_add(GloamWeightedMean mean, GloamFootprint line, ivec2 at, vec3 position, vec3 normal,
                                       float sigma) {
     float depth = gloam_fetch_depth(at);
-    if (gloam_is_background(depth)) return mean;
+    if (!gloam_tap_sees(depth)) return mean;
     vec3 offset = gloam_footprint_position(line, at, depth) - position;
     float weight = gloam_separable_weight(offset, normal, sigma, GLOAM_SEPARABLE_HEIGHT * sigma);
     return gloam_weighted_mean_add(mean, gloam_fetch_prepared(at).x, weight);
