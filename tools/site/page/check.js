@@ -81,7 +81,8 @@ gloam.checkPage = (() => {
             tellProgress();
         } catch (error) {
             state.running = false;
-            fail(error, ". The results so far can be saved.");
+            if (error.reason === "stopped") tellProgress();
+            else fail(error, ". The results so far can be saved.");
         }
         const stopped = document.activeElement === at("stop");
         setButtons();
@@ -137,6 +138,7 @@ gloam.checkPage = (() => {
     }
 
     function fail(error, more = "") {
+        if (error.reason === "stopped") return;  // another interface was chosen meanwhile
         at("told").textContent = error.message + more;
         at("told").className = "bad";
     }

@@ -49,9 +49,9 @@ gloam.runner = (() => {
             return check[kernels[this.api][1]];
         }
 
-        // Runs the kernel of a check on its decoded scenarios: {outputs, fault} of each. Throws a RunError.
+        // Runs the kernel of a check on its decoded scenarios: {outputs, fault} of each. The GPU is open. Throws a
+        // RunError; where its reason is not "error", the GPU is no longer open.
         async evaluate(check, scenarios) {
-            await this.open();
             const {row, targets, outputs} = check;
             const inputs = scenarios.map((data) => ({count: data.count, inputs: data.inputs, images: data.images}));
             try {
@@ -84,7 +84,8 @@ gloam.runner = (() => {
                 const answer = ({data}) => "value" in data ? settle(resolve)(data.value)
                     : this.stopRequest(new RunError(data.error, data.lost ? "device lost" : "error"));
                 this.worker.onmessage = answer;
-                this.worker.onerror = (event) => answer({data: {error: event.message, lost: true}});
+                this.worker.onerror = (event) =>
+                    answer({data: {error: event.message || "the worker did not start", lost: true}});
                 this.worker.postMessage({request, argument});
             });
         }

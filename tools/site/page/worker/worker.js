@@ -29,6 +29,8 @@ gloam.serve = (() => {
         try {
             postMessage({value: await requests[data.request](data.argument)});
         } catch (error) {
+            // A lost device of WebGPU says so after the error.
+            await new Promise((resolve) => setTimeout(resolve, 100));
             postMessage({error: String(error.message), lost: device !== null && device.isLost()});
         }
     };
