@@ -35,7 +35,7 @@ struct Waiting {
 // Reads the lines one after the other; a declaration lasts from one to the next.
 class Reader {
   public:
-    explicit Reader(const ActiveText& text) : text_(text) {}
+    Reader(const ActiveText& text, Keep keep) : text_(text), keep_(keep) {}
 
     Outline run() {
         for (const ActiveText::Place& place : text_.lines) read(place);
@@ -69,6 +69,7 @@ class Reader {
     void read_comment(const Line& line) {
         const bool blank = line.text.find_first_not_of(blanks) == std::string_view::npos;
         if (blank && !line.crosses) return end_paragraph();
+        if (keep_ == Keep::line_numbers) return;
         if (line.crosses && crossing_ && !outline_.pieces.empty()) {
             // The end of a comment that began behind a declaration.
             outline_.pieces.back().text += "\n" + without_end(std::string(line.text));
@@ -85,14 +86,15 @@ class Reader {
                 add_once(outline_.extensions, "#extension " + directive.argument);
             return;
         }
-        if (!code_.empty()) {  // within a declaration
+        if (directive.keyword == "line") return;  // lines are numbered as they stand in their files
+        if (!code_.empty()) {                     // within a declaration
             inner_.push_back(macro_of(directive));
             return append(line, 0, line.text.size());
         }
         Piece piece = macro_of(directive);
         const bool guard = directive.argument.find_first_of(" \t(") == std::string::npos;
         if (!guard) open();  // a comment above one is the file's
-        text_so_far_ += line.text;
+        add_text(line, 0, line.text.size());
         piece.text = without_end(std::move(text_so_far_));
         put(std::move(piece));
         crossing_ = line.crosses;
@@ -129,8 +131,29 @@ class Reader {
         return depth_ <= 0 && (c == ';' || (c == '}' && is_body_));
     }
 
+    // Adds a part of a line to the text of the piece.
+    void add_text(const Line& line, std::size_t begin, std::size_t end) {
+        if (text_so_far_.empty()) {
+            first_line_ = line.number;
+        } else if (keep_ == Keep::line_numbers && begin == 0 && line.number != next_line_) {
+            if (!text_so_far_.ends_with('\n')) text_so_far_ += '\n';
+            text_so_far_ += line_directive(line.number, text_.files[file_].name);
+        }
+        next_line_ = line.number + static_cast<int>(std::ranges::count(line.text, '\n'));
+        text_so_far_ += keep_ == Keep::comments ? std::string(line.text.substr(begin, end - begin))
+                                                : code_of(line, begin, end);
+    }
+
+    // A part of a line without comments, but with its continuations.
+    static std::string code_of(const Line& line, std::size_t begin, std::size_t end) {
+        std::string code = line.code.substr(begin, end - begin);
+        for (std::size_t i = 0; i < code.size(); ++i)
+            if (code[i] == '\0') code[i] = line.text[begin + i];
+        return code;
+    }
+
     void append(const Line& line, std::size_t begin, std::size_t end) {
-        text_so_far_ += line.text.substr(begin, end - begin);
+        add_text(line, begin, end);
         std::string code = line.code.substr(begin, end - begin);
         std::ranges::replace(code, '\0', ' ');
         code_ += directive_of(line) ? std::string(code.size(), ' ') : code;
@@ -147,7 +170,7 @@ class Reader {
         if (std::exchange(broken_, false)) ++paragraph_;
         if (opened_file_ != file_) ++paragraph_;
         opened_file_ = file_;
-        text_so_far_ = std::move(own);
+        text_so_far_ = keep_ == Keep::comments ? std::move(own) : std::string();
         crossing_ = false;
     }
 
@@ -186,12 +209,14 @@ class Reader {
 
     void put(Piece piece) {
         piece.file = file_;
+        piece.line = first_line_;
         piece.paragraph = paragraph_;
         outline_.pieces.push_back(std::move(piece));
         text_so_far_.clear();
     }
 
     const ActiveText& text_;
+    Keep keep_;
     Outline outline_;
     std::vector<Waiting> waiting_;
     std::set<std::size_t> seen_;   // files of which a line was read
@@ -199,6 +224,8 @@ class Reader {
     std::size_t file_ = 0;
     std::size_t opened_file_ = 0;
     std::size_t paragraph_ = 0;
+    int first_line_ = 1;     // of text_so_far_
+    int next_line_ = 1;      // of the file, behind text_so_far_
     bool broken_ = false;    // a blank line since the last declaration
     bool crossing_ = false;  // a comment leaves the line of the last declaration
     std::string text_so_far_;
@@ -211,8 +238,15 @@ class Reader {
 
 }  // namespace
 
-Outline outline(const ActiveText& text) {
-    return Reader(text).run();
+Outline outline(const ActiveText& text, Keep keep) {
+    return Reader(text, keep).run();
+}
+
+std::string line_directive(int line, const std::string& file) {
+    std::string name = file;
+    std::ranges::replace_if(
+        name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\\'; }, '?');
+    return "#line " + std::to_string(line) + " \"" + name + "\"\n";
 }
 
 Outline outline(const std::string& text) {

@@ -24,6 +24,7 @@ struct Piece {
     };
     Kind kind = Kind::other;
     std::size_t file = 0;            // of ActiveText::files
+    int line = 1;                    // of the file, where the text begins
     std::string text;                // as written, its comment above it, without the newline at the end
     std::vector<std::string> names;  // that it declares: of a block without a name its members'
     std::set<std::string> mentions;  // names that it uses, maybe: what stands behind a '.' is none
@@ -38,8 +39,15 @@ struct Outline {
     std::vector<Piece> pieces;            // in the order of the text
 };
 
+// Whether the texts of pieces have their comments, or #line directives where lines of the file are left out,
+// so that the compiler numbers the other lines as the file does.
+enum class Keep { comments, line_numbers };
+
 // The declarations of a text. The text need not be valid: anything else becomes a piece of kind `other`.
-[[nodiscard]] Outline outline(const ActiveText& text);
+[[nodiscard]] Outline outline(const ActiveText& text, Keep keep = Keep::comments);
+
+// "#line 12 "file"": the next line is that line of the file.
+[[nodiscard]] std::string line_directive(int line, const std::string& file);
 
 // The declarations of one text without includes and conditions, of any language with C's declarations.
 [[nodiscard]] Outline outline(const std::string& text);
