@@ -22,7 +22,7 @@ const base::ProcessLimits limits{.memory_bytes = std::uint64_t{3} << 30,
                                  .cpu = std::chrono::seconds(60),
                                  .patience = std::chrono::minutes(5)};
 
-enum class Work { compile, functions, pack, translate };
+enum class Work { compile, functions, excerpts, pack, translate };
 
 // The first byte of an answer: the result follows, or the message of what the work threw.
 constexpr char result = 'r';
@@ -79,6 +79,21 @@ PackRequest request_from(const Json& json) {
     return request;
 }
 
+Json json_of(const Excerpts& excerpts) {
+    Json functions = Json::array();
+    for (const Excerpt& one : excerpts.functions)
+        functions.push_back(Json::array({one.function, one.text, one.interface, one.definitions}));
+    return Json::array({excerpts.version, functions});
+}
+
+Excerpts excerpts_from(const Json& json) {
+    Excerpts excerpts{.version = json.at(0), .functions = {}};
+    for (const Json& one : json.at(1))
+        excerpts.functions.push_back(
+            {.function = one.at(0), .text = one.at(1), .interface = one.at(2), .definitions = one.at(3)});
+    return excerpts;
+}
+
 // The work of a question: [work, dependency list, its arguments].
 std::string done(const Json& question) {
     use_dependency_list(question.at(1).get<std::string>());  // of the test that asks
@@ -90,6 +105,12 @@ std::string done(const Json& question) {
         }
         case Work::functions:
             return encode(functions_here(source_from(arguments.at(0)), options_from(arguments.at(1))));
+        case Work::excerpts: {
+            const Json excerpts =
+                json_of(excerpts_here(source_from(arguments.at(0)), roots_from(arguments.at(1))));
+            const std::vector<std::uint8_t> bytes = Json::to_cbor(excerpts);
+            return {bytes.begin(), bytes.end()};
+        }
         case Work::pack: {
             std::vector<Source> sources;
             for (const Json& source : arguments.at(0)) sources.push_back(source_from(source));
@@ -154,6 +175,13 @@ Spirv compile(const Source& source, const CompileOptions& options) {
 
 std::vector<Function> functions(const Source& source, const CompileOptions& options) {
     return internal::decode(internal::functions_bytes(source, options)).value();
+}
+
+Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots) {
+    using internal::Json;
+    return internal::excerpts_from(
+        Json::from_cbor(internal::asked(internal::Work::excerpts, source.name,
+                                        Json::array({internal::json_of(source), internal::json_of(roots)}))));
 }
 
 std::string pack(const std::vector<Source>& sources, const PackRequest& request,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shader/internal/active_text.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/declarations.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/internal/outline.hpp"
@@ -69,7 +70,7 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
 
 }  // namespace
 
-Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots) {
+Excerpts internal::excerpts_here(const Source& source, const std::vector<std::filesystem::path>& roots) {
     const ActiveText active = internal::active_text({source}, Language::vulkan450, Stage::compute, roots);
     const Outline outline = internal::outline(active, internal::Keep::line_numbers);
     Excerpts all{.version = version_of(active), .functions = {}};

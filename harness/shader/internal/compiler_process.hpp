@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shader/compile.hpp"
+#include "shader/excerpt.hpp"
 #include "shader/pack.hpp"
 #include "shader/translate.hpp"
 
@@ -24,9 +25,11 @@ namespace gloam::shader::internal {
 // The module of these bytes; nullopt if they are no whole words.
 [[nodiscard]] std::optional<Spirv> module_of(std::string_view bytes);
 
-// The work itself, in this process: compile(), functions(), pack() and translated() without limits.
+// The work itself, in this process: compile(), functions(), excerpts(), pack() and translated() without
+// limits.
 [[nodiscard]] Spirv compile_here(const Source& source, const CompileOptions& options);
 [[nodiscard]] std::vector<Function> functions_here(const Source& source, const CompileOptions& options);
+[[nodiscard]] Excerpts excerpts_here(const Source& source, const std::vector<std::filesystem::path>& roots);
 [[nodiscard]] std::string pack_here(const std::vector<Source>& sources, const PackRequest& request,
                                     const std::vector<std::filesystem::path>& roots);
 [[nodiscard]] std::string translated_here(const Source& packed, Target target, Stage stage);
