@@ -80,7 +80,8 @@ void check_program(const Source& text, bool add_main, Language language, Stage s
 void check_compiles(const Source& body, Language language,
                     const std::vector<std::filesystem::path>& include_roots) {
     const Entry& entry = entry_of(language);
-    check_pieces(entry, entry.stage, {{"preamble", preamble(language)}, body}, true, include_roots);
+    // The compiler looks for includes beside the first piece.
+    check_pieces(entry, entry.stage, {{body.name, preamble(language)}, body}, true, include_roots);
 }
 
 }  // namespace gloam::shader

@@ -104,6 +104,18 @@ class Writer {
         return options_.comment_of ? options_.comment_of("", module_.name_of(id)) : "";
     }
 
+    // An image or a sampler; of a combined one both.
+    std::string opaque_parameter(Id id, Id type, const std::map<Id, std::string>& names) {
+        if (module_.type(type).kind != wgsl::TypeKind::sampler && module_.image_type(type).stored)
+            throw NotTranslated("a storage image as a parameter");
+        const auto name = [&names](Id named) -> const std::string& {
+            return wgsl::entry_of(names, named, "a parameter without a name");
+        };
+        const std::string text = fmt::format("{}: {}", name(id), text_.opaque_type(id, type));
+        const bool both = module_.type(type).kind == wgsl::TypeKind::sampled_image && facts_.is_sampled(id);
+        return both ? fmt::format("{}, {}: sampler", text, name(wgsl::sampler_parameter(id))) : text;
+    }
+
     // "fn name(a: f32) -> f32".
     std::string head(const wgsl::Function& function, const std::map<Id, std::string>& names) {
         const std::vector<Passing>& passing = facts_.of(function.id).passing;
@@ -112,6 +124,10 @@ class Writer {
             const Id id = function.parameters[p];
             const Id type = module_.type_of(id);
             const bool pointer = module_.type(type).kind == wgsl::Type::Kind::pointer;
+            if (pointer && module_.is_opaque(module_.type(type).element)) {
+                parameters += (p == 0 ? "" : ", ") + opaque_parameter(id, module_.type(type).element, names);
+                continue;
+            }
             const Id named = passing[p] == Passing::copied ? head_of(id) : id;
             parameters += fmt::format(
                 "{}{}: {}", p == 0 ? "" : ", ", wgsl::entry_of(names, named, "a parameter without a name"),
@@ -140,6 +156,10 @@ class Writer {
             const std::string name = wgsl::identifier(given.empty() ? "parameter" : given);
             body.wanted_names[id] = name;
             heads.push_back(id);
+            if (facts_.is_sampled(id)) {
+                body.wanted_names[wgsl::sampler_parameter(id)] = name + "_sampler";
+                heads.push_back(wgsl::sampler_parameter(id));
+            }
             if (passing[p] != Passing::copied) continue;
             heads.back() = head_of(id);
             body.wanted_names[head_of(id)] = name + "_given";

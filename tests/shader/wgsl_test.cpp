@@ -273,6 +273,38 @@ TEST(Wgsl, ExtensionsAreEnabled) {
     EXPECT_THAT(functions_of("float f(float x) { return x; }"), Not(HasSubstr("enable")));
 }
 
+TEST(Wgsl, AMemoryBarrierIsPartOfTheBarrierBesideIt) {
+    const auto text = [](const std::string& barriers) {
+        return shader_of(
+            "layout(local_size_x = 4) in; layout(binding = 0) buffer B { float x; } b; shared float s;\n"
+            "void main() { s = b.x; " +
+            barriers + " b.x = s; }");
+    };
+    const std::string shared = "    s = b.x;\n    workgroupBarrier();\n    b.x = s;\n";
+    EXPECT_THAT(text("memoryBarrierShared(); barrier();"), HasSubstr(shared));
+    EXPECT_THAT(text("barrier(); memoryBarrierShared();"), HasSubstr(shared));
+    EXPECT_THAT(text("memoryBarrierBuffer(); memoryBarrierShared(); barrier();"),
+                HasSubstr("    storageBarrier();\n    workgroupBarrier();\n"));
+    EXPECT_THAT(message_of<WgslError>([&] { (void)text("memoryBarrierBuffer();"); }),
+                HasSubstr("a barrier of memory alone"));
+}
+
+TEST(Wgsl, ImagesAndSamplersAsParameters) {
+    EXPECT_THAT(
+        functions_of("vec4 g(sampler2D a, vec2 at) { return texture(a, at); }\n"
+                     "vec4 f(sampler2D a, sampler3D b, vec2 at) {"
+                     " return g(a, at) + texelFetch(b, ivec3(at, 1), 0); }\n"),
+        AllOf(HasSubstr("fn g(a: texture_2d<f32>, a_sampler: sampler, at: vec2f) -> vec4f {\n"
+                        "    return textureSampleLevel(a, a_sampler, at, 0.0);\n"),
+              HasSubstr("fn f(a: texture_2d<f32>, a_sampler: sampler, b: texture_3d<f32>, at: vec2f)"),
+              HasSubstr("g(a, a_sampler, at)")));
+    EXPECT_THAT(
+        shader_of("layout(local_size_x = 1) in; layout(binding = 3) uniform sampler2D s;\n"
+                  "layout(binding = 1) buffer B { vec4 x; };\n"
+                  "vec4 f(sampler2D t) { return texture(t, vec2(0.5)); } void main() { x = f(s); }"),
+        AllOf(HasSubstr("@group(0) @binding(4) var s_sampler: sampler;\n"), HasSubstr("f(s, s_sampler)")));
+}
+
 // Two kinds of refusal: what the language lacks, and what the translator does not know.
 TEST(Wgsl, WhatItDoesNotTranslateItSays) {
     const std::string head = "#version 450\nlayout(local_size_x = 1) in;\n";
@@ -286,9 +318,15 @@ TEST(Wgsl, WhatItDoesNotTranslateItSays) {
         "s.comp: gloam does not translate to WGSL yet: a depth comparison, a projective read or derivatives "
         "of a texture");
     EXPECT_EQ(
-        refusal("layout(binding = 0) uniform sampler2D s; layout(binding = 1) buffer B { vec4 x; };\n"
-                "vec4 f(sampler2D t) { return texture(t, vec2(0.5)); } void main() { x = f(s); }"),
+        refusal("layout(binding = 0) uniform sampler2D s[2]; layout(binding = 1) buffer B { vec4 x; };\n"
+                "void main() { x = texture(s[1], vec2(0.5)); }"),
         "s.comp: gloam does not translate to WGSL yet: an image or a sampler as a parameter or in an array");
+    EXPECT_EQ(
+        refusal("layout(constant_id = 0) const int n = 4; layout(binding = 1) buffer B { float x[n + 1]; };\n"
+                "void main() { x[2] = 1.0; }"),
+        "s.comp: WGSL cannot express an array whose length is a specialization constant, in a variable that "
+        "is "
+        "not shared");
     EXPECT_EQ(refusal("layout(binding = 0) buffer B { double x; };\nvoid main() { x *= 2.0LF; }"),
               "s.comp: WGSL cannot express floats of 64 bits");
 }

@@ -56,8 +56,30 @@ void FunctionWriter::region(Id start, const Open& open, Statements& out) {
     }
 }
 
+namespace {
+
+// Whether it is a barrier of memory with barrier() beside it, or others of memory in between.
+bool is_part_of_barrier(const std::vector<Instruction>& body, std::size_t at) {
+    const auto is_memory = [&body](std::size_t k) { return body[k].opcode == SpvOpMemoryBarrier; };
+    if (!is_memory(at)) return false;
+    std::size_t first = at;
+    while (first > 0 && is_memory(first - 1)) --first;
+    std::size_t end = at;
+    while (end < body.size() && is_memory(end)) ++end;
+    return (first > 0 && body[first - 1].opcode == SpvOpControlBarrier) ||
+           (end < body.size() && body[end].opcode == SpvOpControlBarrier);
+}
+
+}  // namespace
+
 void FunctionWriter::body_of(const Block& block, Statements& out) {
-    for (const Instruction& i : block.body) instruction(i, out);
+    for (std::size_t k = 0; k < block.body.size(); ++k) {
+        if (is_part_of_barrier(block.body, k)) {
+            memory_barriers(module_.integer(block.body[k].word(2)).value_or(0), out);
+        } else {
+            instruction(block.body[k], out);
+        }
+    }
 }
 
 // A block and its end; the label of the next one, or 0 behind a jump.

@@ -160,8 +160,7 @@ void Facts::store_to(Id pointer, FunctionFacts& facts) {
 
 void Facts::load_from(Id pointer, FunctionFacts& facts) {
     const Id base = base_of(pointer);
-    const Type::Kind kind = module_.type(module_.pointee(base)).kind;
-    if (kind == Type::Kind::image || kind == Type::Kind::sampled_image || kind == Type::Kind::sampler) return;
+    if (module_.is_opaque(module_.pointee(base))) return;
     read_.insert(base);
     if (base == pointer) ++uses_[base].loads;
     if (!globals_of_module_.contains(base)) return;
@@ -179,6 +178,8 @@ void Facts::read_call(const Instruction& i, FunctionFacts& facts) {
         const Id argument = i.word(p + 4);
         const Id base = base_of(argument);
         if (uses_.contains(argument)) ++uses_[argument].calls;
+        if (function != module_.functions.end() && sampled_.contains(function->parameters.at(p)))
+            sampled_.insert(argument);
         const bool written = function != module_.functions.end() &&
                              callee.pointers_written.contains(function->parameters.at(p));
         if (written && globals_of_module_.contains(base)) facts.changes_memory = true;
@@ -207,7 +208,7 @@ bool fits(const Module& module, Id id, const shader::Type& declared) {
                         : module.is_bool(id)   ? Scalar::bool_
                                                : Scalar::uint_;
     if (module.is_half(id)) return declared.scalar == Scalar::unsupported;
-    const bool simple = type.kind != TypeKind::array && type.kind != TypeKind::image;
+    const bool simple = type.kind != TypeKind::array && !module.is_opaque(id);
     if (!simple) return declared.scalar == Scalar::unsupported;
     return declared.scalar == scalar && declared.columns == 1 &&
            declared.rows == static_cast<int>(module.components(id));

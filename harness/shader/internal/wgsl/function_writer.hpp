@@ -74,7 +74,11 @@ class FunctionWriter {
     void insert(const Instruction& instruction, Statements& out);
     void call_function(const Instruction& instruction, Statements& out);
     [[nodiscard]] Expression argument_of(Id argument, Passing passing);
+    [[nodiscard]] bool is_parameter(Id id) const;
+    [[nodiscard]] Expression opaque(Id variable) const;
+    [[nodiscard]] Expression sampler_of(Id variable) const;
     void barrier(const Instruction& instruction, Statements& out);
+    void memory_barriers(std::uint32_t semantics, Statements& out);
     [[nodiscard]] Expression pointer(Id id);
     [[nodiscard]] Expression chain(const Instruction& instruction);
     [[nodiscard]] std::vector<Expression> take_all(const Instruction& instruction);
@@ -109,6 +113,11 @@ class FunctionWriter {
     std::map<Id, std::vector<std::string>>
         member_names_;  // of results whose structures WGSL has under its own
 };
+
+// The parameter for the sampler of a parameter that is a combined one.
+[[nodiscard]] inline Id sampler_parameter(Id parameter) {
+    return 0x60000000U + parameter;
+}
 
 // Chooses where the variables are declared: as far inside as all uses allow, with their first value.
 void declare_variables(FunctionBody& body, const std::set<Id>& parameters);

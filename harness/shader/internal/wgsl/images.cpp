@@ -108,7 +108,7 @@ void FunctionWriter::sample(const Instruction& i, Statements& out) {
     const Id loaded = facts_.image_of(i.word(3));
     const auto apart = samplers_.find(i.word(3));
     std::vector<Expression> arguments = coordinates(i.word(3), i.word(4), out);
-    const Expression sampler = apart != samplers_.end() ? apart->second : plain(text_.sampler_of(loaded));
+    const Expression sampler = apart != samplers_.end() ? apart->second : sampler_of(loaded);
     arguments.insert(arguments.begin(), {take(i.word(3)), sampler});
     const std::uint32_t mask = i.word(gather ? 6 : 5);
     std::size_t next = gather ? 7 : 6;
@@ -204,6 +204,12 @@ void FunctionWriter::barrier(const Instruction& i, Statements& out) {
     const std::uint32_t semantics = module_.integer(i.word(3)).value_or(0);
     before_change(memory, out);
     out.push_back({.value = "workgroupBarrier()"});
+    memory_barriers(semantics, out);
+}
+
+// Of buffers and images; workgroupBarrier() is that of shared variables.
+void FunctionWriter::memory_barriers(std::uint32_t semantics, Statements& out) {
+    before_change(memory, out);
     if ((semantics & SpvMemorySemanticsUniformMemoryMask) != 0) out.push_back({.value = "storageBarrier()"});
     if ((semantics & SpvMemorySemanticsImageMemoryMask) != 0) out.push_back({.value = "textureBarrier()"});
 }

@@ -217,9 +217,8 @@ Expression FunctionWriter::chain(const Instruction& i) {
 
 void FunctionWriter::load(const Instruction& i, Statements& out) {
     const Id from = i.word(3);
-    const Type::Kind kind = module_.type(i.word(1)).kind;
-    if (kind == Type::Kind::image || kind == Type::Kind::sampled_image || kind == Type::Kind::sampler) {
-        values_[i.word(2)] = plain(text_.name(from));
+    if (module_.is_opaque(i.word(1))) {
+        values_[i.word(2)] = opaque(from);
         return;
     }
     if (shape_.fold_results.contains(from)) {
@@ -278,12 +277,34 @@ Expression FunctionWriter::argument_of(Id argument, Passing passing) {
     return plain(place.text);
 }
 
+bool FunctionWriter::is_parameter(Id id) const {
+    return std::ranges::find(function_.parameters, id) != function_.parameters.end();
+}
+
+// An image or a sampler, of the module or a parameter.
+Expression FunctionWriter::opaque(Id variable) const {
+    return plain(is_parameter(variable) ? mark(variable) : text_.name(variable));
+}
+
+Expression FunctionWriter::sampler_of(Id variable) const {
+    return plain(is_parameter(variable) ? mark(sampler_parameter(variable)) : text_.sampler_of(variable));
+}
+
 void FunctionWriter::call_function(const Instruction& i, Statements& out) {
     const FunctionFacts& callee = facts_.of(i.word(3));
+    const auto called = std::ranges::find(module_.functions, i.word(3), &Function::id);
     std::vector<Expression> arguments;
     std::vector<Id> changed;
     for (std::size_t p = 0; p < callee.passing.size(); ++p) {
         const Id argument = i.word(p + 4);
+        const Id parameter = called->parameters.at(p);
+        if (const Type& type = module_.value_type(parameter);
+            type.kind == TypeKind::pointer && module_.is_opaque(type.element)) {
+            arguments.push_back(opaque(argument));
+            if (module_.type(type.element).kind == TypeKind::sampled_image && facts_.is_sampled(parameter))
+                arguments.push_back(sampler_of(argument));
+            continue;
+        }
         arguments.push_back(argument_of(argument, callee.passing[p]));
         if (callee.passing[p] == Passing::pointer) changed.push_back(same(argument));
     }

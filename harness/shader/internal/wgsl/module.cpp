@@ -102,6 +102,11 @@ bool Module::is_float(Id id) const {
            ((t.kind == Type::Kind::vector || t.kind == Type::Kind::matrix) && is_float(t.element));
 }
 
+bool Module::is_opaque(Id id) const {
+    const Type::Kind kind = type(id).kind;
+    return kind == TypeKind::image || kind == TypeKind::sampled_image || kind == TypeKind::sampler;
+}
+
 bool Module::is_half(Id id) const {
     const Type& t = type(id);
     if (t.kind == Type::Kind::vector || t.kind == Type::Kind::matrix) return is_half(t.element);
@@ -274,6 +279,7 @@ bool Module::read_opaque_type(const Instruction& i, Type& t) {
             t.depth = i.word(4) == 1;
             t.arrayed = i.word(5) != 0;
             t.multisampled = i.word(6) != 0;
+            t.stored = i.word(7) == 2;
             t.format = i.word(8);
             return true;
         case SpvOpTypeSampledImage:

@@ -66,6 +66,7 @@ struct Type {
     bool depth = false;         // an image that is compared with a depth
     bool arrayed = false;       // an image with layers
     bool multisampled = false;  // an image with samples
+    bool stored = false;        // an image without a sampler, for imageLoad() and imageStore()
     std::uint32_t format = 0;   // of a storage image
 };
 
@@ -123,8 +124,10 @@ class Module {
     [[nodiscard]] std::string name_of(Id id) const;  // empty where it has none
     [[nodiscard]] const Instruction* constant(Id id) const;
     [[nodiscard]] std::optional<std::uint32_t> integer(Id id) const;  // of an OpConstant
-    [[nodiscard]] bool is_float(Id type) const;                       // or a vector of them
-    [[nodiscard]] bool is_half(Id type) const;                        // is_float(), of 16 bits
+    // Whether it is an image, a sampler or both.
+    [[nodiscard]] bool is_opaque(Id type) const;
+    [[nodiscard]] bool is_float(Id type) const;  // or a vector of them
+    [[nodiscard]] bool is_half(Id type) const;   // is_float(), of 16 bits
     [[nodiscard]] bool is_signed(Id type) const;
     [[nodiscard]] bool is_bool(Id type) const;
     [[nodiscard]] std::uint32_t components(Id type) const;  // 1 for a scalar

@@ -88,7 +88,14 @@ std::string ModuleText::array(const Type& t) {
         throw WgslError(fmt::format("an array of {} with a stride of {} bytes: WGSL has {}", type(t.element),
                                     t.stride, stride));
     if (t.kind == TypeKind::runtime_array) return fmt::format("array<{}>", type(t.element));
-    return fmt::format("array<{}, {}>", type(t.element), array_length(t));
+    return fmt::format("array<{}, {}>", type(t.element), fixed_length(t));
+}
+
+std::string ModuleText::fixed_length(const Type& array) {
+    if (!module_.integer(array.length))
+        throw WgslError(
+            "an array whose length is a specialization constant, in a variable that is not shared");
+    return array_length(array);
 }
 
 std::string ModuleText::array_length(const Type& array) {
@@ -100,7 +107,7 @@ std::string ModuleText::array_length(const Type& array) {
 std::string ModuleText::atomic_type(Id id) {
     const Type& t = module_.type(id);
     if (t.kind == TypeKind::array)
-        return fmt::format("array<{}, {}>", atomic_type(t.element), array_length(t));
+        return fmt::format("array<{}, {}>", atomic_type(t.element), fixed_length(t));
     if (t.kind == TypeKind::runtime_array) return fmt::format("array<{}>", atomic_type(t.element));
     return fmt::format("atomic<{}>", type(id));
 }
@@ -167,10 +174,12 @@ ImageUse ModuleText::image_use(Id variable) const {
 }
 
 std::string ModuleText::variable_type(const Variable& variable) {
+    if (module_.is_opaque(variable.type)) return opaque_type(variable.id, variable.type);
+    const auto text = [&](Id id) { return facts_.is_atomic(variable.id) ? atomic_type(id) : type(id); };
     const Type& t = module_.type(variable.type);
-    if (t.kind == TypeKind::image || t.kind == TypeKind::sampled_image) return image(variable);
-    if (t.kind == TypeKind::sampler) return "sampler";
-    return facts_.is_atomic(variable.id) ? atomic_type(variable.type) : type(variable.type);
+    if (t.kind == TypeKind::array && variable.storage == SpvStorageClassWorkgroup)
+        return fmt::format("array<{}, {}>", text(t.element), array_length(t));
+    return text(variable.type);
 }
 
 namespace {
@@ -239,11 +248,12 @@ std::string ModuleText::enabled() const {
     return text.empty() ? text : text + "\n";
 }
 
-std::string ModuleText::image(const Variable& variable) {
-    const std::string& name = entry_of(names_, variable.id, "a variable without a name");
-    const Type& t = module_.image_type(variable.type);
+std::string ModuleText::opaque_type(Id variable, Id declared) {
+    if (module_.type(declared).kind == TypeKind::sampler) return "sampler";
+    const std::string name = module_.name_of(variable);
+    const Type& t = module_.image_type(declared);
     const std::string shape = shape_of(t);
-    const ImageUse use = image_use(variable.id);
+    const ImageUse use = image_use(variable);
     const bool cube = t.dimension == SpvDimCube;
     if (shape.empty() || t.depth || (t.multisampled && t.arrayed) || (use != ImageUse::texture && cube))
         throw NotTranslated(fmt::format("the kind of image of {}", name));

@@ -31,16 +31,17 @@ class ModuleText {
     [[nodiscard]] std::string type(Id type);
     // The type of a variable of the module.
     [[nodiscard]] std::string variable_type(const Variable& variable);
+    // The type of an image or a sampler, of a variable of the module or a parameter.
+    [[nodiscard]] std::string opaque_type(Id variable, Id type);
     [[nodiscard]] std::string member_name(Id structure, std::uint32_t member);
     [[nodiscard]] const std::string& name(Id id) const {
-        return entry_of(names_, id,
-                        "a function with an image, a sampler or a pointer to a buffer as a parameter");
+        return entry_of(names_, id, "a pointer into a buffer or an array of images as an argument");
     }
     [[nodiscard]] bool has_name(Id id) const { return names_.contains(id); }
     [[nodiscard]] ImageUse image_use(Id variable) const;
     // The sampler that is declared for a combined one.
     [[nodiscard]] std::string sampler_of(Id variable) const {
-        return entry_of(sampler_names_, variable, "a function with a sampler as a parameter");
+        return entry_of(sampler_names_, variable, "a sampler in an array");
     }
     [[nodiscard]] bool has_sampler(Id variable) const { return sampler_names_.contains(variable); }
 
@@ -70,10 +71,11 @@ class ModuleText {
                                       const std::string& indent) const;
     [[nodiscard]] std::string structure(Id type);
     [[nodiscard]] std::string member_text(Id structure, std::uint32_t member, std::uint32_t at);
-    [[nodiscard]] std::string image(const Variable& variable);
     [[nodiscard]] std::string atomic_type(Id type);
     [[nodiscard]] std::string array(const Type& array);
     [[nodiscard]] std::string array_length(const Type& array);
+    // array_length(), which only shared variables may have from a specialization constant.
+    [[nodiscard]] std::string fixed_length(const Type& array);
     [[nodiscard]] Expression number(const Instruction& constant);
     [[nodiscard]] Expression composite(const Instruction& constant);
     [[nodiscard]] Expression computed(const Instruction& constant);
