@@ -14,6 +14,22 @@ bool is_control(char c) {
     return byte < 0x20U || byte == 0x7fU;
 }
 
+// The bytes of the UTF-8 character at the front; 0 for a byte that begins none, and for U+0080 to U+009F,
+// which are control characters.
+std::size_t character_size(std::string_view text) {
+    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    const std::size_t size = first < 0x80U   ? 1
+                             : first < 0xc2U ? 0
+                             : first < 0xe0U ? 2
+                             : first < 0xf0U ? 3
+                                             : 4;
+    if (first > 0xf4U || size > text.size()) return 0;
+    for (std::size_t i = 1; i < size; ++i)
+        if ((byte(i) & 0xc0U) != 0x80U) return 0;
+    return first == 0xc2U && byte(1) < 0xa0U ? 0 : size;
+}
+
 bool is_plain(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
 }
@@ -36,13 +52,12 @@ std::string shortened(std::string_view text, std::size_t most) {
 }
 
 std::string for_terminal(std::string_view text) {
-    std::string safe(text);
-    for (std::size_t i = 0; i < safe.size(); ++i) {
-        const bool layout = safe[i] == '\n' || safe[i] == '\t';
-        if (is_control(safe[i]) && !layout) safe[i] = ' ';
-        // U+0080 to U+009F in UTF-8: also control characters.
-        if (safe[i] == '\xc2' && i + 1 < safe.size() && static_cast<unsigned char>(safe[i + 1]) < 0xa0U)
-            safe.replace(i, 2, " ");
+    std::string safe;
+    while (!text.empty()) {
+        const std::size_t size = character_size(text);
+        const bool layout = text.front() == '\n' || text.front() == '\t';
+        safe += size == 0 || (is_control(text.front()) && !layout) ? " " : text.substr(0, size);
+        text.remove_prefix(std::max<std::size_t>(size, 1));
     }
     return safe;
 }

@@ -131,7 +131,8 @@ std::string read_text(const Path& file) {
     if (text.find('\0') != std::string::npos)
         throw std::runtime_error(file.string() + ": contains a NUL byte, expected a text in UTF-8");
     internal::note_dependency(file);
-    return text;
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    return text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text;
 }
 
 namespace internal {

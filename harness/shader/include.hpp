@@ -11,7 +11,7 @@
 namespace gloam::shader {
 
 // Reads a text file. Throws std::runtime_error with the file's name if that fails: expected a regular file of
-// at most base::largest_text bytes, none of them NUL.
+// at most base::largest_text bytes, none of them NUL. A byte order mark of UTF-8 is left out.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
 // The file of #include "name" in a file of folder `from` (may be empty): from/name, otherwise that of the

@@ -29,6 +29,7 @@ TEST(Include, ReadsATextWhole) {
     const TempDir dir;
     EXPECT_EQ(read_text(dir.write("a.glsl", "one\r\ntwo")), "one\r\ntwo");
     EXPECT_EQ(read_text(dir.write("empty.glsl", "")), "");
+    EXPECT_EQ(read_text(dir.write("marked.glsl", "\xef\xbb\xbfone")), "one");
 }
 
 TEST(Include, UnreadableTextIsNamed) {

@@ -14,6 +14,7 @@
 
 #include "check/explain.hpp"
 #include "cli/environment.hpp"
+#include "interpreter/error.hpp"
 #include "shader/include.hpp"
 #include "shader/variant.hpp"
 
@@ -77,8 +78,13 @@ void run_explain(const ExplainOptions& options) {
     std::vector<Word> input;
     for (std::size_t i = 0; i < scalars.size(); ++i)
         input.push_back(word_from(scalars[i], options.values[i]));
-    const check::Explanation all = check::explain(compile, name, options.function, input);
-    fmt::print("{}", to_text(all, all.steps.size()));
+    try {
+        const check::Explanation all = check::explain(compile, name, options.function, input);
+        fmt::print("{}", to_text(all, all.steps.size()));
+    } catch (const interpreter::Error& error) {
+        throw std::runtime_error(
+            fmt::format("{}: {}: {}", options.file.string(), options.function, error.what()));
+    }
 }
 
 }  // namespace

@@ -283,7 +283,9 @@ bool FunctionWriter::is_parameter(Id id) const {
 
 // An image or a sampler, of the module or a parameter.
 Expression FunctionWriter::opaque(Id variable) const {
-    return plain(is_parameter(variable) ? mark(variable) : text_.name(variable));
+    if (is_parameter(variable)) return plain(mark(variable));
+    if (!text_.has_name(variable)) throw NotTranslated("an image or a sampler in an array");
+    return plain(text_.name(variable));
 }
 
 Expression FunctionWriter::sampler_of(Id variable) const {

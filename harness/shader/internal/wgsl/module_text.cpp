@@ -76,7 +76,7 @@ std::string ModuleText::type(Id id) {
         case TypeKind::pointer:
             return fmt::format("ptr<function, {}>", type(t.element));
         default:
-            throw NotTranslated("an image or a sampler as a parameter or in an array");
+            throw NotTranslated("an image or a sampler in an array");
     }
 }
 

@@ -35,7 +35,7 @@ class ModuleText {
     [[nodiscard]] std::string opaque_type(Id variable, Id type);
     [[nodiscard]] std::string member_name(Id structure, std::uint32_t member);
     [[nodiscard]] const std::string& name(Id id) const {
-        return entry_of(names_, id, "a pointer into a buffer or an array of images as an argument");
+        return entry_of(names_, id, "a function or a variable without a name");
     }
     [[nodiscard]] bool has_name(Id id) const { return names_.contains(id); }
     [[nodiscard]] ImageUse image_use(Id variable) const;
