@@ -155,9 +155,7 @@ class SiteTest(unittest.TestCase):
 
     def fresh(self, site=None):
         """A page whose checks have not run."""
-        page = CheckPage(self.browser, site or self.site)
-        self.browser.wait("!document.getElementById('run').disabled")
-        return page
+        return CheckPage(self.browser, site or self.site)
 
     def run_all(self, page):
         """The reasons of the checks that failed."""

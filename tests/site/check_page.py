@@ -51,24 +51,25 @@ def compare(test, known, rows):
 
 
 class CheckPage:
-    """The page that checks the browser."""
+    """The page that checks the browser, once it can run checks."""
+
+    READY = "!document.getElementById('run').disabled"
 
     def __init__(self, browser, folder, again=True):
         self.browser = browser
         file = folder / "check.html"
         if again or browser.evaluate("location.href") != file.as_uri():
             browser.open(file)
+        browser.wait(self.READY)
 
     def choose(self, interface):
         """Selects "webgl2" or "webgpu" and waits for its device. False where the browser has none."""
-        ready = "!document.getElementById('run').disabled"
-        self.browser.wait(ready)
         if interface == "webgpu" and not self.browser.evaluate("gloam.runner.hasWebgpu()"):
             return False
         self.browser.wait(f"!document.querySelector('#api option[value={interface}]').disabled")
         self.browser.evaluate("(() => { const api = document.getElementById('api');"
                               f"api.value = '{interface}'; api.dispatchEvent(new Event('change')); }})()")
-        self.browser.wait(ready)
+        self.browser.wait(self.READY)
         return True
 
     def text(self, identifier):
