@@ -118,7 +118,7 @@ TEST(List, SettingsWithDefaultAndRange) {
     EXPECT_THAT(one.out, HasSubstr("default: 32\n"));
 }
 
-// What is printed of a preset makes the same: as text by --set, as JSON by --preset.
+// What is printed of a preset makes the same: as text by --method and --set, as JSON by --preset.
 TEST(List, APresetSaysWhatItSets) {
     const CommandResult result = run_command({"list", "presets", "sweep-balanced"});
     expect_success(result);
@@ -131,7 +131,10 @@ TEST(List, APresetSaysWhatItSets) {
     std::vector<std::string> by_settings;
     std::istringstream lines(result.out);
     for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("  ")) by_settings.insert(by_settings.end(), {"--set", line.substr(2)});
+        if (line.starts_with("  method="))
+            by_settings.insert(by_settings.end(), {"--method", line.substr(9)});
+        else if (line.starts_with("  "))
+            by_settings.insert(by_settings.end(), {"--set", line.substr(2)});
     const auto used = [&](std::vector<std::string> options) {
         const std::vector<std::string> command{"render", "corner", "--radius", "1",
                                                "--size", "16x9",   "--out",    folder.path().string()};

@@ -106,7 +106,7 @@ nlohmann::ordered_json one_of(const std::string& kind, const nlohmann::ordered_j
         fmt::format("{} \"{}\": expected a name of `gloam list {}`", kind, name, kind));
 }
 
-// A property a line; what a preset sets as `--set` takes it.
+// A property a line; what a preset sets as `--set` takes it, and the method as `--method` does.
 void print_one(const nlohmann::ordered_json& one) {
     for (const auto& [key, value] : one.items()) {
         if (!value.is_object()) fmt::print("{}: {}\n", key, text_of(value));
