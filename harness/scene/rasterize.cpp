@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "gpu/raster.hpp"
+#include "scene/closed_parts.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/internal/peel.hpp"
 #include "scene/internal/raster_layouts.hpp"
@@ -43,12 +44,14 @@ gpu::Buffer moving_vertex_buffer(const gpu::Device& device, const Scene& scene, 
     return buffer;
 }
 
-gpu::Buffer index_buffer(const gpu::Device& device, const Mesh& mesh, bool own_vertices) {
-    gpu::Buffer buffer(device, mesh.indices.size() * sizeof(std::uint32_t));
-    const std::span<std::uint32_t> indices = buffer.as<std::uint32_t>();
-    for (std::size_t i = 0; i < indices.size(); ++i)
-        indices[i] = own_vertices ? static_cast<std::uint32_t>(i) : mesh.indices[i];
-    return buffer;
+// The corners of the triangles that can be seen. Without the others, rounding cannot draw the far side of a
+// closed shape at its silhouette, with a normal that points into the shape.
+std::vector<std::uint32_t> seen_corners(const Mesh& mesh, bool orthographic, bool own_vertices) {
+    const std::vector<bool> hidden = hidden_far_sides(mesh, orthographic);
+    std::vector<std::uint32_t> corners;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+        if (!hidden[i / 3]) corners.push_back(own_vertices ? static_cast<std::uint32_t>(i) : mesh.indices[i]);
+    return corners;
 }
 
 gpu::RasterPipeline make_pipeline(const gpu::Device& device, const PassLibrary& passes, bool reversed_z,
@@ -143,10 +146,13 @@ class Shot {
         const gpu::Buffer vertices =
             moving_ ? moving_vertex_buffer(device, scene, mesh, view_space_mesh(scene, previous))
                     : vertex_buffer(device, mesh);
-        const gpu::Buffer indices = index_buffer(device, mesh, moving_);
+        const std::vector<std::uint32_t> corners =
+            seen_corners(mesh, now_.projection == Projection::orthographic, moving_);
+        gpu::Buffer indices(device, corners.size() * sizeof(std::uint32_t));
+        std::ranges::copy(corners, indices.as<std::uint32_t>().begin());
         const gpu::Draw all{.vertices = vertices,
                             .indices = indices,
-                            .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
+                            .index_count = static_cast<std::uint32_t>(corners.size()),
                             .push_constants = std::as_bytes(std::span(&push, 1))};
         const std::vector<std::reference_wrapper<const gpu::Image>> colors(colors_.begin(), colors_.end());
         gpu::Commands commands(device);
