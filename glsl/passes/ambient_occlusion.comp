@@ -99,11 +99,10 @@ layout(push_constant) uniform Parameters {
 #include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/displacement.glsl"
 #include "gloam/temporal/history.glsl"
-#include "gloam/temporal/neighborhood.glsl"
-#include "gloam/temporal/smooth_invalidation.glsl"
 #include "gloam/temporal/smoothing.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 #include "method_values.glsl"
+#include "invalidation.glsl"
 
 layout(binding = 8 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
 layout(binding = 6, std430) readonly buffer MethodSettings { MethodValues method_values; };
@@ -125,9 +124,6 @@ layout(binding = 10, r32f) uniform writeonly highp image2D shown_image;
 #define METHOD(position, normal, camera, kernel, values) \
     gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range))
 #endif
-
-const uint CLAMP = 1u;
-const uint CONFIDENCE = 2u;
 
 // The point being shaded, its motion, and what the samples have shown of its neighbourhood so far.
 struct Neighborhood {
@@ -202,19 +198,13 @@ vec3 gloam_fetch_normal(ivec2 pixel) {
 // Weight that the history keeps after what the probes have seen (TSSAO-SI). seen: the largest change, world units.
 float weight_after_change(float weight, float seen) {
     if (!moving_objects) return weight;
-    if (parameters.invalidation == CLAMP) {
-        bool unchanged = gloam_neighborhood_unchanged(seen, parameters.change_tolerance);
-        return unchanged ? weight : gloam_invalidate_clamp(weight, parameters.weight_small);
-    }
-    if (parameters.invalidation != CONFIDENCE) return weight;
-    // Only what exceeds the tolerance: the rounding of positions must not eat the history of a scene at rest.
-    float change = max(seen - parameters.change_tolerance, 0.0);
-    return gloam_invalidate_confidence(weight,
-                                       gloam_confidence(change / parameters.radius, parameters.confidence_factor));
+    return invalidated_weight(weight, seen, parameters.radius, parameters.invalidation, parameters.change_tolerance,
+                              parameters.weight_small, parameters.confidence_factor);
 }
 
+// A sample is as far as the radius from the point, and what blocks it up to `range` in front of the sample.
 Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
-    return Neighborhood(position, displacement_at(pixel), normal, max(radius, method_values.range), 0.0);
+    return Neighborhood(position, displacement_at(pixel), normal, radius + method_values.range, 0.0);
 }
 
 // What the method says of a pixel by `samples` samples.

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Light from an environment, from the directions in which each point is open (Ritschel, Grosch and Seidel 2009;
-// CS-D). One invocation a pixel.
+// CS-D), in the mean over frames. One invocation a pixel.
 //
-// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: radiance that leaves the surface in xyz, in the unit of the environment; 0 at the background.
-//               w is 0
-//   5  rgba32f  diffuse albedo in xyz, [0, 1]
-//   6  rgba32f  radiance of the environment in xyz, over directions of the world: columns are longitudes, -z in the
+// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl and directional/history.glsl, and
+//   4  rgba32f  written: radiance that leaves a white surface in xyz, in the unit of the environment; 0 at the
+//               background. w: accumulated samples
+//   9  rgba32f  radiance of the environment in xyz, over directions of the world: columns are longitudes, -z in the
 //               middle and +x to the right of it, rows polar angles from +y; each texel is one value
-#include "directional/points.glsl"
+#include "directional/history.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/shading/directional_occlusion.glsl"
 
 layout(binding = 4, rgba32f) uniform writeonly highp image2D light_image;
-layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
-layout(binding = 6 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT environment_image;
+layout(binding = 9 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT environment_image;
 
 // direction: view space, unit.
 vec3 environment(vec3 direction) {
@@ -27,19 +25,30 @@ vec3 environment(vec3 direction) {
     return GLOAM_FETCH(environment_image, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1)).xyz;
 }
 
+// The mean with this frame's samples: radiance in xyz, samples in w.
+vec4 accumulated(ivec2 pixel, Shaded shaded) {
+    vec3 previous = previous_position_at(pixel, shaded.position);
+    Light before = light_before(pixel, previous);
+    vec3 sum = vec3(0.0);
+    float count = 0.0;
+    float change = 0.0;
+    for (uint i = 0u; i < parameters.samples; ++i) {
+        Sample s = sample_of(shaded, light_history.first_sample + i);
+        if (!s.counts) continue;
+        sum += gloam_ssdo_direct(s.direction, shaded.normal, environment(s.direction), s.visibility);
+        count += 1.0;
+        change = max(change, change_of(shaded, previous, s.pixel));
+    }
+    float weight = weight_after_change(before.weight, change);
+    vec3 fresh = gloam_ssdo_light(sum, count, vec3(1.0));
+    return vec4(blended_light(before.direct, weight, fresh, count), blended_weight(weight, count));
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     Shaded shaded;
-    vec3 sum = vec3(0.0);
-    float count = 0.0;
-    if (shaded_at(pixel, shaded)) {
-        for (uint i = 0u; i < parameters.samples; ++i) {
-            Sample s = sample_of(shaded, i);
-            if (!s.counts) continue;
-            sum += gloam_ssdo_direct(s.direction, shaded.normal, environment(s.direction), s.visibility);
-            count += 1.0;
-        }
-    }
-    imageStore(light_image, pixel, vec4(gloam_ssdo_light(sum, count, GLOAM_FETCH(albedo_image, pixel).xyz), 0.0));
+    vec4 light = vec4(0.0);
+    if (shaded_at(pixel, shaded)) light = accumulated(pixel, shaded);
+    imageStore(light_image, pixel, light);
 }

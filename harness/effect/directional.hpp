@@ -29,6 +29,13 @@ struct BentOptions {
     int interleave = 1;
 };
 
+// What a frame of light has to do with the frame before it.
+enum class LightFollows {
+    nothing,    // it has no history
+    last_view,  // its view is the next one of a sequence
+    same_view   // it is a further frame of the last view
+};
+
 // Radiance that leaves the surfaces (CS-D): linear, in the environment's unit, 0 at the background. Rows from
 // the top, without the guard band.
 struct DirectionalLight {
@@ -38,9 +45,9 @@ struct DirectionalLight {
 };
 
 // Results by direction, from the depth buffer. The samples are points of the half ball around each pixel,
-// uniform in direction and radius; each is blocked or open as in the method hemisphere. A result is that of
-// one frame of Settings::samples samples, with the settings' radius, bias, range and layers, and without
-// history. MethodValues::epsilon is the least distance of a surface that sends light.
+// uniform in direction and radius; each is blocked or open as in the method hemisphere. A frame takes
+// Settings::samples samples, with the settings' radius, bias, range and layers. MethodValues::epsilon is the
+// least distance of a surface that sends light.
 class Directional {
   public:
     // The device must outlive this object. Throws std::runtime_error when a shader does not compile.
@@ -51,11 +58,17 @@ class Directional {
 
     // Both throw std::invalid_argument for settings out of range, for images of another size, and if the view
     // has fewer layers than the settings ask for; bent_normals() also for options out of range. Missing
-    // normals are reconstructed from depth.
+    // normals are reconstructed from depth. bent_normals() has no history.
     [[nodiscard]] BentNormals bent_normals(const scene::GBuffer& view, const Settings& settings,
                                            const BentOptions& options = {});
+
+    // The mean over the frames since the last one that follows nothing, kept and dropped as the history of
+    // the occlusion. All these frames should have the same settings and environment. A view of another size,
+    // or whose camera does not know the previous one, follows nothing. Where Settings::filter is on, the
+    // result is smoothed by the convergence filter, whichever filter the settings name.
     [[nodiscard]] DirectionalLight light(const scene::GBuffer& view, const Settings& settings,
-                                         const scene::Environment& environment);
+                                         const scene::Environment& environment,
+                                         LightFollows follows = LightFollows::nothing);
 
     // From now on each pass is watched: for tests of the passes alone.
     void watch(PassWatcher watcher);

@@ -147,6 +147,7 @@ TEST_F(Directions, WhereNothingIsOpenTheNormalStays) {
     const scene::GBuffer view = scene::rasterize(device_, passes_, ball, {24, 16});
     Settings settings = with_radius({}, 1e4F);
     settings.samples = 32;
+    settings.filter = Filter::none;
     const BentNormals bent = directional_.bent_normals(view, settings);
     const DirectionalLight light = directional_.light(view, settings, scene::constant_environment({1, 1, 1}));
     std::size_t closed = 0;  // a sample that falls beside the image may be open
@@ -264,6 +265,112 @@ TEST_F(Directions, AWallTintsTheFloorBesideIt) {
     EXPECT_GT(red, 20);
     EXPECT_GT(green, 20);
     EXPECT_GT(compared, 100);
+}
+
+double rmse(const std::vector<glm::vec3>& found, const std::vector<glm::vec3>& wanted) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        sum += std::pow(double{glm::distance(found[i], wanted[i])}, 2.0);
+    return std::sqrt(sum / static_cast<double>(found.size()));
+}
+
+Settings unfiltered(std::uint32_t samples) {
+    Settings settings = many();
+    settings.samples = samples;
+    settings.weight_max = 512.0F;
+    settings.filter = Filter::none;
+    return settings;
+}
+
+TEST_F(Directions, LightOfAStillViewConverges) {
+    const scene::GBuffer view =
+        scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36}, {.color = true});
+    const scene::Environment sky = scene::sky_environment();
+    const DirectionalLight wanted = directional_.light(view, many(), sky);
+    const Settings settings = unfiltered(16);
+    const DirectionalLight first = directional_.light(view, settings, sky);
+    DirectionalLight last;
+    for (int i = 1; i < 32; ++i) last = directional_.light(view, settings, sky, LightFollows::same_view);
+    EXPECT_LT(rmse(last.direct, wanted.direct), 0.15 * rmse(first.direct, wanted.direct));
+    EXPECT_LT(rmse(last.bounced, wanted.bounced), 0.15 * rmse(first.bounced, wanted.bounced));
+    const DirectionalLight again = directional_.light(view, settings, sky);
+    EXPECT_EQ(again.direct, first.direct) << "a cut forgets";
+    Settings alone = settings;
+    alone.history = false;
+    const DirectionalLight next = directional_.light(view, alone, sky, LightFollows::same_view);
+    EXPECT_EQ(next.direct, first.direct) << "without a history each frame is the first";
+}
+
+// In the first frame the kernels' rotations repeat along the column in the middle of an image of 1280 pixels.
+TEST_F(Directions, LightHasNoSeamWhereThePatternRepeats) {
+    constexpr std::size_t width = 1280;
+    constexpr std::size_t height = 24;
+    scene::GBuffer view{.extent = {width, height},
+                        .depth = std::vector(width * height, 3.0F),
+                        .normal = std::vector(width * height, glm::vec3(0, 0, 1))};
+    view.camera = scene::make_frame({.projection = scene::Projection::orthographic, .view_height = 2.0},
+                                    double{width} / double{height});
+    scene::Environment sides{.extent = {2, 1}, .radiance = {{1, 0, 0}, {0, 1, 0}}};
+    const auto worst_column = [&](const DirectionalLight& light) {
+        float worst = 0.0F;
+        for (std::size_t x = 0; x < width; ++x) {
+            float mean = 0.0F;
+            for (std::size_t y = 0; y < height; ++y) mean += light.direct[width * y + x].x / float{height};
+            worst = std::max(worst, std::abs(mean - 0.5F));
+        }
+        return worst;
+    };
+    const Settings settings = unfiltered(8);
+    DirectionalLight light = directional_.light(view, settings, sides);
+    EXPECT_GT(worst_column(light), 0.05F);
+    for (int i = 1; i < 16; ++i) light = directional_.light(view, settings, sides, LightFollows::same_view);
+    EXPECT_LT(worst_column(light), 0.01F);
+}
+
+TEST_F(Directions, TheFilterSmoothsTheFirstFrameOfLight) {
+    const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36});
+    const scene::Environment sky = scene::sky_environment();
+    const DirectionalLight wanted = directional_.light(view, many(), sky);
+    Settings settings = unfiltered(16);
+    const DirectionalLight rough = directional_.light(view, settings, sky);
+    settings.filter = Filter::convergence;
+    const DirectionalLight smooth = directional_.light(view, settings, sky);
+    EXPECT_LT(rmse(smooth.direct, wanted.direct), 0.6 * rmse(rough.direct, wanted.direct));
+    EXPECT_LT(rmse(smooth.bounced, wanted.bounced), 0.6 * rmse(rough.bounced, wanted.bounced));
+    settings.filter_frames = 1.0F;
+    (void)directional_.light(view, settings, sky);
+    const DirectionalLight second = directional_.light(view, settings, sky, LightFollows::same_view);
+    settings.filter = Filter::none;
+    (void)directional_.light(view, settings, sky);
+    EXPECT_EQ(directional_.light(view, settings, sky, LightFollows::same_view).direct, second.direct);
+}
+
+// A camera and objects that move: the history follows the surfaces, and objects leave no trail of light.
+TEST_F(Directions, LightFollowsWhatMoves) {
+    const scene::Scene scene = scene::make_scene("moving");
+    Settings settings = unfiltered(16);
+    settings.radius = static_cast<float>(scene.ao_radius);
+    const scene::Environment sky = scene::sky_environment();
+    const auto last_of = [&](const Settings& with, bool follows) {
+        DirectionalLight light;
+        for (int i = 0; i < 12; ++i) {
+            const scene::GBuffer view =
+                scene::rasterize(device_, passes_, scene, {96, 54}, {.frame = i, .motion = true});
+            light = directional_.light(view, with, sky,
+                                       follows ? LightFollows::last_view : LightFollows::nothing);
+        }
+        return light;
+    };
+    Settings exact = settings;
+    exact.samples = 1024;
+    const DirectionalLight wanted = last_of(exact, false);
+    const double alone = rmse(last_of(settings, false).direct, wanted.direct);
+    const double followed = rmse(last_of(settings, true).direct, wanted.direct);
+    Settings blind = settings;
+    blind.invalidation = Invalidation::none;
+    blind.depth_tolerance = 1e9F;
+    EXPECT_LT(followed, 0.6 * alone);
+    EXPECT_LT(followed, 0.9 * rmse(last_of(blind, true).direct, wanted.direct));
 }
 
 TEST_F(Directions, WithoutNormalsAndWithLayersAndABand) {

@@ -99,6 +99,7 @@ class Renderer {
         for (int i = 0; i < input_.frames_per_view; ++i) {
             const ViewLink linked = i > 0 ? ViewLink::same : cut.empty() ? ViewLink::follows : ViewLink::cut;
             const effect::Frame frame = effect_->next(options_.repeat);
+            light(wide, settings, linked);
             if (output_.folder != nullptr) write_images(*output_.folder, stem(number + i), frame);
             history_.advance(view, linked, double{settings.radius}, frame.filtered);
             FrameReport entry = entry_of(number + i, settings, frame, view);
@@ -116,16 +117,27 @@ class Renderer {
         before_ = Before{number, settings.radius, std::move(wide)};
     }
 
-    // Writes the requested results besides the occlusion, which depend on the view alone.
-    void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings) {
-        if (output_.folder == nullptr || (!options_.bent_normals && !environment_)) return;
+    // The next frame of the light that was requested.
+    void light(const scene::GBuffer& view, const effect::Settings& settings, ViewLink linked) {
+        if (output_.folder == nullptr || !environment_) return;
         if (!directional_) directional_.emplace(bench_.device, bench_.passes);
+        using enum effect::LightFollows;
+        light_ = directional_->light(view, settings, *environment_,
+                                     linked == ViewLink::same      ? same_view
+                                     : linked == ViewLink::follows ? last_view
+                                                                   : nothing);
+    }
+
+    // Writes the requested results besides the occlusion: bent normals, which depend on the view alone, and
+    // the light of its last frame.
+    void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings) {
+        if (output_.folder == nullptr) return;
+        if (options_.bent_normals && !directional_) directional_.emplace(bench_.device, bench_.passes);
         if (options_.bent_normals)
             write_bent_normals(
                 *output_.folder, stem(number),
                 directional_->bent_normals(wide, settings, {.interleave = options_.bent_interleave}));
-        if (environment_)
-            write_light(*output_.folder, stem(number), directional_->light(wide, settings, *environment_));
+        if (environment_) write_light(*output_.folder, stem(number), light_);
     }
 
     // The estimate of a view's last frame, raised by further views.
@@ -231,6 +243,7 @@ class Renderer {
     std::optional<effect::Directional> directional_;
     std::optional<effect::FurtherViews> further_;
     std::optional<scene::Environment> environment_;
+    effect::DirectionalLight light_;
     std::optional<Before> before_;
     RenderHistory history_;
     std::function<void(double)> progress_;
