@@ -112,7 +112,7 @@ struct Settings {
     Invalidation invalidation = Invalidation::confidence;
     float change_tolerance = 0.005F;  // changes of distance up to this count as rounding, world units, > 0
     float weight_small = 48.0F;       // clamp: samples, >= 0
-    float confidence_factor = 20.0F;  // confidence: S, per radius of change, >= 0
+    float confidence_factor = 30.0F;  // confidence: S, per radius of change, >= 0
     HistoryPrecision precision = HistoryPrecision::float32;
     Filter filter = Filter::convergence;
     float filter_cap = 1e18F;  // neighbours weigh at most this many times the pixel's own convergence; 1e18:

@@ -49,25 +49,29 @@ std::vector<Preset> gtao_presets(const MethodInfo& method) {
 }
 
 // Settings with a history, like those of the general presets: a mean over 128 samples, kernels always
-// rotated, a filter in the first frames.
+// rotated, a filter in the first frames. The samples of a slice share one direction, so the noise follows the
+// number of slices: pixels with fewer than eight are filtered.
 Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
     Settings settings = slices(method, count, steps);
     settings.weight_max = 128.0F;
     settings.c_rot = 2.0F;
     settings.filter = Filter::convergence;
-    settings.c_adaptive = 0.2F;
+    settings.c_adaptive = 8.0F * static_cast<float>(2 * steps) / settings.weight_max;
     settings.filter_frames = 8.0F;
     settings.precision = HistoryPrecision::packed;
     return settings;
 }
 
+// A pixel with few samples is a blob of several pixels of the view, so pixels that come into view later are
+// filtered as well.
 Settings at_half_resolution(Settings settings) {
     settings.resolution = Resolution::half;
+    settings.filter_frames = every_frame;
     return settings;
 }
 
 std::vector<Preset> sweep_presets(const MethodInfo& method) {
-    return {{"sweep-half", "sweep-balanced at half the resolution: for the least time",
+    return {{"sweep-half", "sweep-balanced at half the resolution, always filtered: for the least time",
              at_half_resolution(swept(method, 1, 6))},
             {"sweep-performance",
              "1 slice of 2 steps to each side, a frame; 128 samples in the mean, filtered in the first 8",

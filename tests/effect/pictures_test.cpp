@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// What the presets' pictures must not show: an object's occlusion where the object has been, and single
+// pixels that differ from all pixels around them.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
+#include "effect/presets.hpp"
+#include "on_device.hpp"
+#include "scene/mesh_scene.hpp"
+#include "scene/rasterize.hpp"
+#include "scene/truth.hpp"
+
+namespace gloam::effect {
+namespace pictures_test {
+
+constexpr gpu::Extent extent{192, 108};
+
+Settings settings_of(const Preset& preset, double radius) {
+    return with_radius(preset.settings, static_cast<float>(radius));
+}
+
+class Pictures : public OnDevice<testing::Test> {
+  protected:
+    [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame, gpu::Extent size = extent) const {
+        return scene::rasterize(device_, passes_, scene, size, {.frame = frame, .motion = true, .ids = true});
+    }
+
+    [[nodiscard]] static Truth truth(const scene::Scene& scene, int frame, const scene::GBuffer& view) {
+        const scene::TruthSettings traced{.rays = {.radius = scene.ao_radius, .rays = 128}};
+        return truth_from(view, scene::trace_geometry(scene, frame, view, traced).occlusion);
+    }
+
+    // What is displayed of `frames` frames of one view.
+    [[nodiscard]] std::vector<std::vector<float>> still(const scene::GBuffer& view, const Settings& settings,
+                                                        int frames) const {
+        AmbientOcclusion& effect = effect_for(view.extent);
+        effect.begin(view, settings);
+        std::vector<std::vector<float>> shown;
+        for (int i = 0; i < frames; ++i) shown.push_back(effect.next().filtered);
+        return shown;
+    }
+
+    // What is displayed of the last frame of a sequence.
+    [[nodiscard]] std::vector<float> last(const std::vector<scene::GBuffer>& sequence,
+                                          const Settings& settings) const {
+        AmbientOcclusion& effect = effect_for(extent);
+        effect.begin(sequence.front(), settings);
+        Frame frame = effect.next();
+        for (std::size_t i = 1; i < sequence.size(); ++i) {
+            effect.advance(sequence[i]);
+            frame = effect.next();
+        }
+        return frame.filtered;
+    }
+
+    // Frames of the scene with the moving box, and the truth of the last one.
+    struct Moving {
+        scene::Scene scene = scene::make_scene("moving");
+        std::vector<scene::GBuffer> sequence;
+        Truth traced;
+    };
+    [[nodiscard]] Moving moved() const {
+        Moving made;
+        constexpr int frames = 24;
+        for (int i = 0; i < frames; ++i) made.sequence.push_back(view(made.scene, i));
+        made.traced = truth(made.scene, frames - 1, made.sequence.back());
+        return made;
+    }
+};
+
+std::size_t at(int x, int y, gpu::Extent size) {
+    return static_cast<std::size_t>(y) * size.width + static_cast<std::size_t>(x);
+}
+
+// Calls `seen` with every `step`th pixel that has `reach` neighbours on all sides. reach: a multiple of step.
+template <class Seen>
+void inner_pixels(gpu::Extent size, int reach, int step, const Seen& seen) {
+    for (int y = reach; y + reach < static_cast<int>(size.height); y += step)
+        for (int x = reach; x + reach < static_cast<int>(size.width); x += step) seen(x, y);
+}
+
+// How far a pixel is above all its 8 neighbours, or below them all; 0 if it is neither. distance: of the
+// neighbours, in pixels.
+float isolation(const std::vector<float>& image, gpu::Extent size, int x, int y, int distance) {
+    float above = std::numeric_limits<float>::infinity();
+    float below = above;
+    for (int dy = -distance; dy <= distance; dy += distance) {
+        for (int dx = -distance; dx <= distance; dx += distance) {
+            if (dx == 0 && dy == 0) continue;
+            const float difference = image[at(x, y, size)] - image[at(x + dx, y + dy, size)];
+            above = std::min(above, difference);
+            below = std::min(below, -difference);
+        }
+    }
+    return std::max({above, below, 0.0F});
+}
+
+struct Found {
+    float value = 0.0F;
+    int x = 0;
+    int y = 0;
+};
+
+// The pixel that is isolated most beyond the truth. With half the resolution each block of 2 x 2 pixels is
+// one pixel of the estimate.
+Found most_isolated(const std::vector<float>& image, const Truth& truth, gpu::Extent size,
+                    Resolution resolution) {
+    const int step = resolution == Resolution::half ? 2 : 1;
+    Found most;
+    inner_pixels(size, step, step, [&](int x, int y) {
+        const float beyond = isolation(image, size, x, y, step) - isolation(truth, size, x, y, step);
+        if (beyond > most.value) most = {beyond, x, y};
+    });
+    return most;
+}
+
+// The mean over 5 x 5 static pixels of image - truth; NaN where one of them has moved.
+float patch_error(const std::vector<float>& image, const Truth& truth, const scene::GBuffer& view, int x,
+                  int y) {
+    float sum = 0.0F;
+    for (int dy = -2; dy <= 2; ++dy) {
+        for (int dx = -2; dx <= 2; ++dx) {
+            const std::size_t pixel = at(x + dx, y + dy, view.extent);
+            if (view.object[pixel] != 0) return std::numeric_limits<float>::quiet_NaN();
+            sum += image[pixel] - truth[pixel];
+        }
+    }
+    return sum / 25.0F;
+}
+
+// The 5 x 5 static pixels that a sequence leaves further from the truth than the view of its last frame,
+// rendered afresh, by most.
+Found largest_ghost(const std::vector<float>& sequence, const std::vector<float>& fresh, const Truth& truth,
+                    const scene::GBuffer& view) {
+    Found most;
+    inner_pixels(view.extent, 2, 1, [&](int x, int y) {
+        const float after = std::abs(patch_error(sequence, truth, view, x, y));
+        const float alone = std::abs(patch_error(fresh, truth, view, x, y));
+        if (after - alone > most.value) most = {after - alone, x, y};
+    });
+    return most;
+}
+
+std::vector<Preset> presets_with_history() {
+    std::vector<Preset> all = presets();
+    std::erase_if(all, [](const Preset& preset) { return !preset.settings.history; });
+    return all;
+}
+
+// The difference to the truth that a viewer sees beside an object.
+constexpr float visible_ghost = 0.1F;
+// The difference to all neighbours at which a pixel is seen alone.
+constexpr float visible_alone = 0.25F;
+// Of a still view: the first ones, in which samples are few, and those around the end of the filter.
+constexpr std::array still_frames{0U, 1U, 2U, 4U, 7U, 8U};
+
+void expect_none_alone(const std::string& what, const std::vector<float>& image, const Truth& truth,
+                       const Settings& settings, gpu::Extent size = extent) {
+    const Found most = most_isolated(image, truth, size, settings.resolution);
+    testing::Test::RecordProperty("alone_" + what,
+                                  fmt::format("{:.3f} at {},{}", most.value, most.x, most.y));
+    EXPECT_LT(most.value, visible_alone) << what << ", pixel " << most.x << "," << most.y;
+}
+
+TEST_F(Pictures, MovingObjectsLeaveNoGhost) {
+    const Moving moving = moved();
+    const scene::GBuffer& view = moving.sequence.back();
+    for (const Preset& preset : presets_with_history()) {
+        const Settings settings = settings_of(preset, moving.scene.ao_radius);
+        const Found ghost = largest_ghost(last(moving.sequence, settings), still(view, settings, 16).back(),
+                                          moving.traced, view);
+        RecordProperty("ghost_" + preset.name, fmt::format("{:.3f} at {},{}", ghost.value, ghost.x, ghost.y));
+        EXPECT_LT(ghost.value, visible_ghost) << preset.name << ", pixel " << ghost.x << "," << ghost.y;
+    }
+}
+
+TEST_F(Pictures, NoPixelIsAloneBesideMovingObjects) {
+    const Moving moving = moved();
+    for (const Preset& preset : presets_with_history()) {
+        const Settings settings = settings_of(preset, moving.scene.ao_radius);
+        expect_none_alone(preset.name + " moving", last(moving.sequence, settings), moving.traced, settings);
+    }
+}
+
+TEST_F(Pictures, NoPixelIsAloneInAStillView) {
+    for (const char* name : {"moving", "room"}) {
+        const scene::Scene scene = scene::make_scene(name);
+        const scene::GBuffer now = view(scene, 0);
+        const Truth traced = truth(scene, 0, now);
+        for (const Preset& preset : presets_with_history()) {
+            const Settings settings = settings_of(preset, scene.ao_radius);
+            const auto shown = still(now, settings, still_frames.back() + 1);
+            for (const unsigned frame : still_frames)
+                expect_none_alone(fmt::format("{} {} frame {}", preset.name, scene.name, frame), shown[frame],
+                                  traced, settings);
+        }
+    }
+}
+
+// In this view the centre of a pixel is on an edge between a near and a far side.
+TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
+    const std::filesystem::path file = "/usr/share/glmark2/models/horse.3ds";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "glmark2-data is not installed";
+    constexpr gpu::Extent size{640, 360};
+    const scene::Scene scene = scene::mesh_scene(scene::load_mesh(file), "horse",
+                                                 {.aspect = double{size.width} / double{size.height}});
+    const scene::GBuffer now = view(scene, 0, size);
+    const Settings settings = settings_of(preset_named("balanced"), scene.ao_radius);
+    expect_none_alone("horse", still(now, settings, 1).back(), truth(scene, 0, now), settings, size);
+}
+
+}  // namespace pictures_test
+}  // namespace gloam::effect
