@@ -86,7 +86,7 @@ void append_hemisphere(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamHemisphere& own) {
-            return reference::gloam_hemisphere(position, normal, camera, kernel, own, depth_of(images));
+            return reference::gloam_hemisphere(position, normal, camera, kernel, own, layers_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length()})}
@@ -110,7 +110,7 @@ void append_disc(Entries& entries) {
          .source = "TSSAO (Mattausch et al.), eqs 2, 4, 12 and 13; Fox and Compton 2008"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamDisc& own) {
-            return reference::gloam_disc(position, normal, camera, kernel, own, depth_of(images));
+            return reference::gloam_disc(position, normal, camera, kernel, own, layers_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length()})}
@@ -134,12 +134,12 @@ void append_volumetric(Entries& entries) {
          .source = "volumetric obscurance (Loos and Sloan 2010), CS-3.5"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel) {
-            return reference::gloam_volumetric(position, normal, camera, kernel, depth_of(images));
+            return reference::gloam_volumetric(position, normal, camera, kernel, layers_of(images));
         },
         {.domain =
              Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels()}.adjusted(
                  place_before_camera(0, 6)),
-         .budget = {.absolute = 3e-6, .backward_ulp = 4},
+         .budget = {.absolute = 2e-6, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Signature>([](const glm::vec3& p, const glm::vec3& n, const Camera& c,
                                                   const Kernel& k) { return usual_gather(p, n, c, k); }),

@@ -44,7 +44,7 @@ void append_poisson(Entries& entries) {
          .source = "Sourimant et al. 2011, CS-J"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamPoisson& own) {
-            return reference::gloam_poisson(position, normal, camera, kernel, own, depth_of(images));
+            return reference::gloam_poisson(position, normal, camera, kernel, own, layers_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({gather_length(), integers(1, 4)})}
@@ -68,7 +68,7 @@ void append_sphere_proxy(Entries& entries) {
          .source = "Shanmugam and Arikan 2007, CS-H"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamSphereProxy& own) {
-            return reference::gloam_sphere_proxy(position, normal, camera, kernel, own, depth_of(images));
+            return reference::gloam_sphere_proxy(position, normal, camera, kernel, own, layers_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({uniform(0, 2).and_special()})}

@@ -107,7 +107,7 @@ void append_gtao(Entries& entries) {
          .source = "GTAO (Jimenez et al. 2016)"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamGtao& own) {
-            return reference::gloam_gtao(position, normal, camera, kernel, own, depth_of(images));
+            return reference::gloam_gtao(position, normal, camera, kernel, own, layers_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({integers(1, 4)})}
@@ -131,12 +131,12 @@ void append_sweep(Entries& entries) {
          .source = "gloam"},
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const GloamCamera& camera,
            const GloamKernel& kernel, const reference::GloamSweep& own) {
-            return reference::gloam_sweep(position, normal, camera, kernel, own, depth_of(images));
+            return reference::gloam_sweep(position, normal, camera, kernel, own, layers_of(images));
         },
         {.domain = Domain{gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
                           vector({integers(1, 4), uniform(0, 3).and_value(1e18F), integers(0, 3)})}
                        .adjusted(place_before_camera(0, 6)),
-         .budget = {.absolute = 1.6e-5, .backward_ulp = 4},
+         .budget = {.absolute = 1.5e-5, .backward_ulp = 4},
          .codomain = {0, most_samples},
          .promised = make_predicate<Signature>(
              [](const glm::vec3& p, const glm::vec3& n, const Camera& c, const Kernel& k, const auto&) {

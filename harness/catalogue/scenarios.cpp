@@ -8,7 +8,7 @@
 namespace gloam::catalogue {
 namespace {
 
-constexpr glm::ivec2 sizes[] = {{1, 1}, {3, 3}, {17, 9}, {64, 2}, {1, 33}, {40, 30}};
+constexpr glm::ivec2 sizes[] = {{1, 1}, {3, 5}, {17, 9}, {64, 2}, {1, 33}, {29, 43}};
 
 // Two slanted surfaces, one in front of the other, with a few background pixels.
 check::Image surface_depth(glm::ivec2 size, numeric::Random& random) {
@@ -16,7 +16,7 @@ check::Image surface_depth(glm::ivec2 size, numeric::Random& random) {
     const float slope_y = static_cast<float>(random.uniform(-0.02, 0.02));
     return check::make_image<float>(size, [&](glm::ivec2 pixel) {
         if (random.below(16) == 0) return std::numeric_limits<float>::infinity();
-        const float base = (pixel.x + pixel.y) % 7 < 3 ? 2.0F : 3.0F;
+        const float base = (pixel.x + 2 * pixel.y) % 7 < 3 ? 2.0F : 3.0F;
         return base + slope_x * static_cast<float>(pixel.x) + slope_y * static_cast<float>(pixel.y);
     });
 }

@@ -8,7 +8,7 @@
 
 namespace gloam::catalogue {
 
-// Images of the sizes on which every image-reading function is checked: 1 x 1, 3 x 3, odd, wide, tall.
+// Images of the sizes on which every image-reading function is checked: 1 x 1, odd, wide, tall.
 // `make`: fills them.
 [[nodiscard]] std::vector<check::ImageScenario> image_scenarios(
     const std::function<check::ImageSet(glm::ivec2 size, numeric::Random& random)>& make);

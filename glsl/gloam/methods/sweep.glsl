@@ -16,7 +16,7 @@
 // over the slices' own half planes, so a bare plane is exactly open, at any tilt and with any number of slices.
 struct GloamSweep {
     uint steps;               // taps along each half of a slice, at least 1
-    float feature_thickness;  // of what stands in front of the rest, in its own widths, >= 0; 1e18: solid
+    float feature_thickness;  // of what stands in front of the rest, in its own widths, >= 0; 1e18: solid; NaN: 0
     uint falloff;             // GLOAM_FALLOFF_*, of a blocker's distance
 };
 
@@ -31,7 +31,7 @@ vec3 gloam_fetch_layers(ivec2 pixel);
 // position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). A tap that sees background, the pixel itself, or a rejected surface is skipped. A tap that is not
-// above the tangent plane by the bias adds nothing. Error: 1.6e-5, 3e-4 where a surface is seen nearly edge-on,
+// above the tangent plane by the bias adds nothing. Error: 1.5e-5, 3e-4 where a surface is seen nearly edge-on,
 // but for taps within rounding of a pixel's border, of another's horizon or of a falloff's end.
 GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSweep settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
@@ -42,7 +42,7 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
     uint steps = max(settings.steps, 1u);
     uint samples = gloam_whole_samples(kernel.count, 2u * steps);
     float scale = 1.0 / kernel.radius;
-    float thickness = clamp(settings.feature_thickness, 0.0, GLOAM_FARTHEST);
+    float thickness = settings.feature_thickness > 0.0 ? min(settings.feature_thickness, GLOAM_FARTHEST) : 0.0;
     float occluded = 0.0;
     float whole = 0.0;
     for (uint i = 0u; i < samples / (2u * steps); ++i) {

@@ -6,6 +6,7 @@
 #include "reference/occlusion/blocked.hpp"
 #include "reference/occlusion/depth_rejection.hpp"
 #include "reference/occlusion/gather_kernel.hpp"
+#include "reference/occlusion/layers.hpp"
 #include "reference/sampling/halton.hpp"
 #include "reference/sampling/hemisphere.hpp"
 #include "reference/sampling/rotation.hpp"
@@ -17,11 +18,11 @@ struct GloamHemisphere {
     double range;
 };
 
-// The mean over the points p + R s_i of whether the buffer blocks them, each moved along its plane to the
+// The mean over the points p + R s_i of whether the layers block them, each moved along its plane to the
 // pixel's centre; a point behind the eye is not taken.
 inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                       const GloamKernel& kernel, const GloamHemisphere& own,
-                                      const Fetch<double>& fetch_depth) {
+                                      const Fetch<dvec4>& fetch_layers) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dmat3 frame = gloam_tangent_frame(normalize(normal));
     double blocked = 0.0;
@@ -32,8 +33,14 @@ inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamC
         if (s == dvec3(0.0) || gloam_is_background(-point.z)) continue;
         const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(point, camera), camera.size);
         const double depth = gloam_plane_depth(pixel, point, frame[2], camera);
-        if (gloam_tap_rejected(-position.z, fetch_depth(pixel), kernel.farthest)) continue;
-        blocked += gloam_sample_blocked(depth, fetch_depth(pixel), kernel.bias, own.range);
+        const dvec4 depths = fetch_layers(pixel);
+        if (gloam_tap_rejected(-position.z, depths.x, kernel.farthest)) continue;
+        GloamLayersSeen seen{};
+        for (int layer = 0; layer < kernel.layers; ++layer)
+            seen = gloam_layers_add(
+                seen, gloam_sample_blocked(depth, depth_of_layer(depths, layer), kernel.bias, own.range),
+                {depths.y, depths.z, depths.w}, depth, layer, kernel.layers);
+        blocked += seen.occlusion;
         ++samples;
     }
     return gloam_estimate(blocked, samples, samples);

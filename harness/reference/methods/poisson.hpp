@@ -7,6 +7,7 @@
 #include "reference/geometry/plane_depth.hpp"
 #include "reference/occlusion/blocked.hpp"
 #include "reference/occlusion/gather_kernel.hpp"
+#include "reference/occlusion/layers.hpp"
 #include "reference/sampling/eye_march.hpp"
 #include "reference/sampling/halton.hpp"
 #include "reference/sampling/poisson.hpp"
@@ -22,10 +23,11 @@ struct GloamPoisson {
     unsigned steps;
 };
 
-// The share of the rays of which a step is blocked. Each round through the disc is turned by another angle.
+// The share of the rays of which a layer blocks a step. Each round through the disc is turned by another
+// angle.
 inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                    const GloamKernel& kernel, const GloamPoisson& own,
-                                   const Fetch<double>& fetch_depth) {
+                                   const Fetch<dvec4>& fetch_layers) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dmat3 frame = gloam_tangent_frame(normalize(normal));
     const int steps = std::max(static_cast<int>(own.steps), 1);
@@ -34,7 +36,12 @@ inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCame
         if (gloam_is_background(-point.z)) return false;
         if (pixel == gloam_nearest_pixel(gloam_camera_uv(position, camera), camera.size)) return false;
         const double depth = gloam_plane_depth(pixel, point, frame[2], camera);
-        return gloam_sample_blocked(depth, fetch_depth(pixel), kernel.bias, own.range) > 0.0;
+        const dvec4 seen = fetch_layers(pixel);
+        bool any = false;
+        for (int layer = 0; layer < kernel.layers; ++layer)
+            any =
+                any || gloam_sample_blocked(depth, depth_of_layer(seen, layer), kernel.bias, own.range) > 0.0;
+        return any;
     };
     const unsigned samples = gloam_whole_samples(kernel.count, steps);
     const unsigned rays = samples / steps;
