@@ -16,6 +16,7 @@
 #include "on_device.hpp"
 #include "scene/encoding.hpp"
 #include "scene/rasterize.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect {
 namespace engine_inputs_test {
@@ -65,6 +66,33 @@ void set_planes(scene::CameraFrame& camera, const Stored& stored) {
     for (const int row : {2, 3}) {
         camera.proj_vk[2][row] = projection[2][row];
         camera.proj_vk[3][row] = projection[3][row];
+    }
+}
+
+// Engines that store no normals: the pass gives a plane's pixels its normal.
+class NormalsFromDepth : public OnDevice<testing::Test> {};
+
+TEST_F(NormalsFromDepth, OfAPlaneAreItsNormal) {
+    const gpu::Extent size{29, 47};
+    for (const bool orthographic : {false, true}) {
+        for (const double pixel_aspect : {0.5, 3.0}) {
+            scene::GBuffer view = plane(size, orthographic, {0.6, -0.3, 1}, pixel_aspect);
+            const glm::vec3 expected = view.normal.front();
+            view.normal.clear();
+            AmbientOcclusion effect(device_, passes_, size);
+            std::vector<glm::vec3> normals;
+            effect.watch([&](const Step& pass, bool after) {
+                if (!after || pass.name != "normals_from_depth") return;
+                const auto& image = std::get<std::reference_wrapper<const gpu::Image>>(pass.resources[1]);
+                normals = vectors_of(image.get().download());
+            });
+            effect.begin(view, {});
+            (void)effect.next();
+            ASSERT_EQ(normals.size(), view.depth.size());
+            for (std::size_t i = 0; i < normals.size(); ++i)
+                ASSERT_LT(glm::length(normals[i] - expected), 1e-4F)
+                    << (orthographic ? "orthographic" : "perspective") << ", pixel " << i;
+        }
     }
 }
 

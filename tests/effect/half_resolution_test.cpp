@@ -131,7 +131,7 @@ std::size_t expect_every_second_pixel(const Halved& halved, const scene::GBuffer
 }
 
 TEST_F(HalfSize, InputsAreThoseOfEverySecondPixel) {
-    for (const gpu::Extent size : {gpu::Extent{64, 46}, gpu::Extent{83, 45}}) {
+    for (const gpu::Extent size : {gpu::Extent{64, 46}, gpu::Extent{83, 45}, gpu::Extent{45, 83}}) {
         const std::vector<scene::GBuffer> both{view("moving", 20, {.motion = true, .layers = 2}, size),
                                                view("moving", 21, {.motion = true, .layers = 2}, size)};
         Settings settings = half({});

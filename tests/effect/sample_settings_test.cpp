@@ -155,6 +155,43 @@ TEST_F(SampleSettings, TheCapOfTheRadiusIsASmallerRadius) {
     EXPECT_NEAR(mean_of(capped), mean_of(smaller), 1e-3);
 }
 
+// Where pixels are not square, the projected radius is an ellipse: its larger half-axis counts, 30 pixels of
+// 30 and 10, whichever way they are stretched.
+TEST_F(SampleSettings, TheLargerHalfAxisOfTheRadiusCounts) {
+    const gpu::Extent extent{75, 99};
+    for (const double pixel_aspect : {3.0, 1.0 / 3.0}) {
+        const scene::GBuffer view = groove(extent, pixel_aspect);
+        const double high = (pixel_aspect < 1.0 ? 10.0 : 30.0) / extent.height;  // of the image
+        const auto frame = [&](const Settings& settings) {
+            AmbientOcclusion& effect = effect_for(extent);
+            effect.begin(view, settings);
+            return effect.next();
+        };
+        Settings settings = with_radius(plain(), static_cast<float>(high * view_height));
+        settings.least_radius = 29.9F;
+        const Frame whole = frame(settings);
+        EXPECT_EQ(whole.work.below_radius, 0U);
+        settings.least_radius = 30.1F;
+        EXPECT_EQ(frame(settings).work.below_radius, whole.work.pixels);
+        settings.least_radius = 0.0F;
+
+        settings.samples_radius = 60.0F;
+        EXPECT_NEAR(per_pixel(frame(settings)), per_pixel(whole) / 2.0, 0.1);
+        settings.samples_radius = 29.9F;
+        EXPECT_EQ(per_pixel(frame(settings)), per_pixel(whole));
+        settings.samples_radius = 0.0F;
+
+        settings.radius_cap = 30.1F;
+        EXPECT_EQ(frame(settings).occlusion, whole.occlusion);
+        settings.radius_cap = 15.0F;
+        const double capped = mean_of(frame(settings).occlusion);
+        settings.radius_cap = 1e18F;
+        settings.radius /= 2.0F;
+        EXPECT_NEAR(capped, mean_of(frame(settings).occlusion), 1e-3);
+        EXPECT_GT(std::abs(capped - mean_of(whole.occlusion)), 3e-3);
+    }
+}
+
 // A rejected tap is not a sample: with fewer samples, less of the history is replaced.
 TEST_F(SampleSettings, RejectedTapsDoNotCount) {
     for (const char* method : {"hemisphere", "alchemy"}) {

@@ -13,10 +13,11 @@ namespace gloam::effect {
 inline constexpr double view_height = 2.0;
 
 // A view of a surface whose depth under a ray (orthographic: at a place of the image plane) is given; y up.
+// pixel_aspect: width of a pixel, in its height.
 inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
-                              const std::function<double(glm::dvec2)>& depth) {
+                              const std::function<double(glm::dvec2)>& depth, double pixel_aspect = 1.0) {
     scene::GBuffer view{.extent = extent};
-    const double aspect = double{static_cast<double>(extent.width)} / extent.height;
+    const double aspect = pixel_aspect * static_cast<double>(extent.width) / extent.height;
     scene::Camera camera{.view_height = view_height};
     if (orthographic) camera.projection = scene::Projection::orthographic;
     view.camera = scene::make_frame(camera, aspect);
@@ -30,19 +31,22 @@ inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
 }
 
 // The plane through (0, 0, -5).
-inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 normal) {
+inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 normal,
+                            double pixel_aspect = 1.0) {
     const glm::dvec3 n = glm::normalize(normal);
-    scene::GBuffer view = view_of(extent, orthographic, [&](glm::dvec2 at) {
+    const auto depth = [&](glm::dvec2 at) {
         const double along = n.x * at.x + n.y * at.y;
         return orthographic ? 5.0 + along / n.z : 5.0 * n.z / (n.z - along);
-    });
+    };
+    scene::GBuffer view = view_of(extent, orthographic, depth, pixel_aspect);
     view.normal.assign(view.depth.size(), glm::vec3(n));
     return view;
 }
 
 // A floor from whose middle line the right half rises by 45 degrees.
-inline scene::GBuffer groove(gpu::Extent extent) {
-    scene::GBuffer view = view_of(extent, true, [](glm::dvec2 at) { return 5.0 - std::max(at.x, 0.0); });
+inline scene::GBuffer groove(gpu::Extent extent, double pixel_aspect = 1.0) {
+    const auto depth = [](glm::dvec2 at) { return 5.0 - std::max(at.x, 0.0); };
+    scene::GBuffer view = view_of(extent, true, depth, pixel_aspect);
     view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     return view;
 }
