@@ -208,6 +208,54 @@ TEST_P(Methods, FramesAddUpToOneOfAllTheirSamples) {
     }
 }
 
+// One sample sees the pixel under its point of the shared sequence, a pair that and the opposite one, and no
+// other.
+TEST_P(Methods, ASampleSeesThePixelsOfItsPoint) {
+    const bool pairs = info.unit == effect::SampleUnit::pair;
+    const bool halves = GetParam() == "aksoy_phaneuf_two" || GetParam() == "volumetric_two";
+    if (info.points != "disc" || halves || !(pairs || info.unit == effect::SampleUnit::one)) GTEST_SKIP();
+    const check::Kernel<glm::vec3(unsigned)> disc(lab, "gloam/sampling/disc_point.glsl", "gloam_disc_point");
+    const Camera camera{glm::vec2(0.55F, -0.8F), glm::ivec2(29, 47), true};
+    const glm::ivec2 middle = camera.size / 2;
+    const glm::vec2 reach = 0.5F * glm::abs(camera.p00_p11) * glm::vec2(camera.size);
+    for (unsigned n = 0; n < 60; ++n) {
+        const glm::vec2 point = disc(n + 1U);
+        const glm::vec2 within = glm::fract(0.5F + point * reach);
+        const glm::ivec2 tap = middle + glm::ivec2(glm::floor(0.5F + point * reach));
+        const glm::ivec2 opposite = middle + glm::ivec2(glm::floor(0.5F - point * reach));
+        const bool certain = glm::all(glm::lessThan(glm::abs(within - 0.5F), glm::vec2(0.48F)));
+        if (!certain || tap == middle || opposite == middle || glm::length(point) > 0.45F) continue;
+        const auto sum = [&](const auto& rises) {
+            const auto image =
+                test::view_of(camera.size, [&](glm::ivec2 p) { return rises(p) ? 4.7F : 5.0F; });
+            const unsigned count = pairs ? 2U : 1U;
+            const Samples samples{
+                .radius = 1.0F, .bias = 1e-3F, .angle = 0.0F, .first = count * n, .count = count};
+            return gather.with_images(image,
+                                      {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), camera, samples, Method{}});
+        };
+        const auto seen = [&](glm::ivec2 p) { return p == tap || (pairs && p == opposite); };
+        const glm::vec2 bare = sum([](glm::ivec2) { return false; });
+        EXPECT_NE(sum(seen), bare) << n;
+        EXPECT_EQ(sum([&](glm::ivec2 p) { return p != middle && !seen(p); }), bare) << n;
+    }
+}
+
+TEST_P(Methods, PointsBehindTheEyeAreNotSamples) {
+    if (!info.points.starts_with("hemisphere")) GTEST_SKIP();
+    const Camera camera{glm::vec2(0.55F, -0.8F), glm::ivec2(29, 47), true};
+    const auto taken = [&](float depth) {
+        const auto image = test::view_of(camera.size, [&](glm::ivec2) { return depth; });
+        const Samples samples{.radius = 1.0F, .bias = 1e-3F, .angle = 0.0F, .first = 0, .count = 64};
+        return gather
+            .with_images(image, {glm::vec3(0, 0, -depth), glm::vec3(0, 0, 1), camera, samples, Method{}})
+            .y;
+    };
+    EXPECT_EQ(taken(1.01F), 64.0F);
+    EXPECT_LT(taken(0.3F), 64.0F);
+    EXPECT_GT(taken(0.3F), 0.0F);
+}
+
 TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
     const Camera camera{glm::vec2(1, -1), glm::ivec2(5, 3), false};
     const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -27,15 +27,24 @@ using Inputs = check::Kernel<Gather>::Inputs;
 using Results = std::vector<glm::vec2>;
 using Surfaces = std::vector<Depths>;
 
-// A method on the rough view. layers, farthest: of its kernel.
+// A method on the rough view. layers, farthest: of its kernel. level: what is prepared is the same
+// everywhere.
 class OnRough {
   public:
-    OnRough(const std::string& method, int layers, float farthest = std::numeric_limits<float>::infinity())
-        : functions_(layers, farthest), gather_(lab_, functions_.file(method), effect::method_function) {}
+    OnRough(const std::string& method, int layers, float farthest = std::numeric_limits<float>::infinity(),
+            bool level = false)
+        : functions_(layers, farthest),
+          gather_(lab_, functions_.file(method), effect::method_function),
+          level_(level) {}
 
     static std::vector<Inputs> points(const Camera& camera) { return rough::points(camera, settings); }
     [[nodiscard]] glm::vec2 at(const Inputs& point, const Surfaces& surfaces) const {
-        return gather_.with_images(rough::view(surfaces), point);
+        check::ImageSet images = rough::view(surfaces);
+        if (level_) {
+            const auto half = [](glm::ivec2) { return glm::vec4(0.5F); };
+            images.insert_or_assign("gloam_fetch_prepared", check::make_image<glm::vec4>(rough::size, half));
+        }
+        return gather_.with_images(images, point);
     }
     Results operator()(const Camera& camera, const Surfaces& surfaces) const {
         return gather_(points(camera), rough::view(surfaces));
@@ -47,6 +56,7 @@ class OnRough {
     test::MethodFunctions functions_;
     check::Lab lab_ = functions_.lab();
     check::Kernel<Gather> gather_;
+    bool level_;
 };
 
 const std::vector<Camera> cameras{rough::camera(false), rough::camera(true)};
@@ -160,9 +170,11 @@ INSTANTIATE_TEST_SUITE_P(All, PairsOfLayers,
 class Rejection : public testing::TestWithParam<std::string> {
   protected:
     static constexpr float farthest = 0.3F;
-    const OnRough every{GetParam(), 2};
-    const OnRough near{GetParam(), 2, farthest};
-    const bool of_slices = effect::method_named(GetParam()).unit == effect::SampleUnit::slice;
+    // separable: the mean over its line has no part in what is rejected.
+    const bool level = GetParam() == std::string("separable");
+    const OnRough every{GetParam(), 2, std::numeric_limits<float>::infinity(), level};
+    const OnRough near{GetParam(), 2, farthest, level};
+    const bool of_slices = level || effect::method_named(GetParam()).unit == effect::SampleUnit::slice;
 
     static bool rejects(float depth, float tap) { return tap > 0.0F && depth - tap > farthest; }
     // The two surfaces without what is rejected at a point. A tap is rejected with all its layers.
@@ -202,12 +214,34 @@ TEST_P(Rejection, WhatIsTooFarInFrontDoesNotCount) {
 
 INSTANTIATE_TEST_SUITE_P(All, Rejection,
                          testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
-                             // Those of another method, at two radii or beside what is prepared.
-                             const std::set<std::string> others{"aksoy_phaneuf_two", "dual_resolution",
-                                                                "separable"};
-                             return !others.contains(method.name) && calls(method.name, "gloam_tap_rejected");
+                             return method.name != "aksoy_phaneuf_two" &&
+                                    calls(method.name, "gloam_tap_rejected");
                          })),
                          test::parameter_name);
+
+// The sum of another method's results at two radii, each without what is too far in front.
+TEST(RejectionAtTwoRadii, IsThatOfEachRadius) {
+    constexpr float farthest = 0.3F;
+    const OnRough two("aksoy_phaneuf_two", 2, farthest);
+    const OnRough one("aksoy_phaneuf", 2, farthest);
+    for (const Camera& camera : cameras) {
+        const Surfaces all{rough::surface(0, camera), rough::surface(1, camera)};
+        for (std::size_t i = 0; i < OnRough::points(camera).size(); i += 7) {
+            Inputs input = OnRough::points(camera)[i];
+            const glm::vec2 got = two.at(input, all);
+            auto& samples = std::get<test::Samples>(input);
+            samples.first /= 2;
+            samples.count /= 2;
+            float sum = 0.0F;
+            for (const float share : {1.0F, 0.25F}) {
+                samples.radius = share * rough::radius;
+                const glm::vec2 part = one.at(input, all);
+                sum += part.y > 0.0F ? part.x / part.y : 0.0F;
+            }
+            EXPECT_NEAR(got.x, got.y * std::min(sum, 1.0F), 1e-5F) << i;
+        }
+    }
+}
 
 }  // namespace method_layers_test
 }  // namespace gloam
