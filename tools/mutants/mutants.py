@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""mutants.py JOURNAL [FILE|FOLDER... --count N --seed S] [--minutes M] [--again]
+"""mutants.py JOURNAL [FILE|FOLDER... --count N --seed S] [--minutes M] [--seconds T] [--again]
 mutants.py --plant FILE:LINE OLD NEW
 
 How many faults the tests notice that are planted in GLSL files, one at a time. A fault is another operator, comparison,
@@ -9,16 +9,17 @@ JOURNAL with what became of each:
 
     invalid   it does not compile
     same      the optimised SPIR-V is that of the file as it is
-    killed    a test failed that passes without it; the journal names the test
+    killed    a test failed whose kind passes without it; the journal names the test
     survived  every test passed that read the file when it last ran (build/release/seen, which tools/test writes)
     known     it survived, and tests/glsl/equivalent_mutants.txt says why no test can notice it
     gone      the file no longer has that line
 
-A run that ends early goes on with the same JOURNAL. --minutes ends it after so many. --again tries the survivors
-again. --plant tries one fault: the first OLD of a line becomes NEW.
+A run that ends early goes on with the same JOURNAL. --minutes ends it after so many. --seconds ends a trial: its tests
+took so long when they last ran. --again tries the survivors again. --plant tries one fault: the first OLD of a line
+becomes NEW.
 The kinds of tests that have noticed a fault run first, and of these the tests that read the fewest files. The first
-failure ends a trial. The files are restored whenever the
-script ends; after a kill -9, by its next run. Nothing else may build or test the checkout meanwhile.
+failure ends a trial. The files are restored whenever the script ends; after a kill -9, by its next run. Nothing else
+may build or test the checkout meanwhile.
 Exit status: 0 no survivors, 1 survivors, 2 it could not run.
 """
 import argparse
@@ -85,7 +86,8 @@ def planted(fault, text):
 class Bench:
     """Plants faults in the checkout, one at a time, and tells what becomes of each."""
 
-    def __init__(self, scratch):
+    def __init__(self, scratch, seconds):
+        self.seconds = seconds
         self.modules = Modules(Path(scratch))
         self.tests = Tests()
         self.stash = BUILD / "mutants.original"
@@ -128,7 +130,7 @@ class Bench:
             return {"verdict": kind}
         began = time.time()
         with self.with_text(file, changed):
-            test = self.tests.failing(file, lambda: self.with_text(file, text))
+            test = self.tests.failing(file, lambda: self.with_text(file, text), self.seconds)
         self.forget_compiled(began)
         if test:
             return {"verdict": "killed", "by": test}
@@ -215,6 +217,7 @@ def main():
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--minutes", type=float, default=1e9)
+    parser.add_argument("--seconds", type=float, default=1e9)
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--plant", nargs=3, metavar=("FILE:LINE", "OLD", "NEW"))
     options = parser.parse_args()
@@ -227,7 +230,7 @@ def main():
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             raise Unable(f"{BUILD / 'mutants.lock'}: another run plants faults in this checkout") from None
-        bench = Bench(scratch)
+        bench = Bench(scratch, options.seconds)
         return plant(*options.plant, bench) if options.plant else run(options, bench)
 
 

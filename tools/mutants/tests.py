@@ -9,7 +9,7 @@ import subprocess
 
 from modules import BUILD, Unable
 
-STAGES = (4.0, 20.0, 1e9)  # seconds that the tests of a trial may take together, one process a program in each stage
+STAGES = (1.5, 8.0, 40.0, 1e9)  # seconds of the tests that run together, in one process a program
 START = 0.5  # seconds that a process takes besides its tests
 
 
@@ -40,16 +40,16 @@ class Tests:
                        for group in self.groups if (BUILD / "seen" / group).exists()}
         if not self.lists:
             raise Unable(f"{BUILD / 'seen'}: no lists of what the tests read; tools/test writes them")
-        self.sound = {}
+        self.sound = {}  # by kind of test: whether one passes without the fault
         self.useful = set()  # kinds of tests that have noticed a fault
 
     def reading(self, file):
         """The tests that read a file, as (group, name, seconds): first the kinds that have noticed a fault, of these
-        first the tests that read the fewest files."""
-        found = [(kind_of(name) not in self.useful, len(read), seconds, group, name)
+        first the tests with the file's name in theirs, then those that read the fewest files."""
+        found = [(kind_of(name) not in self.useful, file.stem not in name, len(read), seconds, group, name)
                  for (group, name), (read, seconds) in self.lists.items()
                  if str(file) in read or str(file) in self.shared.get(group, ())]
-        return [(group, name, seconds) for _, _, seconds, group, name in sorted(found)]
+        return [(group, name, seconds) for *_, seconds, group, name in sorted(found)]
 
     def run(self, group, names, seconds):
         """The first of these tests of a group's program that fails, or None."""
@@ -73,33 +73,36 @@ class Tests:
         failed = re.search(r"^\[  FAILED  \] ([^\s,]+)", output, re.M)
         return failed[1] if failed else names[0]
 
-    def stages(self, file):
-        """The tests that read a file in stages of rising length, each as {program: (group, names, seconds)}."""
+    def stages(self, file, most):
+        """The tests that read a file in stages of rising length, each as [group, names, seconds] by program; as many
+        as take about `most` seconds."""
         left = self.reading(file)
         for limit in STAGES:
             stage = {}
             took = 0.0
-            while left and took < limit:
+            while left and took < min(limit, most):
                 group, name, seconds = left.pop(0)
                 program = self.groups[group][0]
                 took += seconds + (0.0 if program in stage else START)
                 known = stage.setdefault(program, [group, [], 0.0])
                 known[1].append(name)
                 known[2] += seconds
+            most -= took
             yield stage.values()
 
-    def failing(self, file, restored):
+    def failing(self, file, restored, most):
         """The first test that fails on what the file is now and passes on what it was, or None.
-        restored: a context in which the file is as it was."""
-        for stage in self.stages(file):
-            for group, names, seconds in sorted(stage, key=lambda one: one[2]):
+        restored: makes a context in which the file is as it was. most: seconds that the tests take, about."""
+        for stage in self.stages(file, most):
+            for group, names, seconds in stage:
                 names = list(names)
                 while names and (test := self.run(group, names, seconds)):
-                    if test not in self.sound:
+                    kind = kind_of(test)
+                    if kind not in self.sound:
                         with restored():
-                            self.sound[test] = self.run(group, [test], seconds) is None
-                    if self.sound[test]:
-                        self.useful.add(kind_of(test))
+                            self.sound[kind] = self.run(group, [test], seconds) is None
+                    if self.sound[kind]:
+                        self.useful.add(kind)
                         return test
                     names = [name for name in names if name != test]
         return None

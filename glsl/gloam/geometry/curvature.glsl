@@ -29,8 +29,8 @@ vec2 gloam_principal_curvatures(vec3 position_x, vec3 position_y, vec3 normal_x,
     float half_difference = 0.5 * (a - b);
     float spread = gloam_sqrt(half_difference * half_difference + c * c);
     vec2 curvatures = vec2(0.5 * (a + b) + spread, 0.5 * (a + b) - spread);
-    bool finite = abs(curvatures.x) <= 3.402823466e38 && abs(curvatures.y) <= 3.402823466e38;
-    return finite ? curvatures : vec2(0.0);
+    // The spread is infinite or less than 2^65: both are finite, or neither.
+    return abs(curvatures.x) <= 3.402823466e38 ? curvatures : vec2(0.0);
 }
 
 #endif
