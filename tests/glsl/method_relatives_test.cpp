@@ -21,23 +21,25 @@ using test::Gather;
 using test::Method;
 using test::Samples;
 
-// An orthographic eye whose pixels are `pixel` wide; the shaded point is in the middle of the middle one.
-constexpr int side = 65;
-constexpr int middle = side / 2;
-constexpr double pixel = 1.0 / 16.0;
-const Camera eye{glm::vec2(2.0 / (side * pixel), -2.0 / (side * pixel)), glm::ivec2(side), true};
+// An orthographic eye whose pixels are `pixel` wide and high; the shaded point is in the middle of the middle
+// one.
+const glm::ivec2 size(65, 97);
+const glm::ivec2 middle = size / 2;
+const glm::dvec2 pixel(1.0 / 16.0, 1.0 / 24.0);
+const double pixel_area = pixel.x * pixel.y;
+const Camera eye{glm::vec2(2.0 / (size.x * pixel.x), -2.0 / (size.y * pixel.y)), size, true};
 
 // A surface over the image plane, y up.
 struct Surface {
     std::function<double(double x, double y)> height;
     std::function<dvec3(double x, double y)> normal;
 
-    static double x(glm::ivec2 p) { return pixel * (p.x - middle); }
-    static double y(glm::ivec2 p) { return -pixel * (p.y - middle); }
+    static double x(glm::ivec2 p) { return pixel.x * (p.x - middle.x); }
+    static double y(glm::ivec2 p) { return -pixel.y * (p.y - middle.y); }
     dvec3 offset(glm::ivec2 p) const { return {x(p), y(p), height(x(p), y(p)) - height(0, 0)}; }
     check::ImageSet view() const {
         return test::view_of(
-            glm::ivec2(side), [&](glm::ivec2 p) { return static_cast<float>(5.0 - height(x(p), y(p))); },
+            size, [&](glm::ivec2 p) { return static_cast<float>(5.0 - height(x(p), y(p))); },
             [&](glm::ivec2 p) { return glm::vec3(normal(x(p), y(p))); });
     }
 };
@@ -85,12 +87,11 @@ double occlusion_of_a_ball(const dvec3& offset, const dvec3& n, double radius) {
 double sum_over_pixels(const Surface& surface, double radius,
                        const std::function<double(const dvec3& offset, glm::ivec2 at)>& piece) {
     double sum = 0.0;
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
             const glm::ivec2 at(x, y);
             const dvec3 offset = surface.offset(at);
-            const bool own = x == middle && y == middle;
-            if (!own && glm::length(offset) <= radius) sum += piece(offset, at);
+            if (at != middle && glm::length(offset) <= radius) sum += piece(offset, at);
         }
     }
     return sum;
@@ -100,18 +101,18 @@ TEST_F(Relatives, ProxiesAddUpToTheSumOverAllPixels) {
     const Surface scene = corner(0.5);
     const dvec3 n = scene.normal(0, 0);
     const double balls = sum_over_pixels(scene, 1.0, [&](const dvec3& offset, glm::ivec2) {
-        return occlusion_of_a_ball(offset, n, 0.5 * pixel);
+        return occlusion_of_a_ball(offset, n, 0.5 * std::sqrt(pixel_area));
     });
     const double bounded = sum_over_pixels(scene, 1.0, [&](const dvec3& offset, glm::ivec2) {
         const double distance = glm::length(offset);
-        const double x = 0.5 * pixel / distance;
+        const double x = 0.5 * std::sqrt(pixel_area) / distance;
         return (1.0 - std::sqrt(1.0 - x * x)) * std::max(glm::dot(offset, n), 0.0) / distance *
                (1.0 - distance);
     });
     const double discs = sum_over_pixels(scene, 1.0, [&](const dvec3& offset, glm::ivec2 at) {
         const double squared = glm::dot(offset, offset);
         const dvec3 emitter = scene.normal(Surface::x(at), Surface::y(at));
-        const double area = pixel * pixel / emitter.z;
+        const double area = pixel_area / emitter.z;
         return area / (area + std::numbers::pi * squared) * std::max(glm::dot(offset, n), 0.0) *
                std::max(-glm::dot(offset, emitter), 0.0) / squared;
     });
@@ -203,7 +204,7 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
     const std::vector<std::string>& settings = effect::method_named(GetParam()).reads;
     const auto bump = [](glm::ivec2 p) { return static_cast<float>((p.x * 31 + p.y * 17) % 11) / 11.0F; };
     const auto view = test::view_of(
-        glm::ivec2(side), [&](glm::ivec2 p) { return 5.0F - bump(p); },
+        size, [&](glm::ivec2 p) { return 5.0F - bump(p); },
         [&](glm::ivec2 p) { return glm::vec3(4.0F * bump(p) - 2.0F, 2.0F - 4.0F * bump({p.y, p.x}), 1.0F); });
     const auto result = [&](const Method& method) {
         const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.5F, .first = 0, .count = 48};
@@ -238,17 +239,18 @@ TEST_F(Relatives, TapsInOnePixelCountOnce) {
     const check::Kernel<Gather> every = method("issao");
     const check::Kernel<Gather> distinct = method("issao_distinct");
     // One pixel beside the middle is raised: every tap in it counts, all others are 0.
-    const auto view = test::view_of(glm::ivec2(side), [](glm::ivec2 p) {
-        return p == glm::ivec2(middle + 1, middle) ? static_cast<float>(5.0 - 0.5 * pixel) : 5.0F;
+    const Camera square{eye.p00_p11 * glm::vec2(1.0F, static_cast<float>(pixel.y / pixel.x)), size, true};
+    const auto view = test::view_of(size, [](glm::ivec2 p) {
+        return p == middle + glm::ivec2(1, 0) ? static_cast<float>(5.0 - 0.5 * pixel.x) : 5.0F;
     });
     const auto at = [&](const check::Kernel<Gather>& kernel, double pixels, unsigned count) {
-        const Samples samples{.radius = static_cast<float>(pixels * pixel),
+        const Samples samples{.radius = static_cast<float>(pixels * pixel.x),
                               .bias = 0.0F,
                               .angle = 0.3F,
                               .first = 0,
                               .count = count};
         return glm::dvec2(kernel.with_images(
-            view, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), eye, samples, Method{.intensity = 0.02F}}));
+            view, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), square, samples, Method{.intensity = 0.02F}}));
     };
     EXPECT_EQ(at(distinct, 0.4, 12).y, 1.0);
     EXPECT_EQ(at(every, 0.4, 12).y, 12.0);
