@@ -189,6 +189,36 @@ TEST(Program, AnIndexOutsideIsAnErrorThatSaysWhere) {
     EXPECT_EQ(vector.kind(), Error::Kind::out_of_bounds);
 }
 
+// What SPIR-V or Vulkan leave undefined permits every result, unless the result is not used.
+TEST(Program, UndefinedIntegersPermitEveryResult) {
+    constexpr Word minus_one = 0xffffffffU;
+    const auto outcome_of = [](const std::string& expression, Word x, Word y) {
+        const Program program(compiled(test::row_shader(4, 1, "put(0u, " + expression + ");\n")));
+        Machine<numeric::Interval> machine(program);
+        const std::vector<Word> inputs{x, y, 0, 0};
+        return numeric::Paths::explore(numeric::float32, 16, [&] {
+            (void)test::interpreted(machine, std::span<const Word>(inputs), 1).front().bits();
+        });
+    };
+    struct Case {
+        const char* expression;
+        Word x;
+        Word y;
+    };
+    for (const Case& c :
+         {Case{"word(0) / word(1)", 7, 0}, Case{"word(0) % word(1)", 7, 0},
+          Case{"int(word(0)) / int(word(1))", 7, 0},
+          Case{"int(word(0)) / int(word(1))", 0x80000000U, minus_one},
+          Case{"int(word(0)) % int(word(1))", minus_one, 2}, Case{"word(0) << word(1)", 7, 32},
+          Case{"word(0) >> word(1)", 7, 32}, Case{"int(word(0)) >> word(1)", 7, 40},
+          Case{"bitfieldExtract(word(0), 30, int(word(1)))", 7, 3},
+          Case{"bitfieldInsert(word(0), 1u, 30, int(word(1)))", 7, 3}}) {
+        EXPECT_EQ(outcome_of(c.expression, c.x, c.y), numeric::Paths::Outcome::undetermined) << c.expression;
+        EXPECT_EQ(outcome_of(c.expression, 7, 2), numeric::Paths::Outcome::complete) << c.expression;
+    }
+    EXPECT_EQ(outcome_of("word(1) == 0u ? 5u : word(0) / word(1)", 7, 0), numeric::Paths::Outcome::complete);
+}
+
 TEST(Program, ALoopWithoutAnEndIsStopped) {
     const Error error = error_of("uint n = 0u; while (word(0) == 0u) n += 2u; put(0u, n);\n", {0, 0, 0, 0});
     EXPECT_EQ(error.kind(), Error::Kind::too_many_steps);

@@ -8,9 +8,11 @@
 #include "interpreter/internal/opcodes.hpp"
 
 #include <bit>
+#include <type_traits>
 
-// Integers and bools, two's complement. Operations that SPIR-V leaves undefined (division by zero, a shift by
-// 32 and others) have one fixed result here.
+// Integers and bools, two's complement. SPIR-V and Vulkan leave some results undefined: division by zero, a
+// remainder of negative numbers, a shift by 32 and others. They are undefined values on intervals; the other
+// number types have one fixed result for each.
 namespace gloam::interpreter::internal {
 
 inline constexpr Word word_bits = 32;
@@ -39,6 +41,22 @@ inline constexpr Word word_bits = 32;
     if (y == 0) return ~Word{0};
     const std::int64_t rest = std::int64_t{as_int(x)} % as_int(y);
     return static_cast<Word>(rest != 0 && (rest < 0) != (as_int(y) < 0) ? rest + as_int(y) : rest);
+}
+// The operands for which the results of these operations are defined.
+[[nodiscard]] constexpr bool divides(Word, Word y) {
+    return y != 0;
+}
+[[nodiscard]] constexpr bool signed_divides(Word x, Word y) {
+    return y != 0 && !(x == 0x80000000U && y == ~Word{0});
+}
+[[nodiscard]] constexpr bool signed_leaves(Word x, Word y) {
+    return y != 0 && as_int(x) >= 0 && as_int(y) >= 0;
+}
+[[nodiscard]] constexpr bool shifts(Word, Word distance) {
+    return distance < word_bits;
+}
+[[nodiscard]] constexpr bool is_field(Word offset, Word width) {
+    return offset <= word_bits && width <= word_bits - offset;
 }
 [[nodiscard]] constexpr Word reversed(Word x) {
     Word result = 0;
@@ -70,6 +88,24 @@ void on_two(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
         s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k), s.bits(i.b + k))));
 }
+// The number types that describe all permitted results.
+template <class N>
+inline constexpr bool describes_all =
+    std::is_same_v<N, numeric::Interval> || std::is_same_v<N, numeric::Rearranged>;
+
+// An operation with a result where `defined` says so.
+template <class N, auto F, auto Defined>
+void on_two_if(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Word x = s.bits(i.a + k);
+        const Word y = s.bits(i.b + k);
+        if (describes_all<N> && !Defined(x, y)) {
+            s.slots[i.result + k] = Value<N>();
+        } else {
+            s.set(i, i.result + k, static_cast<Word>(F(x, y)));
+        }
+    }
+}
 template <class N, auto F>
 void on_three(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
@@ -79,13 +115,23 @@ void on_three(State<N>& s, const Instruction& i) {
 // Offset and width are the same for all components.
 template <class N, bool Signed>
 void bit_field_extract(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, extracted(s.bits(i.a + k), s.bits(i.b), s.bits(i.c), Signed));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        if (describes_all<N> && !is_field(s.bits(i.b), s.bits(i.c))) {
+            s.slots[i.result + k] = Value<N>();
+        } else {
+            s.set(i, i.result + k, extracted(s.bits(i.a + k), s.bits(i.b), s.bits(i.c), Signed));
+        }
+    }
 }
 template <class N>
 void bit_field_insert(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, inserted(s.bits(i.a + k), s.bits(i.b + k), s.bits(i.c), s.bits(i.extra)));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        if (describes_all<N> && !is_field(s.bits(i.c), s.bits(i.extra))) {
+            s.slots[i.result + k] = Value<N>();
+        } else {
+            s.set(i, i.result + k, inserted(s.bits(i.a + k), s.bits(i.b + k), s.bits(i.c), s.bits(i.extra)));
+        }
+    }
 }
 
 // Two results: low words, then high words (or carries).
@@ -106,6 +152,8 @@ void shift_right(State<N>& s, const Instruction& i) {
         const Value<N>& x = s.slots[i.a + k];
         if (distance == word_bits - 1U && x.is_number()) {
             s.set(i, i.result + k, sign_bit(x.number()));
+        } else if (describes_all<N> && !shifts(0, distance)) {
+            s.slots[i.result + k] = Value<N>();
         } else {
             s.set(i, i.result + k, Word{distance < word_bits ? x.bits() >> distance : 0U});
         }
@@ -164,15 +212,15 @@ template <class N>
         case SpvOpIMul:
             return on_two<N, ([](Word x, Word y) { return x * y; })>;
         case SpvOpUDiv:
-            return on_two<N, quotient>;
+            return on_two_if<N, quotient, divides>;
         case SpvOpSDiv:
-            return on_two<N, signed_quotient>;
+            return on_two_if<N, signed_quotient, signed_divides>;
         case SpvOpUMod:
-            return on_two<N, remainder_of>;
+            return on_two_if<N, remainder_of, divides>;
         case SpvOpSRem:
-            return on_two<N, signed_remainder>;
+            return on_two_if<N, signed_remainder, signed_leaves>;
         case SpvOpSMod:
-            return on_two<N, signed_modulo>;
+            return on_two_if<N, signed_modulo, signed_leaves>;
         case SpvOpIAddCarry:
             return to_two<N, ([](Word x, Word y) { return std::uint64_t{x} + y; })>;
         case SpvOpISubBorrow:
@@ -186,12 +234,14 @@ template <class N>
                               return static_cast<std::uint64_t>(std::int64_t{as_int(x)} * as_int(y));
                           })>;
         case SpvOpShiftLeftLogical:
-            return on_two<N, ([](Word x, Word y) { return y < word_bits ? x << y : 0U; })>;
+            return on_two_if<N, ([](Word x, Word y) { return y < word_bits ? x << y : 0U; }), shifts>;
         case SpvOpShiftRightLogical:
             return shift_right<N>;
         case SpvOpShiftRightArithmetic:
-            return on_two<N,
-                          ([](Word x, Word y) { return as_int(x) >> (y < word_bits ? y : word_bits - 1U); })>;
+            return on_two_if<N, ([](Word x, Word y) {
+                                 return as_int(x) >> (y < word_bits ? y : word_bits - 1U);
+                             }),
+                             shifts>;
         case SpvOpBitwiseOr:
             return on_two<N, ([](Word x, Word y) { return x | y; })>;
         case SpvOpBitwiseXor:
