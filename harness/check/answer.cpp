@@ -89,13 +89,16 @@ std::string Answer::not_judged_because() const {
     if (reason == Reason::unsupported) return error;
     if (!ran() || outside() > 0 || !fault.empty()) return {};
     if (inputs() == 0) return "there are no inputs";
+    const std::string why =
+        undefined == 0 ? "" : fmt::format("; its result is undefined: {}", first_undefined);
+    if (recorded() == inputs() && undefined > 0) return "none of its inputs could be judged" + why;
     if (recorded() == inputs() && verdict == Verdict::rules)
         return "it documents no accuracy, and there are no precision rules for this device";
     if (recorded() == inputs()) return "the device promises nothing for any of its inputs";
     if (judged() == 0) return "every result would pass";
     if (static_cast<double>(judged()) < least_judged_share * static_cast<double>(inputs()))
-        return fmt::format("{} of {} inputs could be judged, expected {:.0f} % at least", judged(), inputs(),
-                           100.0 * least_judged_share);
+        return fmt::format("{} of {} inputs could be judged, expected {:.0f} % at least{}", judged(),
+                           inputs(), 100.0 * least_judged_share, why);
     for (std::size_t i = 0; i < input_class_count; ++i) {
         const ClassCount& c = classes[i];
         if (verdict == Verdict::budget && c.open > 0 && c.open + c.recorded == c.inputs)
@@ -124,6 +127,11 @@ void Answer::add_unbounded(const Sample& sample) {
     if (!first_unbounded) first_unbounded = sample;
 }
 
+void Answer::add_undefined(InputClass input_class, const std::string& why) {
+    add_recorded(input_class);
+    if (undefined++ == 0) first_undefined = why;
+}
+
 void Answer::add_guarantee(const Guarantee& more) {
     guarantee = {std::max(guarantee.ulp, more.ulp), std::max(guarantee.absolute, more.absolute),
                  std::max(guarantee.fraction, more.fraction)};
@@ -147,6 +155,8 @@ void Answer::merge(const Answer& later) {
     bounded += later.bounded;
     unbounded += later.unbounded;
     differs += later.differs;
+    if (undefined == 0) first_undefined = later.first_undefined;
+    undefined += later.undefined;
     if (!first_unbounded) first_unbounded = later.first_unbounded;
     if (later.worst && is_worse(*later.worst, worst)) worst = later.worst;
 }

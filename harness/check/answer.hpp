@@ -118,7 +118,9 @@ struct Answer {
     Guarantee guarantee;
     std::size_t unbounded = 0;  // inputs for which the rules permit anything for some output
     std::optional<Sample> first_unbounded;
-    std::optional<Sample> worst;                                         // largest fraction
+    std::size_t undefined = 0;    // of the recorded inputs: the function's own result is undefined
+    std::string first_undefined;  // why, for the first of them
+    std::optional<Sample> worst;  // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
     // For inputs as constants of the shader: the number whose results differ in any bit from those of the
     // same shader with the inputs in memory. All NaNs count as equal.
@@ -156,6 +158,7 @@ struct Answer {
     void add_open(InputClass input_class) { ++count(input_class).open; }  // of an added sample
     void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
     void add_unbounded(const Sample& sample);
+    void add_undefined(InputClass input_class, const std::string& why);
     void add_guarantee(const Guarantee& guarantee);
     // Adds the answer of another part of the same run. Parts are merged in the order of their inputs.
     void merge(const Answer& later);

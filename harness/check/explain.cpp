@@ -121,12 +121,6 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
 
 }  // namespace
 
-std::vector<shader::Scalar> inputs_of(const shader::CompileOptions& options, const std::string& file,
-                                      const std::string& function) {
-    const shader::Function found = function_of(options, file, function);
-    return Signature{.result = found.result, .parameters = found.parameters}.input_scalars();
-}
-
 Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
                     std::span<const Word> input, const ImageSet& images) {
     const KernelModule module = module_of(options, source);

@@ -54,8 +54,4 @@ struct Explanation {
 // steps.
 [[nodiscard]] std::string to_text(const Explanation& explanation, std::size_t most);
 
-// The input scalars of a function of a file, in order. Throws like explain().
-[[nodiscard]] std::vector<shader::Scalar> inputs_of(const shader::CompileOptions& options,
-                                                    const std::string& file, const std::string& function);
-
 }  // namespace gloam::check

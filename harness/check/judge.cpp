@@ -76,7 +76,13 @@ class Judge {
             answer.add_recorded(sample.input_class);
             return;
         }
-        find_want(sample);
+        try {
+            find_want(sample);
+        } catch (const interpreter::Error& error) {
+            if (question_.defined || !is_of_input(error)) throw;
+            answer.add_undefined(sample.input_class, error.what());
+            return;
+        }
         if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {
             answer.add_recorded(sample.input_class);
             return;
@@ -109,6 +115,12 @@ class Judge {
     }
 
   private:
+    // Whether the input, and not the module, stops the run.
+    static bool is_of_input(const interpreter::Error& error) {
+        return error.kind() == interpreter::Error::Kind::out_of_bounds ||
+               error.kind() == interpreter::Error::Kind::too_many_steps;
+    }
+
     void find_want(Sample& sample) {
         if (question_.reference) {
             question_.reference(images_, sample.inputs, sample.want);

@@ -24,6 +24,8 @@ struct KernelSource {
     std::vector<ImagePrototype> images;
     bool preserve_nan =
         false;  // declare SignedZeroInfNanPreserve: NaN, infinity and -0 then mean what they say
+    std::string
+        text;  // in the place of the #include: an excerpt of the file (shader::Excerpt::text); may be empty
 };
 
 // Descriptor set 0 of every kernel; images follow in the order of KernelSource::images.

@@ -14,19 +14,6 @@
 namespace gloam::check {
 namespace {
 
-// The prototype as an image access: T f(ivec2), or void f(ivec2, T). Empty for any other signature.
-std::optional<ImagePrototype> image_prototype(const shader::Function& function) {
-    const auto& p = function.parameters;
-    const bool by_pixel =
-        !p.empty() && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
-    const bool is_void = function.result.scalar == shader::Scalar::void_;
-    if (by_pixel && p.size() == 1 && !is_void) return ImagePrototype{function.name, function.result, false};
-    if (by_pixel && p.size() == 2 && is_void && p[1].direction == shader::Direction::in) {
-        return ImagePrototype{function.name, p[1].type, true};
-    }
-    return std::nullopt;
-}
-
 std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>& functions,
                                              const std::string& file) {
     std::vector<ImagePrototype> images;
@@ -65,6 +52,28 @@ void require_opengl_options(const LabOptions& options) {
 
 }  // namespace
 
+std::optional<ImagePrototype> image_prototype(const shader::Function& function) {
+    const auto& p = function.parameters;
+    const bool by_pixel =
+        !p.empty() && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
+    const bool is_void = function.result.scalar == shader::Scalar::void_;
+    if (by_pixel && p.size() == 1 && !is_void) return ImagePrototype{function.name, function.result, false};
+    if (by_pixel && p.size() == 2 && is_void && p[1].direction == shader::Direction::in) {
+        return ImagePrototype{function.name, p[1].type, true};
+    }
+    return std::nullopt;
+}
+
+shader::Source probe_of(const std::string& file, const std::string& excerpt) {
+    return {.name = "signature of " + file,
+            .text = "#version 450\n" + (excerpt.empty() ? fmt::format("#include \"{}\"\n", file) : excerpt)};
+}
+
+shader::SpirvCache shader_cache(const LabOptions& options) {
+    return shader::SpirvCache(options.cache_directory.empty() ? std::filesystem::path{}
+                                                              : options.cache_directory / "spirv");
+}
+
 gpu::DeviceInfo interpreter_info() {
     return {.name = std::string(interpreter_name),
             .type = "interpreter",
@@ -93,8 +102,7 @@ Lab::Lab(LabOptions options, std::shared_ptr<gpu::Device> device)
     : options_(std::move(options)),
       device_(std::move(device)),
       info_(device_ ? device_->info() : interpreter_info()),
-      cache_(options_.cache_directory.empty() ? std::filesystem::path{}
-                                              : options_.cache_directory / "spirv") {}
+      cache_(shader_cache(options_)) {}
 
 const gpu::Device& Lab::device() const {
     if (!device_)
@@ -115,18 +123,20 @@ KernelCore Lab::core(KernelModule module, const std::string& name) const {
 shader::CompileOptions Lab::compile_options() const {
     return {.stage = shader::Stage::compute,
             .include_roots = options_.include_roots,
-            .variant = options_.variant};
+            .variant = options_.variant,
+            .lines = !options_.excerpts.empty()};
 }
 
 std::vector<shader::Function> Lab::functions(const std::string& file) const {
-    const shader::Source probe{.name = "signature of " + file,
-                               .text = fmt::format("#version 450\n#include \"{}\"\n", file)};
-    return cache_.functions(probe, compile_options());
+    return cache_.functions(probe_of(file), compile_options());
 }
 
 KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
-    const std::vector<shader::Function> all = functions(file);
+    const auto excerpt = std::ranges::find(options_.excerpts, function, &shader::Excerpt::function);
+    const std::string text = excerpt == options_.excerpts.end() ? "" : excerpt->text;
+    const std::vector<shader::Function> all =
+        text.empty() ? functions(file) : cache_.functions(probe_of(file, text), compile_options());
     std::vector<std::string> named;
     for (const shader::Function& candidate : all) {
         if (candidate.name != function || !candidate.defined) continue;
@@ -134,7 +144,8 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
             return {.file = file,
                     .function = candidate,
                     .images = image_prototypes(all, file),
-                    .preserve_nan = info_.float32.preserves_signed_zero_inf_nan};
+                    .preserve_nan = info_.float32.preserves_signed_zero_inf_nan,
+                    .text = text};
         }
         named.push_back(to_glsl_with_layouts(candidate));
     }

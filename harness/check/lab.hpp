@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "check/signature.hpp"
 #include "gpu/device.hpp"
 #include "shader/cache.hpp"
+#include "shader/excerpt.hpp"
 
 namespace gloam::check {
 
@@ -30,6 +32,12 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 // An OpenGL device in the same terms. OpenGL says nothing of NaN, infinity, -0 and subnormals.
 [[nodiscard]] gpu::DeviceInfo opengl_info(const gl::DeviceInfo& info);
 
+// The image that serves a prototype: T f(ivec2), or void f(ivec2, T). Empty for any other prototype.
+[[nodiscard]] std::optional<ImagePrototype> image_prototype(const shader::Function& function);
+
+// The text whose functions are those of a file, or of an excerpt of the file (shader::Excerpt::text).
+[[nodiscard]] shader::Source probe_of(const std::string& file, const std::string& excerpt = {});
+
 struct LabOptions {
     std::string device;                                // see gpu::DeviceOptions; or interpreter_name;
                                                        // or an OpenGL device (gl/device_name.hpp)
@@ -37,8 +45,13 @@ struct LabOptions {
     std::vector<std::filesystem::path> include_roots;  // folders searched for GLSL files, in order
     std::filesystem::path cache_directory;             // of compiled shaders and pipelines; empty: no cache
     shader::Variant variant;                           // how the shaders are compiled
+    std::vector<shader::Excerpt> excerpts;             // functions that are compiled without the rest of
+                                                       // their file
     std::chrono::milliseconds timeout{60'000};         // longest wait for one submission
 };
+
+// The cache of the shaders that a Lab with these options compiles.
+[[nodiscard]] shader::SpirvCache shader_cache(const LabOptions& options);
 
 // Runs shader functions on one device, with the folders of their files and the caches.
 class Lab {

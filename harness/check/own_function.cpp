@@ -8,10 +8,9 @@
 #include <charconv>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
-
-#include "shader/include.hpp"
 
 namespace gloam::check {
 namespace {
@@ -45,6 +44,11 @@ Values values_of(const shader::Type& type, const std::optional<Range>& range) {
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
+// "vec2", "sampler2D", the name of a structure.
+std::string type_name(const shader::Type& type) {
+    return type.scalar == Scalar::structure ? type.name : shader::to_glsl(type);
+}
+
 double number_from(std::string_view text, const std::string& whole) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -53,34 +57,124 @@ double number_from(std::string_view text, const std::string& whole) {
     return value;
 }
 
-bool is_usable(const shader::Function& function) {
-    return function.defined && function.name != "main" &&
-           (function.result.scalar == Scalar::void_ || shader::is_supported(function.result)) &&
-           std::ranges::all_of(function.parameters,
-                               [](const shader::Parameter& p) { return shader::is_supported(p.type); });
+// Why no kernel can call a function; empty if one can.
+std::string why_not(const shader::Function& function) {
+    for (const shader::Parameter& p : function.parameters)
+        if (!shader::is_supported(p.type))
+            return fmt::format("values of the parameter type {} cannot be drawn", type_name(p.type));
+    if (function.result.scalar != Scalar::void_ && !shader::is_supported(function.result))
+        return fmt::format("a result of type {} cannot be read", type_name(function.result));
+    if (Signature{.result = function.result, .parameters = function.parameters}.output_words() == 0)
+        return "it has no result and no out parameter";
+    return {};
 }
 
-// Whether a text contains "TYPE NAME (" with the function's type and name; a definition does, a call does
-// not.
-bool declares(std::string_view text, const shader::Function& function) {
-    const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-    const auto is_blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-    const std::string type =
-        function.result.scalar == Scalar::structure ? function.result.name : shader::to_glsl(function.result);
-    for (std::size_t at = text.find(function.name); at != std::string_view::npos;
-         at = text.find(function.name, at + 1)) {
-        std::size_t behind = at + function.name.size();
-        while (behind < text.size() && is_blank(text[behind])) ++behind;
-        std::size_t end = at;
-        while (end > 0 && is_blank(text[end - 1])) --end;
-        std::size_t begin = end;
-        while (begin > 0 && is_word(text[begin - 1])) --begin;
-        if (end < at && behind < text.size() && text[behind] == '(' &&
-            text.substr(begin, end - begin) == type)
-            return true;
-    }
-    return false;
+// Why an excerpt does not compile as a part of a compute shader.
+LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, const std::string& errors) {
+    const std::string first = errors.substr(0, errors.find('\n'));
+    std::istringstream parts(first);  // "own.frag:10: 'image' : undeclared identifier"
+    std::string place;
+    std::string name;
+    std::getline(parts, place, '\'');
+    std::getline(parts, name, '\'');
+    place.erase(place.find_last_not_of(": ") + 1);
+    const auto is = [&first](const char* text) { return first.find(text) != std::string::npos; };
+    if (excerpt.interface.contains(name))
+        return {
+            definition,
+            fmt::format("it uses \"{}\", which is bound or comes from another stage, at {}; expected values "
+                        "from parameters and from prototypes T name(ivec2)",
+                        name, place)};
+    if (is("compute_shader_derivatives"))
+        return {definition, fmt::format("{} at {} needs a fragment stage", name, place)};
+    if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
+        return {definition, fmt::format("{} at {} needs another stage than compute", name, place)};
+    return {definition, "it does not compile: " + first, true};
 }
+
+std::string without_blanks(std::string text) {
+    std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+    return text;
+}
+
+bool is_named(const std::string& definition, const std::string& name) {
+    const std::string plain = without_blanks(name);
+    const std::string whole = without_blanks(definition);
+    return whole == plain || whole.starts_with(plain + "(");
+}
+
+// "f(vec2, float)"
+std::string definition_of(const shader::Function& function) {
+    std::string types;
+    for (const shader::Parameter& p : function.parameters)
+        types += (types.empty() ? "" : ", ") + type_name(p.type);
+    return fmt::format("{}({})", function.name, types);
+}
+
+// Sorts the functions of one file.
+class Sorting {
+  public:
+    explicit Sorting(const std::vector<std::string>& names) : names_(names), met_(names.size(), false) {}
+
+    void add(const shader::Excerpt& excerpt, const std::vector<shader::Function>& compiled) {
+        std::vector<shader::Function> own;
+        std::size_t k = 0;
+        for (const shader::Function& function : compiled) {
+            if (function.name != excerpt.function || !function.defined) continue;
+            if (k >= excerpt.definitions.size() || !excerpt.definitions[k].empty()) own.push_back(function);
+            ++k;
+        }
+        const auto unserved = std::ranges::find_if(compiled, [](const shader::Function& function) {
+            return !function.defined && !image_prototype(function);
+        });
+        for (const shader::Function& function : own) {
+            const std::string definition = definition_of(function);
+            if (!wants(definition)) continue;
+            std::string why = why_not(function);
+            if (why.empty() && unserved != compiled.end())
+                why = fmt::format(
+                    "it calls {}, which has no body; expected T name(ivec2) or void name(ivec2, T)",
+                    definition_of(*unserved));
+            if (why.empty()) {
+                all_.found.push_back({own.size() > 1 ? definition : function.name, function, excerpt.text});
+            } else {
+                all_.left_out.push_back({definition, why});
+            }
+        }
+    }
+
+    void refuse(const shader::Excerpt& excerpt, const std::string& errors) {
+        for (const std::string& definition : excerpt.definitions)
+            if (!definition.empty() && wants(definition))
+                all_.left_out.push_back(refused(excerpt, definition, errors));
+    }
+
+    OwnFunctions take(const std::string& file, const std::vector<shader::Excerpt>& excerpts) {
+        const auto unmet = std::ranges::find(met_, false) - met_.begin();
+        if (unmet == std::ssize(met_)) return std::move(all_);
+        std::string known;
+        for (const shader::Excerpt& excerpt : excerpts)
+            known += (known.empty() ? "" : ", ") + excerpt.function;
+        throw std::invalid_argument(fmt::format("{}: no function {}; it defines: {}", file,
+                                                names_[static_cast<std::size_t>(unmet)],
+                                                known.empty() ? "none" : known));
+    }
+
+  private:
+    bool wants(const std::string& definition) {
+        bool wanted = names_.empty();
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            if (!is_named(definition, names_[i])) continue;
+            met_[i] = true;
+            wanted = true;
+        }
+        return wanted;
+    }
+
+    const std::vector<std::string>& names_;
+    std::vector<bool> met_;
+    OwnFunctions all_;
+};
 
 // Images for prototypes: positive numbers of usual size. Accesses outside read the border.
 ImageScenario random_images(const std::vector<ImagePrototype>& prototypes) {
@@ -117,32 +211,43 @@ std::pair<std::string, Range> range_from(const std::string& text) {
     return {text.substr(0, equals), range};
 }
 
-std::vector<shader::Function> own_functions(const shader::CompileOptions& options, const std::string& file) {
-    const auto path = shader::resolve_include(file, {}, options.include_roots);
-    const std::string text = shader::read_text(path);
-    const shader::Source probe{.name = "signature of " + file,
-                               .text = fmt::format("#version 450\n#include \"{}\"\n", file)};
-    std::vector<shader::Function> own;
-    for (const shader::Function& function : shader::functions(probe, options))
-        if (is_usable(function) && declares(text, function)) own.push_back(function);
-    return own;
+OwnFunctions own_functions(const LabOptions& options, const std::string& file,
+                           const std::vector<std::string>& names) {
+    Sorting sorting(names);
+    const shader::SpirvCache cache = shader_cache(options);
+    for (const shader::Excerpt& excerpt : options.excerpts) {
+        const bool asked = names.empty() || std::ranges::any_of(names, [&](const std::string& name) {
+                               return without_blanks(name.substr(0, name.find('('))) == excerpt.function;
+                           });
+        if (!asked) continue;
+        try {
+            sorting.add(excerpt, cache.functions(probe_of(file, excerpt.text), {.variant = {}}));
+        } catch (const shader::CompileError& error) {
+            sorting.refuse(excerpt, error.what());
+        }
+    }
+    return sorting.take(file, options.excerpts);
 }
 
-Question question_of(const Lab& lab, const std::string& file, const shader::Function& function,
-                     const Ranges& ranges) {
-    Question question{.file = file,
+Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own, const Ranges& ranges) {
+    const shader::Function& function = own.function;
+    Question question{.name = own.name,
+                      .file = file,
                       .function = function.name,
                       .signature = {.result = function.result, .parameters = function.parameters}};
     std::set<std::string> known;
     std::vector<Values> parameters;
+    bool all_given = true;
     for (const shader::Parameter& parameter : function.parameters) {
         known.insert(parameter.name);
         if (parameter.direction == shader::Direction::out) continue;
         const auto found = ranges.find(parameter.name);
+        all_given = all_given && found != ranges.end();
         parameters.push_back(
             values_of(parameter.type, found == ranges.end() ? std::nullopt : std::optional(found->second)));
     }
     question.domain = Domain(std::move(parameters));
+    question.defined = all_given;
     const KernelSource source = lab.source(file, function.name, question.signature);
     if (!source.images.empty()) question.scenarios = {random_images(source.images)};
     return question;

@@ -21,16 +21,38 @@ using Ranges = std::map<std::string, Range>;
 // Parses "x=0:1" as a name and a range. Throws std::invalid_argument for any other text, or low > high.
 [[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
 
-// The functions that a file itself defines, without those of its includes, if a kernel supports their types.
-[[nodiscard]] std::vector<shader::Function> own_functions(const shader::CompileOptions& options,
-                                                          const std::string& file);
+// A function of a file from elsewhere that can be checked.
+struct OwnFunction {
+    std::string name;  // "f", or "f(vec2, float)" if the file defines others of this name
+    shader::Function function;
+    std::string excerpt;  // shader::Excerpt::text
+};
+
+// One that cannot.
+struct LeftOut {
+    std::string name;  // "f(vec2, sampler2D)"
+    std::string why;
+    bool is_error = false;  // its text is no valid GLSL
+};
+
+struct OwnFunctions {
+    std::vector<OwnFunction> found;
+    std::vector<LeftOut> left_out;
+};
+
+// The functions that a file itself defines, without main and those of its includes, in their order: those of
+// LabOptions::excerpts. `names`: only these, each "f" for all functions of this name, or "f(vec2, float)";
+// empty: all. Throws std::invalid_argument for a name that the file does not define.
+[[nodiscard]] OwnFunctions own_functions(const LabOptions& options, const std::string& file,
+                                         const std::vector<std::string>& names = {});
 
 // The check of any function by the rules alone. Its domain follows from its types where no range is given;
 // the images behind its prototypes have random content.
 //   float: either sign, 1e-6 to 1e6 by magnitude, zero, infinity, NaN, the largest and the smallest;
 //   int: -1000 to 1000; uint: 0 to 2^31; bool: both; a vector, matrix or structure: of these.
+// If every parameter has a range, their inputs are promised to have defined results.
 // Throws std::invalid_argument for a range without a parameter of this name.
-[[nodiscard]] Question question_of(const Lab& lab, const std::string& file, const shader::Function& function,
+[[nodiscard]] Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own,
                                    const Ranges& ranges);
 
 }  // namespace gloam::check

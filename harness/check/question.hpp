@@ -52,6 +52,9 @@ struct Question {
     // Inputs for which the budget is promised; empty: all. For other inputs, for example after overflow, only
     // the codomain and the documented results for zero, infinity and NaN are judged.
     std::function<bool(std::span<const Word>)> promised;
+    // Whether every input of the domain has a defined result. If not, an input for which the function reads
+    // outside an array, for example, is not judged; otherwise it is a failure.
+    bool defined = true;
     std::vector<ImageScenario> scenarios;  // empty: the function reads no image
     bool only_rules = false;               // it documents no accuracy: judged by the rules in every variant
 };

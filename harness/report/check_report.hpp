@@ -82,6 +82,7 @@ struct OutcomeCounts {
 // "reason", "seconds", "story"}]}, members as in check::Answer; an array of such objects for several devices.
 // "width_fraction" and "guarantee" are null where the verdict is the budget. Infinite numbers are the strings
 // "inf" and "-inf", NaN is "nan".
+// A result also has "undefined", the inputs whose result is undefined, and "undefined_at", why the first is.
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 
 // Reads such a text: one object or an array of them. Throws std::runtime_error with the place in the text,

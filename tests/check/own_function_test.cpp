@@ -5,37 +5,112 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "shader/include.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::check {
 namespace own_function_test {
 
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 class OwnFunctionTest : public testing::Test {
   protected:
-    shader::Function function(const std::string& name) const {
-        for (const shader::Function& own : own_functions(lab.compile_options(), "own.glsl"))
-            if (own.name == name) return own;
-        ADD_FAILURE() << name;
-        return {};
+    static LabOptions options_of(const std::string& name, const shader::Variant& variant = {}) {
+        const auto file = std::filesystem::path(FIXTURES) / name;
+        LabOptions options{.device = test::variable("GLOAM_TEST_DEVICE"),
+                           .include_roots = {FIXTURES},
+                           .cache_directory = test::cache_directory(),
+                           .variant = variant};
+        options.excerpts =
+            shader::excerpts({file.string(), shader::read_text(file)}, options.include_roots).functions;
+        return options;
     }
-    Lab lab = test::make_lab(FIXTURES);
+    static OwnFunctions functions_of(const std::string& file, const std::vector<std::string>& names = {}) {
+        return own_functions(options_of(file), file, names);
+    }
+    static std::vector<std::string> names_of(const OwnFunctions& functions) {
+        std::vector<std::string> names;
+        for (const OwnFunction& own : functions.found) names.push_back(own.name);
+        return names;
+    }
+    Answer answer_of(const std::string& file, const std::string& name, const Ranges& ranges = {}) const {
+        const Lab own(options_of(file), test::SharedDevice::get());
+        const OwnFunction function = functions_of(file, {name}).found.at(0);
+        return run(own, question_of(own, file, function, ranges), {.inputs = 512});
+    }
+    Lab lab{options_of("own.glsl"), test::SharedDevice::get()};
 };
 
 TEST_F(OwnFunctionTest, AreThoseOfTheFileItselfThatCanBeDrawnFor) {
-    std::vector<std::string> names;
-    for (const shader::Function& own : own_functions(lab.compile_options(), "own.glsl"))
-        names.push_back(own.name);
-    EXPECT_THAT(names, ElementsAre("own_root", "own_scaled", "own_mean"));
+    const OwnFunctions functions = functions_of("own.glsl");
+    EXPECT_THAT(names_of(functions), ElementsAre("own_root", "own_scaled", "own_mean"));
+    ASSERT_EQ(functions.left_out.size(), 1U);
+    EXPECT_EQ(functions.left_out[0].name, "own_array(float[2])");
+    EXPECT_EQ(functions.left_out[0].why, "values of the parameter type float[2] cannot be drawn");
+}
+
+TEST_F(OwnFunctionTest, AreTakenOutOfAWholeShader) {
+    const OwnFunctions functions = functions_of("foreign.frag");
+    EXPECT_THAT(names_of(functions), ElementsAre("luma(vec3)", "luma(vec4)", "tone", "twice_tone"));
+    std::vector<std::string> reasons;
+    for (const LeftOut& left_out : functions.left_out) {
+        reasons.push_back(left_out.name + ": " + left_out.why);
+        EXPECT_EQ(left_out.is_error, left_out.name == "broken(float)");
+    }
+    EXPECT_THAT(reasons,
+                ElementsAre(AllOf(HasSubstr("seen(vec2): it uses \"image\""), HasSubstr("foreign.frag:14")),
+                            AllOf(HasSubstr("edge(float): fwidth"), HasSubstr("needs a fragment stage")),
+                            AllOf(HasSubstr("cut(float): discard"), HasSubstr("needs another stage")),
+                            AllOf(HasSubstr("at(float): gl_FragCoord"), HasSubstr("needs another stage")),
+                            HasSubstr("sampled(sampler2D, vec2): values of the parameter type sampler2D"),
+                            HasSubstr("nothing(float): it has no result"),
+                            HasSubstr("asks(float): it calls other(float), which has no body"),
+                            AllOf(HasSubstr("broken(float): it does not compile: "),
+                                  HasSubstr("foreign.frag:35: 'missing' : undeclared identifier"))));
+}
+
+TEST_F(OwnFunctionTest, AreNamedWithOrWithoutTheirTypes) {
+    EXPECT_THAT(names_of(functions_of("foreign.frag", {"luma"})), ElementsAre("luma(vec3)", "luma(vec4)"));
+    EXPECT_THAT(names_of(functions_of("foreign.frag", {"luma( vec4 )", "tone(float)"})),
+                ElementsAre("luma(vec4)", "tone"));
+    EXPECT_THAT([] { (void)functions_of("foreign.frag", {"luma(vec2)"}); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("no function luma(vec2)")));
+}
+
+TEST_F(OwnFunctionTest, OverloadsAreJudgedEachByItself) {
+    const Answer gray = answer_of("foreign.frag", "luma(vec4)");
+    EXPECT_EQ(gray.equation, "luma(vec4)");
+    EXPECT_EQ(gray.function, "luma");
+    EXPECT_TRUE(gray.passed()) << gray;
+}
+
+// An index outside an array is the input's fault, unless its range was given.
+TEST_F(OwnFunctionTest, UndefinedResultsAreNotJudged) {
+    const Answer answer = answer_of("undefined.glsl", "undefined_table");
+    EXPECT_EQ(answer.outside(), 0U) << answer;
+    EXPECT_GT(answer.undefined, 0U);
+    EXPECT_EQ(answer.undefined, answer.recorded());
+    EXPECT_LT(answer.undefined, answer.inputs());
+    EXPECT_THAT(answer.first_undefined, AllOf(HasSubstr("of 24"), HasSubstr("undefined.glsl:5")));
+    EXPECT_THAT([&] { (void)answer_of("undefined.glsl", "undefined_table", {{"i", {0, 24}}}); },
+                testing::ThrowsMessage<std::runtime_error>(HasSubstr("element 24 of 24")));
+    const Answer inside = answer_of("undefined.glsl", "undefined_table", {{"i", {0, 23}}});
+    EXPECT_EQ(inside.undefined, 0U);
+    EXPECT_TRUE(inside.passed()) << inside;
+}
+
+TEST_F(OwnFunctionTest, UndefinedIntegersDoNotFail) {
+    for (const char* name :
+         {"undefined_quotient", "undefined_remainder", "undefined_shift", "undefined_field"})
+        EXPECT_EQ(answer_of("undefined.glsl", name).outside(), 0U) << name;
 }
 
 TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
-        const Lab other({.device = lab.options().device,
-                         .include_roots = lab.options().include_roots,
-                         .variant = variant});
-        for (const shader::Function& own : own_functions(other.compile_options(), "own.glsl")) {
+        const Lab other(options_of("own.glsl", variant), test::SharedDevice::get());
+        for (const OwnFunction& own : own_functions(other.options(), "own.glsl").found) {
             const Answer result = run(other, question_of(other, "own.glsl", own, {}), {.inputs = 256});
             EXPECT_TRUE(result.passed()) << variant.name << " " << own.name << "\n" << result;
             EXPECT_EQ(result.verdict, Verdict::rules);
@@ -45,8 +120,8 @@ TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
 }
 
 TEST_F(OwnFunctionTest, DrawFromTheirRanges) {
-    const Question question =
-        question_of(lab, "own.glsl", function("own_root"), {{"p", {2, 3}}, {"q", {0, 1}}});
+    const Question question = question_of(lab, "own.glsl", functions_of("own.glsl", {"own_root"}).found.at(0),
+                                          {{"p", {2, 3}}, {"q", {0, 1}}});
     const Domain::Inputs inputs = question.domain.draw(100, 1);
     for (std::size_t i = 0; i < inputs.count(); ++i) {
         EXPECT_GE(from_word<float>(inputs.row(i)[0]), 2.0F);

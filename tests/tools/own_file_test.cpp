@@ -25,6 +25,64 @@ TEST(OwnFile, EveryFunctionIsJudgedByTheRules) {
     EXPECT_EQ(rows[0].at("inputs"), 512);
 }
 
+// A shader of another API and stage: its functions are checked without main, bindings and inputs.
+TEST(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
+    const TemporaryDirectory folder;
+    const std::string shader = (folder.path() / "whole.frag").string();
+    std::ofstream(shader) << "#version 330 core\n"
+                             "in vec2 uv;\nout vec4 color;\nuniform sampler2D image;\n"
+                             "float luma(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
+                             "float luma(vec4 c) { return luma(c.rgb) * c.a; }\n"
+                             "float table(int i) { return float[2](1.0, 2.0)[i]; }\n"
+                             "float edge(float x) { return fwidth(x); }\n"
+                             "vec3 seen() { return texture(image, uv).rgb; }\n"
+                             "void main() { color = vec4(seen(), edge(luma(color))); }\n";
+    const std::string report = (folder.path() / "own.json").string();
+    const CommandResult all = run_command({"check", shader, "--inputs", "64", "--json", report});
+    expect_success(all);
+    EXPECT_THAT(all.out, HasSubstr("3 checks, 0 failed"));
+    EXPECT_THAT(all.out, HasSubstr("#version 330 core is compiled as #version 450 for Vulkan"));
+    EXPECT_THAT(all.out,
+                testing::ContainsRegex("edge\\(float\\) was left out: fwidth at .*whole.frag:8 needs"));
+    EXPECT_THAT(all.out, testing::ContainsRegex("seen\\(\\) was left out: it uses \"image\".*whole.frag:9"));
+    EXPECT_THAT(all.out, testing::ContainsRegex("table shipped: the result is undefined for .* of 64 inputs.*"
+                                                "element .* of 2, in table .*whole.frag:7"));
+    const nlohmann::json rows = nlohmann::json::parse(read_file(report)).at("results");
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].at("equation"), "luma(vec3)");
+    EXPECT_EQ(rows[1].at("equation"), "luma(vec4)");
+    EXPECT_EQ(rows[1].at("function"), "luma");
+    EXPECT_GT(rows[2].at("undefined"), 0);
+    expect_success(run_command({"check", shader, "luma(vec4)", "--inputs", "64", "--variant", "all"}));
+    expect_success(run_command({"explain", shader, "luma(vec4)", "1", "2", "3", "4"}));
+    // What was named and cannot be checked is not passed over.
+    EXPECT_EQ(run_command({"check", shader, "luma", "edge", "--inputs", "64"}).status, 2);
+    expect_could_not_run(run_command({"explain", shader, "edge", "1"}), "fwidth");
+}
+
+TEST(OwnFile, NothingCheckedIsNoSuccess) {
+    const TemporaryDirectory folder;
+    const std::string shader = (folder.path() / "nothing.glsl").string();
+    const std::string sampled = "vec4 sampled(sampler2D image, vec2 uv) { return texture(image, uv); }\n";
+    std::ofstream(shader) << sampled;
+    expect_could_not_run(
+        run_command({"check", shader}),
+        "nothing was checked: sampled(sampler2D, vec2): values of the parameter type sampler2D");
+    std::ofstream(shader) << "const float one = 1.0;\n";
+    expect_could_not_run(run_command({"check", shader}), "nothing was checked: it defines no function");
+    std::ofstream(shader) << sampled << "void nothing(float x) { }\n";
+    const CommandResult several = run_command({"check", shader});
+    EXPECT_EQ(several.status, 2);
+    EXPECT_THAT(several.err, HasSubstr("all 2 functions were left out"));
+    EXPECT_THAT(several.out, HasSubstr("sampled(sampler2D, vec2) was left out: values"));
+    EXPECT_THAT(several.out, HasSubstr("nothing(float) was left out: it has no result"));
+    std::ofstream(shader) << "float sum(float x) { return x + 1.0; }\n\nfloat wrong(float x) { return y; }\n";
+    const CommandResult wrong = run_command({"check", shader, "--inputs", "64"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.out, HasSubstr("1 checks, 0 failed"));
+    EXPECT_THAT(wrong.out, HasSubstr(shader + ":3: 'y' : undeclared identifier"));
+}
+
 TEST(OwnFile, OneFunctionInAllVariantsFromItsRange) {
     const CommandResult result = run_command({"check", file, "own_root", "--range", "p=2:3", "--range",
                                               "q=0:1", "--inputs", "64", "--variant", "all"});

@@ -56,11 +56,13 @@ bool is_of_file(const CheckOptions& options) {
 }
 
 // The IDs of the selected equations, or the functions of a file.
-std::vector<std::string> names_of(const CheckOptions& options) {
-    if (is_of_file(options))
-        return own_functions(options.equations.front(),
-                             {options.equations.begin() + 1, options.equations.end()}, options.ranges,
-                             options.includes);
+std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {
+    if (is_of_file(options)) {
+        OwnSelection own = own_selection(options.equations, options.ranges, options.includes);
+        outcome.notes = std::move(own.notes);
+        outcome.complete = own.complete;
+        return own.names;
+    }
     std::vector<std::string> names;
     for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(), options.equations))
         names.push_back(entry.description.id);
@@ -78,9 +80,9 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
 }
 
 // The selected equations in every selected variant; only this shard's share.
-std::vector<CheckTask> tasks_of(const CheckOptions& options) {
+std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome) {
     const Shard shard = shard_from(options.shard);
-    const std::vector<std::string> names = names_of(options);
+    const std::vector<std::string> names = names_of(options, outcome);
     const std::string file =
         is_of_file(options) ? std::filesystem::absolute(options.equations.front()).string() : "";
     std::vector<CheckTask> tasks;
@@ -138,6 +140,14 @@ void print_failure(const CheckOptions& options, const report::DeviceSummary& dev
 void print_coverage(const report::CheckReport& report) {
     for (const check::Answer& row : report.rows)
         if (row.coverage) fmt::print("{} {}: {}\n", row.equation, row.variant, to_text(*row.coverage));
+}
+
+// Inputs for which a user's function has no defined result.
+void print_undefined(const report::CheckReport& report) {
+    for (const check::Answer& row : report.rows)
+        if (row.undefined > 0)
+            fmt::print("{} {}: the result is undefined for {} of {} inputs, which were not judged: {}\n",
+                       row.equation, row.variant, row.undefined, row.inputs(), row.first_undefined);
 }
 
 std::chrono::milliseconds timeout_of(const CheckOptions& options) {
@@ -252,21 +262,21 @@ std::vector<report::CheckReport> reports_of_bad_drivers(const CheckOptions& opti
     return reports;
 }
 
-std::vector<report::CheckReport> reports_of(const CheckOptions& options) {
+// Adds the reports to the outcome, and what was left out.
+void run_devices(const CheckOptions& options, CheckOutcome& outcome) {
     if (is_of_file(options) && options.resume)
         throw std::invalid_argument("--resume is for equations, not for a shader file");
     if (!is_of_file(options) && !options.ranges.empty())
         throw std::invalid_argument("--range is for the functions of a shader file");
     if (!is_of_file(options) && !options.includes.empty())
         throw std::invalid_argument("--include is for a shader file");
-    std::vector<CheckTask> tasks = tasks_of(options);
-    std::vector<report::CheckReport> reports;
+    std::vector<CheckTask> tasks = tasks_of(options, outcome);
+    std::vector<report::CheckReport>& reports = outcome.reports;
     if (options.device != check::interpreter_name && !is_opengl(options.device))
         reports = reports_of_bad_drivers(options, tasks.size());
     const std::vector<std::string> devices = devices_to_check(options.device);
     CheckRun run(options, std::move(tasks), devices.size());
     for (const std::string& device : devices) reports.push_back(run.on_device(device));
-    return reports;
 }
 
 }  // namespace
@@ -275,7 +285,8 @@ CheckOutcome check(const CheckOptions& options) {
     const report::OutputFile json(options.json);
     const report::OutputFile junit(options.junit);
     const report::OutputFile html(options.html);
-    CheckOutcome outcome{.reports = reports_of(options)};
+    CheckOutcome outcome;
+    run_devices(options, outcome);
     for (report::CheckReport& report : outcome.reports) report.versions = versions();
     outcome.counts = counts_of(outcome.reports);
     json.write(report::to_json(outcome.reports));
@@ -297,9 +308,11 @@ int run_check(const CheckOptions& options) {
     }
     if (options.rows) fmt::print("\n{}", report::table_legend());
     for (const report::CheckReport& report : outcome.reports) print_coverage(report);
+    for (const report::CheckReport& report : outcome.reports) print_undefined(report);
+    for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
     const int status = outcome.counts.exit_status();
     fmt::print("{}\n", colored(to_text(outcome.counts), status == 0 ? Ink::good : Ink::bad));
-    return status;
+    return status == 0 && !outcome.complete ? 2 : status;
 }
 
 namespace {

@@ -44,12 +44,15 @@ struct CheckOptions {
 struct CheckOutcome {
     std::vector<report::CheckReport> reports;
     report::OutcomeCounts counts;
+    std::vector<std::string> notes;  // on a user's file, a line each: what was left out, and why
+    bool complete = true;            // no function was left out that was named or that does not compile
 };
 
 // Runs the checks and writes the requested files.
 [[nodiscard]] CheckOutcome check(const CheckOptions& options);
 
-// Runs check() and prints the story of each failure. Returns the exit status: 0, 1 or 2.
+// Runs check() and prints the story of each failure. Returns the exit status: 0, 1 or 2; 2 for an outcome
+// that is not complete, unless a check failed.
 [[nodiscard]] int run_check(const CheckOptions& options);
 
 // Adds the subcommand; `status` receives what it returns.

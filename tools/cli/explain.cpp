@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "check/explain.hpp"
+#include "cli/check/own_file.hpp"
 #include "cli/environment.hpp"
 #include "interpreter/error.hpp"
-#include "shader/include.hpp"
 #include "shader/variant.hpp"
 
 namespace gloam::cli {
@@ -67,19 +67,28 @@ Word word_from(Scalar scalar, const std::string& text) {
 }
 
 void run_explain(const ExplainOptions& options) {
-    const shader::CompileOptions compile{.include_roots = include_roots_of(options.file, options.includes),
-                                         .variant = shader::variant(options.variant)};
-    const std::string name = options.file.filename().string();
-    static_cast<void>(shader::read_text(options.file));  // says what is wrong with it
-    const std::vector<Scalar> scalars = check::inputs_of(compile, name, options.function);
+    const check::OwnFunctions functions =
+        own_file(options.file.string(), {options.function}, {}, options.includes).functions;
+    if (functions.found.empty())
+        throw std::invalid_argument(fmt::format("{}: {}: {}", options.file.string(),
+                                                functions.left_out.front().name,
+                                                functions.left_out.front().why));
+    const check::OwnFunction& own = functions.found.front();
+    const check::Signature signature{.result = own.function.result, .parameters = own.function.parameters};
+    const std::vector<Scalar> scalars = signature.input_scalars();
     if (scalars.size() != options.values.size())
-        throw std::invalid_argument(fmt::format("{} takes {} values, got {}", options.function,
-                                                scalars.size(), options.values.size()));
+        throw std::invalid_argument(
+            fmt::format("{} takes {} values, got {}", own.name, scalars.size(), options.values.size()));
     std::vector<Word> input;
     for (std::size_t i = 0; i < scalars.size(); ++i)
         input.push_back(word_from(scalars[i], options.values[i]));
     try {
-        const check::Explanation all = check::explain(compile, name, options.function, input);
+        const check::Explanation all = check::explain({.variant = shader::variant(options.variant)},
+                                                      {.file = options.file.filename().string(),
+                                                       .function = own.function,
+                                                       .images = {},
+                                                       .text = own.excerpt},
+                                                      input);
         fmt::print("{}", to_text(all, all.steps.size()));
     } catch (const interpreter::Error& error) {
         throw std::runtime_error(

@@ -28,7 +28,8 @@ const std::map<std::string, std::string>& examples() {
          "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
          "  gloam check --device all --variant all --html r.html every driver, every compiler setting\n"
          "  gloam check --quiet --junit results.xml              for continuous integration\n"
-         "  gloam check --failures failures                      each failure ready to report\n"},
+         "  gloam check --failures failures                      each failure ready to report\n"
+         "  gloam check shader.frag 'luma(vec3)' --range c=0:1   a function of a file of your own\n"},
         {"report",
          "  gloam report a.json b.json\n"
          "  gloam report a.json b.json --html all.html\n"},

@@ -198,7 +198,9 @@ std::string file_and_rest(const KernelSource& source, const ImageWordText& read,
     for (std::size_t i = 0; i < source.images.size(); ++i)
         ours += image_definition(source.images[i], i, read);
     ours += rest;
-    return fmt::format("#include \"{}\"\n", source.file) + without_macros(ours) + ours;
+    const std::string file = source.text.empty() ? fmt::format("#include \"{}\"\n", source.file)
+                                                 : source.text + "#line 1 \"kernel\"\n";
+    return file + without_macros(ours) + ours;
 }
 
 std::string word_of_buffer(std::size_t image, const std::string& at) {

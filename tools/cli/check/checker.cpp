@@ -13,6 +13,7 @@
 #include "cli/environment.hpp"
 #include "cli/variant.hpp"
 #include "gl/errors.hpp"
+#include "shader/include.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -20,12 +21,16 @@ namespace {
 constexpr std::string_view first_variant = "shipped";
 
 std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader::Variant& variant,
-                                     const std::vector<std::filesystem::path>& roots) {
+                                     const std::vector<std::filesystem::path>& roots,
+                                     const std::filesystem::path& file) {
+    std::vector<shader::Excerpt> excerpts;
+    if (!file.empty()) excerpts = shader::excerpts({file.string(), shader::read_text(file)}, roots).functions;
     return std::make_unique<check::Lab>(check::LabOptions{.device = options.device,
                                                           .validation = options.validation,
                                                           .include_roots = roots,
                                                           .cache_directory = cache_directory(),
                                                           .variant = variant,
+                                                          .excerpts = std::move(excerpts),
                                                           .timeout = options.timeout});
 }
 
@@ -36,22 +41,24 @@ check::RunOptions options_of(const CheckTask& task) {
 }  // namespace
 
 Checker::Checker(CheckerOptions options) : options_(std::move(options)), entries_(catalogue::all_entries()) {
-    lab(std::string(first_variant), {glsl_directory()});
+    lab(std::string(first_variant), {glsl_directory()}, {});
 }
 
-const check::Lab& Checker::lab(const std::string& variant, const std::vector<std::filesystem::path>& roots) {
-    if (!lab_ || variant != variant_ || roots != roots_) {
+const check::Lab& Checker::lab(const std::string& variant, const std::vector<std::filesystem::path>& roots,
+                               const std::filesystem::path& file) {
+    if (!lab_ || variant != variant_ || roots != roots_ || file != file_) {
         lab_.reset();  // destroyed before the next is made: a device may lack memory for two
-        lab_ = make_lab(options_, select_variants(variant).front(), roots);
+        lab_ = make_lab(options_, select_variants(variant).front(), roots, file);
         variant_ = variant;
         roots_ = roots;
+        file_ = file;
     }
     return *lab_;
 }
 
 const check::Lab& Checker::lab(const CheckTask& task) {
-    if (task.file.empty()) return lab(task.variant, {glsl_directory()});
-    return lab(task.variant, include_roots_of(task.file, task.includes));
+    if (task.file.empty()) return lab(task.variant, {glsl_directory()}, {});
+    return lab(task.variant, include_roots_of(task.file, task.includes), task.file);
 }
 
 check::Question Checker::question_of(const CheckTask& task) {
@@ -126,7 +133,7 @@ check::Reason reason_of(const std::exception& error) {
 check::Answer answer_without_result(const CheckTask& task, const catalogue::Entries& entries,
                                     check::Reason reason, const std::string& error) {
     check::Answer answer{.equation = task.equation,
-                         .function = task.equation,
+                         .function = task.equation.substr(0, task.equation.find('(')),
                          .file = std::filesystem::path(task.file).filename().string(),
                          .variant = task.variant,
                          .error = error,

@@ -42,7 +42,8 @@ class Checker {
     [[nodiscard]] HandOver hand_over(const HandOverRequest& request);
 
   private:
-    const check::Lab& lab(const std::string& variant, const std::vector<std::filesystem::path>& roots);
+    const check::Lab& lab(const std::string& variant, const std::vector<std::filesystem::path>& roots,
+                          const std::filesystem::path& file);
     const check::Lab& lab(const CheckTask& task);
     [[nodiscard]] check::Question question_of(const CheckTask& task);
 
@@ -50,6 +51,7 @@ class Checker {
     catalogue::Entries entries_;
     std::string variant_;                       // that lab_ compiles
     std::vector<std::filesystem::path> roots_;  // in which it looks for includes
+    std::filesystem::path file_;                // of a user
     std::unique_ptr<check::Lab> lab_;
 };
 

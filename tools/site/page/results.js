@@ -74,7 +74,7 @@ gloam.results = (() => {
         return {equation: check.equation, function: check.function, file: check.file, variant: "shipped",
             verdict: "budget", outcome, not_judged_because: because, inputs: sum(tally, "inputs"),
             judged: gloam.judge.judged(tally), outside: sum(tally, "outside"), recorded: sum(tally, "recorded"),
-            by_rules: 0, forbidden: 0, bounded: 0, unbounded: 0, differs: 0,
+            by_rules: 0, forbidden: 0, bounded: 0, unbounded: 0, undefined: 0, undefined_at: "", differs: 0,
             max_ulp: number(tally.maxUlp), max_abs: number(tally.maxAbsolute), width_fraction: null,
             budget_fraction: number(tally.budgetFraction), guarantee: null, unbounded_at: "", budget: check.budget,
             classes: classesJson(tally), worst: sampleJson(check, tally.worst), coverage: null,
