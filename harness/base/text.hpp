@@ -11,9 +11,8 @@ namespace gloam::base {
 // quotes in messages.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
 
-// The text without control characters other than line breaks and tabs, and without bytes that are no UTF-8: each
-// becomes spaces. A text from
-// elsewhere could otherwise change the terminal that it is printed on.
+// The text without control characters other than line breaks and tabs, and without bytes that are no UTF-8:
+// each becomes spaces. A text from elsewhere could otherwise change the terminal that it is printed on.
 [[nodiscard]] std::string for_terminal(std::string_view text);
 
 // The text in one line for a terminal: every character that is not printable, for example a line break,
