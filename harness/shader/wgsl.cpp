@@ -54,9 +54,10 @@ class Writer {
         std::string globals;
         for (const wgsl::Variable& variable : globals_in_order())
             if (used_.contains(variable.id)) globals += comment_of(variable.id) + global_text(variable);
+        const std::string supplied = prototypes();  // before the structures that they need are written
         std::string result = options_.head + text_.enabled();
         result += text_.structures() + text_.overrides(text_.overrides_used()) + globals;
-        result += prototypes() + text_.helpers() + bodies;
+        result += supplied + text_.helpers() + bodies;
         for (std::size_t at = result.find("\n\n\n"); at != std::string::npos; at = result.find("\n\n\n", at))
             result.erase(at, 1);
         return result.substr(std::min(result.find_first_not_of('\n'), result.size()));

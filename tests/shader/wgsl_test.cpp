@@ -273,6 +273,13 @@ TEST(Wgsl, ExtensionsAreEnabled) {
     EXPECT_THAT(functions_of("float f(float x) { return x; }"), Not(HasSubstr("enable")));
 }
 
+TEST(Wgsl, AFunctionOfTheUserMayHaveAStructureOfItsOwn) {
+    EXPECT_THAT(
+        functions_of("struct Hit { float at; }; Hit trace(vec3 ray);\n"
+                     "float f(vec3 ray) { return trace(ray).at; }"),
+        AllOf(HasSubstr("struct Hit {\n    at: f32,\n}\n"), HasSubstr("// fn trace(ray: vec3f) -> Hit\n")));
+}
+
 TEST(Wgsl, AMemoryBarrierIsPartOfTheBarrierBesideIt) {
     const auto text = [](const std::string& barriers) {
         return shader_of(
