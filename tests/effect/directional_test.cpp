@@ -301,7 +301,7 @@ TEST_F(Directions, LightOfAStillViewConverges) {
     EXPECT_EQ(next.direct, first.direct) << "without a history each frame is the first";
 }
 
-// In the first frame the kernels' rotations repeat along the column in the middle of an image of 1280 pixels.
+// In the first frame the kernels' rotations repeat along some columns of an image of 1280 pixels.
 TEST_F(Directions, LightHasNoSeamWhereThePatternRepeats) {
     constexpr std::size_t width = 1280;
     constexpr std::size_t height = 24;
@@ -322,27 +322,33 @@ TEST_F(Directions, LightHasNoSeamWhereThePatternRepeats) {
     };
     const Settings settings = unfiltered(8);
     DirectionalLight light = directional_.light(view, settings, sides);
-    EXPECT_GT(worst_column(light), 0.05F);
+    const float first = worst_column(light);
+    EXPECT_GT(first, 0.1F);
     for (int i = 1; i < 16; ++i) light = directional_.light(view, settings, sides, LightFollows::same_view);
-    EXPECT_LT(worst_column(light), 0.01F);
+    EXPECT_LT(worst_column(light), 0.1F * first);
 }
 
+// On a plane between two lights all pixels have the same light.
 TEST_F(Directions, TheFilterSmoothsTheFirstFrameOfLight) {
-    const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36});
-    const scene::Environment sky = scene::sky_environment();
-    const DirectionalLight wanted = directional_.light(view, many(), sky);
-    Settings settings = unfiltered(16);
-    const DirectionalLight rough = directional_.light(view, settings, sky);
+    const scene::GBuffer plane = step(3.0F, 3.0F);
+    const scene::Environment sides{.extent = {2, 1}, .radiance = {{1, 0, 0}, {0, 1, 0}}};
+    const auto noise = [](const DirectionalLight& light) {
+        glm::vec3 mean(0);
+        for (const glm::vec3& color : light.direct) mean += color / static_cast<float>(light.direct.size());
+        return rmse(light.direct, std::vector(light.direct.size(), mean));
+    };
+    Settings settings = unfiltered(8);
+    const double rough = noise(directional_.light(plane, settings, sides));
     settings.filter = Filter::convergence;
-    const DirectionalLight smooth = directional_.light(view, settings, sky);
-    EXPECT_LT(rmse(smooth.direct, wanted.direct), 0.6 * rmse(rough.direct, wanted.direct));
-    EXPECT_LT(rmse(smooth.bounced, wanted.bounced), 0.6 * rmse(rough.bounced, wanted.bounced));
+    EXPECT_LT(noise(directional_.light(plane, settings, sides)), 0.4 * rough);
+    const auto second = [&] {
+        (void)directional_.light(plane, settings, sides);
+        return directional_.light(plane, settings, sides, LightFollows::same_view).direct;
+    };
     settings.filter_frames = 1.0F;
-    (void)directional_.light(view, settings, sky);
-    const DirectionalLight second = directional_.light(view, settings, sky, LightFollows::same_view);
+    const std::vector<glm::vec3> later = second();
     settings.filter = Filter::none;
-    (void)directional_.light(view, settings, sky);
-    EXPECT_EQ(directional_.light(view, settings, sky, LightFollows::same_view).direct, second.direct);
+    EXPECT_EQ(second(), later) << "the history holds nothing that is filtered";
 }
 
 // A camera and objects that move: the history follows the surfaces, and objects leave no trail of light.

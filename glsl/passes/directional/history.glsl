@@ -10,7 +10,7 @@
 //   6  rgba32f  direct light and samples, of the frame before
 //   7  rgba32f  bounced light and depth, of the frame before
 //   8  rgba32f  xyz: where each surface point was, in the view space of the frame before; read when objects_move is 1
-#include "directional/points.glsl"
+#include "points.glsl"
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/pixel_center.glsl"
 #include "gloam/geometry/texel_position.glsl"
