@@ -70,30 +70,45 @@ void set_planes(scene::CameraFrame& camera, const Stored& stored) {
 }
 
 // Engines that store no normals: the pass gives a plane's pixels its normal.
-class NormalsFromDepth : public OnDevice<testing::Test> {};
+class NormalsFromDepth : public OnDevice<testing::Test> {
+  protected:
+    [[nodiscard]] std::vector<glm::vec3> normals(const scene::GBuffer& view) const {
+        AmbientOcclusion effect(device_, passes_, view.extent);
+        std::vector<glm::vec3> written;
+        effect.watch([&](const Step& pass, bool after) {
+            if (!after || pass.name != "normals_from_depth") return;
+            const auto& image = std::get<std::reference_wrapper<const gpu::Image>>(pass.resources[1]);
+            written = vectors_of(image.get().download());
+        });
+        effect.begin(view, {});
+        (void)effect.next();
+        return written;
+    }
+    void expect_normal(const scene::GBuffer& view, const glm::vec3& expected) const {
+        const std::vector<glm::vec3> written = normals(view);
+        ASSERT_EQ(written.size(), view.depth.size());
+        for (std::size_t i = 0; i < written.size(); ++i)
+            ASSERT_LT(glm::length(written[i] - (view.depth[i] > 0.0F ? expected : glm::vec3(0))), 1e-4F) << i;
+    }
+
+    static constexpr gpu::Extent size{29, 47};
+};
 
 TEST_F(NormalsFromDepth, OfAPlaneAreItsNormal) {
-    const gpu::Extent size{29, 47};
     for (const bool orthographic : {false, true}) {
         for (const double pixel_aspect : {0.5, 3.0}) {
             scene::GBuffer view = plane(size, orthographic, {0.6, -0.3, 1}, pixel_aspect);
             const glm::vec3 expected = view.normal.front();
             view.normal.clear();
-            AmbientOcclusion effect(device_, passes_, size);
-            std::vector<glm::vec3> normals;
-            effect.watch([&](const Step& pass, bool after) {
-                if (!after || pass.name != "normals_from_depth") return;
-                const auto& image = std::get<std::reference_wrapper<const gpu::Image>>(pass.resources[1]);
-                normals = vectors_of(image.get().download());
-            });
-            effect.begin(view, {});
-            (void)effect.next();
-            ASSERT_EQ(normals.size(), view.depth.size());
-            for (std::size_t i = 0; i < normals.size(); ++i)
-                ASSERT_LT(glm::length(normals[i] - expected), 1e-4F)
-                    << (orthographic ? "orthographic" : "perspective") << ", pixel " << i;
+            expect_normal(view, expected);
         }
     }
+}
+
+// A plane whose other side faces the point from which a perspective view would be seen.
+TEST_F(NormalsFromDepth, OfAnOrthographicViewFaceItsDirection) {
+    const auto depth = [](glm::dvec2 at) { return 5.0 * at.x - at.y - 2.0; };
+    expect_normal(view_of(size, true, depth, 3.0), glm::normalize(glm::vec3(5, -1, 1)));
 }
 
 class EngineInputs : public OnDevice<testing::TestWithParam<Stored>> {
