@@ -70,7 +70,7 @@ OwnSelection own_selection(const std::vector<std::string>& words, const std::vec
     }
     for (const check::OwnFunction& function : own.functions.found) selection.names.push_back(function.name);
     if (!selection.names.empty()) return selection;
-    std::string why = "it defines no function";
+    std::string why = "it defines no function but main, or its #if conditions leave none";
     if (left_out.size() == 1) why = left_out.front().name + ": " + left_out.front().why;
     if (left_out.size() > 1) {
         why = fmt::format("all {} functions were left out", left_out.size());
