@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "check/internal/trial.hpp"
 #include "check/prepared_check.hpp"
@@ -35,9 +36,20 @@ constexpr std::array plants{
     // Each word moves by one place: to the next output, or to the next input.
     Plant{"swapped", [](std::vector<Word>& outputs) { std::ranges::rotate(outputs, outputs.begin() + 1); }}};
 
+// Plants that are the right results: of functions that always return the same, and of questions for NaN and
+// infinity on a device that need not keep them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> right_anyway{
+    {{"MOMENTS-empty", "zero"},
+     {"MOMENTS-empty", "swapped"},
+     {"BACKGROUND-depth", "swapped"},
+     {"BUILTIN-isnan", "zero"},
+     {"BUILTIN-isinf", "zero"}}};
+
 // A probe asks which of several right results a device gives. Zero is one of them, and may be its only one.
 bool is_wrong(const Plant& plant, const Question& question) {
-    return question.file != "builtin/probe.glsl" || plant.name == plants.front().name;
+    if (question.file == "builtin/probe.glsl") return plant.name == plants.front().name;
+    return std::ranges::find(right_anyway, std::pair(std::string_view(question.name), plant.name)) ==
+           right_anyway.end();
 }
 
 // What is said of the right results and of each plant.
