@@ -167,18 +167,21 @@ std::vector<Preset> presets_with_history() {
 }
 
 // The difference to the truth that a viewer sees beside an object.
-constexpr float visible_ghost = 0.1F;
-// The difference to all neighbours at which a pixel is seen alone.
-constexpr float visible_alone = 0.25F;
+constexpr float visible_ghost = 0.09F;
+// The difference to all neighbours beyond the truth's up to which a pixel may be alone.
+constexpr float most_alone = 0.3F;
+// The same beside moving objects, where the filter runs in every frame. Elsewhere what has just come into
+// view has few samples.
+constexpr float most_alone_filtered = 0.15F;
 // Of a still view: the first ones, in which samples are few, and those around the end of the filter.
 constexpr std::array still_frames{0U, 1U, 2U, 4U, 7U, 8U};
 
 void expect_none_alone(const std::string& what, const std::vector<float>& image, const Truth& truth,
-                       const Settings& settings, gpu::Extent size = extent) {
+                       const Settings& settings, float limit, gpu::Extent size = extent) {
     const Found most = most_isolated(image, truth, size, settings.resolution);
     testing::Test::RecordProperty("alone_" + what,
                                   fmt::format("{:.3f} at {},{}", most.value, most.x, most.y));
-    EXPECT_LT(most.value, visible_alone) << what << ", pixel " << most.x << "," << most.y;
+    EXPECT_LT(most.value, limit) << what << ", pixel " << most.x << "," << most.y;
 }
 
 TEST_F(Pictures, MovingObjectsLeaveNoGhost) {
@@ -197,7 +200,9 @@ TEST_F(Pictures, NoPixelIsAloneBesideMovingObjects) {
     const Moving moving = moved();
     for (const Preset& preset : presets_with_history()) {
         const Settings settings = settings_of(preset, moving.scene.ao_radius);
-        expect_none_alone(preset.name + " moving", last(moving.sequence, settings), moving.traced, settings);
+        const bool always = filters(settings) && !filters_early(settings);
+        expect_none_alone(preset.name + " moving", last(moving.sequence, settings), moving.traced, settings,
+                          always ? most_alone_filtered : most_alone);
     }
 }
 
@@ -211,7 +216,7 @@ TEST_F(Pictures, NoPixelIsAloneInAStillView) {
             const auto shown = still(now, settings, still_frames.back() + 1);
             for (const unsigned frame : still_frames)
                 expect_none_alone(fmt::format("{} {} frame {}", preset.name, scene.name, frame), shown[frame],
-                                  traced, settings);
+                                  traced, settings, most_alone);
         }
     }
 }
@@ -225,7 +230,8 @@ TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
                                                  {.aspect = double{size.width} / double{size.height}});
     const scene::GBuffer now = view(scene, 0, size);
     const Settings settings = settings_of(preset_named("balanced"), scene.ao_radius);
-    expect_none_alone("horse", still(now, settings, 1).back(), truth(scene, 0, now), settings, size);
+    expect_none_alone("horse", still(now, settings, 1).back(), truth(scene, 0, now), settings, most_alone,
+                      size);
 }
 
 }  // namespace pictures_test
