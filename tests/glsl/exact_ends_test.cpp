@@ -134,6 +134,18 @@ TEST_F(ExactEnds, ObscuranceOfBadArguments) {
     EXPECT_EQ(alchemy(vec3(0, 0, 1e-19F), up, 0.0F, 0.0F), 0.0F);
 }
 
+// Below the ends of what is defined.
+TEST_F(ExactEnds, LongVectorsAndLargeContributions) {
+    const check::Kernel<vec3(vec3, vec3)> flip(lab, "gloam/sampling/hemisphere_flip.glsl",
+                                               "gloam_hemisphere_flip");
+    EXPECT_EQ(flip(vec3(0, 0, -9e18F), vec3(0, 0, 1)), vec3(0, 0, 9e18F));
+    EXPECT_EQ(flip(vec3(0, 0, -1.1e19F), vec3(0, 0, 1)), vec3(0));
+    const check::Kernel<float(vec3, vec3, float, float, float, float)> issao(
+        lab, "gloam/occlusion/issao.glsl", "gloam_contribution_issao");
+    EXPECT_EQ(issao(vec3(0, 0, 1), vec3(0, 0, 1), 2.0F, 3e38F, 0.0F, 0.0F), 3e38F);
+    EXPECT_EQ(issao(vec3(0, 0, 0.5F), vec3(0, 0, 1), 2.0F, 3e38F, 0.0F, 0.0F), 0.0F);
+}
+
 TEST_F(ExactEnds, NeighboursOnAndBesideThePlane) {
     const check::Kernel<float(vec3, vec3, float, float)> weight(lab, "gloam/occlusion/separable.glsl",
                                                                 "gloam_separable_weight");

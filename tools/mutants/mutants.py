@@ -11,7 +11,7 @@ JOURNAL with what became of each:
     same      the optimised SPIR-V is that of the file as it is
     killed    a test failed whose kind passes without it; the journal names the test
     survived  every test passed that read the file when it last ran (build/release/seen, which tools/test writes)
-    known     it survived, and tests/glsl/equivalent_mutants.txt says why no test can notice it
+    known     tests/glsl/equivalent_mutants.txt says why no test can notice it; it is not tried
     gone      the file no longer has that line
 
 A run that ends early goes on with the same JOURNAL. --minutes ends it after so many. --seconds ends a trial: its tests
@@ -128,14 +128,13 @@ class Bench:
         kind = self.modules.change(str(file.relative_to(ROOT / "glsl")), text, changed, start)
         if kind != "other":
             return {"verdict": kind}
+        if reason := self.known.get((fault["file"], line.strip())):
+            return {"verdict": "known", "reason": reason}
         began = time.time()
         with self.with_text(file, changed):
             test = self.tests.failing(file, lambda: self.with_text(file, text), self.seconds)
         self.forget_compiled(began)
-        if test:
-            return {"verdict": "killed", "by": test}
-        reason = self.known.get((fault["file"], line.strip()))
-        return {"verdict": "known", "reason": reason} if reason else {"verdict": "survived"}
+        return {"verdict": "killed", "by": test} if test else {"verdict": "survived"}
 
     @staticmethod
     def forget_compiled(began):
