@@ -117,7 +117,8 @@ class Seeing(unittest.TestCase):
     def test_within_a_time_groups_that_differed_come_first_and_then_quick_ones(self):
         groups = {"a.Slow": 60, "b.Quick": 1, "c.New": None, "d.All/Differs/1of2": 30}
         differed = ["d.All/Differs/1of2", "e.Removed"]
-        self.assertEqual(self.groups_within(100, groups, differed), ["d.All/Differs/1of2", "b.Quick", "c.New", "a.Slow"])
+        self.assertEqual(self.groups_within(100, groups, differed),
+                         ["d.All/Differs/1of2", "b.Quick", "c.New", "a.Slow"])
         self.assertEqual(self.groups_within(36, groups, differed), ["d.All/Differs/1of2", "b.Quick", "c.New"])
         self.assertEqual(self.groups_within(32, groups), ["b.Quick", "c.New"])
         self.assertEqual(self.groups_within(1, groups, differed), ["d.All/Differs/1of2"])  # one at least

@@ -65,8 +65,7 @@ TEST(Excerpts, NameTheDefinitionsOfTheFileItself) {
                                   {folder.path()});
     EXPECT_EQ(all.version, "");
     ASSERT_EQ(all.functions.size(), 1U);
-    EXPECT_THAT(all.functions[0].definitions,
-                ElementsAre("", "f(vec2, float)", "f(float[2], sampler2D)"));
+    EXPECT_THAT(all.functions[0].definitions, ElementsAre("", "f(vec2, float)", "f(float[2], sampler2D)"));
     EXPECT_THAT(compiled(all.functions[0]), ElementsAre("float f(float x)", "float f(vec2 x, out float y)",
                                                         "float f(float[2] x, sampler2D)"));
 }
