@@ -153,18 +153,23 @@ TEST(Pack, AVersionThatIsNoneIsNamed) {
     expect_could_not_run(run_command({"pack", own.string()}), own.string() + ":1: #version banana");
 }
 
-// An include of an include, and so on: as deep as a folder allows.
+// A chain of includes: each file includes the next one. Returns the first.
+std::string chain_of_includes(const std::filesystem::path& folder, int depth) {
+    const auto name = [](int i) { return "i" + std::to_string(i) + ".glsl"; };
+    for (int i = 0; i < depth; ++i)
+        std::ofstream(folder / name(i))
+            << "#include \"" << name(i + 1) << "\"\nfloat f" << i << "() { return f" << i + 1 << "(); }\n";
+    std::ofstream(folder / name(depth)) << "float f" << depth << "() { return 1.0; }\n";
+    return (folder / name(0)).string();
+}
+
 TEST(Pack, ManyIncludesDeep) {
     const TemporaryDirectory folder;
-    const auto name = [](int i) { return "i" + std::to_string(i) + ".glsl"; };
-    constexpr int depth = 300;
-    for (int i = 0; i < depth; ++i)
-        std::ofstream(folder.path() / name(i))
-            << "#include \"" << name(i + 1) << "\"\nfloat f" << i << "() { return f" << i + 1 << "(); }\n";
-    std::ofstream(folder.path() / name(depth)) << "float f" << depth << "() { return 1.0; }\n";
-    const CommandResult result = run_command({"pack", (folder.path() / name(0)).string()});
+    const CommandResult result = run_command({"pack", chain_of_includes(folder.path(), 250)});
     expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("float f300()"));
+    EXPECT_THAT(result.out, HasSubstr("float f250()"));
+    expect_could_not_run(run_command({"pack", chain_of_includes(folder.path(), 300)}),
+                         "i256.glsl:1: includes are nested more than 256 deep");
 }
 
 // Each file includes the next one twice: 2^40 lines.
