@@ -53,7 +53,7 @@ class PagesTest(unittest.TestCase):
             links = self.browser.evaluate("[...document.querySelectorAll('a')].map((a) => a.getAttribute('href'))")
             self.assertEqual([], [link for link in links if not (self.site / link).is_file()], page)
         self.assertEqual([], self.browser.problems())
-        asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "about:"))]
+        asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "about:", "blob:"))]
         self.assertEqual([], asked)
 
     def test_the_documents_have_their_tables(self):
