@@ -62,6 +62,7 @@ TEST_F(ReportCommand, AFailureIsStatusOneAndConflictsAreSaid) {
     const std::string good = shard("0/1");
     json report = json::parse(read_file(good));
     report["results"][0]["outside"] = 5;
+    report["results"][0]["outcome"] = "failed";
     report["results"][0]["classes"].begin().value()["outside"] = 5;
     const std::string bad = write("bad.json", report.dump());
     const CommandResult result = run_command({"report", good, bad});
