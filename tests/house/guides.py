@@ -19,6 +19,7 @@ Also: every source that an equation cites by author and year is in docs/bibliogr
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -87,6 +88,7 @@ class Guide:
         elif kind == "glsl":
             folder = "examples/fragment" if argument.endswith(".frag") else "tests/check/fixtures/guide"
             self.expect_in(f"{folder}/{argument}", text)
+            shutil.copy(self.root / folder / argument, self.folder)  # for the commands after it
         elif kind == "cpp":
             self.expect_in("examples/own_function/shader_test.cpp" if argument else "tests/check/guide_test.cpp",
                            text)
