@@ -105,6 +105,13 @@ std::string Answer::not_judged_because() const {
             return fmt::format("every result would pass for its {} inputs",
                                name_of(static_cast<InputClass>(i)));
     }
+    for (std::size_t i = 0; i < predicate.size(); ++i) {
+        if (predicate[i].inputs > 0 && predicate[i].judged == 0)
+            return fmt::format(
+                "no input could be judged whose result is {}: a function that is always {} "
+                "would pass",
+                i == 1, i == 0);
+    }
     return {};
 }
 
@@ -120,6 +127,14 @@ void Answer::add(const Sample& sample, bool is_outside) {
     ++count(sample.input_class).outside;
     auto& first = first_outside.at(static_cast<std::size_t>(sample.input_class));
     if (!first) first = sample;
+}
+
+void Answer::add_predicate(const std::vector<double>& want, bool was_judged) {
+    for (std::size_t i = 0; i < predicate.size(); ++i) {
+        if (std::ranges::find(want, static_cast<double>(i)) == want.end()) continue;
+        ++predicate[i].inputs;
+        if (was_judged) ++predicate[i].judged;
+    }
 }
 
 void Answer::add_unbounded(const Sample& sample) {
@@ -144,6 +159,10 @@ void Answer::merge(const Answer& later) {
         classes[i].recorded += later.classes[i].recorded;
         classes[i].open += later.classes[i].open;
         if (!first_outside[i]) first_outside[i] = later.first_outside[i];
+    }
+    for (std::size_t i = 0; i < predicate.size(); ++i) {
+        predicate[i].inputs += later.predicate[i].inputs;
+        predicate[i].judged += later.predicate[i].judged;
     }
     max_ulp = std::max(max_ulp, later.max_ulp);
     max_absolute = std::max(max_absolute, later.max_absolute);

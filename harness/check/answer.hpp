@@ -57,6 +57,12 @@ struct ClassCount {
     std::size_t open = 0;      // the device's result was free: nothing but a NaN could have failed
 };
 
+// The inputs of a function with boolean results whose exact results hold one of both values.
+struct PredicateCount {
+    std::size_t inputs = 0;
+    std::size_t judged = 0;  // of these, inputs for which some result would have failed
+};
+
 // The largest errors that Vulkan's rules permit, over the inputs for which the budget is promised and the
 // rules bound the result.
 struct Guarantee {
@@ -108,6 +114,7 @@ struct Answer {
     Verdict verdict = Verdict::budget;
     Budget budget;
     std::array<ClassCount, input_class_count> classes{};
+    std::array<PredicateCount, 2> predicate{};  // for false and true, if all results are boolean
     double max_ulp = 0.0;          // over judged outputs that the absolute part of the budget does not cover
     double max_absolute = 0.0;     // over judged outputs
     double fraction = 0.0;         // worst error as a fraction of what the verdict allows
@@ -155,6 +162,8 @@ struct Answer {
 
     // Adds a judged sample; `outside` when it failed.
     void add(const Sample& sample, bool is_outside);
+    // Counts an added input of a function whose results are all boolean.
+    void add_predicate(const std::vector<double>& want, bool was_judged);
     void add_open(InputClass input_class) { ++count(input_class).open; }  // of an added sample
     void add_recorded(InputClass input_class) { ++count(input_class).inputs, ++count(input_class).recorded; }
     void add_unbounded(const Sample& sample);

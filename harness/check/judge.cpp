@@ -66,7 +66,9 @@ class Judge {
           images_(images),
           plan_(plan),
           scalars_(question.signature),
-          budget_(question, images, scalars_) {
+          budget_(question, images, scalars_),
+          predicate_(std::ranges::all_of(
+              scalars_.outputs, [](shader::Scalar scalar) { return scalar == shader::Scalar::bool_; })) {
         if (decoded != nullptr) permitted_.emplace(*decoded, scalars_);
     }
 
@@ -85,6 +87,7 @@ class Judge {
         }
         if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {
             answer.add_recorded(sample.input_class);
+            if (predicate_) answer.add_predicate(sample.want, false);
             return;
         }
         const bool promised = !question_.promised || question_.promised(sample.inputs);
@@ -102,7 +105,9 @@ class Judge {
         if (edge && !accurate && !internal::holds_at_edge(question_, images_, scalars_, sample))
             sample.fraction = infinity;
         answer.add(sample, sample.fraction > 1.0);
-        if (free && !by_budget && !edge) answer.add_open(sample.input_class);
+        const bool open = free && !by_budget && !edge;
+        if (open) answer.add_open(sample.input_class);
+        if (predicate_) answer.add_predicate(sample.want, !open);
     }
 
     // Number of instructions for the bounds of an input.
@@ -166,6 +171,7 @@ class Judge {
     const Plan& plan_;
     internal::Scalars scalars_;
     internal::BudgetJudge budget_;
+    bool predicate_;  // all results are boolean
     std::optional<internal::RulesJudge> permitted_;
 };
 

@@ -20,6 +20,7 @@ using shader::Scalar;
 constexpr double usual_low = 1e-6;
 constexpr double usual_high = 1e6;
 constexpr long usual_integer = 1000;
+constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
 constexpr long largest_unsigned = 1L << 31;
 
 Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
@@ -29,10 +30,11 @@ Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
                          : signed_log_uniform(usual_low, usual_high).and_special();
         case Scalar::int_:
             return range ? integers(static_cast<long>(range->low), static_cast<long>(range->high))
-                         : integers(-usual_integer, usual_integer);
+                         : either(integers(0, usual_index), either(log_integers(usual_integer),
+                                                                   integers(-usual_integer, usual_integer)));
         case Scalar::uint_:
             return range ? integers(static_cast<long>(range->low), static_cast<long>(range->high))
-                         : log_integers(largest_unsigned);
+                         : either(integers(0, usual_index), log_integers(largest_unsigned));
         default:
             return booleans();
     }

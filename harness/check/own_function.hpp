@@ -49,7 +49,8 @@ struct OwnFunctions {
 // The check of any function by the rules alone. Its domain follows from its types where no range is given;
 // the images behind its prototypes have random content.
 //   float: either sign, 1e-6 to 1e6 by magnitude, zero, infinity, NaN, the largest and the smallest;
-//   int: -1000 to 1000; uint: 0 to 2^31; bool: both; a vector, matrix or structure: of these.
+//   int: half of them 0 to 7, the others -1000 to 1000; uint: half of them 0 to 7, the others up to 2^31;
+//   bool: both; a vector, matrix or structure: of these.
 // If every parameter has a range, their inputs are promised to have defined results.
 // Throws std::invalid_argument for a range without a parameter of this name.
 [[nodiscard]] Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own,

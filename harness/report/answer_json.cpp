@@ -64,6 +64,27 @@ void read_classes(const JsonReader& json, Answer& answer) {
     }
 }
 
+constexpr std::array predicate_names{"false", "true"};
+
+ordered_json predicate_json(const Answer& answer) {
+    ordered_json json = ordered_json::object();
+    for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+        const check::PredicateCount& c = answer.predicate.at(i);
+        if (c.inputs > 0) json[predicate_names.at(i)] = {{"inputs", c.inputs}, {"judged", c.judged}};
+    }
+    return json;
+}
+
+void read_predicate(const JsonReader& json, Answer& answer) {
+    for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+        if (!json.has(predicate_names.at(i))) continue;
+        const JsonReader value = json.member(predicate_names.at(i));
+        check::PredicateCount& c = answer.predicate.at(i);
+        c = {.inputs = value.member("inputs").count(), .judged = value.member("judged").count()};
+        if (c.judged > c.inputs || c.inputs > answer.inputs()) value.expected("counts within its inputs");
+    }
+}
+
 // Throws where a total or the outcome is not what the counts of the classes give.
 void require_agreement(const JsonReader& json, const Answer& answer) {
     for (const auto& [name, count] : {std::pair{"inputs", answer.inputs()},
@@ -196,6 +217,7 @@ ordered_json answer_json(const Answer& answer) {
             {"unbounded_at", answer.first_unbounded ? answer.first_unbounded->values : std::string{}},
             {"budget", budget_json(answer.budget)},
             {"classes", classes_json(answer)},
+            {"predicate", predicate_json(answer)},
             {"worst", sample_json(answer.worst)},
             {"coverage", coverage_json(answer.coverage)},
             {"fault", answer.fault},
@@ -231,6 +253,7 @@ Answer read_answer(const JsonReader& json) {
                   .seconds = json.member("seconds").number(),
                   .story = json.member("story").text()};
     read_classes(json.member("classes"), answer);
+    if (json.has("predicate")) read_predicate(json.member("predicate"), answer);  // earlier versions lack it
     require_agreement(json, answer);
     const JsonReader width = json.member("width_fraction");
     const bool by_rules = answer.verdict == check::Verdict::rules;

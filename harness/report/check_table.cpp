@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "numeric/text.hpp"
 #include "report/check_report.hpp"
@@ -11,6 +12,13 @@ namespace {
 
 // Widths of the longest ID, function and variant.
 constexpr std::string_view line_format = "{:<21} {:<43} {:<14} {:>9} {:>10} {:>10} {:>10}  {:<9} {}";
+
+// An error as text. Where the rules alone are the verdict, an infinite one may be right: for an overflow,
+// say.
+std::string error_text(const check::Answer& row, double error, int digits) {
+    if (row.verdict == check::Verdict::rules && row.passed() && std::isinf(error)) return "permitted";
+    return digits > 0 ? fmt::format("{:.{}e}", error, digits) : fmt::format("{:.3g}", error);
+}
 
 }  // namespace
 
@@ -51,7 +59,8 @@ std::string table_header() {
 
 std::string table_legend() {
     return "judged: inputs for which some result would have failed\n"
-           "worst ulp, worst abs: largest error, in units in the last place and absolute\n"
+           "worst ulp, worst abs: largest error, in units in the last place and absolute; permitted: it is "
+           "infinite, and the rules permit that\n"
            "of allowed: the largest error as a fraction of what is allowed; more than 1 fails\n"
            "judged by: rules = what Vulkan's precision rules permit, budget = the accuracy that the function "
            "documents\n";
@@ -94,7 +103,7 @@ std::string table_line(const check::Answer& row, const std::string& verdict) {
     const double used = row.fraction_of_allowed();
     const std::string remark = remark_on(row);
     return fmt::format(line_format, row.equation, row.function, row.variant, row.judged(),
-                       fmt::format("{:.3g}", row.max_ulp), fmt::format("{:.2e}", row.max_absolute),
+                       error_text(row, row.max_ulp, 0), error_text(row, row.max_absolute, 2),
                        numeric::to_short_text(used), name_of(row.verdict), verdict) +
            (remark.empty() ? "" : "; " + remark);
 }

@@ -8,7 +8,9 @@
 namespace gloam::shader {
 namespace {
 
-constexpr const char* es_precisions = "precision highp float;\nprecision highp int;\n";
+// The default of sampler2D is lowp: depths would lose most of their bits.
+constexpr const char* es_precisions =
+    "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 
 struct Entry {
     Language language;

@@ -97,6 +97,28 @@ TEST(OutcomeTest, AnInputIsJudgedIfSomeResultWouldFail) {
     EXPECT_EQ(judged<int>({0.0, 9.0}, nothing).judged(), 4U);
 }
 
+// A device that need not keep NaN is asked only for numbers, and "is not NaN" is always right for these.
+TEST(OutcomeTest, BothAnswersOfAPredicateMustBeJudged) {
+    const auto judged_below = [](float limit, bool nan) {
+        const Question question{
+            .signature = SignatureOf<bool(float)>::describe(),
+            .reference = make_reference<bool(float)>([=](double x) { return std::isnan(x) || x > limit; })};
+        Domain::Inputs inputs{.width = 1};
+        std::vector<Word> outputs;
+        for (const float x : {1.0F, 2.0F, 3.0F, std::nanf("")}) {
+            inputs.words.push_back(to_word(x));
+            inputs.branch.push_back(false);
+            outputs.push_back(std::isnan(x) || x > limit ? 1 : 0);
+        }
+        return judge(question, {.nan = nan}, inputs, outputs);
+    };
+    EXPECT_EQ(judged_below(9.0F, true).outcome(), Outcome::ok);
+    EXPECT_EQ(judged_below(2.5F, false).outcome(), Outcome::ok);
+    EXPECT_EQ(judged_below(0.0F, true).outcome(), Outcome::ok) << "its inputs have one answer";
+    EXPECT_EQ(judged_below(9.0F, false).not_judged_because(),
+              "no input could be judged whose result is true: a function that is always false would pass");
+}
+
 class OutcomeByRules : public testing::Test {
   protected:
     template <class Signature>

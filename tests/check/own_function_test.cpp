@@ -92,7 +92,7 @@ TEST_F(OwnFunctionTest, UndefinedResultsAreNotJudged) {
     EXPECT_EQ(answer.outside(), 0U) << answer;
     EXPECT_GT(answer.undefined, 0U);
     EXPECT_EQ(answer.undefined, answer.recorded());
-    EXPECT_LT(answer.undefined, answer.inputs());
+    EXPECT_TRUE(answer.passed()) << answer << "many of the default integers are indices";
     EXPECT_THAT(answer.first_undefined, AllOf(HasSubstr("of 24"), HasSubstr("undefined.glsl:5")));
     EXPECT_THAT([&] { (void)answer_of("undefined.glsl", "undefined_table", {{"i", {0, 24}}}); },
                 testing::ThrowsMessage<std::runtime_error>(HasSubstr("element 24 of 24")));

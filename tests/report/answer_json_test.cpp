@@ -81,6 +81,17 @@ TEST(AnswerJson, TheOutcomeFollowsFromTheCounts) {
                 says("classes.ordinary: expected counts within its inputs"));
 }
 
+TEST(AnswerJson, CountsTheAnswersOfAPredicate) {
+    check::Answer row = passing_row("A");
+    row.predicate = {{{.inputs = 40, .judged = 30}, {.inputs = 10}}};
+    const std::string text = to_json(row);
+    EXPECT_THAT(text, HasSubstr("\"predicate\":{\"false\":{\"inputs\":40,\"judged\":30},\"true\":"
+                                "{\"inputs\":10,\"judged\":0}}"));
+    EXPECT_EQ(answer_from_json(text).outcome(), check::Outcome::not_judged);
+    EXPECT_THAT([&] { (void)answer_from_json(replaced(text, "\"judged\":30", "\"judged\":41")); },
+                says("predicate.false: expected counts within its inputs"));
+}
+
 TEST(AnswerJson, IsOneLineWhateverItHolds) {
     EXPECT_EQ(to_json(failing_row()).find('\n'), std::string::npos);
     check::Answer row = passing_row("A");

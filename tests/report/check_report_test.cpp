@@ -102,6 +102,17 @@ TEST(CheckReport, TheTableSaysWhatBecameOfEachRow) {
     EXPECT_THAT(table_line(unsupported_row("EQ-4")), HasSubstr("unsupported"));
 }
 
+// By the rules, an overflow may be right. By a budget it never is.
+TEST(CheckReport, AnInfiniteErrorIsSaidToBePermittedWhereItIs) {
+    check::Answer row = passing_row("EQ-2");
+    row.max_ulp = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(table_line(row), HasSubstr(" inf "));
+    row.verdict = check::Verdict::rules;
+    EXPECT_THAT(table_line(row), AllOf(HasSubstr(" permitted "), Not(HasSubstr("inf"))));
+    ordinary(row).outside = 1;
+    EXPECT_THAT(table_line(row), HasSubstr(" inf "));
+}
+
 // A verdict that says less than "ok" does not read as if it said all.
 TEST(CheckReport, WhatWasNotJudgedIsRemarked) {
     check::Answer row = passing_row("EQ-2");

@@ -39,7 +39,8 @@ TEST(Language, HasANameAndIsFoundByIt) {
 TEST(Language, PreambleStartsWithTheVersion) {
     EXPECT_EQ(preamble(Language::vulkan450), "#version 450\n");
     EXPECT_THAT(preamble(Language::gl330), StartsWith("#version 330"));
-    EXPECT_EQ(preamble(Language::es300), "#version 300 es\nprecision highp float;\nprecision highp int;\n");
+    EXPECT_EQ(preamble(Language::es300),
+              "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
     EXPECT_THAT(preamble(Language::es310), StartsWith("#version 310 es\nprecision highp"));
 }
 

@@ -71,6 +71,7 @@ TEST(Pack, DecidesConditionsAndKeepsComments) {
               "// SPDX-License-Identifier: MIT\n"
               "precision highp float;\n"
               "precision highp int;\n"
+              "precision highp sampler2D;\n"
               "\n"
               "/* This comment stays,\n"
               "#include \"pack/conditional.glsl\"\n"

@@ -71,17 +71,18 @@ Settings at_half_resolution(Settings settings) {
 }
 
 std::vector<Preset> sweep_presets(const MethodInfo& method) {
-    return {{"sweep-half", "sweep-balanced at half the resolution, always filtered: for the least time",
-             at_half_resolution(swept(method, 1, 6))},
-            {"sweep-performance",
-             "1 slice of 2 steps to each side, a frame; 128 samples in the mean, filtered in the first 8",
-             swept(method, 1, 2)},
-            {"sweep-balanced",
-             "1 slice of 6 steps to each side, a frame; 128 samples in the mean, filtered in the first 8",
-             swept(method, 1, 6)},
-            {"sweep-quality",
-             "4 slices of 6 steps to each side, a frame; 128 samples in the mean, filtered in the first 8",
-             swept(method, 4, 6)}};
+    return {
+        {"sweep-half", "sweep-balanced at half the resolution, always filtered: for the least time",
+         at_half_resolution(swept(method, 1, 6))},
+        {"sweep-performance",
+         "1 slice of 2 steps to each side, a frame; 128 samples in the mean, filtered in the first 8 frames",
+         swept(method, 1, 2)},
+        {"sweep-balanced",
+         "1 slice of 6 steps to each side, a frame; 128 samples in the mean, filtered in the first 8 frames",
+         swept(method, 1, 6)},
+        {"sweep-quality",
+         "4 slices of 6 steps to each side, a frame; 128 samples in the mean, filtered in the first 8 frames",
+         swept(method, 4, 6)}};
 }
 
 }  // namespace

@@ -152,10 +152,11 @@ gloam.judge = (() => {
         return {error: none, fraction: fails ? Infinity : 0};
     }
 
-    // An empty tally of a check: counts for each class, the largest errors, the worst input.
+    // An empty tally of a check: counts for each class, for false and true if all results are boolean, the largest errors, the worst input.
     function newTally() {
-        return {classes: classNames.map(() => ({inputs: 0, outside: 0, recorded: 0, open: 0})), maxUlp: 0,
-            maxAbsolute: 0, budgetFraction: 0, worst: null};
+        return {classes: classNames.map(() => ({inputs: 0, outside: 0, recorded: 0, open: 0})),
+            predicate: [{inputs: 0, judged: 0}, {inputs: 0, judged: 0}], maxUlp: 0, maxAbsolute: 0,
+            budgetFraction: 0, worst: null};
     }
 
     // The data of a scenario, decoded.
@@ -177,6 +178,16 @@ gloam.judge = (() => {
             tally.worst = {...sample(), ...result.error, fraction: result.fraction};
     }
 
+    // Counts an input of a function whose results are all boolean: check::Answer::add_predicate().
+    function addPredicate(tally, check, want, wasJudged) {
+        if (/[^b]/.test(check.outputs)) return;
+        tally.predicate.forEach((counts, i) => {
+            if (!want.includes(i)) return;
+            ++counts.inputs;
+            if (wasJudged) ++counts.judged;
+        });
+    }
+
     // Adds the outputs of a decoded scenario to a tally. `outputs`: words, one input after another.
     function addScenario(tally, check, data, outputs) {
         const width = check.outputs.length;
@@ -187,11 +198,14 @@ gloam.judge = (() => {
             if (data.criteria[i] === criterion.recorded) {
                 ++tally.classes[data.classes[i]].inputs;
                 ++tally.classes[data.classes[i]].recorded;
+                addPredicate(tally, check, wants[0], false);
                 continue;
             }
             const got = Array.from(words, (word, k) => valueOf(check.outputs[k], word));
             const result = judgeInput(check, data.criteria[i], got, wants);
-            if (data.criteria[i] === criterion.codomain && !hasCodomain(check)) ++tally.classes[data.classes[i]].open;
+            const open = data.criteria[i] === criterion.codomain && !hasCodomain(check);
+            if (open) ++tally.classes[data.classes[i]].open;
+            addPredicate(tally, check, wants[0], !open);
             addInput(tally, data.classes[i], result, () => ({index: i, inputClass: classNames[data.classes[i]],
                 scenario: data.name, inputs: Array.from(inputRow(check, data, i)), got: Array.from(words),
                 want: Array.from(wants[0])}));
@@ -218,7 +232,10 @@ gloam.judge = (() => {
                 `expected ${100 * leastJudgedShare} % at least`;
         const open = tally.classes.findIndex((counts) => counts.open > 0 &&
             counts.open + counts.recorded === counts.inputs);
-        return open < 0 ? "" : `every result would pass for its ${classNames[open]} inputs`;
+        if (open >= 0) return `every result would pass for its ${classNames[open]} inputs`;
+        const unjudged = tally.predicate.findIndex((counts) => counts.inputs > 0 && counts.judged === 0);
+        return unjudged < 0 ? "" : `no input could be judged whose result is ${unjudged === 1}: ` +
+            `a function that is always ${unjudged === 0} would pass`;
     }
 
     // {outcome: "ok", "failed" or "not judged", because}. `because`: why it is not judged. `run`: {tally, fault, error,

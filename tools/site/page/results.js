@@ -56,6 +56,14 @@ gloam.results = (() => {
         return json;
     }
 
+    function predicateJson({predicate}) {
+        const json = {};
+        predicate.forEach((counts, i) => {
+            if (counts.inputs > 0) json[i === 1] = counts;
+        });
+        return json;
+    }
+
     const {sum} = gloam.judge;
 
     // The story of a failure: the worst input.
@@ -77,7 +85,7 @@ gloam.results = (() => {
             by_rules: 0, forbidden: 0, bounded: 0, unbounded: 0, undefined: 0, undefined_at: "", differs: 0,
             max_ulp: number(tally.maxUlp), max_abs: number(tally.maxAbsolute), width_fraction: null,
             budget_fraction: number(tally.budgetFraction), guarantee: null, unbounded_at: "", budget: check.budget,
-            classes: classesJson(tally), worst: sampleJson(check, tally.worst), coverage: null,
+            classes: classesJson(tally), predicate: predicateJson(tally), worst: sampleJson(check, tally.worst), coverage: null,
             fault: run.fault, error: run.error, reason: run.reason, seconds: run.seconds,
             story: storyOf(check, tally)};
     }
