@@ -152,7 +152,8 @@ gloam.judge = (() => {
         return {error: none, fraction: fails ? Infinity : 0};
     }
 
-    // An empty tally of a check: counts for each class, for false and true if all results are boolean, the largest errors, the worst input.
+    // An empty tally of a check: counts for each class, and for false and true if all results are boolean; the largest
+    // errors, the worst input.
     function newTally() {
         return {classes: classNames.map(() => ({inputs: 0, outside: 0, recorded: 0, open: 0})),
             predicate: [{inputs: 0, judged: 0}, {inputs: 0, judged: 0}], maxUlp: 0, maxAbsolute: 0,

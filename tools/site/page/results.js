@@ -85,9 +85,9 @@ gloam.results = (() => {
             by_rules: 0, forbidden: 0, bounded: 0, unbounded: 0, undefined: 0, undefined_at: "", differs: 0,
             max_ulp: number(tally.maxUlp), max_abs: number(tally.maxAbsolute), width_fraction: null,
             budget_fraction: number(tally.budgetFraction), guarantee: null, unbounded_at: "", budget: check.budget,
-            classes: classesJson(tally), predicate: predicateJson(tally), worst: sampleJson(check, tally.worst), coverage: null,
-            fault: run.fault, error: run.error, reason: run.reason, seconds: run.seconds,
-            story: storyOf(check, tally)};
+            classes: classesJson(tally), predicate: predicateJson(tally),
+            worst: sampleJson(check, tally.worst), coverage: null, fault: run.fault,
+            error: run.error, reason: run.reason, seconds: run.seconds, story: storyOf(check, tally)};
     }
 
     // One line of at most 400 characters, as the readers of these files demand.
