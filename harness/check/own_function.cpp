@@ -26,8 +26,9 @@ constexpr long largest_unsigned = 1L << 31;
 Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
     switch (scalar) {
         case Scalar::float_:
+            // Most parameters of shader functions are shares, colours or coordinates.
             return range ? uniform(range->low, range->high)
-                         : signed_log_uniform(usual_low, usual_high).and_special();
+                         : either(uniform(0, 1), signed_log_uniform(usual_low, usual_high).and_special());
         case Scalar::int_:
             return range ? integers(static_cast<long>(range->low), static_cast<long>(range->high))
                          : either(integers(0, usual_index), either(log_integers(usual_integer),

@@ -48,7 +48,8 @@ struct OwnFunctions {
 
 // The check of any function by the rules alone. Its domain follows from its types where no range is given;
 // the images behind its prototypes have random content.
-//   float: either sign, 1e-6 to 1e6 by magnitude, zero, infinity, NaN, the largest and the smallest;
+//   float: half of them 0 to 1, the others of either sign and 1e-6 to 1e6 by magnitude, with zero, infinity,
+//   NaN, the largest and the smallest;
 //   int: half of them 0 to 7, the others -1000 to 1000; uint: half of them 0 to 7, the others up to 2^31;
 //   bool: both; a vector, matrix or structure: of these.
 // If every parameter has a range, their inputs are promised to have defined results.

@@ -119,6 +119,26 @@ TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
     }
 }
 
+// A parameter without a range may be a share, a length or anything else.
+TEST_F(OwnFunctionTest, DrawSharesAndAllMagnitudesWithoutARange) {
+    const Question question =
+        question_of(lab, "own.glsl", functions_of("own.glsl", {"own_root"}).found.at(0), {});
+    constexpr std::size_t count = 1000;
+    const Domain::Inputs inputs = question.domain.draw(count, 1);
+    std::size_t shares = 0;
+    std::size_t negative = 0;
+    std::size_t large = 0;
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        const auto x = from_word<float>(inputs.row(i)[0]);
+        if (x >= 0.0F && x <= 1.0F) ++shares;
+        if (x < 0.0F) ++negative;
+        if (x > 100.0F) ++large;
+    }
+    EXPECT_GT(shares, count / 2);
+    EXPECT_GT(negative, count / 6);
+    EXPECT_GT(large, count / 20);
+}
+
 TEST_F(OwnFunctionTest, DrawFromTheirRanges) {
     const Question question = question_of(lab, "own.glsl", functions_of("own.glsl", {"own_root"}).found.at(0),
                                           {{"p", {2, 3}}, {"q", {0, 1}}});

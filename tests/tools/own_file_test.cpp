@@ -18,6 +18,7 @@ TEST(OwnFile, EveryFunctionIsJudgedByTheRules) {
     const CommandResult result = run_command({"check", file, "--inputs", "512", "--json", report});
     expect_success(result);
     EXPECT_THAT(result.out, HasSubstr("2 checks, 0 failed"));
+    EXPECT_THAT(all.out, HasSubstr("--range PARAMETER=LOW:HIGH")) << "table is not judged";
     const nlohmann::json rows = nlohmann::json::parse(read_file(report)).at("results");
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].at("function"), "own_root");

@@ -150,6 +150,12 @@ void print_undefined(const report::CheckReport& report) {
                        row.equation, row.variant, row.undefined, row.inputs(), row.first_undefined);
 }
 
+// What helps where the usual inputs of a user's function could not be judged.
+void print_range_hint(const CheckOptions& options, const report::OutcomeCounts& counts) {
+    if (counts.not_judged > 0 && is_of_file(options) && options.ranges.empty())
+        fmt::print("--range PARAMETER=LOW:HIGH limits the inputs to those that a function is made for\n");
+}
+
 std::chrono::milliseconds timeout_of(const CheckOptions& options) {
     return std::chrono::milliseconds(std::max(1L, std::lround(options.timeout * 1000.0)));
 }
@@ -310,6 +316,7 @@ int run_check(const CheckOptions& options) {
     for (const report::CheckReport& report : outcome.reports) print_coverage(report);
     for (const report::CheckReport& report : outcome.reports) print_undefined(report);
     for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
+    print_range_hint(options, outcome.counts);
     const int status = outcome.counts.exit_status();
     fmt::print("{}\n", colored(to_text(outcome.counts), status == 0 ? Ink::good : Ink::bad));
     return status == 0 && !outcome.complete ? 2 : status;
