@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "reference/builtin.hpp"
 #include "catalogue/builtin_parts.hpp"
 #include "catalogue/inputs.hpp"
 #include "catalogue/rooms.hpp"
-#include "reference/builtin/arithmetic.hpp"
-#include "reference/builtin/comparison.hpp"
 
 namespace gloam::catalogue {
 namespace {

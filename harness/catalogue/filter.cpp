@@ -6,10 +6,7 @@
 #include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 #include "catalogue/scenarios.hpp"
-#include "reference/filter/convergence_filter.hpp"
-#include "reference/filter/gaussian.hpp"
-#include "reference/filter/shrink.hpp"
-#include "reference/filter/weighted_mean.hpp"
+#include "reference/filter.hpp"
 
 namespace gloam::catalogue {
 namespace {

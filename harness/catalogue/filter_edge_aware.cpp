@@ -4,8 +4,7 @@
 #include "catalogue/filter_parts.hpp"
 #include "catalogue/inputs.hpp"
 #include "catalogue/scenarios.hpp"
-#include "reference/filter/bilateral.hpp"
-#include "reference/filter/geometry_blur.hpp"
+#include "reference/filter.hpp"
 
 namespace gloam::catalogue {
 namespace {

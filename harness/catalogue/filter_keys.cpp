@@ -4,12 +4,7 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
 #include "catalogue/scenarios.hpp"
-#include "reference/filter/depth_key.hpp"
-#include "reference/filter/dual_resolution.hpp"
-#include "reference/filter/mssao_downsample.hpp"
-#include "reference/filter/mssao_upsample.hpp"
-#include "reference/filter/quad_box.hpp"
-#include "reference/filter/sao_blur.hpp"
+#include "reference/filter.hpp"
 
 namespace gloam::catalogue {
 namespace {

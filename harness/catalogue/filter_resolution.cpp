@@ -4,8 +4,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
-#include "reference/filter/half_resolution.hpp"
-#include "reference/filter/upsample.hpp"
+#include "reference/filter.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -6,8 +6,8 @@
 #include "check/image.hpp"
 #include "check/question.hpp"
 #include "check/values.hpp"
-#include "reference/geometry/camera.hpp"
-#include "reference/occlusion/gather_kernel.hpp"
+#include "reference/geometry_camera.hpp"
+#include "reference/occlusion.hpp"
 
 // Inputs of the estimators of a pixel, which read depths through a prototype.
 namespace gloam::catalogue {

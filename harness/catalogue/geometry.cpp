@@ -6,9 +6,7 @@
 #include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 #include "numeric/constants.hpp"
-#include "reference/geometry/background.hpp"
-#include "reference/geometry/finite.hpp"
-#include "reference/geometry/linear_depth.hpp"
+#include "reference/geometry.hpp"
 
 namespace gloam::catalogue {
 namespace {

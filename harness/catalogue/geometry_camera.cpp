@@ -5,9 +5,8 @@
 #include "catalogue/camera_inputs.hpp"
 #include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
-#include "reference/geometry/camera.hpp"
-#include "reference/geometry/plane_depth.hpp"
-#include "reference/geometry/surface_position.hpp"
+#include "reference/geometry.hpp"
+#include "reference/geometry_camera.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -4,10 +4,8 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
 #include "numeric/constants.hpp"
-#include "reference/geometry/curvature.hpp"
-#include "reference/geometry/length.hpp"
-#include "reference/geometry/radius_cap.hpp"
-#include "reference/geometry/surface_moments.hpp"
+#include "reference/geometry.hpp"
+#include "reference/geometry_camera.hpp"
 
 namespace gloam::catalogue {
 

@@ -4,7 +4,7 @@
 #include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
 #include "catalogue/scenarios.hpp"
-#include "reference/geometry/normal_from_depth.hpp"
+#include "reference/geometry_camera.hpp"
 
 namespace gloam::catalogue {
 namespace {

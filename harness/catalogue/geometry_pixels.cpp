@@ -3,8 +3,7 @@
 
 #include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
-#include "reference/geometry/borders.hpp"
-#include "reference/geometry/pixel_center.hpp"
+#include "reference/geometry_camera.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -3,8 +3,7 @@
 
 #include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
-#include "reference/geometry/position.hpp"
-#include "reference/geometry/projected_radius.hpp"
+#include "reference/geometry_camera.hpp"
 
 namespace gloam::catalogue {
 namespace {

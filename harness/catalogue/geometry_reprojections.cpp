@@ -6,8 +6,7 @@
 
 #include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
-#include "reference/geometry/camera_centered.hpp"
-#include "reference/geometry/reprojection.hpp"
+#include "reference/geometry.hpp"
 
 namespace gloam::catalogue {
 namespace {

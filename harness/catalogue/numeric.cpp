@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "reference/numeric.hpp"
 #include "catalogue/inputs.hpp"
 #include "catalogue/rooms.hpp"
 #include "numeric/constants.hpp"
-#include "reference/numeric/inverse_trigonometry.hpp"
-#include "reference/numeric/length_ratio.hpp"
-#include "reference/numeric/sincos.hpp"
-#include "reference/numeric/square_root.hpp"
-#include "reference/numeric/unit_angle.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -4,11 +4,8 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "numeric/constants.hpp"
-#include "reference/occlusion/blocked.hpp"
-#include "reference/occlusion/cosine.hpp"
-#include "reference/occlusion/estimator.hpp"
-#include "reference/occlusion/fox_compton.hpp"
-#include "reference/occlusion/ritschel.hpp"
+#include "reference/occlusion.hpp"
+#include "reference/occlusion_points.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
-#include "reference/occlusion/falloff.hpp"
+#include "reference/occlusion.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -4,15 +4,9 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "catalogue/scenarios.hpp"
-#include "reference/geometry/height_at.hpp"
-#include "reference/methods/disc.hpp"
-#include "reference/methods/hemisphere.hpp"
-#include "reference/methods/volumetric.hpp"
-#include "reference/sampling/disc_point.hpp"
-#include "reference/sampling/halton_point.hpp"
-#include "reference/sampling/hemisphere_cosine_point.hpp"
-#include "reference/sampling/hemisphere_uniform_point.hpp"
-#include "reference/sampling/tap_pixel.hpp"
+#include "reference/geometry.hpp"
+#include "reference/methods.hpp"
+#include "reference/sampling.hpp"
 
 namespace gloam::catalogue {
 namespace {

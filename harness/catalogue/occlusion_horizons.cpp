@@ -4,7 +4,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
-#include "reference/occlusion/hbao.hpp"
+#include "reference/occlusion_slices.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -3,10 +3,8 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
-#include "reference/occlusion/curvature.hpp"
-#include "reference/occlusion/depth_rejection.hpp"
-#include "reference/occlusion/layers.hpp"
-#include "reference/occlusion/separable.hpp"
+#include "reference/occlusion.hpp"
+#include "reference/occlusion_points.hpp"
 
 namespace gloam::catalogue {
 namespace {

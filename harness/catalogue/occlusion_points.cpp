@@ -4,15 +4,11 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
-#include "reference/geometry/covering_radius.hpp"
-#include "reference/occlusion/alchemy.hpp"
-#include "reference/occlusion/bias.hpp"
-#include "reference/occlusion/crytek.hpp"
-#include "reference/occlusion/filion.hpp"
-#include "reference/occlusion/issao.hpp"
-#include "reference/sampling/count_by_radius.hpp"
-#include "reference/sampling/issao_offset.hpp"
-#include "reference/shading/ambient_light.hpp"
+#include "reference/geometry_camera.hpp"
+#include "reference/occlusion.hpp"
+#include "reference/occlusion_points.hpp"
+#include "reference/sampling.hpp"
+#include "reference/shading.hpp"
 
 namespace gloam::catalogue {
 namespace {

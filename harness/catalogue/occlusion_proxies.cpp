@@ -4,10 +4,8 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
 #include "numeric/constants.hpp"
-#include "reference/occlusion/aksoy_phaneuf.hpp"
-#include "reference/occlusion/disc_proxy.hpp"
-#include "reference/occlusion/sphere_proxy.hpp"
-#include "reference/sampling/eye_march.hpp"
+#include "reference/occlusion_points.hpp"
+#include "reference/sampling.hpp"
 
 namespace gloam::catalogue {
 namespace {

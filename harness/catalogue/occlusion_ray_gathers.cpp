@@ -4,8 +4,7 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "catalogue/scenarios.hpp"
-#include "reference/methods/poisson.hpp"
-#include "reference/methods/sphere_proxy.hpp"
+#include "reference/methods.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -4,9 +4,8 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
-#include "reference/occlusion/mssao.hpp"
-#include "reference/occlusion/sao.hpp"
-#include "reference/occlusion/visibility.hpp"
+#include "reference/occlusion.hpp"
+#include "reference/occlusion_points.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -6,11 +6,9 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "catalogue/scenarios.hpp"
-#include "reference/methods/gtao.hpp"
-#include "reference/methods/sweep.hpp"
-#include "reference/occlusion/closed_march.hpp"
-#include "reference/sampling/slice_sample.hpp"
-#include "reference/sampling/whole_samples.hpp"
+#include "reference/methods.hpp"
+#include "reference/occlusion_slices.hpp"
+#include "reference/sampling.hpp"
 
 namespace gloam::catalogue {
 namespace {

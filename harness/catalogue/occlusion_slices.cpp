@@ -5,9 +5,8 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "numeric/constants.hpp"
-#include "reference/geometry/slice.hpp"
-#include "reference/occlusion/gtao.hpp"
-#include "reference/occlusion/visibility_bitmask.hpp"
+#include "reference/geometry.hpp"
+#include "reference/occlusion_slices.hpp"
 
 namespace gloam::catalogue {
 namespace {

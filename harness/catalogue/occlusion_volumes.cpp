@@ -5,9 +5,8 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/occlusion_parts.hpp"
 #include "numeric/constants.hpp"
-#include "reference/numeric/acos_approximation.hpp"
-#include "reference/occlusion/angle_based.hpp"
-#include "reference/occlusion/volumetric.hpp"
+#include "reference/numeric.hpp"
+#include "reference/occlusion_points.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/builtin_parts.hpp"
 #include "catalogue/inputs.hpp"
-#include "reference/builtin/probe.hpp"
+#include "reference/builtin.hpp"
 
 namespace gloam::catalogue {
 namespace {

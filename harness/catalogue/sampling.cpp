@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "reference/sampling.hpp"
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
 #include "catalogue/sampling_parts.hpp"
-#include "reference/sampling/circle.hpp"
-#include "reference/sampling/disc.hpp"
-#include "reference/sampling/halton.hpp"
-#include "reference/sampling/hemisphere.hpp"
-#include "reference/sampling/radius_law.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -4,8 +4,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
-#include "reference/sampling/count_by_distance.hpp"
-#include "reference/sampling/depth_mip.hpp"
+#include "reference/sampling.hpp"
 
 namespace gloam::catalogue {
 namespace {

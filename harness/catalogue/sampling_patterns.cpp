@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 #include "catalogue/sampling_parts.hpp"
-#include "reference/sampling/pairs.hpp"
-#include "reference/sampling/poisson.hpp"
-#include "reference/sampling/spiral.hpp"
+#include "reference/sampling.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -4,11 +4,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/sampling_parts.hpp"
-#include "reference/sampling/hash_rotation.hpp"
-#include "reference/sampling/hemisphere_flip.hpp"
-#include "reference/sampling/reflect.hpp"
-#include "reference/sampling/rotation.hpp"
-#include "reference/sampling/tangent_frame.hpp"
+#include "reference/sampling.hpp"
 
 namespace gloam::catalogue {
 namespace {

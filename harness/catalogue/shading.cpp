@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "reference/shading.hpp"
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
 #include "catalogue/rooms.hpp"
-#include "reference/shading/remap.hpp"
 
 namespace gloam::catalogue {
 

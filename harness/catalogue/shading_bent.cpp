@@ -6,8 +6,7 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
 #include "numeric/constants.hpp"
-#include "reference/shading/bent_cone.hpp"
-#include "reference/shading/bent_normal.hpp"
+#include "reference/shading.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -5,8 +5,7 @@
 
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
-#include "reference/shading/depth_darkening.hpp"
-#include "reference/shading/directional_occlusion.hpp"
+#include "reference/shading.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 #include "catalogue/temporal_parts.hpp"
-#include "reference/temporal/blend.hpp"
-#include "reference/temporal/convergence.hpp"
-#include "reference/temporal/rotation_switch.hpp"
-#include "reference/temporal/sample_budget.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 #include "catalogue/temporal_parts.hpp"
-#include "reference/temporal/displacement.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::catalogue {
 

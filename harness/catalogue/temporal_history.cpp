@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 #include "catalogue/temporal_parts.hpp"
-#include "reference/temporal/history.hpp"
-#include "reference/temporal/validated_bilinear.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::catalogue {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 #include "catalogue/temporal_parts.hpp"
-#include "reference/temporal/packed_history.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::catalogue {
 namespace {

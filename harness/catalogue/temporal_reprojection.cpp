@@ -6,7 +6,7 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/scenarios.hpp"
 #include "catalogue/temporal_parts.hpp"
-#include "reference/temporal/reprojected_history.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::catalogue {
 namespace {

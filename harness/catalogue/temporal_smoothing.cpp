@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 #include "catalogue/relatives_parts.hpp"
-#include "reference/temporal/smoothing.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::catalogue {
 

@@ -4,9 +4,7 @@
 #include "catalogue/inputs.hpp"
 #include "catalogue/temporal_parts.hpp"
 #include "numeric/constants.hpp"
-#include "reference/temporal/disocclusion.hpp"
-#include "reference/temporal/neighborhood.hpp"
-#include "reference/temporal/smooth_invalidation.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::catalogue {
 namespace {

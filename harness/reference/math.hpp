@@ -67,6 +67,11 @@ bool is_finite(const glm::vec<N, double>& v) {
     return true;
 }
 
+// Whether an image of that size has the pixel.
+inline bool has_pixel(glm::ivec2 size, glm::ivec2 pixel) {
+    return pixel == clamp(pixel, glm::ivec2(0), size - 1);
+}
+
 // The image that a GLSL prototype reads: the value at a pixel.
 template <class Value>
 using Fetch = std::function<Value(glm::ivec2)>;

@@ -16,8 +16,8 @@
 #include "gpu/commands.hpp"
 #include "gpu/compute.hpp"
 #include "on_device.hpp"
-#include "reference/geometry/camera.hpp"
-#include "reference/temporal/displacement.hpp"
+#include "reference/geometry_camera.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::effect {
 namespace displacement_pass_test {

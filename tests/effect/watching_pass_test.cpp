@@ -15,7 +15,7 @@
 #include "gpu/commands.hpp"
 #include "gpu/compute.hpp"
 #include "on_device.hpp"
-#include "reference/temporal/displacement.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::effect {
 namespace watching_pass_test {

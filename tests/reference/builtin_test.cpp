@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The references of GLSL's own functions that are more than a call, in double.
-#include "reference/builtin/arithmetic.hpp"
-#include "reference/builtin/probe.hpp"
-#include "reference/builtin/vector.hpp"
+#include "reference/builtin.hpp"
 #include "reference/printed.hpp"
 
 namespace gloam::reference::test {

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/temporal/blend.hpp"
-#include "reference/temporal/packed_history.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::reference {
 namespace packed_history_test {

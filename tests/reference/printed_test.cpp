@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Printed equations against what they solve: an integral, an inverse, a search over all points.
 #include "reference/printed.hpp"
-#include "reference/filter/depth_key.hpp"
-#include "reference/geometry/covering_radius.hpp"
-#include "reference/geometry/linear_depth.hpp"
-#include "reference/geometry/normal.hpp"
-#include "reference/numeric/acos_approximation.hpp"
-#include "reference/occlusion/curvature.hpp"
-#include "reference/occlusion/visibility_bitmask.hpp"
-#include "reference/sampling/depth_mip.hpp"
-#include "reference/sampling/hash_rotation.hpp"
-#include "reference/sampling/tangent_frame.hpp"
-#include "reference/shading/bent_cone.hpp"
+#include "reference/filter.hpp"
+#include "reference/geometry.hpp"
+#include "reference/geometry_camera.hpp"
+#include "reference/numeric.hpp"
+#include "reference/occlusion.hpp"
+#include "reference/occlusion_slices.hpp"
+#include "reference/sampling.hpp"
+#include "reference/shading.hpp"
 
 namespace gloam::reference::test {
 namespace printed_test {

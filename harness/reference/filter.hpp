@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "reference/occlusion.hpp"
+
+// Blurs that stop at edges, and changes of resolution.
+namespace gloam::reference {
+
+struct GloamWeightedMean {
+    double sum;
+    double weight;
+    double low;
+    double high;
+};
+
+inline GloamWeightedMean gloam_weighted_mean_empty() {
+    return {0.0, 0.0, 1.0, 0.0};
+}
+
+inline GloamWeightedMean gloam_weighted_mean_add(const GloamWeightedMean& mean, double value, double weight) {
+    if (!(value >= 0.0 && value <= 1.0 && weight > 0.0 && is_finite(weight))) return mean;
+    return {mean.sum + weight * value, mean.weight + weight, min(mean.low, value), max(mean.high, value)};
+}
+
+inline double gloam_weighted_mean_value(const GloamWeightedMean& mean, double fallback) {
+    if (mean.weight >= 1e-8) return clamp(mean.sum / mean.weight, mean.low, mean.high);
+    return gloam_unit_interval(fallback);
+}
+
+inline double gloam_gaussian_scale(double sigma) {
+    if (std::isnan(sigma)) return infinity;
+    return sigma <= 0x1p100 ? sqrt(std::numbers::log2e / 2.0) / max(sigma, float_min) : 0.0;
+}
+
+inline double gloam_gaussian_scaled(double squared_distance, double scale) {
+    const double x = abs(squared_distance) * scale * scale;
+    return x <= 99.5 ? exp2(-x) : 0.0;
+}
+
+inline double gloam_gaussian(double squared_distance, double sigma) {
+    if (!is_finite(squared_distance) || std::isnan(sigma)) return 0.0;
+    const double weight = exp(-abs(squared_distance) / (2.0 * pow(max(sigma, float_min), 2)));
+    return weight >= 1e-30 ? weight : 0.0;
+}
+
+inline double gloam_filter_sigma(double depth, double tan_half_fovy, double height, double sigma_pixels) {
+    const bool known = tan_half_fovy > 0.0 && height >= float_min && sigma_pixels > 0.0;
+    if (gloam_is_background(depth) || !known) return 0.0;
+    const double sigma = sigma_pixels * 2.0 * depth * tan_half_fovy / height;
+    return std::isnan(sigma) ? 0.0 : min(sigma, float_max);
+}
+
+inline double gloam_bilateral_weight(dvec2 offset, double depth_difference, double sigma_d, double sigma_r) {
+    const double weight =
+        gloam_gaussian(dot(offset, offset), sigma_d) * gloam_gaussian(pow(depth_difference, 2), sigma_r);
+    return weight >= 1e-30 ? weight : 0.0;
+}
+
+inline GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, glm::ivec2 pixel, double center,
+                                             glm::ivec2 tap, glm::ivec2 size, double sigma_d, double sigma_r,
+                                             const Fetch<double>& fetch_occlusion,
+                                             const Fetch<double>& fetch_depth) {
+    if (!has_pixel(size, tap) || gloam_is_background(fetch_depth(tap))) return mean;
+    const double weight = gloam_bilateral_weight(tap - pixel, fetch_depth(tap) - center, sigma_d, sigma_r);
+    return gloam_weighted_mean_add(mean, fetch_occlusion(tap), weight);
+}
+
+// The sum over every pixel of the image that lies in the window.
+inline double gloam_bilateral_filter(glm::ivec2 pixel, glm::ivec2 half_width, glm::ivec2 size, double sigma_d,
+                                     double sigma_r, const Fetch<double>& fetch_occlusion,
+                                     const Fetch<double>& fetch_depth) {
+    const double center = fetch_depth(pixel);
+    const glm::ivec2 reach = clamp(half_width, 0, 16);
+    GloamWeightedMean mean = gloam_weighted_mean_empty();
+    for (int i = 0; i < size.x * size.y && !gloam_is_background(center); ++i) {
+        const glm::ivec2 tap(i % size.x, i / size.x);
+        if (glm::abs(tap - pixel) != min(glm::abs(tap - pixel), reach)) continue;
+        mean = gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_d, sigma_r, fetch_occlusion,
+                                   fetch_depth);
+    }
+    return gloam_weighted_mean_value(mean, fetch_occlusion(pixel));
+}
+
+inline double gloam_geometry_weight(dvec3 normal, dvec3 other, double depth_difference, double normal_power,
+                                    double position_power) {
+    const double facing = min(dot(normal, other) / 2.0 + 0.5, 1.0);
+    if (!(facing > 0.0 && is_finite(depth_difference) && normal_power > 0.0 && position_power >= 0.0))
+        return 0.0;
+    return pow(facing, normal_power) * pow(1.0 + abs(depth_difference), -position_power);
+}
+
+inline GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, double center, dvec3 normal,
+                                                 glm::ivec2 tap, glm::ivec2 size, dvec2 powers,
+                                                 const Fetch<double>& fetch_occlusion,
+                                                 const Fetch<double>& fetch_depth,
+                                                 const Fetch<dvec3>& fetch_normal) {
+    if (!has_pixel(size, tap) || gloam_is_background(fetch_depth(tap))) return mean;
+    const double apart = center - fetch_depth(tap);
+    return gloam_weighted_mean_add(
+        mean, fetch_occlusion(tap),
+        gloam_geometry_weight(normal, fetch_normal(tap), apart, powers.x, powers.y));
+}
+
+// The sum over the window, the pixel itself with weight 1.
+inline double gloam_geometry_blur(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 size, int half_width,
+                                  dvec2 powers, const Fetch<double>& fetch_occlusion,
+                                  const Fetch<double>& fetch_depth, const Fetch<dvec3>& fetch_normal) {
+    const double own = fetch_occlusion(pixel);
+    const double center = fetch_depth(pixel);
+    if (gloam_is_background(center)) return gloam_unit_interval(own);
+    GloamWeightedMean mean = gloam_weighted_mean_add(gloam_weighted_mean_empty(), own, 1.0);
+    const int reach = std::min(half_width, 64);
+    for (int i = -reach; i <= reach; ++i) {
+        if (i != 0)
+            mean = gloam_geometry_blur_tap(mean, center, fetch_normal(pixel), pixel + i * axis, size, powers,
+                                           fetch_occlusion, fetch_depth, fetch_normal);
+    }
+    return gloam_weighted_mean_value(mean, own);
+}
+
+inline double gloam_shrink(double convergence, double c_adaptive) {
+    if (!(c_adaptive >= 1e-30)) return 0.0;
+    if (std::isnan(convergence)) return 1.0;
+    if (std::isinf(c_adaptive)) return std::isinf(convergence) && convergence > 0.0 ? 0.0 : 1.0;
+    return max(c_adaptive - max(convergence, 0.0), 0.0) / c_adaptive;
+}
+
+inline double gloam_window_coverage(int offset, double reach) {
+    return gloam_unit_interval(reach - (offset - 1.0));
+}
+
+// fetch_value: (occlusion, convergence) of a pixel inside the image.
+inline GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, dvec3 center, glm::ivec2 tap,
+                                          double coverage, double scale, const Fetch<dvec2>& fetch_value,
+                                          const Fetch<dvec3>& fetch_position) {
+    const dvec3 position = fetch_position(tap);
+    if (!gloam_is_surface_position(position)) return mean;
+    const double near = gloam_gaussian_scaled(pow(distance(position, center), 2), scale);
+    const dvec2 value = fetch_value(tap);
+    return gloam_weighted_mean_add(mean, value.x, coverage * near * gloam_unit_interval(value.y));
+}
+
+// The sum of eq. 10 over every pixel of the row or column.
+inline double gloam_convergence_filter(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 size, int half_width,
+                                       double c_adaptive, double sigma, const Fetch<dvec2>& fetch_value,
+                                       const Fetch<dvec3>& fetch_position) {
+    const dvec2 own = fetch_value(pixel);
+    const dvec3 center = fetch_position(pixel);
+    const double reach = std::max(half_width, 0) * gloam_shrink(own.y, c_adaptive);
+    GloamWeightedMean mean = gloam_weighted_mean_empty();
+    for (int i = 0; i < std::max(size.x, size.y) && reach > 0.0 && gloam_is_surface_position(center); ++i) {
+        const glm::ivec2 tap = pixel * (1 - axis) + i * axis;
+        if (tap != min(tap, size - 1)) break;
+        const int apart = std::max(std::abs(tap.x - pixel.x), std::abs(tap.y - pixel.y));
+        const double coverage = std::clamp(reach - (apart - 1.0), 0.0, 1.0);
+        mean = gloam_filter_tap(mean, center, tap, coverage, gloam_gaussian_scale(sigma), fetch_value,
+                                fetch_position);
+    }
+    return gloam_weighted_mean_value(mean, own.x);
+}
+
+inline double gloam_depth_key(double depth, double z_key) {
+    const bool divides = z_key >= float_min && z_key <= 0x1p126;
+    return gloam_is_background(depth) || !divides ? 1.0 : min(depth / z_key, 1.0);
+}
+
+// The high and the low byte of round(65535 key).
+inline dvec2 gloam_pack_key(double key) {
+    const auto bytes = std::div(std::lround(65535.0 * gloam_unit_interval(key)), 256L);
+    return dvec2(bytes.quot, bytes.rem) / 255.0;
+}
+
+inline double gloam_unpack_key(dvec2 packed_key) {
+    const auto byte = [](double x) { return std::round(255.0 * gloam_unit_interval(x)); };
+    return (256.0 * byte(packed_key.x) + byte(packed_key.y)) / 65535.0;
+}
+
+inline double gloam_sao_blur_weight(int tap, double key_difference, double slope) {
+    constexpr double gaussian[] = {0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
+    if (tap < -4 || tap > 4) return 0.0;
+    if (tap == 0) return gaussian[0];
+    const double fall = key_difference == 0.0 || slope <= 0.0 ? 0.0 : slope * abs(key_difference);
+    return std::isnan(fall) ? 0.0 : (0.3 + gaussian[std::abs(tap)]) * max(0.0, 1.0 - fall);
+}
+
+inline double gloam_quad_box(double visibility, double difference, double depth_difference, int coordinate,
+                             double edge) {
+    const bool edge_between = !(abs(depth_difference) < edge) || !is_finite(difference);
+    const double part = edge_between ? 0.0 : difference * ((coordinate & 1) - 0.5);
+    return gloam_visibility_clamp(visibility - part);
+}
+
+inline glm::ivec2 gloam_half_size(glm::ivec2 size) {
+    return {size.x / 2 + size.x % 2, size.y / 2 + size.y % 2};
+}
+
+inline glm::ivec2 gloam_half_source(glm::ivec2 pixel) {
+    return {pixel.x * 2, pixel.y * 2};
+}
+
+// The ray through the centre of the half-size pixel 0, without that through the centre of its source.
+inline double gloam_half_shift(double p, int size) {
+    if (size < 1 || !(abs(p) >= 1e-9 && abs(p) <= 1e9)) return 0.0;
+    const int half = size / 2 + size % 2;
+    const double half_p = p * size / (2.0 * half);  // covers 2 half pixels of the full image
+    const double of_half = (1.0 / half - 1.0) / half_p;
+    const double of_source = (1.0 / size - 1.0) / p;
+    return size % 2 == 0 ? of_half - of_source : 0.0;
+}
+
+// The transposed inverse of x' = x - shift z, applied to the normal.
+inline dvec3 gloam_half_normal(dvec3 normal, dvec2 shift) {
+    const dmat3 sheared{{1, 0, 0}, {0, 1, 0}, {-shift.x, -shift.y, 1}};
+    const dvec3 turned = transpose(glm::inverse(sheared)) * normal;
+    const double length = glm::length(turned);
+    return length > 0.0 && std::isfinite(length) ? turned / length : dvec3(0.0);
+}
+
+inline bool gloam_upsample_continues(double depth, double first, double second, bool orthographic) {
+    for (const double each : {depth, first, second})
+        if (gloam_is_background(each)) return false;
+    const double ratio =
+        orthographic ? (first + second) / 2.0 / depth : (1.0 / first + 1.0 / second) / 2.0 * depth;
+    return abs(ratio - 1.0) <= double{0.006F};
+}
+
+inline double gloam_upsample_nearest(double depth, dvec4 depths, dvec4 values) {
+    int nearest = -1;
+    for (int i = 0; i < 4; ++i) {
+        if (gloam_is_background(depths[i])) continue;
+        if (nearest < 0 || abs(depths[i] - depth) < abs(depths[nearest] - depth)) nearest = i;
+    }
+    return nearest < 0 ? 0.0 : values[nearest];
+}
+
+inline double gloam_upsample(double depth, dvec4 depths, dvec4 occlusions, bool orthographic) {
+    if (gloam_is_background(depth)) return 0.0;
+    double sum = 0.0;
+    int pairs = 0;
+    for (const auto& [a, b] : {std::pair{0, 3}, std::pair{1, 2}}) {
+        if (!gloam_upsample_continues(depth, depths[a], depths[b], orthographic)) continue;
+        sum += (occlusions[a] + occlusions[b]) / 2.0;
+        ++pairs;
+    }
+    return gloam_unit_interval(pairs > 0 ? sum / pairs : gloam_upsample_nearest(depth, depths, occlusions));
+}
+
+inline bool gloam_dual_resolution_disagrees(glm::ivec2 pixel, glm::ivec2 size, double tolerance,
+                                            const Fetch<double>& fetch_occlusion) {
+    double low = 1.0;
+    double high = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        const glm::ivec2 at = pixel + glm::ivec2(i % 3, i / 3) - 1;
+        if (!has_pixel(size, at)) continue;
+        const double occlusion = fetch_occlusion(at);
+        if (!(occlusion >= 0.0 && occlusion <= 1.0)) return true;
+        low = min(low, occlusion);
+        high = max(high, occlusion);
+    }
+    return !(high - low <= tolerance);
+}
+
+inline int gloam_depth_rank(dvec4 depths, int index) {
+    const int own = std::clamp(index, 0, 3);
+    int rank = 0;
+    for (int i = 0; i < 4; ++i) rank += std::pair(depths[i], i) < std::pair(depths[own], own) ? 1 : 0;
+    return rank;
+}
+
+// A half each for the two in the middle of the order of depth, or one for the second.
+inline dvec4 gloam_mssao_weights(dvec4 depths, double tolerance) {
+    std::array<std::pair<double, int>, 4> order;
+    for (int i = 0; i < 4; ++i) order[i] = {gloam_is_background(depths[i]) ? infinity : depths[i], i};
+    std::ranges::sort(order);
+    dvec4 weights(0.0);
+    if (std::isinf(order[0].first)) return weights;
+    if (std::isinf(order[1].first)) {
+        weights[order[0].second] = 1.0;
+        return weights;
+    }
+    const bool together = order[3].first - order[0].first <= tolerance && is_finite(order[3].first);
+    weights[order[1].second] = together ? 0.5 : 1.0;
+    weights[order[2].second] = together ? 0.5 : 0.0;
+    return weights;
+}
+
+inline dvec3 gloam_mssao_normal(dvec3 second, dvec3 third) {
+    return gloam_safe_normalize((second + third) / 2.0, gloam_safe_normalize(second, dvec3(0.0)));
+}
+
+inline double gloam_mssao_upsample_weight(double bilinear, double depth_difference, double normal_cosine,
+                                          double depth_power, double normal_power) {
+    const bool known = abs(depth_difference) <= 1e30 && !std::isnan(normal_cosine);
+    if (!known || !(depth_power >= 0.0 && normal_power >= 0.0)) return 0.0;
+    return gloam_unit_interval(bilinear) * pow(1.0 / (1.0 + abs(depth_difference)), depth_power) *
+           pow((glm::clamp(normal_cosine, -1.0, 1.0) + 1.0) / 2.0, normal_power);
+}
+
+}  // namespace gloam::reference

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "reference/sampling.hpp"
+
+// Pixels, and what a camera makes of them.
+namespace gloam::reference {
+
+inline glm::ivec2 gloam_clamp_to_edge(glm::ivec2 pixel, glm::ivec2 size) {
+    return clamp(pixel, glm::ivec2(0), max(size, 1) - 1);
+}
+
+inline glm::ivec2 gloam_guard_band_border(glm::ivec2 size, double guard) {
+    return {glm::round(gloam_unit_interval(guard) * dvec2(max(size, 0)))};
+}
+
+inline glm::ivec2 gloam_guard_band_size(glm::ivec2 size, double guard) {
+    return max(size, 0) + 2 * gloam_guard_band_border(size, guard);
+}
+
+inline dvec2 gloam_guard_band_guard(glm::ivec2 size, double guard) {
+    return dvec2(gloam_guard_band_border(size, guard)) / dvec2(max(size, 1));
+}
+
+inline double gloam_guard_band_tan_half_fov(double tan_half_fov, double guard) {
+    const double wider = (1.0 + 2.0 * guard) * tan_half_fov;
+    return is_finite(wider) ? wider : 0.0;
+}
+
+inline dvec2 gloam_guard_band_inner_uv(dvec2 outer_uv, dvec2 guard) {
+    const dvec2 uv = (1.0 + 2.0 * guard) * outer_uv - guard;
+    return is_finite(uv) ? uv : dvec2(2.0);
+}
+
+inline dvec2 gloam_guard_band_outer_uv(dvec2 inner_uv, dvec2 guard) {
+    const dvec2 uv = (inner_uv + guard) / (1.0 + 2.0 * guard);
+    return is_finite(uv) ? uv : dvec2(2.0);
+}
+
+inline int gloam_nearest_index(double u, int resolution) {
+    if (std::isnan(u)) return 0;
+    return int(clamp(floor(u * resolution), 0.0, max(resolution, 1) - 1.0));
+}
+
+inline glm::ivec2 gloam_nearest_pixel(dvec2 uv, glm::ivec2 resolution) {
+    return {gloam_nearest_index(uv.x, resolution.x), gloam_nearest_index(uv.y, resolution.y)};
+}
+
+inline dvec2 gloam_pixel_center(dvec2 uv, glm::ivec2 resolution) {
+    const glm::ivec2 size = max(resolution, 1);
+    return (dvec2(gloam_nearest_pixel(uv, size)) + 0.5) / dvec2(size);
+}
+
+inline bool gloam_inside_unit(dvec2 uv) {
+    return uv == clamp(uv, 0.0, 1.0);
+}
+
+// Within 1/256 of a texel's centre: that texel alone.
+inline dvec2 gloam_texel_position(double u, int extent) {
+    if (!(u >= 0.0 && u <= 1.0) || extent < 1) return dvec2(0.0);
+    const double position = u * extent - 0.5;
+    const double nearest = std::round(position);
+    if (abs(position - nearest) < 1.0 / 256.0) return {nearest, 0.0};
+    return {floor(position), fract(position)};
+}
+
+inline dvec2 gloam_ndc_from_pixel(glm::ivec2 pixel, glm::ivec2 size) {
+    if (size.x < 1 || size.y < 1) return dvec2(0.0);
+    return 2.0 * (dvec2(pixel) + 0.5) / dvec2(size) - 1.0;
+}
+
+inline dvec2 gloam_uv_from_ndc(dvec2 ndc) {
+    return is_finite(ndc) ? ndc / 2.0 + 0.5 : dvec2(2.0);
+}
+
+inline dvec3 gloam_view_position_perspective(dvec2 ndc, double depth, dvec2 p00_p11) {
+    const dvec3 position = depth * dvec3(ndc / p00_p11, -1.0);
+    return gloam_is_background(depth) || !is_finite(position) ? dvec3(0.0) : position;
+}
+
+inline dvec3 gloam_view_position_orthographic(dvec2 ndc, double depth, dvec2 p00_p11) {
+    const dvec3 position(ndc / p00_p11, -depth);
+    return gloam_is_background(depth) || !is_finite(position) ? dvec3(0.0) : position;
+}
+
+inline dvec2 gloam_ndc_perspective(dvec3 view_position, dvec2 p00_p11) {
+    const double depth = -view_position.z;
+    const dvec2 ndc = p00_p11 * dvec2(view_position) / depth;
+    return gloam_is_background(depth) || !is_finite(ndc) ? dvec2(2.0) : ndc;
+}
+
+inline dvec2 gloam_ndc_orthographic(dvec3 view_position, dvec2 p00_p11) {
+    const dvec2 ndc = p00_p11 * dvec2(view_position);
+    return gloam_is_background(-view_position.z) || !is_finite(ndc) ? dvec2(2.0) : ndc;
+}
+
+inline double gloam_positive_length(double x) {
+    return std::isnan(x) ? 0.0 : std::clamp(x, 0.0, float_max);
+}
+
+inline dvec2 positive_lengths(dvec2 axes) {
+    return {gloam_positive_length(axes.x), gloam_positive_length(axes.y)};
+}
+
+inline dvec2 gloam_projected_radius_uv_orthographic(double radius, double depth, dvec2 p00_p11) {
+    if (gloam_is_background(depth)) return dvec2(0.0);
+    return positive_lengths(gloam_positive_length(radius) * abs(p00_p11) / 2.0);
+}
+
+inline dvec2 gloam_projected_radius_uv(double radius, double depth, dvec2 p00_p11) {
+    if (gloam_is_background(depth)) return dvec2(0.0);
+    return positive_lengths(gloam_positive_length(radius) * abs(p00_p11) / (2.0 * depth));
+}
+
+inline dvec2 gloam_projected_radius_pixels(double radius, double depth, dvec2 p00_p11, glm::ivec2 size) {
+    return positive_lengths(gloam_projected_radius_uv(radius, depth, p00_p11) * dvec2(max(size, 0)));
+}
+
+inline dvec2 gloam_projected_radius_pixels_orthographic(double radius, double depth, dvec2 p00_p11,
+                                                        glm::ivec2 size) {
+    return positive_lengths(gloam_projected_radius_uv_orthographic(radius, depth, p00_p11) *
+                            dvec2(max(size, 0)));
+}
+
+inline dvec2 gloam_radius_cap(dvec2 axes, double most) {
+    const dvec2 reach = positive_lengths(axes);
+    const double larger = max(reach.x, reach.y);
+    const double cap = gloam_positive_length(most);
+    return larger > cap ? reach * (cap / larger) : reach;
+}
+
+inline double gloam_covering_radius_parallel(dvec3 position, double radius, double largest) {
+    const double depth = -position.z;
+    if (!is_finite(position) || gloam_is_background(depth) || !(radius > 0.0)) return 0.0;
+    return min(radius / depth, gloam_positive_length(largest));
+}
+
+// R / (cos t (d - R sin t)), t the angle off the axis.
+inline double gloam_covering_radius_perpendicular(dvec3 position, double radius, double largest) {
+    const double depth = -position.z;
+    if (!is_finite(position) || gloam_is_background(depth) || !(radius > 0.0)) return 0.0;
+    const double t = atan(length(dvec2(position)) / depth);
+    const double divisor = cos(t) * (depth - radius * sin(t));
+    return divisor > 0.0 ? min(radius / divisor, gloam_positive_length(largest))
+                         : gloam_positive_length(largest);
+}
+
+struct GloamCamera {
+    dvec2 p00_p11;
+    glm::ivec2 size;
+    bool orthographic;
+};
+
+inline dvec2 gloam_camera_uv(dvec3 view_position, const GloamCamera& camera) {
+    const auto ndc = camera.orthographic ? gloam_ndc_orthographic : gloam_ndc_perspective;
+    return gloam_uv_from_ndc(ndc(view_position, camera.p00_p11));
+}
+
+inline dvec3 gloam_camera_position(glm::ivec2 pixel, double depth, const GloamCamera& camera) {
+    const auto position =
+        camera.orthographic ? gloam_view_position_orthographic : gloam_view_position_perspective;
+    return position(gloam_ndc_from_pixel(pixel, camera.size), depth, camera.p00_p11);
+}
+
+inline dvec2 gloam_camera_radius(double radius, double depth, const GloamCamera& camera) {
+    const auto axes =
+        camera.orthographic ? gloam_projected_radius_uv_orthographic : gloam_projected_radius_uv;
+    return axes(radius, depth, camera.p00_p11);
+}
+
+// n . (o + t w - q) = 0 with the ray's origin o and direction w, w.z = -1, so that t is the depth.
+inline double gloam_plane_depth(glm::ivec2 pixel, dvec3 point, dvec3 normal, const GloamCamera& camera) {
+    if (gloam_is_background(-point.z)) return infinity;
+    const dvec3 seen = gloam_camera_position(pixel, 1.0, camera);
+    const dvec3 origin = camera.orthographic ? dvec3(seen.x, seen.y, 0.0) : dvec3(0.0);
+    const double facing = dot(normal, seen - origin);
+    const double t = dot(normal, point - origin) / facing;
+    return facing < 0.0 && !gloam_is_background(t) ? t : -point.z;
+}
+
+// fetch_depth: called for pixels inside the image only.
+inline dvec3 gloam_position_from_depth(glm::ivec2 pixel, glm::ivec2 size, dvec2 p00_p11,
+                                       const Fetch<double>& fetch_depth) {
+    if (!has_pixel(size, pixel)) return dvec3(0.0);
+    return gloam_view_position_perspective(gloam_ndc_from_pixel(pixel, size), fetch_depth(pixel), p00_p11);
+}
+
+inline dvec3 gloam_normal_from_depth(glm::ivec2 pixel, glm::ivec2 size, dvec2 p00_p11,
+                                     const Fetch<double>& fetch_depth) {
+    const auto position = [&](int x, int y) {
+        const glm::ivec2 at = gloam_clamp_to_edge(pixel, size) + glm::ivec2(x, y);
+        return gloam_position_from_depth(at, size, p00_p11, fetch_depth);
+    };
+    return gloam_normal_from_neighbors(position(0, 0), position(-1, 0), position(1, 0), position(0, -1),
+                                       position(0, 1));
+}
+
+}  // namespace gloam::reference

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "reference/filter.hpp"
+#include "reference/shading.hpp"
+
+// Contributions of the surface points around, and what becomes of their sum.
+namespace gloam::reference {
+
+inline double gloam_contribution_fox_compton(dvec3 position, dvec3 normal, dvec3 sample_position,
+                                             double epsilon) {
+    const dvec3 offset = sample_position - position;
+    if (!(epsilon <= float_max) || !has_direction(offset)) return 0.0;
+    return gloam_sample_cosine(offset, normal) / std::clamp(max(epsilon, length(offset)), float_min, 0x1p126);
+}
+
+inline double gloam_contribution_fox_compton_scaled(dvec3 position, dvec3 normal, dvec3 sample_position,
+                                                    double epsilon) {
+    const dvec3 offset = sample_position - position;
+    if (!(epsilon > 0.0) || !has_direction(offset)) return 0.0;
+    const double share = length(offset) > epsilon ? epsilon / length(offset) : 1.0;
+    return gloam_sample_cosine(offset, normal) * share;
+}
+
+inline double gloam_contribution_aksoy_phaneuf(dvec3 offset, dvec3 normal, double radius, double bias) {
+    if (!is_finite(offset) || !(dot(offset, normal) > bias)) return 0.0;
+    return gloam_falloff_linear(length(offset), radius);
+}
+
+inline double gloam_two_radii_sum(double fine, double broad) {
+    return min(gloam_unit_interval(fine) + gloam_unit_interval(broad), 1.0);
+}
+
+inline double gloam_contribution_alchemy(dvec3 offset, dvec3 normal, double bias, double epsilon) {
+    const double divisor = dot(offset, offset) + epsilon;
+    if (!(epsilon >= 0.0 && divisor >= float_min && divisor <= 0x1p126)) return 0.0;
+    const double above = dot(offset, normal) - bias;
+    return above > 0.0 && is_finite(above / divisor) ? above / divisor : 0.0;
+}
+
+inline double gloam_visibility_alchemy(dvec2 accumulated, double sigma, double k) {
+    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
+    return gloam_remap(1.0 - 2.0 * sigma / accumulated.y * accumulated.x, 0.0, 1.0, k);
+}
+
+inline double gloam_sao_window(double squared_distance, double radius) {
+    const double r2 = pow(radius, 2);
+    const bool inside = squared_distance >= 0.0 && squared_distance < r2 && radius > 0.0;
+    return inside && r2 >= 0x1p-100 && r2 <= 0x1p126 ? 1.0 - squared_distance / r2 : 0.0;
+}
+
+inline double gloam_sao_height(dvec3 offset, dvec3 normal, double bias) {
+    const double height = dot(offset, normal) - bias;
+    return is_finite(height) ? max(height, 0.0) : 0.0;
+}
+
+inline double gloam_sao_quotient(double height, double squared_distance, double epsilon) {
+    const double divisor = squared_distance + epsilon;
+    return divisor >= float_min && divisor <= 0x1p126 && height > 0.0 ? height / divisor : 0.0;
+}
+
+inline double gloam_contribution_sao(dvec3 offset, dvec3 normal, double radius, double bias, double epsilon) {
+    const double vv = dot(offset, offset);
+    return pow(gloam_sao_window(vv, radius), 3) *
+           gloam_sao_quotient(gloam_sao_height(offset, normal, bias), vv, epsilon);
+}
+
+inline double gloam_contribution_sao_paper(dvec3 offset, dvec3 normal, double radius, double bias,
+                                           double epsilon) {
+    const double vv = dot(offset, offset);
+    if (!(gloam_sao_window(vv, radius) > 0.0)) return 0.0;
+    return 0.6 * gloam_sao_quotient(gloam_sao_height(offset, normal, bias), vv, epsilon);
+}
+
+// Printed for a radius of 1, as the two that follow: v / r and bias / r stand for v and bias.
+inline double gloam_contribution_sao_medium(dvec3 offset, dvec3 normal, double radius, double bias) {
+    if (!(gloam_sao_window(dot(offset, offset), radius) > 0.0)) return 0.0;
+    const dvec3 v = offset / radius;
+    return 4.0 * (1.0 - dot(v, v)) * gloam_sao_height(v, normal, bias / radius) / radius;
+}
+
+inline double gloam_contribution_sao_low(dvec3 offset, dvec3 normal, double radius, double bias) {
+    if (!(gloam_sao_window(dot(offset, offset), radius) > 0.0)) return 0.0;
+    return 2.0 * gloam_sao_height(offset / radius, normal, bias / radius) / radius;
+}
+
+inline double gloam_contribution_deep(dvec3 offset, dvec3 normal, double radius, double bias,
+                                      double epsilon) {
+    const double vv = dot(offset, offset);
+    const double reach = sqrt(epsilon + vv);
+    if (!(reach >= sqrt(float_min) && reach <= 0x1p126)) return 0.0;
+    return gloam_sao_window(vv, radius) * min(gloam_sao_height(offset, normal, bias) / reach, 1.0);
+}
+
+inline double gloam_visibility_sao(dvec2 accumulated, double sigma) {
+    if (!(accumulated.y >= 1.0 && accumulated.y <= 0x1p24)) return 1.0;
+    return gloam_visibility(5.0 * sigma / accumulated.y * accumulated.x);
+}
+
+inline double gloam_visibility_deep(dvec2 accumulated, double power) {
+    const double mean = accumulated.x / accumulated.y;
+    if (!(accumulated.y >= 1.0 && accumulated.y <= 0x1p24 && mean > 0.0)) return 1.0;
+    return gloam_remap(max(0.0, 1.0 - sqrt(3.0 * mean)), 0.0, 1.0, power);
+}
+
+inline double gloam_issao_attenuation(double hit_distance, double phi, double mu) {
+    const double d = abs(hit_distance);
+    if (!(d > 0.0 && phi > 0.0 && mu >= float_min && max(mu, d) <= 0x1p126)) return 0.0;
+    const double q = phi * d / pow(max(mu, d), 2);
+    return is_finite(q) ? q : 0.0;
+}
+
+inline double gloam_contribution_issao_basic(dvec3 offset, dvec3 normal, double radius) {
+    return gloam_length(offset) < radius ? gloam_sample_cosine(offset, normal) : 0.0;
+}
+
+inline double gloam_contribution_issao_attenuated(dvec3 offset, dvec3 normal, double radius, double phi,
+                                                  double mu) {
+    if (!(gloam_length(offset) < radius)) return 0.0;
+    return gloam_issao_attenuation(gloam_length(offset), phi, mu) * gloam_sample_cosine(offset, normal);
+}
+
+inline double gloam_contribution_issao(dvec3 offset, dvec3 normal, double radius, double phi, double bias,
+                                       double sigma) {
+    const double divisor = dot(offset, offset) + sigma;
+    const bool near = length(offset) < radius && sigma >= 0.0 && divisor >= float_min && divisor <= 0x1p126;
+    const double above = dot(offset, normal) - bias;
+    if (!(near && phi > 0.0 && above > 0.0)) return 0.0;
+    const double contribution = phi * above / divisor;
+    return is_finite(contribution) ? contribution : 0.0;
+}
+
+inline double gloam_issao_occlusion(dvec2 accumulated, double lambda) {
+    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0 && lambda > 0.0)) return 0.0;
+    return gloam_unit_interval(lambda / accumulated.y * accumulated.x);
+}
+
+inline double gloam_contribution_mssao(dvec3 offset, dvec3 normal, double radius) {
+    return gloam_falloff_quadratic(gloam_length(offset), radius) * gloam_sample_cosine(offset, normal);
+}
+
+inline double gloam_mssao_combine(double largest, double mean) {
+    return 1.0 - (1.0 - gloam_unit_interval(largest)) * (1.0 - gloam_unit_interval(mean));
+}
+
+inline double gloam_separable_mean(double along_u, double along_v) {
+    return (gloam_unit_interval(along_u) + gloam_unit_interval(along_v)) / 2.0;
+}
+
+inline double gloam_separable_weight(dvec3 offset, dvec3 normal, double sigma, double tolerance) {
+    return abs(dot(offset, normal)) <= tolerance ? gloam_gaussian(dot(offset, offset), sigma) : 0.0;
+}
+
+inline dvec2 gloam_disc_share(double area, double distance_to) {
+    if (!(area >= float_min * float_min && distance_to >= 0.0)) return {0.0, 1.0};
+    if (std::isinf(area)) return std::isinf(distance_to) ? dvec2(0.5) : dvec2(1.0, 0.0);
+    const double larger = area / (area + pi * pow(distance_to, 2));
+    return {larger, 1.0 - larger};
+}
+
+inline double gloam_contribution_disc_proxy(dvec3 offset, dvec3 normal, dvec3 emitter_normal, double area,
+                                            double weight) {
+    const double open = gloam_disc_share(area, gloam_length(offset)).y;  // 1 / (1 + A / (pi D^2))
+    return gloam_unit_interval(weight) * (1.0 - sqrt(open)) * gloam_sample_cosine(-offset, emitter_normal) *
+           min(4.0 * gloam_sample_cosine(offset, normal), 1.0);
+}
+
+inline double gloam_contribution_disc_proxy_cosine(dvec3 offset, dvec3 normal, dvec3 emitter_normal,
+                                                   double area, double weight) {
+    return gloam_unit_interval(weight) * gloam_disc_share(area, gloam_length(offset)).x *
+           gloam_sample_cosine(-offset, emitter_normal) * gloam_sample_cosine(offset, normal);
+}
+
+inline double gloam_sphere_fraction(double radius, double distance_to) {
+    if (!(radius > 0.0 && distance_to >= 0.0)) return 0.0;
+    return distance_to <= radius ? 1.0 : 1.0 - sqrt(1.0 - pow(radius / distance_to, 2));
+}
+
+inline double gloam_contribution_sphere(dvec3 offset, dvec3 normal, double radius) {
+    if (!is_finite(offset)) return 0.0;
+    const double cosine = gloam_length(offset) <= radius ? 1.0 : gloam_sample_cosine(offset, normal);
+    return gloam_sphere_fraction(radius, gloam_length(offset)) * cosine;
+}
+
+inline double gloam_contribution_sphere_cosine(dvec3 offset, dvec3 normal, double radius) {
+    if (!is_finite(offset) || !(radius > 0.0)) return 0.0;
+    const double d = gloam_length(offset);
+    return d <= radius ? 1.0 : pow(radius / d, 2) * gloam_sample_cosine(offset, normal);
+}
+
+inline double gloam_above_horizon(dvec3 offset, double tan_horizon) {
+    const double across = gloam_length(dvec3(offset.x, offset.y, 0.0));
+    const double horizon = across > 0.0 ? tan_horizon * across : 0.0;
+    return is_finite(offset) && offset.z > horizon ? 1.0 : 0.0;
+}
+
+// The cosine to the view vector of a direction, which is moved along the normal into the tangent plane from
+// below it.
+inline double gloam_lifted_cosine(dvec3 offset, dvec3 normal, dvec3 view) {
+    dvec3 direction = gloam_safe_normalize(offset, dvec3(0.0));
+    if (dot(direction, normal) < 0.0) direction -= dot(direction, normal) * normal;
+    const double left = length(direction);
+    return left > 1e-5 ? gloam_clamp_cosine(dot(view, direction) / left) : 0.0;
+}
+
+inline bool gloam_sample_near(dvec3 offset, double range) {
+    return offset.z <= range;
+}
+
+// An invalid sample has the direction opposite to its partner's.
+inline dvec3 gloam_angle_pair(dvec3 first, dvec3 second, dvec3 normal, dvec3 view, double range) {
+    const bool a = gloam_sample_near(first, range);
+    const bool b = gloam_sample_near(second, range);
+    if (!a && !b) return dvec3(0.0);
+    const auto mirrored = [&](dvec3 partner) {
+        return gloam_unit_interval(dot(view, gloam_safe_normalize(-partner, dvec3(0.0))));
+    };
+    return {a ? gloam_lifted_cosine(first, normal, view) : mirrored(second),
+            b ? gloam_lifted_cosine(second, normal, view) : mirrored(first), a && b ? 1.0 : 0.5};
+}
+
+inline dvec2 gloam_angle_add(dvec2 accumulated, double weight, double angles) {
+    if (!(weight > 0.0 && is_finite(weight) && is_finite(angles))) return accumulated;
+    return accumulated + weight * dvec2(1.0 - angles / pi, 1.0);
+}
+
+inline double gloam_angle_occlusion(dvec2 accumulated) {
+    if (!(accumulated.x > 0.0 && accumulated.y >= 1e-4 && accumulated.y <= 0x1p126)) return 0.0;
+    return min(accumulated.x / accumulated.y, 1.0);
+}
+
+inline double gloam_contribution_unreal(dvec3 offset, dvec3 normal, double scale) {
+    const double squared = dot(offset, offset);
+    if (!(scale > 0.0 && squared >= float_min && squared <= 0x1p126)) return 0.0;
+    return gloam_unit_interval(scale * dot(offset, normal) / squared);
+}
+
+inline double gloam_unreal_side(double occlusion) {
+    return pow(1.0 - gloam_unit_interval(occlusion), 2);
+}
+
+inline double gloam_unreal_visibility(double ao, double power, double intensity) {
+    const double visibility = 1.0 - (1.0 - gloam_remap(ao, 0.0, 1.0, power)) * intensity;
+    return std::isnan(visibility) ? 1.0 : gloam_unit_interval(visibility);
+}
+
+inline double gloam_chord_half_height(dvec2 xi, double radius) {
+    const double squared = 1.0 - dot(xi, xi);
+    return squared >= float_min && radius > 0.0 ? radius * sqrt(squared) : 0.0;
+}
+
+inline double gloam_line_ratio(double height, double half_height) {
+    if (!(half_height >= float_min && half_height <= 0x1p126) || std::isnan(height)) return 0.5;
+    return (half_height + height) / (2.0 * half_height);
+}
+
+inline double gloam_line_occlusion(double height, double half_height) {
+    return gloam_unit_interval(gloam_line_ratio(height, half_height));
+}
+
+inline dvec2 gloam_line_pair(dvec2 ratios, double lowest, double highest) {
+    const bool first = ratios.x >= lowest && ratios.x <= highest;
+    const bool second = ratios.y >= lowest && ratios.y <= highest;
+    if (!first && !second) return dvec2(0.5);
+    return {first ? ratios.x : 1.0 - ratios.y, second ? ratios.y : 1.0 - ratios.x};
+}
+
+// The mean of the solid part over heights in [m - w, m + w], piece by piece: linear between the chord's ends.
+inline double gloam_area_occlusion(double height, double half_width, double half_height) {
+    if (!(half_width > 0.0)) return gloam_line_occlusion(height, half_height);
+    if (!(half_height >= float_min && max(half_height, half_width) <= 0x1p126) || std::isnan(height))
+        return 0.5;
+    if (!is_finite(height) || half_width < 1e-9 * abs(height))
+        return gloam_line_occlusion(height, half_height);
+    const double low = height - half_width;
+    const double high = height + half_width;
+    const double ends[] = {low, clamp(-half_height, low, high), clamp(half_height, low, high), high};
+    double integral = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const double sum =
+            gloam_line_occlusion(ends[i], half_height) + gloam_line_occlusion(ends[i + 1], half_height);
+        integral += 0.5 * sum * (ends[i + 1] - ends[i]);
+    }
+    return integral / (high - low);
+}
+
+inline double gloam_two_balls(double fine, double broad) {
+    const auto excess = [](double solid) { return is_finite(solid) ? solid - 0.5 : 0.0; };
+    return gloam_unit_interval(0.5 + excess(fine) + excess(broad));
+}
+
+// Of the sphere of radius r / 2 around n r / 2.
+inline double gloam_tangent_sphere_half_height(dvec3 offset, dvec3 normal, double radius) {
+    if (!(radius >= float_min && radius <= 0x1p126)) return 0.0;
+    return gloam_chord_half_height(dvec2(offset) / (radius / 2.0) - dvec2(normal), radius / 2.0);
+}
+
+inline double gloam_tangent_sphere_occlusion(dvec3 offset, dvec3 normal, double radius) {
+    const double half_height = gloam_tangent_sphere_half_height(offset, normal, radius);
+    const double height = offset.z - radius / 2.0 * normal.z;
+    return half_height >= float_min && !std::isnan(height) ? gloam_line_occlusion(height, half_height) : 0.0;
+}
+
+}  // namespace gloam::reference

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "reference/geometry_camera.hpp"
+
+// The history: what it holds, when it is kept, how it grows.
+namespace gloam::reference {
+
+struct GloamHistory {
+    double occlusion;
+    double weight;
+    unsigned index;
+    double depth;
+};
+
+inline GloamHistory gloam_history_empty(double depth) {
+    return {0.0, 0.0, 0U, gloam_is_background(depth) ? infinity : depth};
+}
+
+inline bool gloam_history_usable(double occlusion, double weight) {
+    const bool occludes = occlusion > -float_min && occlusion <= 1.0;
+    return occludes && weight >= float_min && weight <= float_max;
+}
+
+inline GloamHistory gloam_history_sanitize(GloamHistory h) {
+    if (!gloam_history_usable(h.occlusion, h.weight) || gloam_is_background(h.depth))
+        return gloam_history_empty(h.depth);
+    if (h.occlusion < float_min) h.occlusion = 0.0;
+    h.index %= 1U << 24U;
+    return h;
+}
+
+inline dvec4 gloam_history_pack(const GloamHistory& h) {
+    const GloamHistory s = gloam_history_sanitize(h);
+    return {s.occlusion, s.weight, s.index, s.depth};
+}
+
+inline GloamHistory gloam_history_unpack(dvec4 texel) {
+    const double index = texel.z >= 0.0 && texel.z < 0x1p24 ? texel.z : 0.0;
+    return gloam_history_sanitize({texel.x, texel.y, static_cast<unsigned>(index), texel.w});
+}
+
+// (j + k) mod N, in 64 bits.
+inline unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size) {
+    const std::uint64_t size = table_size - 1U < 1U << 24U ? table_size : 1U << 24U;
+    return static_cast<unsigned>((std::uint64_t{index} + k) % size);
+}
+
+struct GloamPackedHistory {
+    unsigned occlusion;
+    unsigned weight;
+    unsigned index;
+    unsigned depth;
+    friend bool operator==(const GloamPackedHistory&, const GloamPackedHistory&) = default;
+};
+
+inline unsigned gloam_round_half_up(double x) {
+    return static_cast<unsigned>(std::floor(x + 0.5));
+}
+
+// 1024 (e + m) + 1 of the depth 2^(e - 31) (1 + m).
+inline unsigned gloam_depth_to_code(double depth) {
+    if (gloam_is_background(depth)) return 65535U;
+    const double d = std::clamp(depth, 0x1p-31, 0x1p32);
+    const int exponent = std::ilogb(d);
+    return gloam_round_half_up(1024.0 * (exponent + 31 + d / std::ldexp(1.0, exponent) - 1.0)) + 1U;
+}
+
+inline double gloam_depth_from_code(unsigned code) {
+    if (code == 0U) return 0.0;
+    if (code >= 65535U) return infinity;
+    const auto [exponent, mantissa] = std::div(static_cast<int>(code) - 1, 1024);
+    return std::ldexp(1.0 + mantissa / 1024.0, exponent - 31);
+}
+
+inline GloamPackedHistory gloam_history_encode(const GloamHistory& h) {
+    const GloamHistory s = gloam_history_sanitize(h);
+    return {gloam_round_half_up(0x1p15 * s.occlusion), gloam_round_half_up(16.0 * min(s.weight, 4095.0)),
+            s.index % 65536U, gloam_depth_to_code(s.depth)};
+}
+
+inline dvec4 gloam_packed_texel(const GloamPackedHistory& packed) {
+    return {(packed.occlusion % 65536U) / 0x1p15, (packed.weight % 65536U) / 16.0, packed.index % 65536U,
+            gloam_depth_from_code(packed.depth % 65536U)};
+}
+
+inline GloamHistory gloam_history_decode(const GloamPackedHistory& packed) {
+    return gloam_history_unpack(gloam_packed_texel(packed));
+}
+
+inline double gloam_history_weight(double history, double weight, double weight_max) {
+    const bool usable =
+        history > -float_min && history <= 1.0 && weight >= float_min && weight_max >= float_min;
+    return usable ? std::min({weight, weight_max, float_max}) : 0.0;
+}
+
+// (w AO + k C) / (w + k) and min(w + k, w_max).
+inline dvec2 gloam_blend(double history, double weight, double contribution, double k, double weight_max) {
+    const double w = gloam_history_weight(history, weight, weight_max);
+    const double old = w > 0.0 && history >= float_min ? history : 0.0;
+    if (!(k >= float_min && k <= float_max && is_finite(contribution))) return {old, w};
+    const double most = weight_max >= float_min ? weight_max : 0.0;
+    return {(w * old + k * gloam_unit_interval(contribution)) / (w + k), std::min({w + k, most, float_max})};
+}
+
+inline double gloam_convergence(double weight, double weight_max) {
+    if (!(weight_max >= float_min)) return 1.0;
+    if (!(weight > 0.0)) return 0.0;
+    return weight < weight_max ? weight / weight_max : 1.0;
+}
+
+inline bool gloam_rotation_enabled(double convergence, double c_rot) {
+    return !(convergence >= c_rot);  // NaN: an unknown convergence is none
+}
+
+inline int gloam_sample_count(double convergence, double c_spatial, int k_initial, int k_converged) {
+    return std::max(convergence >= c_spatial ? k_converged : k_initial, 0);
+}
+
+inline bool gloam_depth_consistent(double stored_depth, double expected_depth, double epsilon) {
+    if (gloam_is_background(stored_depth) || gloam_is_background(expected_depth)) return false;
+    return abs(1.0 - expected_depth / stored_depth) < epsilon;
+}
+
+inline bool gloam_both_background(double stored_depth, double expected_depth) {
+    return gloam_is_background(stored_depth) && gloam_is_background(expected_depth);
+}
+
+// | |s - p| - |s' - p'| |.
+inline double gloam_neighborhood_change(dvec3 sample_position, dvec3 position, dvec3 previous_sample,
+                                        dvec3 previous_position) {
+    const dvec3 now = sample_position - position;
+    const dvec3 before = previous_sample - previous_position;
+    if (!is_finite(now) || !is_finite(before)) return float_max;
+    return min(abs(length(now) - length(before)), float_max);
+}
+
+inline bool gloam_neighborhood_unchanged(double change, double epsilon) {
+    return change < epsilon;
+}
+
+inline bool gloam_probe_useful(dvec3 offset, dvec3 normal) {
+    return is_finite(offset) && dot(offset, normal) > 0.0;
+}
+
+inline double gloam_invalidate_clamp(double weight, double weight_small) {
+    return weight > 0.0 && weight_small > 0.0 ? min(weight, weight_small) : 0.0;
+}
+
+inline double gloam_confidence(double change, double factor) {
+    if (!is_finite(change) || !is_finite(factor)) return 0.0;
+    const double confidence = 1.0 / (1.0 + max(factor, 0.0) * abs(change));
+    return confidence >= float_min ? confidence : 0.0;
+}
+
+inline double gloam_invalidate_confidence(double weight, double confidence) {
+    return weight > 0.0 && is_finite(weight) ? weight * gloam_unit_interval(confidence) : 0.0;
+}
+
+inline double gloam_temporal_smooth(double history, bool valid, double current, double rate) {
+    const bool has_history = valid && history >= 0.0 && history <= 1.0;
+    const bool has_current = current >= 0.0 && current <= 1.0;
+    if (!has_current) return has_history ? history : 0.0;
+    if (!has_history || std::isnan(rate)) return current;
+    return mix(history, current, gloam_unit_interval(rate));
+}
+
+inline dvec4 gloam_bilinear_weights(dvec2 fraction) {
+    const double x = gloam_unit_interval(fraction.x);
+    const double y = gloam_unit_interval(fraction.y);
+    return {(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y};
+}
+
+inline dvec4 gloam_validated_weights(dvec4 bilinear, glm::bvec4 valid) {
+    double sum = 0.0;
+    for (int i = 0; i < 4; ++i) sum += bilinear[i] = valid[i] ? gloam_unit_interval(bilinear[i]) : 0.0;
+    return sum >= float_min ? bilinear / sum : dvec4(0.0);
+}
+
+// The mean of the four texels around that hold the surface, each weighted by its distance along x and y.
+inline GloamHistory gloam_reprojected_history(dvec2 uv, glm::ivec2 size, double expected_depth,
+                                              double epsilon, const Fetch<dvec4>& fetch_history) {
+    GloamHistory mean = gloam_history_empty(expected_depth);
+    if (!gloam_inside_unit(uv) || size.x < 1 || size.y < 1) return mean;
+    const dvec2 x = gloam_texel_position(uv.x, size.x);
+    const dvec2 y = gloam_texel_position(uv.y, size.y);
+    double total = 0.0;
+    double most = 0.0;
+    for (const glm::ivec2 step : {glm::ivec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+        const glm::ivec2 texel = gloam_clamp_to_edge(glm::ivec2(x[0], y[0]) + step, size);
+        const GloamHistory one = gloam_history_unpack(fetch_history(texel));
+        if (!gloam_depth_consistent(one.depth, expected_depth, epsilon)) continue;
+        const double weight = (1.0 - abs(x[1] - step.x)) * (1.0 - abs(y[1] - step.y));
+        total += weight;
+        mean.occlusion += weight * one.occlusion;
+        mean.weight += weight * one.weight;
+        if (weight > most) mean.index = one.index;
+        most = max(most, weight);
+    }
+    return gloam_history_sanitize(
+        {min(mean.occlusion / total, 1.0), mean.weight / total, mean.index, mean.depth});
+}
+
+// The smallest exponent e >= 0 with which every component rounds to at most 255 when divided by 2^e.
+inline unsigned gloam_displacement_to_code(const dvec3& displacement, double unit) {
+    const dvec3 units = displacement / unit;
+    const double sum = std::abs(units.x) + std::abs(units.y) + std::abs(units.z);
+    if (!(sum <= 255.0 * 0x1p31)) return 31U << 27U | 255U << 18U | 255U << 9U | 255U;
+    const double largest = std::max({std::abs(units.x), std::abs(units.y), std::abs(units.z)});
+    int exponent = 0;
+    while (std::ldexp(largest, -exponent) >= 255.5) ++exponent;
+    const auto bits = [&](double component) {  // the two's complement
+        return static_cast<unsigned>(static_cast<int>(std::round(std::ldexp(component, -exponent)))) % 512U;
+    };
+    return bits(units.x) | bits(units.y) << 9U | bits(units.z) << 18U |
+           static_cast<unsigned>(exponent) << 27U;
+}
+
+inline dvec3 gloam_displacement_from_code(unsigned code, double unit) {
+    const auto component = [&](unsigned first) {
+        const int bits = static_cast<int>(code >> first & 511U);
+        return static_cast<double>(bits >= 256 ? bits - 512 : bits);
+    };
+    return std::ldexp(unit, static_cast<int>(code >> 27U)) * dvec3(component(0), component(9), component(18));
+}
+
+}  // namespace gloam::reference
