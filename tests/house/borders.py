@@ -207,12 +207,18 @@ def shader_include(source):
 
 
 def shader_reference(source):
-    """Every file of glsl/gloam with functions has its reference in C++, at the same place below harness/reference.
+    """Every function of glsl/gloam has its reference in C++, in a header of the room's name in harness/reference.
     Methods, and what their loops share, are judged whole: each method has a descriptor, by which the tests try it."""
-    reference = Path("harness/reference", *source.path.parts[2:]).with_suffix(".hpp")
-    judged_whole = source.path.parts[:3] in (("glsl", "gloam", "methods"), ("glsl", "gloam", "gather"))
-    if source.is_shader_library and not judged_whole and "{" in source.text and not (source.root / reference).is_file():
-        yield 1, f"there is no {reference.as_posix()}"
+    if not source.is_shader_library or source.path.parts[2] in ("methods", "gather"):
+        return
+    room = source.path.parts[2]
+    headers = sorted((source.root / "harness/reference").glob(f"{room}*.hpp"))
+    references = "".join(header.read_text(encoding="utf-8") for header in headers)
+    code = blank_code(source.text)
+    for position, head, has_body in file_scope_statements(code):
+        match = FUNCTION_HEAD.match(head) if has_body else None
+        if match and match.group(1).startswith("gloam_") and f" {match.group(1)}(" not in references:
+            yield line_of(code, position), f"no harness/reference/{room}*.hpp has {match.group(1)}()"
 
 
 def guard(source):

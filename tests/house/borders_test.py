@@ -33,7 +33,7 @@ CLEAN = {
     "harness/check/lab.hpp": HPP + '#include "gpu/device.hpp"\n#include "shader/compile.hpp"\n',
     "harness/scene/mesh.cpp": SPDX + "#include <assimp/Importer.hpp>\n",
     "harness/report/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
-    "harness/reference/occlusion/shade.hpp": HPP,
+    "harness/reference/occlusion.hpp": HPP + "".join(f"double gloam_{name}();\n" for name in ("shade", "a", "b")),
     "tests/gpu/device_test.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include "shader/compile.hpp"\n',
     "glsl/passes/shade.comp": SPDX + "layout(binding = 0) uniform Block { float x; };\nvoid main() {}\n",
     "glsl/gloam/occlusion/shade.glsl": shader(
@@ -97,7 +97,7 @@ PLANTED = {
     ],
     "shader_reference": [
         ("glsl/gloam/occlusion/alone.glsl",
-         shader("// Stands alone.\nfloat gloam_alone() { return 1.0; }", guard="GLOAM_OCCLUSION_ALONE_GLSL"), 1),
+         shader("// Stands alone.\nfloat gloam_alone() { return 1.0; }", guard="GLOAM_OCCLUSION_ALONE_GLSL"), 6),
     ],
     "guard": [
         ("harness/gpu/wrong.hpp", SPDX + "#include <memory>\n", 1),
