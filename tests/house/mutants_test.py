@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """mutants_test.py: the faults that tools/mutants draws, what they change, and that files are restored."""
+import contextlib
 import json
 import sys
 import tempfile
@@ -12,6 +13,7 @@ sys.path.insert(0, str(ROOT / "tools" / "mutants"))
 import mutants  # noqa: E402
 from faults import faults_of  # noqa: E402
 from modules import Modules, is_conditional  # noqa: E402
+from tests import Tests  # noqa: E402
 
 TEXT = """#ifndef GLOAM_X_GLSL
 // A comment: a < b.
@@ -84,6 +86,31 @@ class Change(unittest.TestCase):
     def test_what_some_definitions_exclude_is_not_judged(self):
         self.assertFalse(is_conditional(TEXT, TEXT.index("sum")))
         self.assertTrue(is_conditional("#ifdef GLOAM_A\nfloat a;\n#endif\n", 16))
+
+
+class Trial(unittest.TestCase):
+    def setUp(self):
+        self.tests = Tests.__new__(Tests)
+        self.tests.groups = {"group": ("program", {})}
+        self.tests.lists = {("group", name): ({"a.glsl"}, 1.0) for name in ("A.one", "A.two", "A.three")}
+        self.tests.shared, self.tests.sound, self.tests.useful = {}, {}, set()
+        self.failing = set()
+        self.tests.run = lambda group, names, seconds: next((name for name in names if name in self.failing), None)
+
+    def failing_within(self, seconds):
+        return self.tests.failing(Path("a.glsl"), contextlib.nullcontext, seconds)
+
+    def test_of_all_tests_or_of_as_many_as_the_seconds_allow(self):
+        self.assertEqual(self.failing_within(100.0), (None, 0))
+        self.assertEqual(self.failing_within(1.0), (None, 2))
+        self.assertEqual(self.failing_within(2.0), (None, 1))
+
+    def test_a_test_that_fails_without_the_fault_notices_nothing(self):
+        self.failing = {"A.two"}
+        self.assertEqual(self.failing_within(100.0), (None, 0))
+        self.tests.sound["A.two"] = True
+        self.assertEqual(self.failing_within(100.0)[0], "A.two")
+        self.assertEqual(self.tests.useful, {"A.two"})
 
 
 class Restored(unittest.TestCase):

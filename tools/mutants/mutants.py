@@ -11,12 +11,13 @@ JOURNAL with what became of each:
     same      the optimised SPIR-V is that of the file as it is
     killed    a test failed whose kind passes without it; the journal names the test
     survived  every test passed that read the file when it last ran (build/release/seen, which tools/test writes)
+    cut       --seconds ended the trial before all of them had run; those that had run passed
     known     tests/glsl/equivalent_mutants.txt says why no test can notice it; it is not tried
     gone      the file no longer has that line
 
 A run that ends early goes on with the same JOURNAL. --minutes ends it after so many. --seconds ends a trial: its tests
-took so long when they last ran. --again tries the survivors again. --plant tries one fault: the first OLD of a line
-becomes NEW.
+took so long when they last ran. --again tries again what survived or was cut. --plant tries one fault: the first OLD
+of a line becomes NEW.
 The kinds of tests that have noticed a fault run first, and of these the tests that read the fewest files. The first
 failure ends a trial. The files are restored whenever the script ends; after a kill -9, by its next run. Nothing else
 may build or test the checkout meanwhile.
@@ -132,9 +133,11 @@ class Bench:
             return {"verdict": "known", "reason": reason}
         began = time.time()
         with self.with_text(file, changed):
-            test = self.tests.failing(file, lambda: self.with_text(file, text), self.seconds)
+            test, left = self.tests.failing(file, lambda: self.with_text(file, text), self.seconds)
         self.forget_compiled(began)
-        return {"verdict": "killed", "by": test} if test else {"verdict": "survived"}
+        if test:
+            return {"verdict": "killed", "by": test}
+        return {"verdict": "cut", "tests_left": left} if left else {"verdict": "survived"}
 
     @staticmethod
     def forget_compiled(began):
@@ -151,7 +154,7 @@ def room(path):
 
 def report(faults):
     """Prints the table and the survivors; returns the number of these."""
-    verdicts = ("killed", "survived", "known", "same", "invalid", "gone", None)
+    verdicts = ("killed", "survived", "cut", "known", "same", "invalid", "gone", None)
     print(f"| {'folder':<18} | " + " | ".join(f"{one or 'left':>8}" for one in verdicts) + " | share |")
     print("| --- |" + " ---: |" * (len(verdicts) + 1))
     rooms = sorted({room(fault["file"]) for fault in faults})
@@ -185,7 +188,7 @@ def run(options, bench):
     bench.tests.useful |= {kind_of(fault["by"]) for fault in faults if "by" in fault}
     end = time.monotonic() + 60.0 * options.minutes
     left = [fault for fault in faults
-            if fault["verdict"] is None or (options.again and fault["verdict"] in ("survived", "known", "gone"))]
+            if fault["verdict"] is None or (options.again and fault["verdict"] in ("survived", "cut", "known", "gone"))]
     for fault in left:
         if time.monotonic() > end:
             break

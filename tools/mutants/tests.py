@@ -91,10 +91,13 @@ class Tests:
             yield stage.values()
 
     def failing(self, file, restored, most):
-        """The first test that fails on what the file is now and passes on what it was, or None.
+        """The first test that fails on what the file is now and passes on what it was, or None; and how many of the
+        tests that read the file did not run.
         restored: makes a context in which the file is as it was. most: seconds that the tests take, about."""
+        left = len(self.reading(file))
         for stage in self.stages(file, most):
             for group, names, seconds in stage:
+                left -= len(names)
                 names = list(names)
                 while names and (test := self.run(group, names, seconds)):
                     kind = kind_of(test)
@@ -103,6 +106,6 @@ class Tests:
                             self.sound[kind] = self.run(group, [test], seconds) is None
                     if self.sound[kind]:
                         self.useful.add(kind)
-                        return test
+                        return test, left
                     names = [name for name in names if name != test]
-        return None
+        return None, left
