@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "effect/ambient_occlusion.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/tiles.hpp"
 #include "gpu/buffer.hpp"
@@ -43,7 +44,22 @@ class TileBounds : public OnDevice<testing::Test> {
         const auto written = buffer.as<Bound>();
         return {written.begin(), written.end()};
     }
+
+    [[nodiscard]] std::uint64_t open_tiles(const scene::GBuffer& view, const Settings& settings) const {
+        AmbientOcclusion& effect = effect_for(view.extent);
+        effect.begin(view, settings);
+        return effect.next().work.tiles_open;
+    }
 };
+
+// A wall that faces the eye.
+scene::GBuffer wall() {
+    scene::GBuffer view{.extent = {83, 45}};
+    view.camera = scene::make_frame({}, 83.0 / 45.0);
+    view.depth.assign(std::size_t{83} * 45, 5.0F);
+    view.normal.assign(view.depth.size(), {0, 0, 1});
+    return view;
+}
 
 // Sides of one pixel beyond whole tiles among them: such a tile has no slope along that side.
 TEST_F(TileBounds, NoSurfaceOfATileIsNearerThanItsBound) {
@@ -86,6 +102,36 @@ TEST_F(TileBounds, OfAPlaneIsThePlane) {
 TEST_F(TileBounds, ATileWithoutSurfacesSaysSo) {
     const std::vector<float> background(81, std::numeric_limits<float>::infinity());
     for (const Bound& bound : bounds_of({9, 9}, background)) EXPECT_EQ(bound.any, 0.0F);
+}
+
+// The proof subtracts from the bias what rounding may add to the depth of a sample: of the point, of the
+// radius and of the rays (tiles/open.comp), and the 1e-6 of a bound.
+TEST_F(TileBounds, ABiasBelowTheRoundingProvesNothing) {
+    const scene::GBuffer view = wall();
+    const float depth = view.depth.front();
+    const auto open = [&](float radius, float bias) {
+        return open_tiles(view, {.radius = radius, .bias = bias, .skip_open = true});
+    };
+    for (const float radius : {0.5F, 4.8F}) {
+        const float units = (11.0F * depth + 64.0F * radius) / depth + 11.0F + 14.0F;
+        const float rounding = depth * (0x1p-24F * units + 1e-6F);
+        EXPECT_EQ(open(radius, rounding), 0U) << radius;
+        EXPECT_GT(open(radius, 3.0F * rounding), 0U) << radius;
+    }
+}
+
+// No pixel of a tile may see a surface rise above its own plane: one tilted normal is enough.
+TEST_F(TileBounds, EachPixelOfATileHasItsPlaneConsidered) {
+    const Settings settings{.radius = 0.5F, .bias = 0.01F, .skip_open = true};
+    scene::GBuffer view = wall();
+    const std::uint64_t all = open_tiles(view, settings);
+    EXPECT_EQ(all, 11U * 6U);
+    for (const std::size_t pixel : {0U, 7U, 27U, 7U * 83U, 7U * 83U + 7U, 3U * 83U + 4U}) {
+        glm::vec3& normal = view.normal[pixel];
+        normal = glm::normalize(glm::vec3(1, 1, 1));
+        EXPECT_EQ(open_tiles(view, settings), all - 1) << pixel;
+        normal = {0, 0, 1};
+    }
 }
 
 }  // namespace tile_bounds_test

@@ -50,7 +50,7 @@ void main() {
     }
     bool empty = largest == -3.402823466e38;
     // Error: 2.5 ULP of the quotient, and 1 ULP each of two products, a sum and a difference, of numbers no larger than
-    // this.
-    float rounded = 1e-6 * (abs(largest) + dot(abs(slopes), vec2(block.last - block.first)));
+    // this. The largest is positive: at the first pixel of a block with slopes nothing is subtracted.
+    float rounded = 1e-6 * (largest + dot(abs(slopes), vec2(block.last - block.first)));
     bounds[tile.y * tiles.x + tile.x] = empty ? vec4(0.0) : vec4(largest + rounded, slopes, 1.0);
 }
