@@ -140,6 +140,42 @@ TEST_F(Relatives, ABowlHasTheOcclusionOfItsCurvature) {
     EXPECT_NEAR(mean("curvature", bowl, 1.0F, Method{}, 4), q * q / (1.0 + q * q), 1e-4);
 }
 
+// A cross reads the pixels at both ends of its two arms (CS-K): a quarter of a turn times the first
+// coordinate of its point of the sequence, as long as the second says, from half the radius to all of it.
+TEST_F(Relatives, ACrossSeesThePixelsOfItsArms) {
+    const auto curvature = method("curvature");
+    const check::Kernel<glm::vec3(unsigned)> halton(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
+    const auto at = [&](unsigned n, const auto& turns) {
+        const auto view = test::view_of(
+            size, [](glm::ivec2) { return 5.0F; },
+            [&](glm::ivec2 p) { return turns(p) ? glm::vec3(0.3F, 0.2F, 1) : glm::vec3(0, 0, 1); });
+        const Samples samples{.radius = 1.0F, .bias = 0.0F, .angle = 0.0F, .first = 4 * n, .count = 4};
+        return curvature.with_images(view, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), eye, samples, Method{}});
+    };
+    int seen = 0;
+    for (unsigned n = 0; n < 40; ++n) {
+        const glm::vec3 random = halton(n + 1);
+        const double turn = 0.5 * std::numbers::pi * double{random.x};
+        const glm::dvec2 arm = 0.5 * (1.0 + double{random.y}) * glm::dvec2(std::cos(turn), std::sin(turn));
+        std::vector<glm::ivec2> ends;
+        bool certain = true;
+        for (const glm::dvec2 end : {arm, -arm, glm::dvec2(-arm.y, arm.x), glm::dvec2(arm.y, -arm.x)}) {
+            ends.push_back(middle + glm::ivec2(glm::round(end / pixel)));
+            const glm::dvec2 within = glm::abs(glm::fract(end / pixel) - 0.5);
+            certain = certain && std::min(within.x, within.y) > 0.02;
+        }
+        if (!certain) continue;
+        const auto is_end = [&](glm::ivec2 p) { return std::ranges::find(ends, p) != ends.end(); };
+        const glm::vec2 bare = at(n, [](glm::ivec2) { return false; });
+        EXPECT_EQ(at(n, [&](glm::ivec2 p) { return p != middle && !is_end(p); }), bare) << n;
+        const auto changes = [&](glm::ivec2 end) {
+            return at(n, [&](glm::ivec2 p) { return p == end; }) != bare;
+        };
+        seen += std::ranges::any_of(ends, changes) ? 1 : 0;
+    }
+    EXPECT_GT(seen, 10);
+}
+
 // With a radius of so few pixels that the squared and the even steps fall on the same ones, both are the
 // same method.
 TEST_F(Relatives, HsaoIsHbaoWithTheSameTaps) {
