@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 #include <stdexcept>
-
-#include "catalogue/rooms.hpp"
-#include "catalogue/worst_inputs.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -20,28 +20,45 @@ bool matches_entry(const Entry& entry, std::string_view glob) {
     return matches_glob(entry.description.id, glob) || matches_glob(entry.description.function, glob);
 }
 
-void require_unique(const Entries& entries) {
+// Gives each entry what the comments of the shader library say of its equation.
+void describe(Entries& entries, const std::filesystem::path& glsl) {
+    const std::map<std::string, Description> described = descriptions(glsl);
     std::set<std::string> ids;
-    for (const Entry& entry : entries) {
-        if (!ids.insert(entry.description.id).second) {
-            throw std::logic_error("two catalogue entries are called " + entry.description.id);
-        }
+    for (auto& [description, question] : entries) {
+        const std::string id = description.id;
+        if (!ids.insert(id).second) throw std::logic_error("two catalogue entries are called " + id);
+        const auto found = described.find(id);
+        if (found == described.end())
+            throw std::runtime_error(
+                fmt::format("nothing below {} describes {}: expected a function whose comment begins with "
+                            "\"TITLE ({}): `FORMULA` [SOURCE].\"",
+                            glsl.string(), id, id));
+        description = found->second;
+        question.name = id;
+        question.file = description.file;
+        question.function = description.function;
     }
 }
 
 }  // namespace
 
-Entries all_entries() {
+Entries all_entries(const std::filesystem::path& glsl) {
     Entries entries;
     append_numeric(entries);
     append_sampling(entries);
     append_geometry(entries);
+    append_geometry_camera(entries);
     append_occlusion(entries);
+    append_occlusion_slices(entries);
+    append_occlusion_volumes(entries);
+    append_occlusion_gathers(entries);
+    append_occlusion_scalable(entries);
     append_temporal(entries);
     append_filter(entries);
+    append_filter_edges(entries);
     append_shading(entries);
     append_builtins(entries);
-    require_unique(entries);
+    describe(entries, glsl);
     add_worst_inputs(entries);
     return entries;
 }

@@ -1,44 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "catalogue/description.hpp"
 #include "check/image_ends.hpp"
 #include "check/question.hpp"
 
-// The description of an equation in the catalogue. One call of equation<Signature>() holds all that the
-// tests, the command line, the tables and the documentation need:
+// The entry of an equation in the catalogue states what a person must decide; one call of add() a function:
 //
-//     entries.push_back(equation<glm::vec2(float, float, float, float, float)>(
-//         {.id = "TSSAO-5",
-//          .function = "gloam_blend",
-//          .file = "gloam/temporal/blend.glsl",
-//          .title = "blend of the history with new samples",
-//          .formula = "AO + (C - AO) k / (w + k);  w' = min(w + k, w_max)",
-//          .source = "TSSAO (Mattausch et al.), eqs 4 and 5"},
-//         &reference::gloam_blend,
+//     add(entries, "TSSAO-5", &reference::gloam_blend,
 //         {.domain = {uniform(0, 1).and_special(), ...},     // one Values for each in or inout parameter
 //          .budget = {.ulp = 3},                             // measured; see check::Budget
-//          .codomain = {0, 1e9}}));                          // holds for every input whatever, NaN included
+//          .codomain = {0, 1e9}},                            // holds for every input whatever, NaN included
+//         [](double history, ...) { return ...; });          // inputs for which the budget is promised: all
 //
-// `.promised = make_predicate<Signature>([](float x, ...) { return ...; })` limits the inputs for which the
-// budget is promised; the codomain holds for all. Degenerate inputs, and images of exact 0 and 1, are added
-// to those of every entry (check/degenerate.hpp, check/image_ends.hpp). `.scenarios` provides images for a
-// function that reads images (catalogue/scenarios.hpp); its reference then takes (const check::ImageSet&,
+// The rest is read. Its title, formula, source, function and file stand in the comment of the GLSL function
+// (catalogue/description.hpp). The signature is that of the reference, with float in place of double; what
+// the reference takes as T& is an out parameter. Degenerate inputs, and images of exact 0 and 1, are added to
+// those of every entry (check/degenerate.hpp, check/image_ends.hpp). `.scenarios` provides images for a
+// function that reads images (catalogue/inputs.hpp); its reference then takes (const check::ImageSet&,
 // arguments...).
 namespace gloam::catalogue {
-
-// The description of an equation for people.
-struct Description {
-    std::string id;        // as in the paper or sheet, unique: "TSSAO-5", "TSSAO-14-uniform"
-    std::string function;  // in GLSL, and in C++ in gloam::reference
-    std::string file;      // as in #include "gloam/..."
-    std::string title;     // a few words
-    std::string formula;   // plain text mathematics
-    std::string source;    // paper, equation number
-};
 
 struct Entry {
     Description description;
@@ -47,17 +34,80 @@ struct Entry {
 
 using Entries = std::vector<Entry>;
 
-// `question`: members that follow neither from the description nor from the reference.
-template <class Signature, class Reference>
-[[nodiscard]] Entry equation(Description description, Reference reference, check::Question question) {
-    question.name = description.id;
-    question.file = description.file;
-    question.function = description.function;
+namespace detail {
+
+// The type that GLSL has for a type of a reference.
+template <class T>
+struct InFloatOf {
+    using type = T;
+};
+template <>
+struct InFloatOf<double> {
+    using type = float;
+};
+template <glm::length_t N>
+struct InFloatOf<glm::vec<N, double>> {
+    using type = glm::vec<N, float>;
+};
+template <glm::length_t C, glm::length_t R>
+struct InFloatOf<glm::mat<C, R, double>> {
+    using type = glm::mat<C, R, float>;
+};
+template <class T>
+using InFloat = typename InFloatOf<std::remove_cvref_t<T>>::type;
+
+template <class P>
+inline constexpr bool is_out = std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>>;
+template <class P>
+using Parameter = std::conditional_t<is_out<P>, check::Out<InFloat<P>>, InFloat<P>>;
+
+// The GLSL signature of a reference: of a function, or of an object that is called like one. The images that
+// a reference reads are no parameter.
+template <class Callable>
+struct GlslOf : GlslOf<decltype(&Callable::operator())> {};
+template <class R, class... P>
+struct GlslOf<R (*)(P...)> {
+    using type = InFloat<R>(Parameter<P>...);
+};
+template <class R, class... P>
+struct GlslOf<R (*)(const check::ImageSet&, P...)> : GlslOf<R (*)(P...)> {};
+template <class R, class C, class... P>
+struct GlslOf<R (C::*)(P...) const> : GlslOf<R (*)(P...)> {};
+
+}  // namespace detail
+
+// Adds an entry. `promised`: called with the exact values of all inputs; it may not be stated in `question`.
+template <class Reference, class Promised = std::nullptr_t>
+void add(Entries& entries, std::string id, Reference reference, check::Question question,
+         Promised promised = nullptr) {
+    using Signature = typename detail::GlslOf<Reference>::type;
     question.signature = check::SignatureOf<Signature>::describe();
     question.domain = question.domain.and_degenerate(question.signature);
     question.reference = check::make_reference<Signature>(reference);
     question.scenarios = with_exact_ends(std::move(question.scenarios));
-    return {.description = std::move(description), .question = std::move(question)};
+    if constexpr (!std::same_as<Promised, std::nullptr_t>)
+        question.promised = check::make_predicate<Signature>(promised);
+    entries.push_back({.description = {.id = std::move(id)}, .question = std::move(question)});
 }
+
+// The entries of each file, in the order of glsl/gloam.
+void append_numeric(Entries& entries);
+void append_sampling(Entries& entries);
+void append_geometry(Entries& entries);
+void append_geometry_camera(Entries& entries);
+void append_occlusion(Entries& entries);
+void append_occlusion_slices(Entries& entries);
+void append_occlusion_volumes(Entries& entries);
+void append_occlusion_gathers(Entries& entries);
+void append_occlusion_scalable(Entries& entries);
+void append_temporal(Entries& entries);
+void append_filter(Entries& entries);
+void append_filter_edges(Entries& entries);
+void append_shading(Entries& entries);
+void append_builtins(Entries& entries);
+
+// Adds the inputs with the largest errors that a search has found to the domains of their equations. Throws
+// std::logic_error for an input whose equation is not among the entries.
+void add_worst_inputs(Entries& entries);
 
 }  // namespace gloam::catalogue

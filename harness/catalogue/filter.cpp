@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
+// The convergence-aware filter, the filters of SAO and MSSAO.
+#include <cmath>
 #include <limits>
 
-#include "catalogue/filter_parts.hpp"
 #include "catalogue/inputs.hpp"
-#include "catalogue/relatives_parts.hpp"
-#include "catalogue/rooms.hpp"
-#include "catalogue/scenarios.hpp"
 #include "reference/filter.hpp"
 
 namespace gloam::catalogue {
 namespace {
 
 using namespace check;
+
 using Mean = reference::GloamWeightedMean;
 
 constexpr double float_max = 0x1.fffffep127;
@@ -23,78 +22,32 @@ Values lengths() {
         .and_special();
 }
 
-void append_shrink(Entries& entries) {
+void append_gaussian(Entries& entries) {
     const Values convergence = either(uniform(0, 1.1), log_uniform(1e-30, 1)).and_special();
     const Values threshold =
         either(uniform(0, 1), log_uniform(1e-37, 1e38)).and_near({0.2, 0x1p-126}).and_special();
-    entries.push_back(
-        equation<float(float, float)>({.id = "TSSAO-11",
-                                       .function = "gloam_shrink",
-                                       .file = "gloam/filter/shrink.glsl",
-                                       .title = "factor on the filter's support",
-                                       .formula = "s = max(c - conv, 0) / c",
-                                       .source = "TSSAO (Mattausch et al.), eq 11"},
-                                      &reference::gloam_shrink,
-                                      {.domain = Domain{convergence, threshold}.tied(0, 1).tied(0, 1, 0.5),
-                                       .budget = {.ulp = 1.5},
-                                       .codomain = {0, 1}}));
-}
-
-void append_gaussian(Entries& entries) {
-    constexpr const char* file = "gloam/filter/gaussian.glsl";
-    constexpr const char* source = "TSSAO (Mattausch et al.), eq 10";
+    add(entries, "TSSAO-11", &reference::gloam_shrink,
+        {.domain = Domain{convergence, threshold}.tied(0, 1).tied(0, 1, 0.5),
+         .budget = {.ulp = 1.5},
+         .codomain = {0, 1}});
     const Values squares = either(uniform(0, 1), lengths()).and_near({99.5}).and_special();
-    entries.push_back(equation<float(float, float)>(
-        {.id = "TSSAO-10-g",
-         .function = "gloam_gaussian",
-         .file = file,
-         .title = "weight of a neighbour by its distance in the world",
-         .formula = "g = exp(-d^2 / (2 sigma^2))",
-         .source = source},
-        &reference::gloam_gaussian,
-        {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}}));
-    entries.push_back(equation<float(float)>(
-        {.id = "TSSAO-10-g-scale",
-         .function = "gloam_gaussian_scale",
-         .file = file,
-         .title = "scale of distances for the Gaussian",
-         .formula = "s = sqrt(log2(e) / 2) / sigma",
-         .source = source},
-        &reference::gloam_gaussian_scale,
-        {.domain = {lengths().and_near({0x1p100})}, .budget = {.ulp = 1.5}, .codomain = {0, infinity}}));
-    entries.push_back(equation<float(float, float)>(
-        {.id = "TSSAO-10-g-scaled",
-         .function = "gloam_gaussian_scaled",
-         .file = file,
-         .title = "weight of a neighbour by the scale of the Gaussian",
-         .formula = "g = 2^-(d s)^2",
-         .source = source},
-        &reference::gloam_gaussian_scaled,
-        {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}}));
-}
-
-void append_sigma(Entries& entries) {
-    entries.push_back(equation<float(float, float, float, float)>(
-        {.id = "TSSAO-10-sigma",
-         .function = "gloam_filter_sigma",
-         .file = "gloam/filter/gaussian.glsl",
-         .title = "width of the filter in the world",
-         .formula = "sigma = sigma_px 2 d tan(fov_y / 2) / H",
-         .source = "derived: world size of a pixel"},
-        &reference::gloam_filter_sigma,
+    add(entries, "TSSAO-10-g", &reference::gloam_gaussian,
+        {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}});
+    add(entries, "TSSAO-10-g-scale", &reference::gloam_gaussian_scale,
+        {.domain = {lengths().and_near({0x1p100})}, .budget = {.ulp = 1.5}, .codomain = {0, infinity}});
+    add(entries, "TSSAO-10-g-scaled", &reference::gloam_gaussian_scaled,
+        {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}});
+    add(entries, "TSSAO-10-sigma", &reference::gloam_filter_sigma,
         {.domain = {log_uniform(1e-3, 1e6).and_special(), uniform(0.1, 2).and_special(),
                     log_uniform(1, 16384).and_special(), uniform(0.25, 8).and_special()},
          .budget = {.ulp = 2.5},
-         .codomain = {0, float_max},
-         .promised = make_predicate<float(float, float, float, float)>(
-             [](double d, double tangent, double height, double pixels) {
-                 return moderate(1e-9, 1e9, d, tangent, height, pixels);
-             })}));
+         .codomain = {0, float_max}},
+        [](double d, double tangent, double height, double pixels) {
+            return moderate(1e-9, 1e9, d, tangent, height, pixels);
+        });
 }
 
 void append_mean(Entries& entries) {
-    constexpr const char* file = "gloam/filter/weighted_mean.glsl";
-    constexpr const char* source = "TSSAO (Mattausch et al.), the quotient of eq 10";
     const Values value = uniform(0, 1).and_near({0.0, 1.0}).and_special();
     const Values weight = either(uniform(0, 1), log_uniform(1e-12, 1)).and_special();
     // Sums of a few values: (sum, weight, low, high) with low <= sum / weight <= high.
@@ -105,43 +58,22 @@ void append_mean(Entries& entries) {
                                 random.below(4) == 0 ? random.uniform(0, 3e-8) : random.uniform(0, 5);
                             return glm::vec4(random.uniform(low, high) * weight, weight, low, high);
                         }).only_as_drawn();
-    entries.push_back(equation<Mean()>({.id = "TSSAO-10-empty",
-                                        .function = "gloam_weighted_mean_empty",
-                                        .file = file,
-                                        .title = "weighted mean of nothing",
-                                        .formula = "(0, 0)",
-                                        .source = source},
-                                       &reference::gloam_weighted_mean_empty,
-                                       {.domain = {}, .codomain = {0, 1}}));
-    entries.push_back(equation<Mean(Mean, float, float)>(
-        {.id = "TSSAO-10-add",
-         .function = "gloam_weighted_mean_add",
-         .file = file,
-         .title = "one more value in a weighted mean",
-         .formula = "(sum + w AO, K + w)",
-         .source = source},
-        &reference::gloam_weighted_mean_add,
-        {.domain = {mean, value, weight}, .budget = {.ulp = 1.5}, .codomain = {0, float_max}}));
-    entries.push_back(equation<float(Mean, float)>(
-        {.id = "TSSAO-10-mean",
-         .function = "gloam_weighted_mean_value",
-         .file = file,
-         .title = "weighted mean, or what stands in for it",
-         .formula = "sum / K, the fallback for K < 1e-8",
-         .source = source},
-        &reference::gloam_weighted_mean_value,
+    add(entries, "TSSAO-10-empty", &reference::gloam_weighted_mean_empty, {.domain = {}, .codomain = {0, 1}});
+    add(entries, "TSSAO-10-add", &reference::gloam_weighted_mean_add,
+        {.domain = {mean, value, weight}, .budget = {.ulp = 1.5}, .codomain = {0, float_max}});
+    add(entries, "TSSAO-10-mean", &reference::gloam_weighted_mean_value,
         {.domain = {mean.and_value(glm::vec4(0.5E-8F, 1e-8F, 0, 1), true), value},
          .budget = {.ulp = 0.5, .backward_ulp = 1},
-         .codomain = {0, 1}}));
+         .codomain = {0, 1}});
 }
 
 constexpr const char* values_name = "gloam_fetch_occlusion_convergence";
 constexpr const char* positions_name = "gloam_fetch_position";
-constexpr const char* filter_file = "gloam/filter/convergence_filter.glsl";
 
 auto values_of(const ImageSet& images) {
     return [&images](glm::ivec2 pixel) { return images.at(values_name).at<glm::dvec2>(pixel); };
 }
+
 auto positions_of(const ImageSet& images) {
     return [&images](glm::ivec2 pixel) { return images.at(positions_name).at<glm::dvec3>(pixel); };
 }
@@ -188,35 +120,22 @@ std::vector<ImageScenario> surfaces() {
 Values sigmas() {
     return either(log_uniform(0.003, 0.3), log_uniform(1e-6, 1e6)).and_special();
 }
+
 Values scales() {
     return either(log_uniform(3, 300), log_uniform(1e-6, 1e6)).and_special();
 }
 
 void append_window(Entries& entries) {
-    entries.push_back(equation<float(int, float)>(
-        {.id = "TSSAO-11-window",
-         .function = "gloam_window_coverage",
-         .file = "gloam/filter/shrink.glsl",
-         .title = "how much of a pixel lies in the filter's window",
-         .formula = "clamp(reach + 1 - |i|, 0, 1)",
-         .source = "derived: overlap of a pixel with a window of half width reach + 1/2"},
-        &reference::gloam_window_coverage,
+    add(entries, "TSSAO-11-window", &reference::gloam_window_coverage,
         {.domain = {integers(1, 8).and_near_integers({16777216}),
                     uniform(0, 8).and_near({1.0, 2.0}).and_special()},
-         .codomain = {0, 1},
-         .promised = make_predicate<float(int, float)>(
-             [](int offset, double reach) { return offset < 16 && !(reach > 16 && reach < 1e30); })}));
+         .codomain = {0, 1}},
+        [](int offset, double reach) { return offset < 16 && !(reach > 16 && reach < 1e30); });
 }
 
 void append_filtering(Entries& entries) {
-    using Tap = Mean(Mean, glm::vec3, glm::ivec2, float, float);
-    entries.push_back(equation<Tap>(
-        {.id = "TSSAO-10-tap",
-         .function = "gloam_filter_tap",
-         .file = filter_file,
-         .title = "one neighbour in the filter's mean",
-         .formula = "(sum + w AO, K + w), w = coverage g(|p - x|) conv(x)",
-         .source = "TSSAO (Mattausch et al.), eq 10"},
+    add(
+        entries, "TSSAO-10-tap",
         [](const ImageSet& images, const reference::GloamWeightedMean& mean, glm::dvec3 center,
            glm::ivec2 tap, double coverage, double scale) {
             return reference::gloam_filter_tap(mean, center, tap, coverage, scale, values_of(images),
@@ -227,19 +146,13 @@ void append_filtering(Entries& entries) {
                     scales()},
          .budget = {.absolute = 5e-7},
          .codomain = {0, 6},
-         .promised = make_predicate<Tap>([](const Mean&, glm::dvec3, glm::ivec2, double coverage, double) {
-             return moderate(1e-30, 1.0, coverage);
-         }),
-         .scenarios = surfaces()}));
+         .scenarios = surfaces()},
+        [](const Mean&, glm::dvec3, glm::ivec2, double coverage, double) {
+            return moderate(1e-30, 1.0, coverage);
+        });
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
-    entries.push_back(equation<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)>(
-        {.id = "TSSAO-10",
-         .function = "gloam_convergence_filter",
-         .file = filter_file,
-         .title = "smoothing that trusts neighbours as far as they have converged",
-         .formula = "AO = (1/K) sum of g(|p - x|) conv(x) AO(x), K = sum of g(|p - x|) conv(x)",
-         .source = "TSSAO (Mattausch et al.), eqs 10 and 11"},
+    add(entries, "TSSAO-10",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
            double c_adaptive, double sigma) {
             return reference::gloam_convergence_filter(pixel, along, size, half_width, c_adaptive, sigma,
@@ -250,21 +163,108 @@ void append_filtering(Entries& entries) {
                     uniform(0, 1).and_near({0.2}).and_special(), sigmas()},
          .budget = {.absolute = 8e-7},
          .codomain = {0, 1},
-         .scenarios = surfaces()}));
+         .scenarios = surfaces()});
+}
+
+void append_sao_filters(Entries& entries) {
+    add(entries, "CS-Q-quad", &reference::gloam_quad_box,
+        {.domain = Domain{uniform(0, 1).and_special(), uniform(-1, 1).and_special(),
+                          signed_log_uniform(1e-3, 1).and_special(), integers(0, 9),
+                          log_uniform(0.01, 1).and_special()}
+                       .tied(2, 4),
+         .budget = {.absolute = 1e-7},
+         .codomain = {0, 1}});
+    const Values depth = either(uniform(0.5, 320), log_uniform(1e-37, 1e38)).and_special();
+    add(entries, "CS-Q-key", &reference::gloam_depth_key,
+        {.domain = Domain{depth, either(constant(300.0F), log_uniform(1e-37, 1e38)).and_special()}.tied(0, 1),
+         .budget = {.ulp = 1.5},
+         .codomain = {0, 1}});
+    add(entries, "CS-Q-pack", &reference::gloam_pack_key,
+        {.domain = {uniform(0, 1).and_near({0.5}).and_special()},
+         .budget = {.ulp = 1.5, .backward_ulp = 2},
+         .codomain = {0, 1}});
+    const Values byte = made_by<float>(
+        [](numeric::Random& random) { return static_cast<float>(random.below(256)) / 255.0F; });
+    add(entries, "CS-Q-unpack", &reference::gloam_unpack_key,
+        {.domain = {either(vector(2, byte), vector(2, uniform(0, 1))).and_special()},
+         .budget = {.ulp = 1.5, .backward_ulp = 2},
+         .codomain = {0, 1}});
+    add(entries, "CS-Q-blur", &reference::gloam_sao_blur_weight,
+        {.domain = {integers(-6, 6).and_near_integers({-2147483647, 2147483646}),
+                    either(signed_log_uniform(1e-6, 1), any_float()).and_special(),
+                    either(log_uniform(10, 10000), any_float()).and_special()},
+         .budget = {.absolute = 2e-7},
+         .codomain = {0, 0.445}});
+}
+
+void append_mssao_levels(Entries& entries) {
+    const Values depth = either(uniform(1, 3), log_uniform(1e-37, 1e38)).and_special();
+    const Values near_ones = made_by<glm::vec4>([](numeric::Random& random) {
+        glm::vec4 depths(0);
+        for (int i = 0; i < 4; ++i) depths[i] = 2.0F + 0.125F * static_cast<float>(random.below(5));
+        return depths;
+    });
+    add(entries, "CS-F-rank", &reference::gloam_depth_rank,
+        {.domain = {either(vector(4, depth), near_ones), integers(-1, 4)}});
+    add(entries, "CS-F-weights", &reference::gloam_mssao_weights,
+        {.domain = {either(vector(4, depth), near_ones),
+                    either(uniform(0, 1), constant(0.25F)).and_special()},
+         .budget = {.backward_ulp = 1},
+         .codomain = {0, 1}});
+    add(entries, "CS-F-normal", &reference::gloam_mssao_normal,
+        {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special()},
+         .budget = {.absolute = 4e-7},
+         .codomain = {-1.000001, 1.000001}},
+        [](glm::dvec3 a, glm::dvec3 b) { return moderate(0.0, 1e18, a, b) && glm::length(a + b) >= 0.25; });
+    const Values power = either(uniform(0.25, 10), constant(1.0F)).and_near({0.0}).and_special();
+    add(entries, "CS-F-upsample", &reference::gloam_mssao_upsample_weight,
+        {.domain = {uniform(0, 1).and_special(),
+                    either(signed_log_uniform(1e-3, 10), any_float()).and_special(),
+                    uniform(-1, 1).and_near({-1.0, 1.0}).and_special(), power, power},
+         .budget = {.absolute = 3e-6},
+         .codomain = {0, 1}},
+        [](double, double dz, double cosine, double a, double b) {
+            return moderate(0.0, 1e18, dz) && moderate(0.0, 1e9, cosine) && moderate(0.25, 16, a, b) &&
+                   a < 1e9 && b < 1e9;
+        });
+}
+
+constexpr const char* occlusion_name = "gloam_fetch_occlusion";
+
+// Noise of a small range, with a few invalid values.
+ImageSet occlusion_image(glm::ivec2 size, numeric::Random& random) {
+    const auto value = [&](glm::ivec2) {
+        if (random.below(64) == 0) return random.below(2) == 0 ? NAN : 1.5F;
+        return static_cast<float>(random.uniform(0.2, 0.4));
+    };
+    return {{occlusion_name, make_image<float>(size, value)}};
+}
+
+void append_dual(Entries& entries) {
+    add(entries, "CS-E-dual",
+        [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, double tolerance) {
+            const auto fetch = [&images](glm::ivec2 at) { return images.at(occlusion_name).at<double>(at); };
+            return reference::gloam_dual_resolution_disagrees(pixel, size, tolerance, fetch);
+        },
+        {.domain = {image_pixel(), image_size().only_as_drawn(), uniform(0, 0.3).and_special()},
+         .budget = {.backward_ulp = 1},
+         .scenarios = image_scenarios(occlusion_image)});
+}
+
+void append_filter_keys(Entries& entries) {
+    append_dual(entries);
+    append_sao_filters(entries);
+    append_mssao_levels(entries);
 }
 
 }  // namespace
 
 void append_filter(Entries& entries) {
-    append_shrink(entries);
     append_gaussian(entries);
-    append_sigma(entries);
     append_window(entries);
     append_mean(entries);
     append_filtering(entries);
     append_filter_keys(entries);
-    append_edge_aware(entries);
-    append_filter_resolution(entries);
 }
 
 }  // namespace gloam::catalogue

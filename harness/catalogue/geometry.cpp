@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
+// Depths, positions and normals.
 #include <cmath>
 
-#include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
-#include "catalogue/relatives_parts.hpp"
-#include "catalogue/rooms.hpp"
 #include "numeric/constants.hpp"
 #include "reference/geometry.hpp"
+#include "reference/geometry_camera.hpp"
 
 namespace gloam::catalogue {
 namespace {
 
 using namespace check;
-
-using DepthSignature = float(float, float, float);
 
 Values buffer_depths() {
     return either(uniform(0, 1), either(log_uniform(1e-9, 1), uniform(0.999, 1)))
@@ -59,16 +56,17 @@ glm::dvec2 orthographic_gl(double near, double far, unsigned kind) {
     return kind < 2U ? standard : -standard;
 }
 
-template <class Elements, class Reference>
-void append_depth(Entries& entries, Description description, Reference reference, Elements elements,
-                  Question check) {
-    description.file = "gloam/geometry/linear_depth.glsl";
-    description.source = "the projection solved for depth";
-    check.domain =
-        Domain{buffer_depths(), log_uniform(0.01, 10).and_special(), log_uniform(1.1, 1e5).and_special()}
-            .adjusted(projection_elements(elements));
-    check.codomain = {0x1p-126, numeric::infinity};
-    entries.push_back(equation<DepthSignature>(std::move(description), reference, std::move(check)));
+// The depth of a projection of four kinds, with the elements that `elements` returns.
+void add_depth(Entries& entries, const char* id, double (*reference)(double, double, double),
+               glm::dvec2 (*elements)(double, double, unsigned), double ulp,
+               bool (*promised)(double, double, double)) {
+    add(entries, id, reference,
+        {.domain =
+             Domain{buffer_depths(), log_uniform(0.01, 10).and_special(), log_uniform(1.1, 1e5).and_special()}
+                 .adjusted(projection_elements(elements)),
+         .budget = {.ulp = ulp},
+         .codomain = {0x1p-126, numeric::infinity}},
+        promised);
 }
 
 // Elements and depths with which no result overflows or underflows.
@@ -81,109 +79,239 @@ bool ordinary_projection(double b, double p22, double p32) {
 bool true_perspective_gl(double b, double p22, double p32) {
     return ordinary_projection(b, p22, p32) && !(std::abs(p22) < 1.0);
 }
+
 bool true_orthographic_gl(double b, double p22, double p32) {
     return ordinary_projection(b, p22, p32) && !(std::abs(p32) < 1.0);
 }
 
 void append_background(Entries& entries) {
     const Values depth = any_float().and_special().and_near({0x1p-126, 3.402823466e38});
-    const auto test = [&](std::string id, std::string function, std::string file, std::string title,
-                          std::string formula, auto reference) {
-        entries.push_back(equation<bool(float)>({.id = std::move(id),
-                                                 .function = std::move(function),
-                                                 .file = std::move(file),
-                                                 .title = std::move(title),
-                                                 .formula = std::move(formula),
-                                                 .source = "convention"},
-                                                reference, {.domain = {depth}}));
-    };
-    test("FINITE", "gloam_is_finite", "gloam/geometry/finite.glsl", "number that is neither infinite nor NaN",
-         "|x| <= FLT_MAX", &reference::gloam_is_finite);
-    const auto test_vector = [&]<class V>(V, std::string id, std::string function, auto reference) {
-        const Values component = either(uniform(-1, 1), any_float()).and_special().and_near({3.402823466e38});
-        entries.push_back(equation<bool(V)>({.id = std::move(id),
-                                             .function = std::move(function),
-                                             .file = "gloam/geometry/finite.glsl",
-                                             .title = "vector that is neither infinite nor NaN",
-                                             .formula = "|v_i| <= FLT_MAX",
-                                             .source = "convention"},
-                                            reference, {.domain = {vector(V::length(), component)}}));
-    };
-    test_vector(glm::vec2(), "FINITE-2", "gloam_is_finite2", &reference::gloam_is_finite2);
-    test_vector(glm::vec3(), "FINITE-3", "gloam_is_finite3", &reference::gloam_is_finite3);
-    test_vector(glm::vec4(), "FINITE-4", "gloam_is_finite4", &reference::gloam_is_finite4);
-    test("BACKGROUND", "gloam_is_background", "gloam/geometry/background.glsl",
-         "depth that stands for no geometry", "not (0 < d < infinity)", &reference::gloam_is_background);
-}
-
-void append_background_depths(Entries& entries) {
-    entries.push_back(equation<float()>({.id = "BACKGROUND-depth",
-                                         .function = "gloam_background_depth",
-                                         .file = "gloam/geometry/background.glsl",
-                                         .title = "depth of a pixel without geometry",
-                                         .formula = "+infinity",
-                                         .source = "convention"},
-                                        &reference::gloam_background_depth,
-                                        {.codomain = {numeric::infinity, numeric::infinity}}));
+    const Values component = either(uniform(-1, 1), any_float()).and_special().and_near({3.402823466e38});
+    add(entries, "FINITE", &reference::gloam_is_finite, {.domain = {depth}});
+    add(entries, "FINITE-2", &reference::gloam_is_finite2, {.domain = {vector(2, component)}});
+    add(entries, "FINITE-3", &reference::gloam_is_finite3, {.domain = {vector(3, component)}});
+    add(entries, "FINITE-4", &reference::gloam_is_finite4, {.domain = {vector(4, component)}});
+    add(entries, "BACKGROUND", &reference::gloam_is_background, {.domain = {depth}});
+    add(entries, "BACKGROUND-depth", &reference::gloam_background_depth,
+        {.codomain = {numeric::infinity, numeric::infinity}});
     const Values part = either(signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-30, 1e30));
-    entries.push_back(equation<float(float, float)>(
-        {.id = "DEPTH-quotient",
-         .function = "gloam_depth_quotient",
-         .file = "gloam/geometry/linear_depth.glsl",
-         .title = "quotient that is a depth, or the background",
-         .formula = "a / b; +infinity unless positive and finite",
-         .source = "convention"},
-        &reference::gloam_depth_quotient,
+    add(entries, "DEPTH-quotient", &reference::gloam_depth_quotient,
         {.domain = {part.and_special(), part.and_special().and_near({0x1p126})},
          .budget = {.ulp = 1.5},
-         .codomain = {0x1p-126, numeric::infinity},
-         .promised = make_predicate<float(float, float)>(
-             [](double a, double b) { return moderate(1e-30, 1e30, a) && !(std::abs(a / b) < 1e-37); })}));
+         .codomain = {0x1p-126, numeric::infinity}},
+        [](double a, double b) { return moderate(1e-30, 1e30, a) && !(std::abs(a / b) < 1e-37); });
 }
-
-}  // namespace
 
 void append_depths(Entries& entries) {
     append_background(entries);
-    append_background_depths(entries);
-    append_depth(entries,
-                 {.id = "DEPTH-perspective-vk",
-                  .function = "gloam_linear_depth_perspective_vk",
-                  .title = "eye-linear depth, perspective, depth range [0, 1]",
-                  .formula = "d = P32 / (b + P22)"},
-                 &reference::gloam_linear_depth_perspective_vk, perspective_vk,
-                 {.budget = {.ulp = 3}, .promised = make_predicate<DepthSignature>(ordinary_projection)});
-    append_depth(entries,
-                 {.id = "DEPTH-perspective-gl",
-                  .function = "gloam_linear_depth_perspective_gl",
-                  .title = "eye-linear depth, perspective, depth range [-1, 1]",
-                  .formula = "d = P32 / (2 b - 1 + P22)"},
-                 &reference::gloam_linear_depth_perspective_gl, perspective_gl,
-                 {.budget = {.ulp = 3.5}, .promised = make_predicate<DepthSignature>(true_perspective_gl)});
-    append_depth(entries,
-                 {.id = "DEPTH-orthographic-vk",
-                  .function = "gloam_linear_depth_orthographic_vk",
-                  .title = "eye-linear depth, orthographic, depth range [0, 1]",
-                  .formula = "d = (P32 - b) / P22"},
-                 &reference::gloam_linear_depth_orthographic_vk, orthographic_vk,
-                 {.budget = {.ulp = 3}, .promised = make_predicate<DepthSignature>(ordinary_projection)});
-    append_depth(entries,
-                 {.id = "DEPTH-orthographic-gl",
-                  .function = "gloam_linear_depth_orthographic_gl",
-                  .title = "eye-linear depth, orthographic, depth range [-1, 1]",
-                  .formula = "d = (P32 + 1 - 2 b) / P22"},
-                 &reference::gloam_linear_depth_orthographic_gl, orthographic_gl,
-                 {.budget = {.ulp = 4}, .promised = make_predicate<DepthSignature>(true_orthographic_gl)});
+    add_depth(entries, "DEPTH-perspective-vk", &reference::gloam_linear_depth_perspective_vk, perspective_vk,
+              3, ordinary_projection);
+    add_depth(entries, "DEPTH-perspective-gl", &reference::gloam_linear_depth_perspective_gl, perspective_gl,
+              3.5, true_perspective_gl);
+    add_depth(entries, "DEPTH-orthographic-vk", &reference::gloam_linear_depth_orthographic_vk,
+              orthographic_vk, 3, ordinary_projection);
+    add_depth(entries, "DEPTH-orthographic-gl", &reference::gloam_linear_depth_orthographic_gl,
+              orthographic_gl, 4, true_orthographic_gl);
 }
+
+constexpr double huge = 3.5e38;
+
+Values depths() {
+    return log_uniform(1e-3, 1e6).and_special().and_near({0x1p-126});
+}
+
+Values ndcs() {
+    return vector(2, uniform(-1.1, 1.1)).and_special();
+}
+
+Values scales() {
+    return projection_scales().and_special();
+}
+
+// Between these no product or quotient of the formulas overflows or underflows.
+constexpr double smallest = 1e-12;
+constexpr double largest = 1e12;
+
+void append_projections(Entries& entries) {
+    const auto unproject = [&](const char* id, auto reference, double ulp) {
+        add(entries, id, reference,
+            {.domain = {ndcs(), depths(), scales()}, .budget = {.ulp = ulp}, .codomain = {-huge, huge}},
+            [](const auto&... inputs) { return moderate(smallest, largest, inputs...); });
+    };
+    unproject("POSITION-perspective", &reference::gloam_view_position_perspective, 3);
+    unproject("POSITION-orthographic", &reference::gloam_view_position_orthographic, 1);
+    const Values position =
+        vector({signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e3), signed_log_uniform(1e-3, 1e4)});
+    const auto ndc = [&](const char* id, auto reference, double ulp) {
+        add(entries, id, reference,
+            {.domain = {position.and_special(), scales()}, .budget = {.ulp = ulp}, .codomain = {-huge, huge}},
+            [](const auto&... inputs) { return moderate(smallest, largest, inputs...); });
+    };
+    ndc("NDC-perspective", &reference::gloam_ndc_perspective, 3);
+    ndc("NDC-orthographic", &reference::gloam_ndc_orthographic, 1);
+}
+
+void append_radii(Entries& entries) {
+    const Values radius = log_uniform(1e-3, 1e2).and_special();
+    const Values size = vector(2, log_integers(16384).and_near_integers({0}));
+    const auto in = [&](const char* id, auto reference, double ulp, const Domain& domain) {
+        add(entries, id, reference, {.domain = domain, .budget = {.ulp = ulp}, .codomain = {0, huge}},
+            [](double radius, double depth, glm::dvec2 scale, const auto&...) {
+                return moderate(smallest, largest, radius, depth, scale) && !std::isinf(radius);
+            });
+    };
+    const Domain uv{radius, depths(), scales()};
+    const Domain pixels{radius, depths(), scales(), size};
+    in("RADIUS-uv", &reference::gloam_projected_radius_uv, 3, uv);
+    in("RADIUS-px", &reference::gloam_projected_radius_pixels, 4.5, pixels);
+    in("RADIUS-uv-orthographic", &reference::gloam_projected_radius_uv_orthographic, 1, uv);
+    in("RADIUS-px-orthographic", &reference::gloam_projected_radius_pixels_orthographic, 3, pixels);
+}
+
+void append_coordinates(Entries& entries) {
+    add(entries, "LENGTH", &reference::gloam_positive_length,
+        {.domain = {either(any_float(), uniform(-2, 2)).and_special()}, .codomain = {0, huge}});
+    const Values coordinate = either(integers(-16, 8192), integers(-2147483648L, 2147483647L));
+    add(entries, "NDC-pixel", &reference::gloam_ndc_from_pixel,
+        {.domain = {vector(2, coordinate),
+                    vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
+         .budget = {.ulp = 1},
+         .codomain = {-1e10, 1e10}},
+        [](glm::ivec2 pixel, glm::ivec2) {
+            return std::abs(static_cast<double>(pixel.x)) <= 4194304 &&
+                   std::abs(static_cast<double>(pixel.y)) <= 4194304;
+        });
+    add(entries, "UV-ndc", &reference::gloam_uv_from_ndc,
+        {.domain = {ndcs()}, .budget = {.ulp = 1}, .codomain = {-huge, huge}});
+}
+
+void append_positions(Entries& entries) {
+    append_coordinates(entries);
+    append_projections(entries);
+    append_radii(entries);
+}
+
+// A position in front of the eye.
+Values centers() {
+    return vector({uniform(-5, 5), uniform(-5, 5), either(uniform(-20, -1), uniform(-2, -1))}).and_special();
+}
+
+// Offsets of neighbours from the centre: a step along the image and a change of depth, some beyond a
+// silhouette.
+Values steps(bool along_x) {
+    const Values step = uniform(0.02, 0.2);
+    const Values slack = uniform(-0.01, 0.01);
+    const Values depth = either(uniform(-0.2, 0.2), uniform(-4, 0.9));
+    return along_x ? vector({step, slack, depth}).and_special() : vector({slack, step, depth}).and_special();
+}
+
+// The neighbours are drawn as steps from the centre; left and down point the other way.
+void place_neighbors(std::span<Word> words) {
+    constexpr double signs[] = {-1.0, 1.0, 1.0, -1.0};
+    for (std::size_t neighbor = 0; neighbor < 4; ++neighbor) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Word& word = words[3 * (neighbor + 1) + axis];
+            const double step = from_word<double>(word) * (axis == 2 ? 1.0 : signs[neighbor]);
+            word = to_word(from_word<double>(words[axis]) + step);
+        }
+    }
+}
+
+// The cross product is accurate if the directions are not nearly parallel, and its sign is if the surface is
+// not seen edge-on.
+template <class Viewer>
+bool well_conditioned(glm::dvec3 x, glm::dvec3 y, Viewer viewer) {
+    const glm::dvec3 product = glm::cross(x, y);
+    const double sine = glm::length(product);
+    if (!(sine > 0.0)) return true;
+    return sine > 0.02 && std::abs(glm::dot(glm::normalize(product), glm::normalize(viewer))) > 1e-3;
+}
+
+template <bool orthographic>
+bool promised_normal(glm::dvec3 center, glm::dvec3 left, glm::dvec3 right, glm::dvec3 up, glm::dvec3 down) {
+    // Beyond these the sign of n . center depends on numbers that may be flushed to 0.
+    if (!moderate(1e-30, 1e6, center) || !moderate(0, 1e6, left, right, up, down)) return false;
+    const glm::dvec3 x = reference::gloam_neighbor_direction(center, left, right);
+    const glm::dvec3 y = reference::gloam_neighbor_direction(center, down, up);
+    return well_conditioned(x, y, orthographic ? glm::dvec3(0, 0, 1) : -center);
+}
+
+template <bool orthographic>
+void add_neighbors(Entries& entries, const char* id, auto reference) {
+    add(entries, id, reference,
+        {.domain = Domain{centers(), steps(true), steps(true), steps(false), steps(false)}.adjusted(
+             place_neighbors),
+         .budget = {.absolute = orthographic ? 4e-6 : 5e-7, .backward_ulp = 1},
+         .codomain = {-1.000001, 1.000001}},
+        promised_normal<orthographic>);
+}
+
+void append_directions(Entries& entries) {
+    const auto place = [](std::span<Word> words) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto center = from_word<double>(words[axis]);
+            const double behind = from_word<double>(words[3 + axis]) * (axis == 2 ? 1.0 : -1.0);
+            words[3 + axis] = to_word(center + behind);
+            words[6 + axis] = to_word(center + from_word<double>(words[6 + axis]));
+        }
+    };
+    add(entries, "NORMAL-direction", &reference::gloam_neighbor_direction,
+        {.domain = Domain{centers(), steps(true), steps(true)}.adjusted(place),
+         .budget = {.ulp = 6, .backward_ulp = 1},
+         .codomain = {-1.000001, 1.000001}},
+        [](const auto&... positions) { return moderate(1e-12, 1e12, positions...); });
+    add(entries, "NORMAL-facing", &reference::gloam_facing_normal,
+        {.domain = {unit_vector(3).and_special(), unit_vector(3).and_special(),
+                    vector_of_length(3, log_uniform(1e-3, 1e3)).and_special()},
+         .budget = {.absolute = 3e-6},
+         .codomain = {-1.000001, 1.000001}},
+        [](glm::dvec3 x, glm::dvec3 y, glm::dvec3 viewer) {
+            return moderate(1e-10, 2.0, x, y) && moderate(1e-10, 1e10, viewer) &&
+                   std::isfinite(viewer.x + viewer.y + viewer.z) && well_conditioned(x, y, viewer);
+        });
+}
+
+void append_safe_normalize(Entries& entries) {
+    const Values any = either(vector_of_length(3, log_uniform(1e-37, 3e38)), vector(3, any_float()));
+    add(entries, "NORMALIZE", &reference::gloam_safe_normalize,
+        {.domain = {any.and_special(), unit_vector(3).and_value(glm::vec3(0.0F))},
+         .budget = {.ulp = 5, .absolute = 1e-18},
+         .codomain = {-1.000001, 1.000001}});
+}
+
+// A reference that fetches depths, from the images of a scenario.
+template <class Reference>
+auto fetching_depth(Reference reference) {
+    return [reference](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, glm::dvec2 scale) {
+        const auto fetch = [&images](glm::ivec2 at) { return images.at(depth_prototype).at<double>(at); };
+        return reference(pixel, size, scale, fetch);
+    };
+}
+
+void add_from_depth(Entries& entries, const char* id, auto reference, Budget budget, Codomain codomain) {
+    add(entries, id, fetching_depth(reference),
+        {.domain = {either(image_pixel(), vector(2, integers(-2, 66))), image_size(), projection_scales()},
+         .budget = budget,
+         .codomain = codomain,
+         .scenarios = depth_scenarios(depth_prototype)});
+}
+
+void append_normals(Entries& entries) {
+    append_safe_normalize(entries);
+    add_neighbors<false>(entries, "NORMAL", &reference::gloam_normal_from_neighbors);
+    add_neighbors<true>(entries, "NORMAL-orthographic", &reference::gloam_normal_from_neighbors_orthographic);
+    append_directions(entries);
+    add_from_depth(entries, "POSITION-depth", &reference::gloam_position_from_depth, {.ulp = 4}, {-1e6, 1e6});
+    add_from_depth(entries, "NORMAL-depth", &reference::gloam_normal_from_depth, {.absolute = 2e-5},
+                   {-1.000001, 1.000001});
+}
+
+}  // namespace
 
 void append_geometry(Entries& entries) {
     append_depths(entries);
     append_positions(entries);
     append_normals(entries);
-    append_reprojections(entries);
-    append_cameras(entries);
-    append_pixels(entries);
-    append_geometry_lengths(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Reprojection, cameras, pixels, and how a surface bends and spreads.
+#include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+#include <initializer_list>
 #include <limits>
 
-#include "catalogue/camera_inputs.hpp"
-#include "catalogue/geometry_parts.hpp"
 #include "catalogue/inputs.hpp"
+#include "numeric/constants.hpp"
 #include "reference/geometry.hpp"
 #include "reference/geometry_camera.hpp"
 
@@ -12,14 +15,132 @@ namespace gloam::catalogue {
 namespace {
 
 using namespace check;
+
+constexpr double huge = 3.5e38;
+
+// The errors of matrix products are relative to their largest terms: the budgets hold for entries of
+// ordinary size.
+constexpr double smallest_entry = 1e-30;
+constexpr double largest_entry = 1e2;
+
+// Errors through a chain of matrices are promised for chains without scaling between the two projections, and
+// for points for which no sum on the way has terms with a total magnitude above `farthest`. Larger terms
+// cancel and lose digits.
+constexpr double projection_scale = 2.0;
+constexpr double rigid_tolerance = 1e-3;
+constexpr double farthest = 200.0;
+
+bool finite(const glm::dmat4& matrix) {
+    bool all = true;
+    check::visit_scalars(matrix, [&](const auto& entry) { all = all && std::isfinite(entry); });
+    return all;
+}
+
+// Whether the matrix is a rotation and a translation.
+bool rigid(const glm::dmat4& matrix) {
+    const glm::dmat3 turn(matrix);
+    const glm::dmat3 identity = glm::transpose(turn) * turn - glm::dmat3(1.0);
+    bool all = true;
+    check::visit_scalars(identity, [&](double entry) { all = all && std::abs(entry) <= rigid_tolerance; });
+    const glm::dvec4 last = glm::row(matrix, 3);
+    return all && last == glm::dvec4(0, 0, 0, 1);
+}
+
+bool scales_little(const glm::dmat4& projection) {
+    bool all = true;
+    const glm::dmat3 linear(projection);
+    check::visit_scalars(linear, [&](double entry) { all = all && std::abs(entry) <= projection_scale; });
+    return all;
+}
+
+// Multiplies the point by the matrix. Returns whether it did so without large sums.
+bool carry(glm::dvec4& point, const glm::dmat4& matrix) {
+    glm::dvec4 sums(0.0);
+    for (int column = 0; column < 4; ++column) sums += glm::abs(matrix[column] * point[column]);
+    point = matrix * point;
+    return std::max({sums.x, sums.y, sums.z, sums.w}) <= farthest;
+}
+
+// Inputs that are not finite are always judged.
+bool carried_near(glm::dvec4 point, std::initializer_list<glm::dmat4> chain, bool projections) {
+    if (!(std::ranges::all_of(chain, finite) && std::isfinite(glm::dot(point, point)))) return true;
+    for (const glm::dmat4& matrix : chain) {
+        const bool end = projections && (&matrix == chain.begin() || &matrix == chain.end() - 1);
+        if (!(end ? scales_little(matrix) : rigid(matrix)) || !carry(point, matrix)) return false;
+    }
+    return true;
+}
+
+void append_clip(Entries& entries) {
+    add(entries, "TSSAO-RP-uv", &reference::gloam_uv_from_clip,
+        {.domain = {either(clip_points(), vector(4, signed_log_uniform(1e-30, 1e30))).and_special()},
+         .budget = {.ulp = 3},
+         .codomain = {0, 1}});
+    add(entries, "TSSAO-RP", &reference::gloam_reproject_clip,
+        {.domain = {clip_points().and_special(), reprojection_matrices().and_special()},
+         .budget = {.absolute = 1.2e-6, .backward_ulp = 4},
+         .codomain = {0, 1}},
+        [](const glm::dvec4& clip, const glm::dmat4& matrix) {
+            const double w = (matrix * clip).w;
+            return moderate(smallest_entry, largest_entry, clip, matrix) && !(std::abs(w) < 0.05);
+        });
+    add(entries, "TSSAO-RP-static", &reference::gloam_previous_clip_static,
+        {.domain = {clip_points().and_special(), inverse_projection_matrices().and_special(),
+                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
+                    projection_matrices().and_special()},
+         .budget = {.ulp = 4, .absolute = 4e-4, .of_largest_component = true},
+         .codomain = {-huge, huge}},
+        [](const glm::dvec4& clip, const auto&... matrices) {
+            return moderate(smallest_entry, largest_entry, clip, matrices...) &&
+                   carried_near(clip, {glm::dmat4(matrices)...}, true);
+        });
+    add(entries, "TSSAO-RP-moving", &reference::gloam_previous_clip_moving,
+        {.domain = {clip_points().and_special(), inverse_projection_matrices().and_special(),
+                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
+                    rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
+                    projection_matrices().and_special()},
+         .budget = {.ulp = 4, .absolute = 5e-4, .of_largest_component = true},
+         .codomain = {-huge, huge}},
+        [](const glm::dvec4& clip, const auto&... matrices) {
+            return moderate(smallest_entry, largest_entry, clip, matrices...) &&
+                   carried_near(clip, {glm::dmat4(matrices)...}, true);
+        });
+}
+
+// World positions in a scene of usual size.
+Values positions() {
+    return vector(3, uniform(-100, 100)).and_special();
+}
+
+void append_previous(Entries& entries) {
+    add(entries, "TSSAO-RP-world", &reference::gloam_previous_world,
+        {.domain = {positions(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
+         .budget = {.ulp = 4, .absolute = 2.4e-4, .of_largest_component = true},
+         .codomain = {-huge, huge}},
+        [](const glm::dvec3& world, const auto&... matrices) {
+            return moderate(smallest_entry, largest_entry, world, matrices...) &&
+                   carried_near(glm::dvec4(world, 1.0), {glm::dmat4(matrices)...}, false);
+        });
+    add(entries, "TSSAO-RP-depth", &reference::gloam_previous_depth,
+        {.domain = {positions(), rigid_matrices(10).and_special()},
+         .budget = {.absolute = 5e-5},
+         .codomain = {-huge, huge}},
+        [](const auto&... values) { return moderate(smallest_entry, largest_entry, values...); });
+}
+
+void append_reprojections(Entries& entries) {
+    append_clip(entries);
+    append_previous(entries);
+    add(entries, "TSSAO-PREC", &reference::gloam_camera_centered_previous,
+        {.domain = {positions(), vector(3, signed_log_uniform(1e-6, 10)).and_special()},
+         .budget = {.ulp = 1},
+         .codomain = {-huge, huge}});
+}
+
 using Camera = reference::GloamCamera;
 
-constexpr const char* file = "gloam/geometry/camera.glsl";
-constexpr double huge = 3.5e38;
 constexpr double smallest = 1e-12;
 constexpr double largest = 1e12;
-
-using PlaneDepth = float(glm::ivec2, glm::vec3, glm::vec3, Camera);
 
 // Neither of the products that determine the depth cancels by more than a factor of 4.
 bool well_conditioned(glm::ivec2 pixel, glm::dvec3 point, glm::dvec3 normal, const Camera& c) {
@@ -38,99 +159,187 @@ Values view_positions() {
     const Values coordinate = either(uniform(-1, 1), signed_log_uniform(1e-3, 1e3));
     return vector({coordinate, coordinate, uniform(1, 4)}).and_special();
 }
+
 Values depths() {
     return log_uniform(1e-3, 1e6).and_special();
 }
 
-void append_surface(Entries& entries) {
-    entries.push_back(equation<bool(glm::vec3)>(
-        {.id = "POSITION-surface",
-         .function = "gloam_is_surface_position",
-         .file = "gloam/geometry/surface_position.glsl",
-         .title = "whether a position is one of a surface",
-         .formula = "finite and not the zero vector",
-         .source = "convention"},
-        &reference::gloam_is_surface_position,
-        {.domain = {vector(3, uniform(-4, 4)).and_value(glm::vec3(0)).and_special()}}));
-}
-
-void append_uv(Entries& entries) {
-    entries.push_back(equation<glm::vec2(glm::vec3, Camera)>(
-        {.id = "CAMERA-uv",
-         .function = "gloam_camera_uv",
-         .file = file,
-         .title = "texture coordinates of a view-space position",
-         .formula = "ndc / 2 + 1/2, ndc of either projection",
-         .source = "the projection"},
-        &reference::gloam_camera_uv,
+void append_cameras(Entries& entries) {
+    add(entries, "POSITION-surface", &reference::gloam_is_surface_position,
+        {.domain = {vector(3, uniform(-4, 4)).and_value(glm::vec3(0)).and_special()}});
+    add(entries, "CAMERA-uv", &reference::gloam_camera_uv,
         {.domain = Domain{view_positions(), cameras()}.adjusted(place_before_camera(0, 3)),
          .budget = {.ulp = 4, .absolute = 2e-7},
-         .codomain = {-huge, huge},
-         .promised = make_predicate<glm::vec2(glm::vec3, Camera)>(
-             [](glm::dvec3 at, const Camera& c) { return moderate(smallest, largest, at, c.p00_p11); })}));
-}
-
-void append_position(Entries& entries) {
+         .codomain = {-huge, huge}},
+        [](glm::dvec3 at, const Camera& c) { return moderate(smallest, largest, at, c.p00_p11); });
     const Values pixel = vector(2, either(integers(-4, 64), integers(-4194304, 4194304)));
-    entries.push_back(equation<glm::vec3(glm::ivec2, float, Camera)>(
-        {.id = "CAMERA-position",
-         .function = "gloam_camera_position",
-         .file = file,
-         .title = "view-space position of the surface under a pixel's centre",
-         .formula = "(ndc.x / P00, ndc.y / P11, -1) d, or (ndc.x / P00, ndc.y / P11, -d)",
-         .source = "inverse of the projection"},
-        &reference::gloam_camera_position,
-        {.domain = {pixel, depths(), cameras()},
-         .budget = {.ulp = 3},
-         .codomain = {-huge, huge},
-         .promised =
-             make_predicate<glm::vec3(glm::ivec2, float, Camera)>([](glm::ivec2, double d, const Camera& c) {
-                 return moderate(smallest, largest, d, c.p00_p11);
-             })}));
-}
-
-void append_radius(Entries& entries) {
-    entries.push_back(equation<glm::vec2(float, float, Camera)>(
-        {.id = "CAMERA-radius",
-         .function = "gloam_camera_radius",
-         .file = file,
-         .title = "projected radius of a world length",
-         .formula = "R (|P00|, |P11|) / (2 d), or R (|P00|, |P11|) / 2",
-         .source = "the projection"},
-        &reference::gloam_camera_radius,
+    add(entries, "CAMERA-position", &reference::gloam_camera_position,
+        {.domain = {pixel, depths(), cameras()}, .budget = {.ulp = 3}, .codomain = {-huge, huge}},
+        [](glm::ivec2, double d, const Camera& c) { return moderate(smallest, largest, d, c.p00_p11); });
+    add(entries, "CAMERA-radius", &reference::gloam_camera_radius,
         {.domain = {log_uniform(1e-3, 1e2).and_special(), depths(), cameras()},
          .budget = {.ulp = 3},
-         .codomain = {0, huge},
-         .promised = make_predicate<glm::vec2(float, float, Camera)>([](double r, double d, const Camera& c) {
-             return moderate(smallest, largest, r, d, c.p00_p11) && !(r > largest);
-         })}));
-}
-
-void append_plane(Entries& entries) {
-    entries.push_back(equation<PlaneDepth>(
-        {.id = "CAMERA-plane",
-         .function = "gloam_plane_depth",
-         .file = "gloam/geometry/plane_depth.glsl",
-         .title = "depth at which a pixel's view ray meets a plane",
-         .formula = "t with n . (ray(t) - point) = 0",
-         .source = "ray and plane; keeps a bare plane open in TSSAO-3"},
-        &reference::gloam_plane_depth,
+         .codomain = {0, huge}},
+        [](double r, double d, const Camera& c) {
+            return moderate(smallest, largest, r, d, c.p00_p11) && !(r > largest);
+        });
+    add(entries, "CAMERA-plane", &reference::gloam_plane_depth,
         {.domain = Domain{image_pixel(), view_positions(), unit_vector(3).and_special(), cameras()}.adjusted(
              place_before_camera(2, 8)),
          .budget = {.ulp = 14},
          .codomain = {0, std::numeric_limits<double>::infinity()},
-         .promised = make_predicate<PlaneDepth>(well_conditioned),
-         .scenarios = {{.name = "40 x 30", .size = {40, 30}}}}));
+         .scenarios = {{.name = "40 x 30", .size = {40, 30}}}},
+        well_conditioned);
+}
+
+Values sizes() {
+    return vector(2, log_integers(16384).and_near_integers({0, -2147483647L, 4194304}));
+}
+
+Values uvs() {
+    return vector(2, uniform(-0.2, 1.2).and_near({1.0})).and_special();
+}
+
+// One coordinate in four is put on the border of a pixel, or the float before or after it.
+void place_at_borders(std::span<Word> words) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto size = from_word<int>(words[2 + axis]);
+        const Word lot = words[axis];
+        if (lot % 4U != 2U || size < 1) continue;  // no special float ends in these bits
+        const auto pixel = static_cast<double>((lot / 4U) % static_cast<Word>(size));
+        words[axis] = to_word(pixel / size) + (lot / 64U) % 3U - 1U;
+    }
+}
+
+void append_guard_uv(Entries& entries) {
+    const Values guards = vector(2, uniform(0, 1).and_near({0.05, 0.1})).and_special();
+    const auto uv = [&](const char* id, auto reference, Budget budget) {
+        add(entries, id, reference, {.domain = {uvs(), guards}, .budget = budget, .codomain = {-huge, huge}},
+            [](glm::dvec2 at, glm::dvec2 guard) {
+                const auto usual = [](double x) { return !(std::abs(x) > 1e9 && std::isfinite(x)); };
+                return usual(at.x) && usual(at.y) && guard.x >= 0 && guard.x <= 1 && guard.y >= 0 &&
+                       guard.y <= 1;
+            });
+    };
+    uv("TSSAO-BORDER-inner", &reference::gloam_guard_band_inner_uv, {.ulp = 1.5, .absolute = 3e-7});
+    uv("TSSAO-BORDER-outer", &reference::gloam_guard_band_outer_uv, {.ulp = 4, .absolute = 1e-7});
+    add(entries, "TSSAO-BORDER-tan", &reference::gloam_guard_band_tan_half_fov,
+        {.domain = {log_uniform(0.05, 10).and_special(), uniform(0, 1).and_special()},
+         .budget = {.ulp = 3},
+         .codomain = {-huge, huge}},
+        [](double, double guard) { return guard >= 0 && guard <= 1; });
+}
+
+void append_nearest(Entries& entries) {
+    add(entries, "TSSAO-7-index", &reference::gloam_nearest_index,
+        {.domain = {uniform(-0.2, 1.2).and_near({0.5, 1.0}).and_special(),
+                    log_integers(16384).and_near_integers({0, -2147483647L})},
+         .budget = {.backward_ulp = 1}});
+    add(entries, "TSSAO-7-pixel", &reference::gloam_nearest_pixel,
+        {.domain = Domain{uvs(), sizes()}.adjusted(place_at_borders), .budget = {.backward_ulp = 1}});
+    add(entries, "TSSAO-7", &reference::gloam_pixel_center,
+        {.domain = Domain{uvs(), sizes()}.adjusted(place_at_borders),
+         .budget = {.ulp = 1.5, .backward_ulp = 1},
+         .codomain = {0, 1}});
+}
+
+void append_guard_sizes(Entries& entries) {
+    const Values guard =
+        either(uniform(0, 1), uniform(0.05, 0.1)).and_near({0.05, 0.1, 0.25, 0.5}).and_special();
+    const Domain domain{sizes(), guard};
+    add(entries, "TSSAO-BORDER-width", &reference::gloam_guard_band_border,
+        {.domain = domain, .budget = {.backward_ulp = 1}, .codomain = {0, 4194305}});
+    add(entries, "TSSAO-BORDER-size", &reference::gloam_guard_band_size,
+        {.domain = domain, .budget = {.backward_ulp = 1}, .codomain = {0, 12582915}});
+    add(entries, "TSSAO-BORDER-guard", &reference::gloam_guard_band_guard,
+        {.domain = domain, .budget = {.ulp = 5, .backward_ulp = 1}, .codomain = {0, 1}});
+}
+
+void append_pixels(Entries& entries) {
+    append_nearest(entries);
+    add(entries, "INSIDE", &reference::gloam_inside_unit,
+        {.domain = {vector(2, uniform(-0.2, 1.2).and_near({0.0, 1.0})).and_special()}});
+    const Values pixel = vector(2, integers(-100, 5000).and_near_integers({0, 2147483647, -2147483647L}));
+    add(entries, "TSSAO-BORDER", &reference::gloam_clamp_to_edge, {.domain = {pixel, sizes()}});
+    append_guard_sizes(entries);
+    append_guard_uv(entries);
+}
+
+void append_curvatures(Entries& entries) {
+    const Values step =
+        either(vector_of_length(3, uniform(0.01, 0.02)), vector_of_length(3, log_uniform(1e-12, 1e12)))
+            .and_value(glm::vec3(0))
+            .and_special();
+    const Values turn = either(vector_of_length(3, uniform(0, 0.01)), vector_of_length(3, uniform(0.8, 1)))
+                            .and_value(glm::vec3(0))
+                            .and_special();
+    add(entries, "CS-K-principal", &reference::gloam_principal_curvatures,
+        {.domain = {step, step, turn, turn},
+         .budget = {.absolute = 1.1e-4},
+         .codomain = {-numeric::largest_float, numeric::largest_float}},
+        [](glm::dvec3 px, glm::dvec3 py, glm::dvec3 nx, glm::dvec3 ny) {
+            const double a = glm::length(px);
+            const double b = glm::length(py);
+            return a > 0.009 && a < 0.021 && b > 0.009 && b < 0.021 && glm::length(nx) < 1.1 &&
+                   glm::length(ny) < 1.1 && glm::length(glm::cross(px, py)) > 0.8 * a * b;
+        });
+}
+
+using Moments = reference::GloamSurfaceMoments;
+
+bool usual_moments(const Moments& m) {
+    return moderate(1e-9, 1e4, m.weight, m.mean, m.variance, m.covariance);
+}
+
+// Weight, mean, variances, covariances.
+Values moments() {
+    std::vector<Values> members{either(uniform(0.25, 64), constant(0.0F))};
+    members.insert(members.end(), 3, uniform(-5, 5));
+    members.insert(members.end(), 3, uniform(0, 2));
+    members.insert(members.end(), 3, uniform(-1, 1));
+    return vector(members).only_as_drawn();
+}
+
+void append_moments(Entries& entries) {
+    add(entries, "MOMENTS-empty", &reference::gloam_moments_empty, {.codomain = {0, 0}});
+    add(entries, "MOMENTS-of", &reference::gloam_moments_of,
+        {.domain = {vector(3, uniform(-5, 5)).only_as_drawn()}, .codomain = {-5, 5}});
+    add(entries, "MOMENTS-add", &reference::gloam_moments_add,
+        {.domain = {moments(), moments()}, .budget = {.absolute = 2e-5}, .codomain = {-128, 128}},
+        [](const Moments& a, const Moments& b) { return usual_moments(a) && usual_moments(b); });
+    add(entries, "MOMENTS-along", &reference::gloam_moments_along,
+        {.domain = {moments(), unit_vector(3).and_special()},
+         .budget = {.absolute = 2e-6},
+         .codomain = {0, numeric::infinity}},
+        [](const Moments& m, const glm::dvec3& n) { return usual_moments(m) && moderate(1e-9, 1.1, n); });
+}
+
+void append_geometry_lengths(Entries& entries) {
+    append_curvatures(entries);
+    append_moments(entries);
+    const Values any =
+        either(vector_of_length(3, log_uniform(1e-3, 10)), vector_of_length(3, log_uniform(1e-37, 1e38)))
+            .and_value(glm::vec3(0))
+            .and_special();
+    add(entries, "LENGTH-vector", &reference::gloam_length,
+        {.domain = {any}, .budget = {.ulp = 4}, .codomain = {0, numeric::infinity}}, [](glm::dvec3 v) {
+            return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e38) && glm::length(v) >= 1e-30;
+        });
+    const Values radius = either(log_uniform(1, 4096), log_uniform(1e-37, 1e38)).and_special();
+    add(entries, "CS-G-cap", &reference::gloam_radius_cap,
+        {.domain = Domain{vector(2, radius), radius}, .budget = {.ulp = 3.5}, .codomain = {0, 3.5e38}},
+        [](glm::dvec2 axes, double cap) {
+            return moderate(1e-18, 1e18, axes, cap) && std::max(axes.x, axes.y) < 1e18;
+        });
 }
 
 }  // namespace
 
-void append_cameras(Entries& entries) {
-    append_surface(entries);
-    append_uv(entries);
-    append_position(entries);
-    append_radius(entries);
-    append_plane(entries);
+void append_geometry_camera(Entries& entries) {
+    append_reprojections(entries);
+    append_cameras(entries);
+    append_pixels(entries);
+    append_geometry_lengths(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/inputs.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gloam::catalogue {
-namespace {
 
+using namespace check;
 using numeric::Random;
+
+namespace {
 
 glm::dvec3 direction(Random& random) {
     const double z = random.uniform(-1.0, 1.0);
@@ -54,39 +59,95 @@ glm::dmat4 projection(Random& random) {
     return matrix;
 }
 
+constexpr glm::ivec2 sizes[] = {{1, 1}, {3, 5}, {17, 9}, {64, 2}, {1, 33}, {29, 43}};
+
+// Two slanted surfaces, one in front of the other, with a few background pixels.
+Image surface_depth(glm::ivec2 size, numeric::Random& random) {
+    const float slope_x = static_cast<float>(random.uniform(-0.02, 0.02));
+    const float slope_y = static_cast<float>(random.uniform(-0.02, 0.02));
+    return make_image<float>(size, [&](glm::ivec2 pixel) {
+        if (random.below(16) == 0) return std::numeric_limits<float>::infinity();
+        const float base = (pixel.x + 2 * pixel.y) % 7 < 3 ? 2.0F : 3.0F;
+        return base + slope_x * static_cast<float>(pixel.x) + slope_y * static_cast<float>(pixel.y);
+    });
+}
+
+Image no_surface(glm::ivec2 size) {
+    return make_image<float>(size, [](glm::ivec2) { return std::numeric_limits<float>::infinity(); });
+}
+
 }  // namespace
 
-check::Values rigid_matrices(double extent) {
-    return check::made_by<glm::mat4>(
-        [extent](Random& random) { return rigid(random, std::numbers::pi, extent); });
+Values rigid_matrices(double extent) {
+    return made_by<glm::mat4>([extent](Random& random) { return rigid(random, std::numbers::pi, extent); });
 }
 
-check::Values projection_matrices() {
-    return check::made_by<glm::mat4>([](Random& random) { return projection(random); });
+Values projection_matrices() {
+    return made_by<glm::mat4>([](Random& random) { return projection(random); });
 }
 
-check::Values inverse_projection_matrices() {
-    return check::made_by<glm::mat4>([](Random& random) { return glm::inverse(projection(random)); });
+Values inverse_projection_matrices() {
+    return made_by<glm::mat4>([](Random& random) { return glm::inverse(projection(random)); });
 }
 
-check::Values reprojection_matrices() {
-    return check::made_by<glm::mat4>([](Random& random) {
+Values reprojection_matrices() {
+    return made_by<glm::mat4>([](Random& random) {
         const glm::dmat4 p = projection(random);
         return p * rigid(random, 0.5, 1.0) * glm::inverse(p);
     });
 }
 
-check::Values clip_points() {
-    return check::made_by<glm::vec4>([](Random& random) {
+Values clip_points() {
+    return made_by<glm::vec4>([](Random& random) {
         const glm::dvec4 point(random.uniform(-1.1, 1.1), random.uniform(-1.1, 1.1), random.unit(), 1.0);
         const double w = random.below(2) == 0 ? 1.0 : std::exp(random.uniform(std::log(0.1), std::log(10.0)));
         return point * w;
     });
 }
 
-check::Values projection_scales() {
-    return check::vector(
-        {check::log_uniform(0.3, 5.0).and_near({1.0}), check::signed_log_uniform(0.3, 5.0).and_near({-1.0})});
+Values projection_scales() {
+    return vector({log_uniform(0.3, 5.0).and_near({1.0}), signed_log_uniform(0.3, 5.0).and_near({-1.0})});
+}
+
+Values cameras() {
+    return vector({log_uniform(0.5, 3).and_special(), signed_log_uniform(0.5, 3).and_special(), image_size(),
+                   booleans()});
+}
+
+std::function<void(std::span<Word>)> place_before_camera(std::size_t position, std::size_t camera) {
+    return [position, camera](std::span<Word> words) {
+        const auto number = [&](std::size_t i) { return from_word<double>(words[i]); };
+        const glm::dvec2 ndc(number(position), number(position + 1));
+        const glm::dvec2 scale(number(camera), number(camera + 1));
+        const double depth = number(position + 2);
+        const bool drawn = std::abs(ndc.x) <= 1.0 && std::abs(ndc.y) <= 1.0 && depth >= 1.0 && depth <= 4.0;
+        if (!drawn) return;
+        const bool orthographic = words[camera + 4] != 0U;
+        const glm::dvec2 side = ndc / scale * (orthographic ? 1.0 : depth);
+        words[position] = to_word(side.x);
+        words[position + 1] = to_word(side.y);
+        words[position + 2] = to_word(-depth);
+    };
+}
+
+std::vector<ImageScenario> image_scenarios(
+    const std::function<ImageSet(glm::ivec2 size, numeric::Random& random)>& make) {
+    std::vector<ImageScenario> scenarios;
+    for (const glm::ivec2 size : sizes) {
+        scenarios.push_back({.name = fmt::format("{} x {}", size.x, size.y), .size = size, .make = make});
+    }
+    return scenarios;
+}
+
+std::vector<ImageScenario> depth_scenarios(const std::string& prototype) {
+    auto scenarios = image_scenarios([prototype](glm::ivec2 size, numeric::Random& random) {
+        return ImageSet{{prototype, surface_depth(size, random)}};
+    });
+    scenarios.push_back(
+        {.name = "all background", .size = {5, 4}, .make = [prototype](glm::ivec2 size, numeric::Random&) {
+             return ImageSet{{prototype, no_surface(size)}};
+         }});
+    return scenarios;
 }
 
 }  // namespace gloam::catalogue

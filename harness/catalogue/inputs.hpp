@@ -2,10 +2,15 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "check/question.hpp"
 #include "check/values.hpp"
 
-// Values that several entries use.
+// Values and images that several entries use.
 namespace gloam::catalogue {
 
 // Whether every scalar of the values has a magnitude in [low, high], so that products and quotients of a few
@@ -20,6 +25,11 @@ template <class... V>
     };
     (check::visit_scalars(values, look), ...);
     return all;
+}
+
+// Whether a vector has length 1; accuracy is promised for such normals.
+[[nodiscard]] inline bool is_unit(const glm::dvec3& n) {
+    return std::abs(glm::length(n) - 1.0) <= 1e-6;
 }
 
 // mat4: rotation and translation, up to `extent` world units from the origin (a view or model matrix, or its
@@ -41,5 +51,24 @@ template <class... V>
 
 // vec2: the elements (P00, P11) of a projection, either sign of y.
 [[nodiscard]] check::Values projection_scales();
+
+// GloamCamera: perspective or orthographic, with the size of the run's images (1 x 1 besides special values).
+[[nodiscard]] check::Values cameras();
+
+// Returns an adjustment: the vec3 at word `position` of a row, drawn as (ndc, depth), becomes the view-space
+// position there in the GloamCamera at word `camera`. Special values, which are not (ndc, depth), are kept.
+[[nodiscard]] std::function<void(std::span<check::Word>)> place_before_camera(std::size_t position,
+                                                                              std::size_t camera);
+
+// Images of the sizes on which every image-reading function is checked: 1 x 1, odd, wide, tall.
+// `make`: fills them.
+[[nodiscard]] std::vector<check::ImageScenario> image_scenarios(
+    const std::function<check::ImageSet(glm::ivec2 size, numeric::Random& random)>& make);
+
+inline constexpr const char* depth_prototype = "gloam_fetch_depth";
+
+// Eye-linear depth images (float) of those sizes for a prototype: a slanted surface with steps and holes of
+// background (+infinity), and one scenario of background alone.
+[[nodiscard]] std::vector<check::ImageScenario> depth_scenarios(const std::string& prototype);
 
 }  // namespace gloam::catalogue

@@ -1,24 +1,301 @@
 // SPDX-License-Identifier: MIT
-#include "catalogue/occlusion_parts.hpp"
-#include "catalogue/relatives_parts.hpp"
-#include "catalogue/rooms.hpp"
+// Falloffs, estimates, and the contributions of single points: Ritschel, Fox and Compton, Alchemy, ISSAO,
+// Crytek, Filion and McNaughton.
+#include <cmath>
+
+#include "catalogue/inputs.hpp"
+#include "numeric/constants.hpp"
+#include "reference/geometry_camera.hpp"
+#include "reference/occlusion.hpp"
+#include "reference/occlusion_points.hpp"
+#include "reference/sampling.hpp"
+#include "reference/shading.hpp"
 
 namespace gloam::catalogue {
+namespace {
+
+using namespace check;
+
+constexpr double subnormal_end = 0x1p-126;
+constexpr double float_max = 0x1.fffffep127;
+
+// Distances and radii of any size. Half of them are within a factor of two of each other, where a falloff
+// changes most.
+Domain distances() {
+    const Values length = either(log_uniform(0.5, 2), signed_log_uniform(1e-37, 1e38))
+                              .and_near({subnormal_end, float_max, 0x1p-64, 0x1p64})
+                              .and_special();
+    return Domain{length, length}.tied(0, 1).tied(0, 1, -1.0).tied(0, 1, 0.5).tied(0, 1, 5.541263545);
+}
+
+void add_falloff(Entries& entries, const char* id, double (*reference)(double, double), Budget budget) {
+    add(entries, id, reference, {.domain = distances(), .budget = budget, .codomain = {0, 1}});
+}
+
+void append_falloffs(Entries& entries) {
+    add_falloff(entries, "FALLOFF-step", &reference::gloam_falloff_step, {});
+    add_falloff(entries, "FALLOFF-linear", &reference::gloam_falloff_linear, {.ulp = 1.5});
+    add_falloff(entries, "FALLOFF-quadratic", &reference::gloam_falloff_quadratic, {.ulp = 3});
+    add_falloff(entries, "FALLOFF-cubic", &reference::gloam_falloff_cubic, {.ulp = 5});
+    add_falloff(entries, "FALLOFF-sao", &reference::gloam_falloff_sao, {.ulp = 10});
+    add_falloff(entries, "FALLOFF-exponential", &reference::gloam_falloff_exponential,
+                {.ulp = 10, .backward_ulp = 4});
+    add_falloff(entries, "FALLOFF-alchemy", &reference::gloam_falloff_alchemy, {.ulp = 1});
+    add_falloff(entries, "FALLOFF-filion", &reference::gloam_visibility_filion, {.ulp = 2});
+    add(entries, "FALLOFF-one", &reference::gloam_falloff_one,
+        {.domain = {any_float().and_special()}, .codomain = {0, 1}});
+}
+
+Values depths() {
+    return either(uniform(0.5, 8), log_uniform(1e-3, 1e6)).and_near({0x1p-126, 0x1.fffffep127}).and_special();
+}
+
+Values normals() {
+    return unit_vector(3).and_special();
+}
+
+Values offsets() {
+    return either(vector_of_length(3, uniform(0, 2)), vector_of_length(3, log_uniform(1e-37, 1e38)))
+        .and_value(glm::vec3(0))
+        .and_special();
+}
+
+// Whether a vector is short enough that its dot product with a unit vector cannot overflow.
+bool short_enough(glm::dvec3 v) {
+    return !(std::abs(v.x) + std::abs(v.y) + std::abs(v.z) > 1e38);
+}
+
+void append_ritschel(Entries& entries) {
+    add(entries, "TSSAO-1-cos", &reference::gloam_sample_cosine,
+        {.domain = {offsets(), normals()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}},
+        [](glm::dvec3, glm::dvec3 normal) { return short_enough(normal); });
+    const Values slack = either(log_uniform(1e-4, 1), uniform(0, 1)).and_special();
+    add(entries, "TSSAO-3-V", &reference::gloam_sample_blocked,
+        {.domain = Domain{depths(), depths(), slack, slack}.tied(1, 0).tied(3, 2),
+         .budget = {.backward_ulp = 1},
+         .codomain = {0, 1}});
+    const Values factor =
+        either(uniform(0, 1).and_near({0.0, 1.0}), signed_log_uniform(1e-30, 10)).and_special();
+    const Domain three{factor, factor, factor};
+    add(entries, "TSSAO-3", &reference::gloam_contribution_ritschel,
+        {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 1}});
+    add(entries, "TSSAO-3-cosine", &reference::gloam_contribution_cosine_directions,
+        {.domain = {factor, factor}, .budget = {.ulp = 0.5}, .codomain = {0, 1}});
+    add(entries, "TSSAO-3-uniform", &reference::gloam_contribution_uniform_directions,
+        {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 2}});
+}
+
+void append_fox_compton(Entries& entries) {
+    const Values position = either(vector(3, uniform(-8, 8)), vector(3, signed_log_uniform(1e-30, 1e37)))
+                                .and_value(glm::vec3(0))
+                                .and_special();
+    const Values epsilon = either(log_uniform(0.01, 10), log_uniform(1e-30, 1e37)).and_special();
+    const Domain domain{position, normals(), position, epsilon};
+    add(entries, "TSSAO-12", &reference::gloam_contribution_fox_compton,
+        {.domain = domain, .budget = {.absolute = 3e-6}, .codomain = {0, 8.6e37}},
+        [](glm::dvec3 p, glm::dvec3 n, glm::dvec3 s, double epsilon) {
+            return epsilon >= 0.1 && short_enough(n) && short_enough(p) && short_enough(s);
+        });
+    add(entries, "TSSAO-12-scaled", &reference::gloam_contribution_fox_compton_scaled,
+        {.domain = domain, .budget = {.absolute = 3e-7}, .codomain = {0, 1}},
+        [](glm::dvec3 p, glm::dvec3 n, glm::dvec3 s, double) {
+            return short_enough(n) && short_enough(p) && short_enough(s) && moderate(0x1p-126, 1e38, s - p);
+        });
+}
+
+void append_means(Entries& entries) {
+    const Values count = made_by<glm::vec2>([](numeric::Random& random) {
+        const auto n = static_cast<float>(random.below(1000));
+        return glm::vec2(n * static_cast<float>(random.uniform(0, 1.2)), n);
+    });
+    add(entries, "TSSAO-2-add", &reference::gloam_estimator_add,
+        {.domain = {count, either(uniform(0, 2), any_float()).and_special()},
+         .budget = {.ulp = 0.5},
+         .codomain = {-numeric::largest_float, numeric::largest_float}});
+    add(entries, "TSSAO-2", &reference::gloam_estimator_mean,
+        {.domain = {count.and_value(glm::vec2(0)).and_special()},
+         .budget = {.ulp = 0.5},
+         .codomain = {0, 1}});
+    const Values weighted = either(vector(2, uniform(0, 4)), vector(2, log_uniform(1e-36, 1e38)))
+                                .and_value(glm::vec2(0))
+                                .and_special();
+    add(entries, "MEAN-weighted", &reference::gloam_weighted_ratio,
+        {.domain = {weighted}, .budget = {.ulp = 0.5, .absolute = 1e-44}, .codomain = {0, 1}});
+    add(entries, "MEAN-samples", &reference::gloam_estimator_of_weighted,
+        {.domain = {weighted, integers(0, 4096)},
+         .budget = {.ulp = 1.5, .absolute = 5e-35},
+         .codomain = {0, 4096}});
+}
+
+void append_contributions(Entries& entries) {
+    append_ritschel(entries);
+    append_fox_compton(entries);
+    append_means(entries);
+}
+
+Values point_offsets() {
+    return either(vector_of_length(3, uniform(0.1, 3)), vector_of_length(3, log_uniform(1e-30, 1e30)))
+        .and_value(glm::vec3(0))
+        .and_special();
+}
+
+Values lengths() {
+    return either(log_uniform(0.01, 10), log_uniform(1e-37, 1e38)).and_special();
+}
+
+Values biases() {
+    return either(constant(0.0F), log_uniform(1e-4, 0.1)).and_special();
+}
+
+Values epsilons() {
+    return either(log_uniform(1e-6, 1e-2), constant(0.0F)).and_special();
+}
+
+// Sums of the contributions of a few samples, and their number.
+Values sums(double mean) {
+    return made_by<glm::vec2>([mean](numeric::Random& random) {
+               const auto n = static_cast<float>(1 + random.below(64));
+               return glm::vec2(n * static_cast<float>(random.uniform(0, mean)), n);
+           })
+        .and_value(glm::vec2(0))
+        .and_special();
+}
+
+// Offsets of at least a tenth of a unit. With them the sum and difference of products lose few digits.
+bool ordinary(glm::dvec3 v) {
+    const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+    return length == 0.0 || (length >= 0.1 && length <= 3.001);
+}
+
+void append_alchemy(Entries& entries) {
+    add(entries, "BIAS-depth", &reference::gloam_depth_bias,
+        {.domain = {lengths(), depths(), lengths()}, .budget = {.ulp = 2.5}, .codomain = {0, float_max}},
+        [](double b, double d, double reference) { return moderate(1e-9, 1e9, b, d, reference); });
+    add(entries, "CS-M", &reference::gloam_contribution_alchemy,
+        {.domain = {point_offsets(), normals(), biases(), epsilons()},
+         .budget = {.absolute = 3e-6},
+         .codomain = {0, float_max}},
+        [](glm::dvec3 v, glm::dvec3 n, double bias, double) {
+            return ordinary(v) && moderate(1e-9, 2, n) && bias >= 0 && bias <= 1;
+        });
+    add(entries, "CS-M-visibility", &reference::gloam_visibility_alchemy,
+        {.domain = {sums(2), either(uniform(0, 1), lengths()).and_special(),
+                    either(constant(1.0F), uniform(0.5, 4)).and_special()},
+         .budget = {.absolute = 1e-6, .backward_ulp = 2},
+         .codomain = {0, 1}},
+        [](glm::dvec2 sum, double sigma, double k) {
+            return moderate(1e-9, 1e9, sum, sigma) && k >= 0.4 && k <= 4;
+        });
+}
+
+void append_issao_contributions(Entries& entries) {
+    add(entries, "ISSAO-5", &reference::gloam_issao_attenuation,
+        {.domain = Domain{lengths(), lengths(), lengths()}.tied(0, 2),
+         .budget = {.ulp = 2.5},
+         .codomain = {0, float_max}},
+        [](double d, double phi, double mu) { return moderate(1e-9, 1e9, d, phi, mu); });
+    add(entries, "ISSAO-3", &reference::gloam_contribution_issao_basic,
+        {.domain = {point_offsets(), normals(), lengths()}, .budget = {.absolute = 4e-7}, .codomain = {0, 1}},
+        [](glm::dvec3 v, glm::dvec3 n, double radius) {
+            return ordinary(v) && moderate(1e-9, 2, n) && moderate(1e-9, 1e9, radius);
+        });
+    add(entries, "ISSAO-4", &reference::gloam_contribution_issao_attenuated,
+        {.domain = {point_offsets(), normals(), lengths(), log_uniform(0.1, 1).and_special(),
+                    log_uniform(0.2, 2).and_special()},
+         .budget = {.absolute = 6e-7, .backward_ulp = 4},
+         .codomain = {0, float_max}},
+        [](glm::dvec3 v, glm::dvec3 n, double radius, double phi, double mu) {
+            return ordinary(v) && moderate(1e-9, 2, n) && moderate(1e-9, 1e9, radius) && phi <= 1 &&
+                   mu >= 0.2;
+        });
+    add(entries, "ISSAO-6", &reference::gloam_contribution_issao,
+        {.domain = {point_offsets(), normals(), log_uniform(0.5, 4).and_special(),
+                    log_uniform(0.1, 1).and_special(), biases(), epsilons()},
+         .budget = {.absolute = 3e-6, .backward_ulp = 4},
+         .codomain = {0, float_max}},
+        [](glm::dvec3 v, glm::dvec3 n, double radius, double phi, double bias, double) {
+            return ordinary(v) && moderate(1e-9, 2, n) && moderate(1e-9, 1e9, radius, bias) && phi <= 1;
+        });
+    add(entries, "ISSAO-6-mean", &reference::gloam_issao_occlusion,
+        {.domain = {sums(1.2), either(uniform(0.5, 1.5), lengths()).and_special()},
+         .budget = {.ulp = 1.5},
+         .codomain = {0, 1}},
+        [](glm::dvec2 sum, double lambda) { return moderate(1e-9, 1e9, sum, lambda); });
+}
+
+void append_issao_samples(Entries& entries) {
+    const Values unit = uniform(0, 1).and_near({0.25, 0.5, 0.75, 1.0}).and_special();
+    const Values radius = uniform(0.5, 1).and_value(0.0F);
+    const Domain disc{vector(2, unit), radius};
+    add(entries, "ISSAO-1", &reference::gloam_issao_offset_polar,
+        {.domain = disc, .budget = {.absolute = 2e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "ISSAO-1-printed", &reference::gloam_issao_offset_printed,
+        {.domain = disc, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "ISSAO-LOD", &reference::gloam_count_by_radius,
+        {.domain = Domain{either(uniform(0, 64), log_uniform(1e-37, 1e38)).and_special(),
+                          either(uniform(16, 64), log_uniform(1e-37, 1e38)).and_special(), integers(0, 4),
+                          integers(4, 64)}
+                       .tied(0, 1)
+                       .tied(0, 1, 0.5),
+         .budget = {.backward_ulp = 2},
+         .codomain = {0, 64}});
+    add(entries, "ISSAO-2", &reference::gloam_ambient_light,
+        {.domain = {vector(3, uniform(0, 4)), uniform(0, 1).and_near({0.0, 1.0}).and_special()},
+         .budget = {.ulp = 1.5},
+         .codomain = {0, 4}});
+}
+
+void append_covering_radii(Entries& entries) {
+    const Values position = vector({uniform(-4, 4), uniform(-4, 4), uniform(-8, -0.5)}).and_special();
+    const Values radius = either(uniform(0, 2), log_uniform(1e-30, 1e30)).and_special();
+    const Values largest = either(uniform(0.5, 4), log_uniform(1e-30, 1e30)).and_special();
+    const Domain domain{position, radius, largest};
+    // The disc is clear of the eye's plane, so the subtraction d - R sin t loses few digits.
+    const auto usual = [](glm::dvec3 p, double r, double) {
+        const double along = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+        const bool clear = !(r * std::hypot(p.x, p.y) > 0.5 * -p.z * along);
+        return moderate(1e-9, 1e9, p, r) && clear;
+    };
+    add(entries, "ISSAO-P-parallel", &reference::gloam_covering_radius_parallel,
+        {.domain = domain, .budget = {.ulp = 1}, .codomain = {0, float_max}}, usual);
+    add(entries, "ISSAO-P", &reference::gloam_covering_radius_perpendicular,
+        {.domain = domain, .budget = {.ulp = 8}, .codomain = {0, float_max}}, usual);
+}
+
+void append_crytek_and_filion(Entries& entries) {
+    add(entries, "CS-A", &reference::gloam_contribution_crytek,
+        {.domain = Domain{depths(), depths()}.tied(1, 0), .codomain = {0, 1}});
+    const Values value = uniform(0, 1).and_near({0.0, 1.0}).and_special();
+    add(entries, "CS-A-buffer", &reference::gloam_contribution_crytek_buffer,
+        {.domain = Domain{value, value}.tied(1, 0), .codomain = {0, 1}});
+    add(entries, "CS-A-sample", &reference::gloam_crytek_sample,
+        {.domain = {vector(2, uniform(0, 1)), uniform(0, 1), vector_of_length(3, uniform(0, 1)),
+                    log_uniform(0.1, 10), depths(), log_uniform(50, 2000).and_special()},
+         .budget = {.ulp = 4, .absolute = 1e-6, .of_largest_component = true},
+         .codomain = {-float_max, float_max}},
+        [](glm::dvec2, double, glm::dvec3, double, double depth, double z_far) {
+            return moderate(0.5, 1e9, depth) && moderate(1, 1e9, z_far);
+        });
+    add(entries, "CS-B", &reference::gloam_contribution_filion,
+        {.domain = Domain{depths(), depths(), lengths()}.tied(1, 0).tied(2, 0),
+         .budget = {.absolute = 2e-7, .backward_ulp = 1},
+         .codomain = {0, 1}});
+}
+
+void append_points(Entries& entries) {
+    append_alchemy(entries);
+    append_issao_contributions(entries);
+    append_issao_samples(entries);
+    append_covering_radii(entries);
+    append_crytek_and_filion(entries);
+}
+
+}  // namespace
 
 void append_occlusion(Entries& entries) {
     append_falloffs(entries);
     append_contributions(entries);
     append_points(entries);
-    append_horizons(entries);
-    append_slice_methods(entries);
-    append_sweeps(entries);
-    append_volumes(entries);
-    append_gathers(entries);
-    append_slice_gathers(entries);
-    append_ray_gathers(entries);
-    append_occlusion_scalable(entries);
-    append_occlusion_layers(entries);
-    append_occlusion_proxies(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "reference/sampling.hpp"
+// Sequences, the points made of them, rotations, the depth chain and how many samples are taken.
+#include <algorithm>
+#include <cmath>
+
 #include "catalogue/inputs.hpp"
-#include "catalogue/relatives_parts.hpp"
-#include "catalogue/rooms.hpp"
-#include "catalogue/sampling_parts.hpp"
+#include "numeric/constants.hpp"
+#include "reference/sampling.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -19,130 +21,242 @@ Values sample_index() {
     return log_integers(4294967295).and_near_integers({16777216, 4294967295});
 }
 
-void append_halton(Entries& entries) {
-    entries.push_back(equation<glm::vec2(unsigned)>(
-        {.id = "HALTON-2D",
-         .function = "gloam_halton_2d",
-         .file = "gloam/sampling/halton.glsl",
-         .title = "point of the Halton sequence, bases 2 and 3",
-         .formula = "(Phi_2(i), Phi_3(i))",
-         .source = "Halton 1960; kernels of TSSAO-13"},
-        &reference::gloam_halton_2d,
-        {.domain = {sample_index()}, .budget = {.ulp = 2}, .codomain = {0, 0.99999995}}));
-    entries.push_back(equation<glm::vec3(unsigned)>(
-        {.id = "HALTON-3D",
-         .function = "gloam_halton_3d",
-         .file = "gloam/sampling/halton.glsl",
-         .title = "point of the Halton sequence, bases 2, 3 and 5",
-         .formula = "(Phi_2(i), Phi_3(i), Phi_5(i))",
-         .source = "Halton 1960; kernels of TSSAO-14"},
-        &reference::gloam_halton_3d,
-        {.domain = {sample_index()}, .budget = {.ulp = 2}, .codomain = {0, 0.99999995}}));
-}
-
-void append_radii(Entries& entries) {
-    const auto radius = [&entries](std::string id, std::string function, std::string formula, auto reference,
-                                   Budget budget) {
-        entries.push_back(equation<float(float)>(
-            {.id = std::move(id),
-             .function = std::move(function),
-             .file = "gloam/sampling/radius_law.glsl",
-             .title = "sample radius for a falloff",
-             .formula = std::move(formula),
-             .source = "derived: falloff = 1 - distribution of the radius"},
-            reference,
-            {.domain = {either(uniform(0, 1).and_near({0.5, 1.0}), log_uniform(1e-38, 1)).and_special()},
-             .budget = budget,
-             .codomain = {0, 1}}));
-    };
-    radius("RADIUS-linear", "gloam_radius_linear", "r = zeta (falloff 1 - x)",
-           &reference::gloam_radius_linear, {});
-    radius("RADIUS-quadratic", "gloam_radius_quadratic", "r = sqrt(zeta) (falloff 1 - x^2)",
-           &reference::gloam_radius_quadratic, {.ulp = 2});
-    radius("RADIUS-cubic", "gloam_radius_cubic", "r = zeta^(1/3) (falloff 1 - x^3)",
-           &reference::gloam_radius_cubic, {.ulp = 1.5});
-}
-
-void append_disc_maps(Entries& entries) {
-    entries.push_back(equation<float(float)>(
-        {.id = "UNIT",
-         .function = "gloam_unit_interval",
-         .file = "gloam/sampling/unit_interval.glsl",
-         .title = "number brought into [0, 1]",
-         .formula = "x inside [0, 1], else the nearer end; 0 for NaN",
-         .source = "convention"},
-        &reference::gloam_unit_interval,
-        {.domain = {either(zeta(1), either(any_float(), uniform(-2, 2)))}, .codomain = {0, 1}}));
-    entries.push_back(equation<glm::vec2(float)>(
-        {.id = "CIRCLE",
-         .function = "gloam_circle_point",
-         .file = "gloam/sampling/circle.glsl",
-         .title = "point of the unit circle at a part of a turn",
-         .formula = "(cos 2 pi t, sin 2 pi t)",
-         .source = "definition"},
-        &reference::gloam_circle_point,
-        {.domain = {zeta(1)}, .budget = {.absolute = 2e-7}, .codomain = {-1.000001, 1.000001}}));
-    entries.push_back(equation<glm::vec2(glm::vec2)>(
-        {.id = "TSSAO-13",
-         .function = "gloam_disc_sample",
-         .file = "gloam/sampling/disc.glsl",
-         .title = "uniform point of the disc",
-         .formula = "a = 2 pi zeta_x, r = sqrt(zeta_y); s = (r cos a, r sin a)",
-         .source = "TSSAO (Mattausch et al.), eq 13; Fox and Compton's kernel"},
-        &reference::gloam_disc_sample,
-        {.domain = {zeta(2)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}}));
-}
-
-}  // namespace
-
 void append_sequences(Entries& entries) {
-    entries.push_back(equation<float(unsigned)>(
-        {.id = "HALTON-base2",
-         .function = "gloam_radical_inverse_base2",
-         .file = "gloam/sampling/radical_inverse.glsl",
-         .title = "radical inverse in base 2",
-         .formula = "Phi_2(i) = sum of a_m 2^(-m-1), i = sum of a_m 2^m",
-         .source = "van der Corput 1935; Halton 1960"},
-        &reference::gloam_radical_inverse_base2, {.domain = {sample_index()}, .codomain = {0, 0.99999995}}));
-    entries.push_back(equation<float(unsigned, unsigned)>(
-        {.id = "HALTON",
-         .function = "gloam_radical_inverse",
-         .file = "gloam/sampling/radical_inverse.glsl",
-         .title = "radical inverse in any base",
-         .formula = "Phi_b(i) = sum of a_m b^(-m-1), i = sum of a_m b^m",
-         .source = "Halton 1960"},
-        &reference::gloam_radical_inverse,
+    add(entries, "HALTON-base2", &reference::gloam_radical_inverse_base2,
+        {.domain = {sample_index()}, .codomain = {0, 0.99999995}});
+    add(entries, "HALTON", &reference::gloam_radical_inverse,
         {.domain = {sample_index(),
                     log_integers(4000).and_near_integers({2, 3, 5, 256, 1625, 65536, 16777216, 4294967295})},
          .budget = {.ulp = 2},
-         .codomain = {0, 0.99999995}}));
-    append_halton(entries);
+         .codomain = {0, 0.99999995}});
+    add(entries, "HALTON-2D", &reference::gloam_halton_2d,
+        {.domain = {sample_index()}, .budget = {.ulp = 2}, .codomain = {0, 0.99999995}});
+    add(entries, "HALTON-3D", &reference::gloam_halton_3d,
+        {.domain = {sample_index()}, .budget = {.ulp = 2}, .codomain = {0, 0.99999995}});
 }
 
 void append_sample_maps(Entries& entries) {
-    append_disc_maps(entries);
-    entries.push_back(equation<glm::vec3(glm::vec3)>(
-        {.id = "TSSAO-14",
-         .function = "gloam_hemisphere_cosine",
-         .file = "gloam/sampling/hemisphere.glsl",
-         .title = "point of the half ball: cosine-weighted direction, uniform radius",
-         .formula = "a = 2 pi zeta_x, r = zeta_y; s = r (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), "
-                    "sqrt(zeta_z))",
-         .source = "TSSAO (Mattausch et al.), eq 14 corrected; Ritschel's kernel"},
-        &reference::gloam_hemisphere_cosine,
-        {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}}));
-    entries.push_back(equation<glm::vec3(glm::vec3)>(
-        {.id = "TSSAO-14-uniform",
-         .function = "gloam_hemisphere_uniform",
-         .file = "gloam/sampling/hemisphere.glsl",
-         .title = "point of the half ball: uniform direction, uniform radius",
-         .formula = "a = 2 pi zeta_x, r = zeta_y; s = r (cos a sqrt(1 - zeta_z^2), sin a sqrt(1 - zeta_z^2), "
-                    "zeta_z)",
-         .source = "TSSAO (Mattausch et al.), variant of eq 14"},
-        &reference::gloam_hemisphere_uniform,
-        {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}}));
-    append_radii(entries);
+    add(entries, "UNIT", &reference::gloam_unit_interval,
+        {.domain = {either(zeta(1), either(any_float(), uniform(-2, 2)))}, .codomain = {0, 1}});
+    add(entries, "CIRCLE", &reference::gloam_circle_point,
+        {.domain = {zeta(1)}, .budget = {.absolute = 2e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "TSSAO-13", &reference::gloam_disc_sample,
+        {.domain = {zeta(2)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "TSSAO-14", &reference::gloam_hemisphere_cosine,
+        {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "TSSAO-14-uniform", &reference::gloam_hemisphere_uniform,
+        {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
+    const Values number = either(uniform(0, 1).and_near({0.5, 1.0}), log_uniform(1e-38, 1)).and_special();
+    add(entries, "RADIUS-linear", &reference::gloam_radius_linear, {.domain = {number}, .codomain = {0, 1}});
+    add(entries, "RADIUS-quadratic", &reference::gloam_radius_quadratic,
+        {.domain = {number}, .budget = {.ulp = 2}, .codomain = {0, 1}});
+    add(entries, "RADIUS-cubic", &reference::gloam_radius_cubic,
+        {.domain = {number}, .budget = {.ulp = 1.5}, .codomain = {0, 1}});
 }
+
+Values kernel_points(int components) {
+    return either(vector_of_length(components, uniform(0, 1)), unit_vector(components));
+}
+
+Values angles() {
+    return either(uniform(-7, 7), signed_log_uniform(1e-6, 65536))
+        .and_near({3.14159265, -3.14159265, 6.28318531, 65536.0, -65536.0})
+        .and_special();
+}
+
+// Whether the largest component is in [1e-30, 1e19], or the vector is zero: products of shorter vectors may
+// be flushed, and those of longer ones overflow.
+template <class V>
+bool turnable(const V& v) {
+    float largest = 0.0F;
+    for (glm::length_t i = 0; i < V::length(); ++i) {
+        if (!(std::abs(v[i]) <= 1e19F)) return false;
+        largest = std::max(largest, std::abs(v[i]));
+    }
+    return !(largest > 0.0F && largest < 1e-30F);
+}
+
+// Unit vectors, some near an axis, where a component or its square cancels.
+Values near_an_axis(Values normals) {
+    return std::move(normals)
+        .and_value(glm::vec3(1.0F, 0.0F, -1e-30F), true)
+        .and_value(glm::vec3(0.6F, 0.8F, 1e-8F), true)
+        .and_value(glm::vec3(0.6F, 0.8F, -1e-8F), true)
+        .and_value(glm::vec3(1e-7F, 2e-7F, -1.0F))
+        .and_value(glm::vec3(-1e-4F, 1e-4F, -1.0F));
+}
+
+Values unit_normals() {
+    return near_an_axis(unit_vector(3)).only_as_drawn();
+}
+
+Values normals() {
+    return near_an_axis(either(unit_vector(3), vector_of_length(3, log_uniform(1e-37, 1e38)))).and_special();
+}
+
+// (cos, sin) of angles.
+Values turns() {
+    return made_by<glm::vec2>([](numeric::Random& random) {
+               return glm::vec2(reference::gloam_sincos(random.uniform(-4, 4)));
+           })
+        .and_value(glm::vec2(1, 0), true);
+}
+
+void append_rotations(Entries& entries) {
+    add(entries, "TSSAO-ROT-turn-disc", &reference::gloam_turn_disc,
+        {.domain = {kernel_points(2).only_as_drawn(), turns().only_as_drawn()},
+         .budget = {.ulp = 3, .of_largest_component = true},
+         .codomain = {-2e19, 2e19}},
+        [](const auto& s, const auto&) { return turnable(s); });
+    add(entries, "TSSAO-ROT-turn-hemisphere", &reference::gloam_turn_hemisphere,
+        {.domain = {kernel_points(3).only_as_drawn(), turns().only_as_drawn()},
+         .budget = {.ulp = 3, .of_largest_component = true},
+         .codomain = {-2e19, 2e19}},
+        [](const auto& s, const auto&) { return turnable(s); });
+    add(entries, "TSSAO-ROT-disc", &reference::gloam_rotate_disc,
+        {.domain = {kernel_points(2).only_as_drawn(), angles()},
+         .budget = {.ulp = 4, .of_largest_component = true},
+         .codomain = {-2e19, 2e19}},
+        [](const auto& s, float) { return turnable(s); });
+    add(entries, "TSSAO-ROT-hemisphere", &reference::gloam_rotate_hemisphere,
+        {.domain = {kernel_points(3).only_as_drawn(), angles()},
+         .budget = {.ulp = 4, .of_largest_component = true},
+         .codomain = {-2e19, 2e19}},
+        [](const auto& s, float) { return turnable(s); });
+}
+
+void append_hash_and_reflections(Entries& entries) {
+    add(entries, "HASH-turn", &reference::gloam_hash_turn,
+        {.domain = {either(log_integers(4294967295), integers(0, 4294967295))
+                        .and_near_integers({0, 65536, 4294967295})}});
+    const Values coordinate = either(integers(0, 8191), integers(-2147483648L, 2147483647L));
+    add(entries, "HASH-ROT", &reference::gloam_hash_rotation,
+        {.domain = {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))},
+         .budget = {.ulp = 3, .absolute = 4e-9},
+         .codomain = {0, 6.2831853}});
+    const Values texel = vector(3, uniform(0, 1).and_near({0.5}))
+                             .and_value(glm::vec3(0.5F))
+                             .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
+                             .and_special();
+    add(entries, "REFLECT", &reference::gloam_reflect_sample,
+        {.domain = {kernel_points(3).and_special(), texel},
+         .budget = {.ulp = 16, .of_largest_component = true},
+         .codomain = {-4e19, 4e19}},
+        [](const glm::vec3& s, const glm::vec3&) { return turnable(s); });
+    add(entries, "FLIP", &reference::gloam_hemisphere_flip,
+        {.domain = {kernel_points(3).and_special(), normals()},
+         .budget = {.backward_ulp = 2},
+         .codomain = {-1e19, 1e19}},
+        [](glm::dvec3 s, glm::dvec3 normal) { return moderate(1e-15, 1e15, s, normal); });
+}
+
+void append_sample_rotations(Entries& entries) {
+    add(entries, "FRAME", &reference::gloam_tangent_frame,
+        {.domain = {unit_normals()}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
+    append_rotations(entries);
+    append_hash_and_reflections(entries);
+}
+
+// Sets one input in eight to the distance itself, where the result changes.
+void place_at_distance(std::span<Word> words) {
+    if (words[0] % 8U != 2U) return;  // no special float ends in these bits
+    const glm::dvec2 a(from_word<double>(words[0]), from_word<double>(words[1]));
+    const glm::dvec2 b(from_word<double>(words[2]), from_word<double>(words[3]));
+    words[4] = to_word(glm::distance(a, b));
+}
+
+void append_poisson(Entries& entries) {
+    const Values point = vector_of_length(2, uniform(0, 1)).and_special();
+    const auto representable = [](glm::dvec2 a, glm::dvec2 b, double distance) {
+        const double apart = glm::distance(a, b);
+        // Squares of values outside this range overflow or underflow.
+        return !(distance > 0 && distance < 1e-18) && !(apart > 0 && apart < 1e-18) && !(apart > 1e18) &&
+               !(distance > 1e18);
+    };
+    add(entries, "POISSON", &reference::gloam_poisson_accepts,
+        {.domain = Domain{point, point, uniform(0, 2).and_special()}.adjusted(place_at_distance),
+         .budget = {.backward_ulp = 3}},
+        representable);
+    add(entries, "POISSON-lift", &reference::gloam_hemisphere_lift,
+        {.domain = {either(vector_of_length(2, either(uniform(0, 1), either(uniform(0.9999, 1.0001),
+                                                                            uniform(0.9999995, 1.0000005)))),
+                           vector_of_length(2, log_uniform(1e-37, 1e38)))
+                        .and_special()},
+         .budget = {.absolute = 6e-6},
+         .codomain = {-1.000001, 1.000001}});
+}
+
+void append_sample_patterns(Entries& entries) {
+    const Values count = log_integers(32768).and_near_integers({0, 32768, 2147483647});
+    const Values turns =
+        either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647});
+    add(entries, "SPIRAL-point", &reference::gloam_spiral_point,
+        {.domain = {count, count, turns}, .budget = {.absolute = 5e-7}, .codomain = {-1.000001, 1.000001}});
+    add(entries, "SPIRAL", &reference::gloam_spiral_tap,
+        {.domain = {count, count, turns, uniform(-7, 7).and_near({65536.0}).and_special()},
+         .budget = {.absolute = 5e-7},
+         .codomain = {-1.000001, 1.000001}});
+    append_poisson(entries);
+    add(entries, "PAIRS", &reference::gloam_paired_sample,
+        {.domain = {vector_of_length(2, uniform(0, 1)).and_special(), integers(-8, 64)},
+         .codomain = {-3.5e38, 3.5e38}});
+}
+
+Values sizes() {
+    return either(vector(2, integers(1, 40)), vector(2, integers(-2, 16384)));
+}
+
+Values levels() {
+    return either(integers(0, 5), integers(-2, 40));
+}
+
+Values pixels() {
+    return either(vector(2, integers(0, 40)), vector(2, integers(-16, 16384)));
+}
+
+// Near an integer, rounding decides on which side of it the quotient falls.
+bool off_a_whole_number(double depth, double z_far, int base, int) {
+    const double start = std::clamp(base, 0, 4096);
+    const double quotient = start / (1 + start * std::min(depth / z_far, 1.0));
+    return !(std::abs(quotient - std::round(quotient)) <= 1e-6 * quotient) || depth == 0 || base <= 0;
+}
+
+void append_sampling_levels(Entries& entries) {
+    const Values distance = either(log_uniform(1, 2048), any_float())
+                                .and_near({8.0, 16.0, 32.0, 64.0, 128.0, 256.0})
+                                .and_special();
+    add(entries, "CS-Q-level", &reference::gloam_depth_mip_level,
+        {.domain = Domain{distance, either(constant(16.0F), log_uniform(1, 64)).and_special(), levels()}
+                       .tied(0, 1)
+                       .tied(0, 1, 4.0)});
+    add(entries, "CS-Q-size", &reference::gloam_depth_mip_size, {.domain = {sizes(), levels()}});
+    add(entries, "CS-Q-pixel", &reference::gloam_depth_mip_pixel, {.domain = {pixels(), sizes(), levels()}});
+    add(entries, "CS-Q-grid", &reference::gloam_rotated_grid, {.domain = {pixels(), sizes()}});
+    add(entries, "CS-Q-source", &reference::gloam_depth_mip_source,
+        {.domain = {vector(2, integers(0, 600)), sizes(), levels()}});
+    add(entries, "CS-N", &reference::gloam_count_by_distance,
+        {.domain = Domain{either(uniform(0, 120), log_uniform(1e-3, 1e6)).and_special(),
+                          either(log_uniform(10, 1000), log_uniform(1e-37, 1e38)).and_special(),
+                          either(integers(0, 64), integers(-2, 10000)), integers(0, 16)}
+                       .tied(0, 1),
+         .codomain = {0, 4096}},
+        off_a_whole_number);
+}
+
+void append_sampling_marches(Entries& entries) {
+    add(entries, "CS-C2", &reference::gloam_eye_march,
+        {.domain = {vector(3, uniform(-8, 8)), unit_vector(3).and_special(),
+                    either(uniform(0, 2), any_float()).and_special(),
+                    either(integers(0, 16), integers(-2, 40)),
+                    either(integers(1, 16), integers(-2, 100000000)), uniform(0, 1).and_special()},
+         .budget = {.absolute = 1e-6},
+         .codomain = {-numeric::largest_float, numeric::largest_float}},
+        [](glm::dvec3, glm::dvec3 w, double radius, int, int, double) {
+            return moderate(0.0, 2, w) && !(radius > 2) && !(radius < -2);
+        });
+}
+
+}  // namespace
 
 void append_sampling(Entries& entries) {
     append_sequences(entries);

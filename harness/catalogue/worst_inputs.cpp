@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "catalogue/worst_inputs.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "catalogue/entry.hpp"
 
 namespace gloam::catalogue {
 namespace {

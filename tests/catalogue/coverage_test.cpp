@@ -43,7 +43,7 @@ TEST(CatalogueCoverage, WhatCanBeReachedIs) {
                           .cache_directory = test::cache_directory()});
     std::map<Point, bool> reached;
     std::map<Point, std::string> seen_by;
-    for (const catalogue::Entry& entry : catalogue::all_entries()) {
+    for (const catalogue::Entry& entry : catalogue::all_entries(GLOAM_GLSL_DIR)) {
         const check::Coverage coverage = check::measure_coverage(lab, entry.question, {});
         EXPECT_FALSE(coverage.points.empty()) << entry.description.id;
         for (const check::Coverage::Point& point : coverage.points) {

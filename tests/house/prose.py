@@ -81,7 +81,7 @@ def long_sentences(paragraphs):
 
 def bare_ids(paragraphs):
     for number, paragraph in paragraphs:
-        without_brackets = re.sub(r"\([^()]*\)|`[^`]*`", "", paragraph)
+        without_brackets = re.sub(r"\([^()]*\)|\[[^][]*\]|`[^`]*`", "", paragraph)
         found = ID.search(without_brackets)
         if found:
             yield number, f"{found[0]} without its plain name: write the name, and the ID in brackets behind it"

@@ -44,6 +44,7 @@ class ProseTest(unittest.TestCase):
     def test_bare_ids(self):
         self.expect_one("a.md", "It is like CS-P.\n", "[ids] CS-P")
         self.expect_one("a.glsl", "// As TSSAO-12 says.\n", "[ids] TSSAO-12")
+        self.assertEqual(self.found("a.glsl", "// crease shading (TSSAO-12): `C of TSSAO-1` [TSSAO-2].\n"), [])
         self.assertEqual(self.found("a.md", "Two half balls (CS-P) and the validity test (TSSAO-9, ISSAO-2).\n"), [])
         self.assertEqual(self.found("a.md", "| CS-P | half balls |\n"), [])
 

@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
     const gloam::check::Lab lab(
         {.device = std::string(gloam::check::interpreter_name), .include_roots = {GLOAM_GLSL_DIR}});
     ordered_json cases = ordered_json::array();
-    for (const gloam::catalogue::Entry& entry : gloam::catalogue::all_entries()) {
+    for (const gloam::catalogue::Entry& entry : gloam::catalogue::all_entries(GLOAM_GLSL_DIR)) {
         if (!entry.question.reference || entry.question.only_rules) continue;
         for (const Faults faults : {Faults::slight, Faults::gross})
             cases.push_back(case_of(lab, entry, faults));

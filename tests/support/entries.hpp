@@ -14,7 +14,7 @@ namespace gloam::test {
 
 // All entries of the catalogue, made once.
 inline const std::vector<catalogue::Entry>& entries() {
-    static const std::vector<catalogue::Entry> all = catalogue::all_entries();
+    static const std::vector<catalogue::Entry> all = catalogue::all_entries(GLOAM_GLSL_DIR);
     return all;
 }
 

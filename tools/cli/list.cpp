@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "catalogue/catalogue.hpp"
+#include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/setting_json.hpp"
 #include "effect/presets.hpp"
@@ -33,7 +34,7 @@ struct ListOptions {
 
 std::vector<Named> equation_names() {
     std::vector<Named> names;
-    for (const catalogue::Entry& entry : catalogue::all_entries()) {
+    for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory())) {
         const catalogue::Description& d = entry.description;
         names.push_back({d.id, d.function + ": " + d.title});
     }
@@ -87,7 +88,8 @@ nlohmann::ordered_json preset_json(const Named& named) {
 nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& names) {
     auto json = nlohmann::ordered_json::array();
     if (kind == "equations") {
-        for (const catalogue::Entry& entry : catalogue::all_entries()) json.push_back(equation_json(entry));
+        for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory()))
+            json.push_back(equation_json(entry));
         return json;
     }
     for (const Named& named : names)
@@ -130,7 +132,7 @@ std::string equations_page() {
                                         {.title = "source"},
                                         {.title = "formula"}},
                             .rows = {}};
-    for (const catalogue::Entry& entry : catalogue::all_entries()) {
+    for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory())) {
         const catalogue::Description& d = entry.description;
         table.rows.push_back({{d.id},
                               {d.title},

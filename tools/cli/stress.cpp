@@ -42,7 +42,7 @@ stress::Rows make_runs(const std::vector<stress::Run>& runs, const stress::Conte
 
 int run_stress(const StressOptions& options) {
     const std::vector<stress::Run> runs = stress::select_runs(options.only);
-    (void)catalogue::select(catalogue::all_entries(),
+    (void)catalogue::select(catalogue::all_entries(glsl_directory()),
                             options.equations);  // invalid names are reported before anything runs
     const report::OutputFile json(options.json);
     require_good_drivers();

@@ -166,7 +166,8 @@ void write_checks(const catalogue::Entries& entries, const std::vector<Written>&
 
 SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report::OutputFolder& folder,
                        const std::function<void(std::size_t, std::size_t)>& told) {
-    catalogue::Entries entries = catalogue::select(catalogue::all_entries(), options.equations);
+    const std::filesystem::path& glsl = lab.options().include_roots.front();
+    catalogue::Entries entries = catalogue::select(catalogue::all_entries(glsl), options.equations);
     SiteSummary summary;
     summary.left_out = std::erase_if(entries, [](const auto& entry) { return !has_accuracy(entry); });
     summary.checks = entries.size();

@@ -39,7 +39,8 @@ Rows worst_inputs(const Context& context, const catalogue::Entry& entry) {
 
 Rows worst_inputs(const Context& context) {
     Rows rows;
-    for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(), context.equations))
+    const catalogue::Entries all = catalogue::all_entries(context.lab.options().include_roots.front());
+    for (const catalogue::Entry& entry : catalogue::select(all, context.equations))
         append(rows, worst_inputs(context, entry));
     return rows;
 }

@@ -15,6 +15,7 @@ float gloam_fetch_occlusion(ivec2 pixel);
 // Defined by the user: eye-linear depth of a pixel inside the image, in world units.
 float gloam_fetch_depth(ivec2 pixel);
 
+// one neighbour in the bilateral mean (ISSAO-7-tap): `(sum + g s f, k + g s)` [ISSAO, eq 7; Tomasi and Manduchi 1998].
 // Adds the pixel at a tap.
 // mean: what was added so far. pixel: the filtered pixel. center: its depth, world units. tap: any pixel. size: of
 // the image.
@@ -31,6 +32,8 @@ GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float
     return gloam_weighted_mean_add(mean, gloam_fetch_occlusion(tap), weight);
 }
 
+// bilateral smoothing of occlusion (ISSAO-7): `(1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)), k the sum of g s`
+// [ISSAO, eq 7; Tomasi and Manduchi 1998].
 // Smoothed occlusion of one pixel: (1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)) over the window, k the sum of the
 // weights.
 // pixel: x, inside the image. half_width: pixels on each side, along x and y, at most 16. (h, h) is the window of the

@@ -19,6 +19,8 @@ vec2 gloam_fetch_occlusion_convergence(ivec2 pixel);
 // on the camera; the zero vector, or one with an infinite or NaN component, for background.
 vec3 gloam_fetch_position(ivec2 pixel);
 
+// one neighbour in the filter's mean (TSSAO-10-tap): `(sum + w AO, K + w), w = coverage g(|p - x|) conv(x)` [TSSAO
+// (Mattausch et al.), eq 10].
 // Adds the pixel at a tap.
 // mean: what was added so far. center: position of the filtered pixel, world units. tap: pixel inside the image.
 // coverage: part of the tap in the window, [0, 1]; below 1e-30 it may count as 0. scale: of gloam_gaussian_scale, 1 /
@@ -35,6 +37,8 @@ GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, vec3 center, ivec2 ta
     return gloam_weighted_mean_add(mean, value.x, weight);
 }
 
+// smoothing that trusts neighbours as far as they have converged (TSSAO-10): `AO = (1/K) sum of g(|p - x|) conv(x)
+// AO(x), K = sum of g(|p - x|) conv(x)` [TSSAO (Mattausch et al.), eqs 10 and 11].
 // Filtered occlusion of one pixel along one axis (TSSAO-10 and -11): (1 / K) sum of g(|p - x|) conv(x) AO(x) over the
 // window, K = sum of g(|p - x|) conv(x), the window shrunk by gloam_shrink of the pixel's own convergence.
 // pixel: inside the image. axis: (1, 0) or (0, 1). size: image size in pixels; neighbours outside are left out.

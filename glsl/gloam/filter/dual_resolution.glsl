@@ -8,6 +8,8 @@
 // Defined by the user: occlusion of a pixel inside the image, in [0, 1].
 float gloam_fetch_occlusion(ivec2 pixel);
 
+// where occlusion of half the resolution does not do (CS-E-dual): `max - min > tolerance over 3 x 3` [derived, after
+// Bavoil and Sainz 2009].
 // Whether the 3 x 3 neighbourhood of a pixel of the small image disagrees: max - min > tolerance.
 // pixel: of the small image, inside it. size: of the small image, pixels; neighbours outside are left out. tolerance:
 // 0.05 or so.

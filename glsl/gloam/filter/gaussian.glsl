@@ -4,6 +4,8 @@
 
 #include "gloam/geometry/background.glsl"
 
+// scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO (Mattausch et al.), eq
+// 10].
 // Scale of distances for gloam_gaussian_scaled (g of TSSAO-10): sqrt(log2(e) / 2) / sigma. It is the factor that all
 // neighbours of a pixel share. It is not squared, because the square could overflow or underflow.
 // sigma: standard deviation, world units, >= 0.
@@ -15,6 +17,8 @@ float gloam_gaussian_scale(float sigma) {
     return sigma <= 1.2676506e30 ? 0.8493218003 / max(sigma, 1.175494351e-38) : 0.0;
 }
 
+// weight of a neighbour by the scale of the Gaussian (TSSAO-10-g-scaled): `g = 2^-(d s)^2` [TSSAO (Mattausch et al.),
+// eq 10].
 // Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)), which is exp2(-(d
 // scale)^2).
 // squared_distance: d^2, world units squared, of which the sign does not count. scale: of gloam_gaussian_scale, 1 /
@@ -29,8 +33,9 @@ float gloam_gaussian_scaled(float squared_distance, float scale) {
     return x <= 99.5 ? weight : 0.0;
 }
 
-// Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)). Depth edges need no
-// further term.
+// weight of a neighbour by its distance in the world (TSSAO-10-g): `g = exp(-d^2 / (2 sigma^2))` [TSSAO (Mattausch et
+// al.), eq 10].
+// Depth edges need no further term.
 // squared_distance: d^2, world units squared, of which the sign does not count. sigma: world units, >= 0.
 // Returns a weight in [0, 1], not below 1e-30 unless 0. For sigma zero, subnormal or negative: 1 at distance 0, else
 // 0. An infinite distance gives 0, an infinite sigma 1 at every finite one, NaN in either 0. Error: 3e-7; 1e-6 by any
@@ -39,6 +44,8 @@ float gloam_gaussian(float squared_distance, float sigma) {
     return gloam_gaussian_scaled(squared_distance, gloam_gaussian_scale(sigma));
 }
 
+// width of the filter in the world (TSSAO-10-sigma): `sigma = sigma_px 2 d tan(fov_y / 2) / H` [derived: world size of
+// a pixel].
 // Standard deviation in the world of a filter that is sigma_pixels wide in the image at a depth: sigma_px 2 d
 // tan(fov_y / 2) / H.
 // depth: eye-linear, world units. tan_half_fovy: tangent of half the vertical field of view. height: H, pixels.

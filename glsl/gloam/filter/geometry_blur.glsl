@@ -18,6 +18,8 @@ float gloam_fetch_depth(ivec2 pixel);
 // Defined by the user: unit normal of a pixel inside the image; the zero vector where there is none.
 vec3 gloam_fetch_normal(ivec2 pixel);
 
+// one neighbour in the geometry-aware blur (CS-BLUR-tap): `(sum + w AO, K + w)` [Aalund and Baerentzen 2013,
+// geometry-aware blur].
 // Adds the pixel at a tap.
 // mean: what was added so far. center: depth of the blurred pixel. normal: its normal. tap: any pixel. size: of the
 // image.
@@ -34,6 +36,8 @@ GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, 
     return gloam_weighted_mean_add(mean, gloam_fetch_occlusion(tap), weight);
 }
 
+// geometry-aware blur along one axis (CS-BLUR): `(1 / K) sum of w AO, K the sum of w` [Aalund and Baerentzen 2013,
+// geometry-aware blur].
 // Blurred occlusion of one pixel along one axis.
 // pixel: inside the image. axis: (1, 0) or (0, 1). size: image size in pixels; neighbours outside are left out.
 // half_width: pixels on each side, at most 64; negative counts as 0. powers: (p_n, p_z) of gloam_geometry_weight,

@@ -2,8 +2,9 @@
 #ifndef GLOAM_FILTER_GEOMETRY_WEIGHT_GLSL
 #define GLOAM_FILTER_GEOMETRY_WEIGHT_GLSL
 
-// Weight of a neighbour by normal and depth (CS-BLUR, of the comparative study): (n_0 . n_i / 2 + 1/2)^p_n (1 + |z_0
-// - z_i|)^-p_z. It knows no distance in the image.
+// weight of a neighbour by normal and depth (CS-BLUR-weight): `(n_0 . n_i / 2 + 1/2)^p_n (1 + |z_0 - z_i|)^-p_z`
+// [Aalund and Baerentzen 2013, geometry-aware blur].
+// It knows no distance in the image.
 // normal, other: unit vectors, same space. depth_difference: z_0 - z_i, world units. normal_power: p_n, > 0, 10.
 // position_power: p_z, >= 0, 0.5, for the units of the scene.
 // Returns a weight in [0, 1]; 1 for the same normal and depth, (1/2)^p_n of the depth's for a zero normal, 0 for

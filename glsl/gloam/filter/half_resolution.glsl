@@ -12,13 +12,14 @@
 // another view space. Along that side x' = x + shift d (perspective, d the depth) or x' = x + shift (orthographic).
 // Planes stay planes, and what is in front of what stays as it is.
 
-// Size of the image of half the resolution.
+// size of an image of half the resolution (HALF-size): `(n + 1) / 2, rounded down` [definition].
 // size: of the full image, pixels, 0 to 2^30.
 // Error: none.
 ivec2 gloam_half_size(ivec2 size) {
     return (size + 1) / 2;
 }
 
+// full-size pixel that a half-size pixel stands for (HALF-source): `2 p` [definition].
 // The pixel of the full image that a pixel of the half-size image stands for.
 // pixel: of the half-size image, within 2^30 of 0.
 // Error: none.
@@ -26,6 +27,7 @@ ivec2 gloam_half_source(ivec2 pixel) {
     return 2 * pixel;
 }
 
+// between the rays of a half-size pixel and of its source (HALF-shift): `1 / (n p), n even; 0, n odd` [derived].
 // How far the rays of the half-size image's pixels are from those of their sources, along one axis.
 // p: element [0][0] (along x) or [1][1] (along y) of the full image's projection. size: of the full image along that
 // axis, pixels, 1 to 2^24.
@@ -36,6 +38,7 @@ float gloam_half_shift(float p, int size) {
     return even && abs(p) >= 1e-9 && abs(p) <= 1e9 ? 1.0 / (float(size) * p) : 0.0;
 }
 
+// normal in the view space of the half-size image (HALF-normal): `(n.xy, n.z + shift . n.xy), normalised` [derived].
 // A surface normal in the view space of the half-size image, perspective: (n.x, n.y, n.z + shift . n.xy), normalised.
 // normal: in the view space of the full image. shift: gloam_half_shift along both axes.
 // Returns a unit vector; 0 where the normal has no direction, is not finite, or the sum overflows. Error: 4e-7 for

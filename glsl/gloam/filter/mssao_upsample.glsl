@@ -5,6 +5,8 @@
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/shading/remap.glsl"
 
+// weight of a pixel of the coarser level (CS-F-upsample): `bilinear (1 / (1 + |dz|))^a ((n . n' + 1) / 2)^b` [Hoang and
+// Low 2012 (MSSAO)].
 // Weight of a pixel of the coarser level whose result the finer level interpolates (MSSAO): bilinear (1 / (1 + |dz|))^a
 // ((n . n' + 1) / 2)^b. For gloam_weighted_mean_add.
 // bilinear: weight by position, [0, 1]; outside, the nearer end; 0 for NaN. depth_difference: dz, world units, below

@@ -4,6 +4,8 @@
 
 #include "gloam/occlusion/visibility.glsl"
 
+// mean of the two pixels of a quad along one axis (CS-Q-quad): `A - dA ((x & 1) - 1/2), if |dz| < edge` [McGuire, Mara
+// and Luebke 2012 (Scalable Ambient Obscurance)].
 // Mean of the two pixels of a quad along one axis, from the screen-space derivative of a fragment (SAO): A - dA ((x &
 // 1) - 1/2), unless a depth edge lies between them. Applied along x and then along y, with the y difference of the new
 // values, it is the mean of the quad.

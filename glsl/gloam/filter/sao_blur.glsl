@@ -2,6 +2,8 @@
 #ifndef GLOAM_FILTER_SAO_BLUR_GLSL
 #define GLOAM_FILTER_SAO_BLUR_GLSL
 
+// weight of a tap of SAO's blur (CS-Q-blur): `(0.3 + g_r) max(0, 1 - slope |dkey|)` [McGuire, Mara and Luebke 2012
+// (Scalable Ambient Obscurance)].
 // Weight of a tap of SAO's blur, along one axis: (0.3 + g_r) max(0, 1 - slope |key difference|), g_0 at the centre;
 // the taps are two pixels apart. g is a Gaussian of standard deviation 3 taps, normalised over its nine taps (the
 // reference shader says 2).

@@ -4,6 +4,7 @@
 
 #include "gloam/sampling/unit_interval.glsl"
 
+// factor on the filter's support (TSSAO-11): `s = max(c - conv, 0) / c` [TSSAO (Mattausch et al.), eq 11].
 // Factor on the filter's support in the image (TSSAO-11): max(c - conv, 0) / c. Pixels that have converged are not
 // filtered.
 // convergence: conv; below 0 it is read as 0, NaN gives 1. c_adaptive: c, 0.2: the convergence from which nothing is
@@ -16,10 +17,12 @@ float gloam_shrink(float convergence, float c_adaptive) {
     return min((c_adaptive - convergence) / c_adaptive, 1.0);
 }
 
-// How much of a pixel lies in the filter's window. The window reaches from the middle of the centre pixel to `reach`
-// pixels beyond it and half a pixel more on either side; a pixel counts by the part covered. No pixel counts twice,
-// whatever the shrink factor, and a reach of n gives n whole pixels on each side. The result changes smoothly as the
-// window shrinks. Fewer taps spread over rounded positions would do neither.
+// how much of a pixel lies in the filter's window (TSSAO-11-window): `clamp(reach + 1 - |i|, 0, 1)` [derived: overlap
+// of a pixel with a window of half width reach + 1/2].
+// The window reaches from the middle of the centre pixel to `reach` pixels beyond it and half a pixel more on either
+// side; a pixel counts by the part covered. No pixel counts twice, whatever the shrink factor, and a reach of n gives n
+// whole pixels on each side. The result changes smoothly as the window shrinks. Fewer taps spread over rounded
+// positions would do neither.
 // offset: distance from the centre pixel, 1 or more. reach: half width of the window in pixels, >= 0.
 // Returns clamp(reach - (offset - 1), 0, 1); 0 for NaN. Error: none for offsets up to 2^24.
 float gloam_window_coverage(int offset, float reach) {

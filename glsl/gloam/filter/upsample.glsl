@@ -12,6 +12,8 @@
 // Relative difference from that mean, up to which depths are of one surface.
 const float GLOAM_UPSAMPLE_TOLERANCE = 0.006;
 
+// whether a surface continues through two pixels around another (UPSAMPLE-continues): `|(d / a + d / b) / 2 - 1| <=
+// 0.006; orthographic |(a + b) / (2 d) - 1| <= 0.006` [derived].
 // Whether the surface of a pixel continues through two pixels on opposite sides of it, equally far away:
 // |(depth / first + depth / second) / 2 - 1| <= 0.006 (perspective), |(first + second) / (2 depth) - 1| <= 0.006
 // (orthographic).
@@ -24,6 +26,7 @@ bool gloam_upsample_continues(float depth, float first, float second, bool ortho
     return abs(mean - 1.0) <= GLOAM_UPSAMPLE_TOLERANCE;
 }
 
+// value of the pixel nearest in depth (UPSAMPLE-nearest): `v_i where |d_i - d| is least` [derived].
 // The value of that of four pixels whose depth is nearest to a depth; of equally near ones the first.
 // depth: eye-linear, not background. depths: of the four, in the same unit. values: theirs.
 // Returns 0 if all four are background. Error: none, but for distances equal within rounding.
@@ -40,6 +43,8 @@ float gloam_upsample_nearest(float depth, vec4 depths, vec4 values) {
     return apart.z <= least ? values.z : values.w;
 }
 
+// occlusion of a full-size pixel from half-size pixels (UPSAMPLE): `mean of the opposite pairs through which the
+// surface continues, else the nearest in depth` [derived].
 // Occlusion of a full-size pixel from the four half-size pixels around it: the mean of the opposite pairs through which
 // its surface continues (gloam_upsample_continues). Without such a pair it is that of the half-size pixel nearest in
 // depth. A constant occlusion stays as it is.

@@ -2,12 +2,13 @@
 #ifndef GLOAM_GEOMETRY_BACKGROUND_GLSL
 #define GLOAM_GEOMETRY_BACKGROUND_GLSL
 
-// Eye-linear depth of a pixel without geometry: +infinity.
+// depth of a pixel without geometry (BACKGROUND-depth): `+infinity` [convention].
 // Returns +infinity. Error: none.
 float gloam_background_depth() {
     return uintBitsToFloat(0x7F800000u);
 }
 
+// depth that stands for no geometry (BACKGROUND): `not (0 < d < infinity)` [convention].
 // Whether a depth stands for "no geometry here".
 // depth: eye-linear depth in world units, d = -z in view space.
 // Returns false for a positive finite depth, true for zero, negative, infinite and NaN. A subnormal depth is read as

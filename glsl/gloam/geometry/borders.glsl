@@ -9,13 +9,15 @@
 // border / size, a little different along x and y; the field of view and the texture coordinates must use that one
 // (gloam_guard_band_guard), not the guard asked for, or the cropped image is scaled.
 
-// Nearest pixel of the image.
+// nearest pixel of the image (TSSAO-BORDER): `clamp(p, 0, size - 1)` [TSSAO (Mattausch et al.), frame borders].
 // pixel: integer pixel. size: image size in pixels; below 1 it is read as 1.
 // Returns the pixel with each coordinate taken into [0, size - 1]. Error: none.
 ivec2 gloam_clamp_to_edge(ivec2 pixel, ivec2 size) {
     return clamp(pixel, ivec2(0), max(size, ivec2(1)) - 1);
 }
 
+// width of the guard band in pixels (TSSAO-BORDER-width): `floor(g size + 1/2)` [TSSAO (Mattausch et al.), frame
+// borders].
 // Width of the guard band in pixels: guard times size, rounded to the nearest integer, the same on opposite sides.
 // size: size of the cropped image in pixels, at most 2^22 a side; below 0 it is read as 0.
 // guard: part of the image added on each side, 0 to 1 (0.05 to 0.1 is usual); outside the nearer end, 0 for NaN.
@@ -30,6 +32,8 @@ ivec2 gloam_guard_band_border(ivec2 size, float guard) {
     return ivec2(whole + step(vec2(0.5), width - whole));
 }
 
+// size of the image with its guard band (TSSAO-BORDER-size): `size + 2 border` [TSSAO (Mattausch et al.), frame
+// borders].
 // Size of the image to render: size + 2 border, about (1 + 2 guard) size.
 // size: size of the cropped image in pixels, at most 2^22 a side; below 0 it is read as 0.
 // guard: part of the image added on each side, 0 to 1; outside the nearer end, 0 for NaN.
@@ -39,7 +43,7 @@ ivec2 gloam_guard_band_size(ivec2 size, float guard) {
     return max(size, ivec2(0)) + 2 * gloam_guard_band_border(size, guard);
 }
 
-// Guard actually rendered: border / size.
+// guard actually rendered (TSSAO-BORDER-guard): `border / size` [TSSAO (Mattausch et al.), frame borders].
 // size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0
 // to 1.
 // Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 1.5 ulp,
@@ -49,7 +53,8 @@ vec2 gloam_guard_band_guard(ivec2 size, float guard) {
     return vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1)));
 }
 
-// Half field of view with the guard band: tan' = (1 + 2 g) tan.
+// half field of view with the guard band (TSSAO-BORDER-tan): `tan' = (1 + 2 g) tan` [TSSAO (Mattausch et al.), frame
+// borders].
 // tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of
 // gloam_guard_band_guard, that axis.
 // Returns the tangent for the image with the band; 0 where it is not finite. Error: at most 3 ulp.
@@ -59,7 +64,8 @@ float gloam_guard_band_tan_half_fov(float tan_half_fov, float guard) {
     return gloam_is_finite(wider) ? wider : 0.0;
 }
 
-// Texture coordinates in the cropped image of a point of the image with the band: (1 + 2 g) uv - g.
+// texture coordinates in the crop of a guard band (TSSAO-BORDER-inner): `(1 + 2 g) uv - g` [TSSAO (Mattausch et al.),
+// frame borders].
 // outer_uv: in [0, 1]^2 inside the image with the band. guard: g of gloam_guard_band_guard, in [0, 1].
 // Returns coordinates, in [0, 1]^2 inside the crop; (2, 2), a point outside every image, where they are not finite.
 // Error: 1.5 ulp or 3e-7.
@@ -69,7 +75,8 @@ vec2 gloam_guard_band_inner_uv(vec2 outer_uv, vec2 guard) {
     return gloam_is_finite2(uv) ? uv : vec2(2.0);
 }
 
-// Texture coordinates in the image with the band of a point of the cropped image: (uv + g) / (1 + 2 g).
+// texture coordinates in the image with its guard band (TSSAO-BORDER-outer): `(uv + g) / (1 + 2 g)` [TSSAO (Mattausch
+// et al.), frame borders].
 // inner_uv: in [0, 1]^2 inside the crop. guard: g of gloam_guard_band_guard, in [0, 1].
 // Returns coordinates, in [0, 1]^2 inside the image with the band; (2, 2), a point outside every image, where they
 // are not finite.

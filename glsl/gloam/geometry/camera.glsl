@@ -13,7 +13,7 @@ struct GloamCamera {
     bool orthographic;  // else perspective
 };
 
-// Texture coordinates of a view-space position.
+// texture coordinates of a view-space position (CAMERA-uv): `ndc / 2 + 1/2, ndc of either projection` [the projection].
 // view_position: world units.
 // Returns coordinates in [0, 1]^2 inside the image; (1.5, 1.5), outside every image, for a position not in front of
 // the eye and wherever the coordinates would not be finite. Error: 2e-7 inside the image.
@@ -22,7 +22,8 @@ vec2 gloam_camera_uv(vec3 view_position, GloamCamera camera) {
                                                  : gloam_ndc_perspective(view_position, camera.p00_p11));
 }
 
-// View-space position of the surface under a pixel's centre.
+// view-space position of the surface under a pixel's centre (CAMERA-position): `(ndc.x / P00, ndc.y / P11, -1) d, or
+// (ndc.x / P00, ndc.y / P11, -d)` [inverse of the projection].
 // pixel: integer pixel. depth: eye-linear depth there, world units.
 // Returns the position in world units; the zero vector for background depth and wherever it would not be finite.
 // Error: 3 ULP.
@@ -32,6 +33,8 @@ vec3 gloam_camera_position(ivec2 pixel, float depth, GloamCamera camera) {
                                : gloam_view_position_perspective(ndc, depth, camera.p00_p11);
 }
 
+// projected radius of a world length (CAMERA-radius): `R (|P00|, |P11|) / (2 d), or R (|P00|, |P11|) / 2` [the
+// projection].
 // Half-axes in texture coordinates of a disc parallel to the screen.
 // radius: world units, >= 0. depth: eye-linear, world units.
 // Returns the half-axes, (0, 0) for background depth. Error: 3 ULP.

@@ -4,8 +4,10 @@
 
 #include "gloam/geometry/finite.glsl"
 
-// Position relative to the previous eye (TSSAO-PREC): q_(f-1) = q_f + (eye_f - eye_(f-1)). Positions are stored
-// relative to the eye because world coordinates far from the origin are coarse (at 1e5 a float's spacing is 0.008).
+// position relative to the previous eye (TSSAO-PREC): `q' = q + (eye - eye')` [TSSAO (Mattausch et al.), precision of
+// positions].
+// Positions are stored relative to the eye because world coordinates far from the origin are coarse (at 1e5 a float's
+// spacing is 0.008).
 // position: q_f = x - eye_f, world axes and units. eye_delta: eye_f - eye_(f-1), subtracted in double by the host.
 // Returns q_(f-1), world axes and units; the zero vector where it is not finite. Error: at most 1 ulp.
 // No method or pass here calls it: it is there to be copied.

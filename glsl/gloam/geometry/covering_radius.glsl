@@ -9,7 +9,8 @@
 
 // Radius of the image of a sampling disc (ISSAO-P), in units of the focal length: times P11 H / 2 it is in pixels.
 
-// Disc parallel to the screen: R / d. Its image is a circle, whatever the paper says of an ellipse.
+// image of a disc parallel to the screen (ISSAO-P-parallel): `R / d` [ISSAO, section on the projected disc; derived].
+// Its image is a circle, whatever the paper says of an ellipse.
 // position: centre of the disc, view space, world units. radius: R, world units, >= 0. largest: upper bound of the
 // result, >= 0.
 // Returns a radius in [0, largest]; 0 for a position behind the eye or not finite and for R not positive or NaN.
@@ -21,6 +22,8 @@ float gloam_covering_radius_parallel(vec3 position, float radius, float largest)
     return min(r, gloam_positive_length(largest));
 }
 
+// circle that covers the image of a disc across the view ray (ISSAO-P): `R / (cos t (d - R sin t))` [ISSAO, section on
+// the projected disc; derived].
 // Disc across the view ray: the farthest point of its elliptic image from the image of the centre, R / (cos t (d - R
 // sin t)) with t the angle off the axis. The reading under which the paper's ellipse and covering circle make sense;
 // never below the other.

@@ -4,6 +4,8 @@
 
 #include "gloam/numeric/square_root.glsl"
 
+// principal curvatures from neighbouring pixels (CS-K-principal): `eigenvalues of the shape operator, -dn = S dp`
+// [differential geometry].
 // Principal curvatures of a surface from how position and normal change between neighbouring pixels: the eigenvalues
 // of the shape operator, formed in an orthonormal frame of the tangent plane, where nothing cancels for a ball.
 // position_x, position_y: changes of the position along the two axes of the image (of neighbours on the same

@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/finite.glsl"
 
+// height of the surface of a tap at the aimed place (PAIR-height): `((s - p - a) . n) / (v . n)` [definition].
 // How far along the view vector from an aimed place the surface lies that is as high over the tangent plane as what
 // was seen.
 // offset: from the shaded point to what was seen. aim: from there to the place, in the plane of the image; world

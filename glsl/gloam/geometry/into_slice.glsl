@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/finite.glsl"
 
+// offset moved into a slice along the tangent plane (SLICE-into): `v - (v . a) u, u . n = 0, u . a = 1` [definition].
 // Moves an offset into the plane of a slice without changing its height over the tangent plane. What is seen at a
 // pixel's centre lies beside the slice; dropping its part across the slice would lift the points of a tilted plane
 // above that plane.

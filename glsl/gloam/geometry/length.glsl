@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/safe_normalize.glsl"
 
+// length of a vector of any size (LENGTH-vector): `|v| = v . (v / |v|)` [definition].
 // Length of a vector of any size: |v| as the dot product with its own direction, where length() overflows above 1e19
 // and underflows below 1e-19.
 // v: any vector.

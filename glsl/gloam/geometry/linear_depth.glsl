@@ -10,6 +10,8 @@
 // the two elements. Where OpenGL's range [-1, 1] brings in a 2 b - 1, the 1 joins the element that it nearly cancels,
 // which keeps that difference exact.
 
+// quotient that is a depth, or the background (DEPTH-quotient): `a / b; +infinity unless positive and finite`
+// [convention].
 // The quotient of the formulas below, or the background depth +infinity where it is not a depth: zero, subnormal or
 // huge denominator (a far plane at infinity), result not positive, not finite, NaN.
 // numerator, denominator: any floats.
@@ -20,6 +22,8 @@ float gloam_depth_quotient(float numerator, float denominator) {
     return gloam_is_background(depth) ? gloam_background_depth() : depth;
 }
 
+// eye-linear depth, perspective, depth range [0, 1] (DEPTH-perspective-vk): `d = P32 / (b + P22)` [the projection
+// solved for depth].
 // Eye-linear depth, perspective, depth range [0, 1] (Vulkan, Direct3D): b = (P22 z + P32) / -z, so d = P32 / (b + P22).
 // b: depth-buffer value in [0, 1].
 // p22, p32: projection elements: far / (near - far), far near / (near - far); reversed near / (far - near),
@@ -31,6 +35,8 @@ float gloam_linear_depth_perspective_vk(float b, float p22, float p32) {
     return gloam_depth_quotient(p32, b + p22);
 }
 
+// eye-linear depth, perspective, depth range [-1, 1] (DEPTH-perspective-gl): `d = P32 / (2 b - 1 + P22)` [the
+// projection solved for depth].
 // Eye-linear depth, perspective, depth range [-1, 1] (OpenGL): 2 b - 1 = (P22 z + P32) / -z, so d = P32 / (2 b - 1 +
 // P22).
 // b: depth-buffer value in [0, 1] (window depth).
@@ -45,6 +51,8 @@ float gloam_linear_depth_perspective_gl(float b, float p22, float p32) {
     return gloam_depth_quotient(p32, denominator);
 }
 
+// eye-linear depth, orthographic, depth range [0, 1] (DEPTH-orthographic-vk): `d = (P32 - b) / P22` [the projection
+// solved for depth].
 // Eye-linear depth, orthographic, depth range [0, 1] (Vulkan, Direct3D): b = P22 z + P32, so d = (P32 - b) / P22.
 // b: depth-buffer value in [0, 1].
 // p22, p32: projection elements: 1 / (near - far), near / (near - far); reversed 1 / (far - near), far / (far - near).
@@ -54,6 +62,8 @@ float gloam_linear_depth_orthographic_vk(float b, float p22, float p32) {
     return gloam_depth_quotient(p32 - b, p22);
 }
 
+// eye-linear depth, orthographic, depth range [-1, 1] (DEPTH-orthographic-gl): `d = (P32 + 1 - 2 b) / P22` [the
+// projection solved for depth].
 // Eye-linear depth, orthographic, depth range [-1, 1] (OpenGL): 2 b - 1 = P22 z + P32, so d = (P32 + 1 - 2 b) / P22.
 // b: depth-buffer value in [0, 1] (window depth).
 // p22, p32: projection elements: -2 / (far - near), -(far + near) / (far - near); both negated when reversed.

@@ -5,6 +5,8 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
 
+// direction of the surface along one image axis (NORMAL-direction): `one-sided difference of smaller |dz|, normalised`
+// [definition; one-sided differences as in Bavoil and Sainz 2009].
 // Direction from a position to its neighbours along one image axis: the one-sided difference with the smaller change
 // of depth, which does not reach across a silhouette. The difference to the neighbour ahead where both change alike.
 // center, behind, ahead: view-space positions in world units; a neighbour that is not in front of the eye (z not
@@ -20,6 +22,8 @@ vec3 gloam_neighbor_direction(vec3 center, vec3 behind, vec3 ahead) {
     return gloam_safe_normalize(use_ahead ? ahead - center : center - behind, vec3(0.0));
 }
 
+// normal of two directions, turned towards the viewer (NORMAL-facing): `x cross y, normalised; the sign that faces the
+// viewer` [definition].
 // View-space normal of the surface spanned by two directions, turned towards the viewer.
 // along_x, along_y: unit vectors in the surface, or zero. toward_viewer: direction of the viewer, of any length.
 // Returns a unit vector; (0, 0, 1), straight at the viewer, where the directions are zero, within 1e-5 radians of
@@ -33,6 +37,8 @@ vec3 gloam_facing_normal(vec3 along_x, vec3 along_y, vec3 toward_viewer) {
     return dot(normal, toward_viewer) < 0.0 ? -normal : normal;
 }
 
+// normal from a position and its four neighbours (NORMAL): `cross product of the one-sided differences of smaller |dz|;
+// n . center <= 0` [definition; one-sided differences as in Bavoil and Sainz 2009].
 // View-space normal from the positions of a pixel and its four neighbours, perspective: cross product of the one-sided
 // differences with the smaller change of depth, turned towards the eye.
 // center, left, right, up, down: view-space positions in world units, the zero vector (or any z that is not negative)
@@ -46,6 +52,8 @@ vec3 gloam_normal_from_neighbors(vec3 center, vec3 left, vec3 right, vec3 up, ve
                                gloam_neighbor_direction(center, down, up), -center);
 }
 
+// normal from a position and its four neighbours (NORMAL-orthographic): `cross product of the one-sided differences of
+// smaller |dz|; n.z >= 0` [definition; one-sided differences as in Bavoil and Sainz 2009].
 // The same for an orthographic view, in which every surface is seen along -z: the normal is turned to n.z >= 0.
 // center, left, right, up, down: as for gloam_normal_from_neighbors.
 // Returns a unit vector n with n.z >= 0; (0, 0, 1) where too few neighbours are usable or the differences are

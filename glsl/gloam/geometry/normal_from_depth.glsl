@@ -8,6 +8,8 @@
 // Defined by the user: eye-linear depth of a pixel inside the image, in world units.
 float gloam_fetch_depth(ivec2 pixel);
 
+// position read from the depth image (POSITION-depth): `POSITION-perspective of the depth and the centre of the pixel`
+// [inverse of the projection].
 // View-space position under a pixel, perspective, read from the depth image.
 // pixel: integer pixel. size: image size in pixels. p00_p11: projection elements (see gloam_view_position_perspective).
 // Returns the position in world units; the zero vector for background and outside the image, where nothing is fetched.
@@ -18,6 +20,8 @@ vec3 gloam_position_from_depth(ivec2 pixel, ivec2 size, vec2 p00_p11) {
     return gloam_view_position_perspective(gloam_ndc_from_pixel(pixel, size), gloam_fetch_depth(pixel), p00_p11);
 }
 
+// normal reconstructed from the depth image (NORMAL-depth): `NORMAL of the positions under the pixel and its
+// neighbours` [definition; one-sided differences as in Bavoil and Sainz 2009].
 // View-space normal reconstructed from the depth image, perspective: gloam_normal_from_neighbors on the four
 // neighbours. At the image's edges and beside background only the other side is used.
 // pixel: integer pixel, taken to the nearest one of the image. size: image size in pixels, from 1 x 1.

@@ -2,6 +2,8 @@
 #ifndef GLOAM_GEOMETRY_PIXEL_CENTER_GLSL
 #define GLOAM_GEOMETRY_PIXEL_CENTER_GLSL
 
+// pixel of a texture coordinate along one axis (TSSAO-7-index): `floor(u resolution), inside the image` [TSSAO
+// (Mattausch et al.), eq 7].
 // Index of the pixel, along one axis, in which a texture coordinate falls: floor(u resolution) inside the image.
 // u: texture coordinate. resolution: pixels along the axis, at most 2^24.
 // Returns an index in [0, resolution - 1]: the nearer end for a coordinate outside [0, 1) (1 is the last pixel), 0
@@ -12,6 +14,8 @@ int gloam_nearest_index(float u, int resolution) {
     return scaled >= 1.0 ? (scaled < float(last) ? int(scaled) : last) : 0;
 }
 
+// pixel of a texture coordinate (TSSAO-7-pixel): `floor(uv resolution), inside the image` [TSSAO (Mattausch et al.), eq
+// 7].
 // Pixel whose centre is nearest to a texture coordinate, for fetches that must not interpolate (TSSAO-7: the start
 // index and the depth of the history): floor(uv resolution), kept inside the image.
 // uv: texture coordinates, [0, 1]^2 inside the image. resolution: image size in pixels, at most 2^24 a side.
@@ -21,8 +25,9 @@ ivec2 gloam_nearest_pixel(vec2 uv, ivec2 resolution) {
     return ivec2(gloam_nearest_index(uv.x, resolution.x), gloam_nearest_index(uv.y, resolution.y));
 }
 
-// Centre of that pixel in texture coordinates (TSSAO-7): (floor(uv resolution) + 1/2) / resolution. The brackets of
-// the printed equation are a floor.
+// pixel centre of a texture coordinate (TSSAO-7): `(floor(uv resolution) + 1/2) / resolution` [TSSAO (Mattausch et
+// al.), eq 7 corrected].
+// The brackets of the printed equation are a floor.
 // uv: texture coordinates, [0, 1]^2 inside the image. resolution: image size in pixels, at most 2^22 a side.
 // Returns a point in (0, 1)^2, its own pixel centre; a resolution below 1 is read as 1. Error: at most 1.5 ulp, for
 // the pixel that gloam_nearest_pixel gives.
@@ -31,7 +36,7 @@ vec2 gloam_pixel_center(vec2 uv, ivec2 resolution) {
     return (vec2(gloam_nearest_pixel(uv, size)) + 0.5) / vec2(size);
 }
 
-// Whether texture coordinates lie inside the image, borders included: 0 <= u, v <= 1.
+// texture coordinates inside the image (INSIDE): `0 <= u, v <= 1` [convention].
 // uv: texture coordinates.
 // Returns false if either coordinate is outside, infinite or NaN. Error: none.
 bool gloam_inside_unit(vec2 uv) {

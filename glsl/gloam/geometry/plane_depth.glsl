@@ -5,6 +5,8 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/camera.glsl"
 
+// depth at which a pixel's view ray meets a plane (CAMERA-plane): `t with n . (ray(t) - point) = 0` [ray and plane;
+// keeps a bare plane open in TSSAO-3].
 // Depth at which the view ray through a pixel's centre meets the plane through a point. A depth buffer holds the
 // surface at pixel centres only: a point beside the centre is compared with it fairly when it is first moved there
 // along the plane that it belongs to; otherwise a bare plane seen at a grazing angle occludes itself by up to half a

@@ -9,6 +9,8 @@
 // of the y axis: P11 is negative where normalised device y points down (Vulkan), positive where it points up (OpenGL,
 // whose pixel rows then count from the bottom). The formulas are the same.
 
+// normalised device coordinates of a pixel's centre (NDC-pixel): `(2 x + 1 - width) / width` [definition of the pixel
+// centre].
 // Normalised device coordinates of a pixel's centre: (2 x + 1 - width) / width, the same in y.
 // pixel: integer pixel; one outside the image gives coordinates outside [-1, 1].
 // size: image size in pixels, 1 to 2^22; a size below 1 gives (0, 0).
@@ -19,7 +21,7 @@ vec2 gloam_ndc_from_pixel(ivec2 pixel, ivec2 size) {
     return (2.0 * vec2(pixel) + 1.0 - extent) / extent;
 }
 
-// Texture coordinates of normalised device coordinates: ndc / 2 + 1/2.
+// texture coordinates of normalised device coordinates (UV-ndc): `ndc / 2 + 1/2` [convention].
 // ndc: in [-1, 1]^2 inside the image.
 // Returns coordinates in [0, 1]^2 inside the image; (2, 2), a point outside every image, where ndc is infinite or NaN.
 // Error: at most 1 ulp.
@@ -27,7 +29,8 @@ vec2 gloam_uv_from_ndc(vec2 ndc) {
     return gloam_is_finite2(ndc) ? 0.5 * ndc + 0.5 : vec2(2.0);
 }
 
-// View-space position under a pixel, perspective: (ndc.x / P00, ndc.y / P11, -1) d.
+// view-space position under a pixel, perspective (POSITION-perspective): `(ndc.x / P00, ndc.y / P11, -1) d` [inverse of
+// the projection].
 // ndc: normalised device coordinates. depth: eye-linear, world units. p00_p11: projection elements, not zero.
 // Returns the position in world units; the zero vector, which is read as background everywhere, for background depth
 // and wherever the position would not be finite. Error: at most 3 ulp in each component.
@@ -37,7 +40,8 @@ vec3 gloam_view_position_perspective(vec2 ndc, float depth, vec2 p00_p11) {
     return gloam_is_finite3(position) ? position : vec3(0.0);
 }
 
-// View-space position under a pixel, orthographic: (ndc.x / P00, ndc.y / P11, -d).
+// view-space position under a pixel, orthographic (POSITION-orthographic): `(ndc.x / P00, ndc.y / P11, -d)` [inverse of
+// the projection].
 // ndc: normalised device coordinates. depth: eye-linear, world units. p00_p11: projection elements, not zero.
 // Returns the position in world units; the zero vector, which is read as background everywhere, for background depth
 // and wherever the position would not be finite. Error: at most 1 ulp in each component.
@@ -47,7 +51,7 @@ vec3 gloam_view_position_orthographic(vec2 ndc, float depth, vec2 p00_p11) {
     return gloam_is_finite3(position) ? position : vec3(0.0);
 }
 
-// Normalised device coordinates of a view-space position, perspective: (P00 x, P11 y) / -z.
+// normalised device coordinates of a position, perspective (NDC-perspective): `(P00 x, P11 y) / -z` [the projection].
 // view_position: world units. p00_p11: projection elements.
 // Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position
 // that is not in front of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.
@@ -58,7 +62,7 @@ vec2 gloam_ndc_perspective(vec3 view_position, vec2 p00_p11) {
     return gloam_is_finite2(ndc) ? ndc : vec2(2.0);
 }
 
-// Normalised device coordinates of a view-space position, orthographic: (P00 x, P11 y).
+// normalised device coordinates of a position, orthographic (NDC-orthographic): `(P00 x, P11 y)` [the projection].
 // view_position: world units. p00_p11: projection elements.
 // Returns coordinates in [-1, 1]^2 inside the frustum's sides; (2, 2), a point outside every image, for a position
 // that is not in front of the eye (-z not a positive finite depth) and wherever the coordinates would not be finite.

@@ -8,12 +8,14 @@
 // 1/2 takes normalised device coordinates, two units wide, to texture coordinates. Signs of the projection (y down)
 // do not matter.
 
+// number read as a length (LENGTH): `x inside [0, FLT_MAX], else the nearer end; 0 for NaN` [convention].
 // A length that is not positive counts as 0, and so does NaN; one too large for a float is the largest float.
 // x: any float. Returns a number in [0, FLT_MAX]. Error: none.
 float gloam_positive_length(float x) {
     return x > 0.0 ? (x <= 3.402823466e38 ? x : 3.402823466e38) : 0.0;
 }
 
+// projected radius of a world length (RADIUS-uv): `R (|P00|, |P11|) / (2 d)` [the projection].
 // Projected radius in texture coordinates, perspective: R (|P00|, |P11|) / (2 d).
 // radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
 // elements.
@@ -24,6 +26,7 @@ vec2 gloam_projected_radius_uv(float radius, float depth, vec2 p00_p11) {
     return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
 }
 
+// projected radius of a world length (RADIUS-px): `R (|P00| W, |P11| H) / (2 d)` [the projection].
 // Projected radius in pixels, perspective: R (|P00| width, |P11| height) / (2 d).
 // radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
 // elements.
@@ -35,6 +38,7 @@ vec2 gloam_projected_radius_pixels(float radius, float depth, vec2 p00_p11, ivec
     return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
 }
 
+// projected radius of a world length (RADIUS-uv-orthographic): `R (|P00|, |P11|) / 2` [the projection].
 // Projected radius in texture coordinates, orthographic: R (|P00|, |P11|) / 2, whatever the depth.
 // radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
 // elements.
@@ -45,6 +49,7 @@ vec2 gloam_projected_radius_uv_orthographic(float radius, float depth, vec2 p00_
     return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
 }
 
+// projected radius of a world length (RADIUS-px-orthographic): `R (|P00| W, |P11| H) / 2` [the projection].
 // Projected radius in pixels, orthographic: R (|P00| width, |P11| height) / 2, whatever the depth.
 // radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
 // elements.

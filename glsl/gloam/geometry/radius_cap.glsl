@@ -5,6 +5,8 @@
 #include "gloam/geometry/projected_radius.glsl"
 #include "gloam/numeric/length_ratio.glsl"
 
+// projected radius held below a cap (CS-G-cap): `r min(1, cap / max(r_x, r_y))` [Gears of War 2 (Smedberg and Wright
+// 2009)].
 // Projected radius held below a cap, so that the taps of near pixels stay in the cache (Gears of War 2); both
 // half-axes shrink alike, and with them the radius of influence in the world.
 // axes: half-axes of the projected radius, pixels, >= 0 (negative and NaN count as 0). most: the cap, pixels, >= 0

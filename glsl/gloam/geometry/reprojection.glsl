@@ -8,7 +8,8 @@
 // "view" takes world to view space, "model" takes object to world space. Clip points stay homogeneous throughout:
 // nothing is divided before the last step, so points at infinity (w = 0 in world space) are carried as well.
 
-// Texture coordinates of a clip-space point: xy / (2 w) + 1/2.
+// texture coordinates of a clip-space point (TSSAO-RP-uv): `xy / (2 w) + 1/2, inside where |x|, |y| <= w` [TSSAO
+// (Mattausch et al.), reprojection].
 // clip: homogeneous clip-space point. uv: texture coordinates in [0, 1]^2 with y in the direction of clip y (down in
 // Vulkan); (0, 0) when the result is false.
 // Returns whether the point projects into the image, borders included: false behind the camera (w below 1e-30),
@@ -24,6 +25,8 @@ bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
     return true;
 }
 
+// previous texture coordinates, static scene (TSSAO-RP): `t' = P' V' V^-1 P^-1 t` [TSSAO (Mattausch et al.),
+// reprojection].
 // Previous texture coordinates of a point of the current image, static scene, one matrix prepared by the host (in
 // double): P_(f-1) V_(f-1) V_f^-1 P_f^-1.
 // clip_position: clip-space point of the current frame, (ndc, 1) or homogeneous. previous_from_current: the matrix.
@@ -35,6 +38,8 @@ bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out ve
     return gloam_uv_from_clip(previous_from_current * clip_position, uv);
 }
 
+// previous clip-space point of a static surface point (TSSAO-RP-static): `P' V' V^-1 P^-1 t` [TSSAO (Mattausch et al.),
+// reprojection].
 // Previous clip-space point of a static surface point: P_(f-1) V_(f-1) V_f^-1 P_f^-1 clip.
 // clip: clip-space point of the current frame. inverse_projection, inverse_view: of the current frame.
 // previous_view, previous_projection: of the previous frame.
@@ -48,6 +53,8 @@ vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse
     return gloam_is_finite4(previous) ? previous : vec4(0.0);
 }
 
+// previous clip-space point of a point of a moving object (TSSAO-RP-moving): `P' V' M' M^-1 V^-1 P^-1 t` [TSSAO
+// (Mattausch et al.), reprojection].
 // Previous clip-space point of a point of a moving object: P_(f-1) V_(f-1) M_(f-1) M_f^-1 V_f^-1 P_f^-1 clip.
 // (Printed without frame indices, the chain P V M M^-1 V^-1 P^-1 would be the identity.)
 // clip: clip-space point of the current frame. inverse_projection, inverse_view, inverse_model: of the current frame.
@@ -63,6 +70,8 @@ vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse
     return gloam_is_finite4(previous) ? previous : vec4(0.0);
 }
 
+// previous world position of a point of a moving object (TSSAO-RP-world): `M' M^-1 x` [TSSAO (Mattausch et al.),
+// reprojection].
 // Previous world-space position of a point of a moving object: M_(f-1) M_f^-1 x.
 // world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame
 // (both affine).
@@ -74,8 +83,8 @@ vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
     return gloam_is_finite3(previous.xyz) ? previous.xyz : vec3(0.0);
 }
 
-// Depth that a surface point had in the previous camera: -(V_(f-1) x).z. This, and not its depth in the current
-// camera, is what the stored depth is compared with (TSSAO-8).
+// depth of a point in the previous camera (TSSAO-RP-depth): `d' = -(V' x').z` [TSSAO (Mattausch et al.), reprojection].
+// This, and not its depth in the current camera, is what the stored depth is compared with (TSSAO-8).
 // previous_world: world-space position of the point in the previous frame. previous_view: view matrix of the previous
 // frame.
 // Returns the eye-linear depth in world units, negative behind the camera; 0 where it is not finite. Error: 5e-7 of

@@ -4,6 +4,8 @@
 
 #include "gloam/geometry/finite.glsl"
 
+// unit vector along any vector that has a direction (NORMALIZE): `v / |v|; the fallback where v is zero, infinite or
+// NaN` [definition].
 // Unit vector along v for every v that has a direction: v / |v|, where normalize() overflows above 1e19 and
 // underflows below 1e-19.
 // v: any vector.

@@ -16,6 +16,8 @@ struct GloamSlice {
     float weight;  // length of that projection, [0, 1]
 };
 
+// slice through the eye, and the normal in it (GTAO-slice): `t = d - (d . v) v, normalised; n = atan((N . t) / (N .
+// v)), weight |(N . t, N . v)|` [Jimenez et al. 2016].
 // Slice of a direction of the image.
 // direction: in the image plane, unit, y as in view space; 0 to pi of angles make all slices. view: unit, view space
 // (orthographic: (0, 0, 1)).
@@ -36,6 +38,7 @@ GloamSlice gloam_slice(vec2 direction, vec3 view, vec3 normal) {
     return GloamSlice(view, tangent, part, part.y < 0.0 ? -angle : angle, min(weight, 1.0));
 }
 
+// amount of an empty half plane (GTAO-slice-whole): `cos n + n sin n` [Jimenez et al. 2016].
 // What a half plane without anything in it amounts to, weighted by the cosine to the normal and by solid angle: cos n
 // + n sin n.
 // Returns an amount in [1, pi / 2]. Error: 3e-7.
@@ -43,7 +46,7 @@ float gloam_slice_whole(GloamSlice slice) {
     return slice.normal.x + slice.angle * slice.normal.y;
 }
 
-// Direction of a sample in the slice.
+// direction of a sample in a slice (GTAO-slice-direction): `(v . view, v . t), normalised` [Jimenez et al. 2016].
 // offset: s - p, view space, world units; its part across the slice is dropped.
 // Returns (along view, along tangent), unit: cosine and sine of the sample's angle; (0, 0) for an offset without a
 // part in the slice, and for NaN. Error: 4e-7 where |offset| lies mostly in the slice.
@@ -61,6 +64,8 @@ struct GloamSliceAxes {
     vec3 tangent;  // likewise with the tangent
 };
 
+// vectors that take offsets into a slice along the tangent plane (SLICE-axes): `(v - (u . v) a, t - (u . t) a), u . n =
+// 0, u . a = 1` [definition].
 // normal: of the surface, unit. As gloam_into_slice, whose result has (dot(offset, axes.view), dot(offset,
 // axes.tangent)) within the slice.
 // Returns the slice's own vectors where it is within 2 degrees of the tangent plane: parts across it are dropped

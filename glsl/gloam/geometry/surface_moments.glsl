@@ -11,16 +11,20 @@ struct GloamSurfaceMoments {
     vec3 covariance;  // of (y, z), (z, x), (x, y), world units squared
 };
 
+// moments of no surface point (MOMENTS-empty): `weight 0` [definition].
 // Of no pixel. Returns a weight of 0 and zeros. Error: none.
 GloamSurfaceMoments gloam_moments_empty() {
     return GloamSurfaceMoments(0.0, vec3(0.0), vec3(0.0), vec3(0.0));
 }
 
+// moments of one surface point (MOMENTS-of): `weight 1, its mean, no variance` [definition].
 // Of one pixel. point: its surface, any space, world units, finite. Returns its moments. Error: none.
 GloamSurfaceMoments gloam_moments_of(vec3 point) {
     return GloamSurfaceMoments(1.0, point, vec3(0.0), vec3(0.0));
 }
 
+// moments of two groups of surface points (MOMENTS-add): `m = m_a + t d;  C = (1 - t) C_a + t C_b + t (1 - t) d d^T,  d
+// = m_b - m_a,  t = w_b / w` [Chan, Golub and LeVeque 1979].
 // Of all pixels of two groups (Chan, Golub and LeVeque 1979): the mean of both, and as variance the mean of both plus
 // what the means lie apart. Sums of squares would lose the variance in the digits of the distance from the eye.
 // a, b: finite; weights of at least 2^-10, or 0: then the rest is not read.
@@ -39,7 +43,7 @@ GloamSurfaceMoments gloam_moments_add(GloamSurfaceMoments a, GloamSurfaceMoments
     return GloamSurfaceMoments(weight, mean, variance, covariance);
 }
 
-// Variance along a direction: n^T C n.
+// variance of surface points along a direction (MOMENTS-along): `max(n^T C n, 0)` [definition].
 // moments: finite. direction: n, unit, the same space.
 // Returns a variance in world units squared, >= 0: what rounding takes below is 0, and so is NaN. Error: 1e-6 of the
 // largest of the variances.

@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/finite.glsl"
 
+// whether a position is one of a surface (POSITION-surface): `finite and not the zero vector` [convention].
 // Whether a position is one of a surface: the zero vector, where no surface can be, stands for background.
 // position: world units, in view space or centred on the camera.
 // Returns false for the zero vector and for one with an infinite or NaN component. Error: none.

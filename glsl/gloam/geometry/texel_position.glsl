@@ -2,6 +2,8 @@
 #ifndef GLOAM_GEOMETRY_TEXEL_POSITION_GLSL
 #define GLOAM_GEOMETRY_TEXEL_POSITION_GLSL
 
+// texture coordinate among the texel centres of an axis (TSSAO-RP-texel): `i + f = u n - 1/2, f in [0, 1), 0 within
+// 1/256 of a centre` [definition of texture coordinates].
 // Position of a texture coordinate among the texel centres of one axis: whole part and fraction.
 // u: texture coordinate in [0, 1]. extent: texels of the axis, at least 1.
 // Returns (first texel, fraction in [0, 1)): the coordinate lies `fraction` of the way from the centre of the first

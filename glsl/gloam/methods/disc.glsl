@@ -26,6 +26,8 @@ float gloam_fetch_depth(ivec2 pixel);
 // where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
+// crease shading of a pixel by surface points under a disc (TSSAO-2-disc): `mean of epsilon C(p, s_i), s_i under
+// TSSAO-13, i = j + 1 ... j + k` [TSSAO (Mattausch et al.), eqs 2, 4, 12 and 13; Fox and Compton 2008].
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather

@@ -26,6 +26,7 @@ float gloam_fetch_depth(ivec2 pixel);
 // where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
+// occlusion of a pixel by horizon slices (GTAO-gather): `weighted mean over slices` [GTAO (Jimenez et al. 2016)].
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather

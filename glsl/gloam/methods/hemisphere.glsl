@@ -26,6 +26,8 @@ float gloam_fetch_depth(ivec2 pixel);
 // where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
+// occlusion of a pixel by points of the half ball (TSSAO-2-hemisphere): `mean of V(p, s_i), s_i of TSSAO-14, i = j + 1
+// ... j + k` [TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009].
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather

@@ -28,6 +28,8 @@ float gloam_fetch_depth(ivec2 pixel);
 // where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
+// occlusion of a pixel by its surroundings as balls (PROXY-gather): `intensity times the sum of 2 rho_i M C(p, s_i), M
+// the pixels of the disc, rho_i uniform` [Shanmugam and Arikan 2007, CS-H].
 // All samples of one pixel in one frame. The density of taps is 1 / distance from the pixel, because a piece counts by
 // the inverse square of its distance. They are weighted so that their mean is the sum over all pixels of the disc but
 // the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where many pieces lie

@@ -27,6 +27,8 @@ float gloam_fetch_depth(ivec2 pixel);
 // where the kernel has more than one layer.
 vec3 gloam_fetch_layers(ivec2 pixel);
 
+// occlusion of a pixel by horizon slices, each direction with the falloff at its distance (SWEEP-gather): `sum of w
+// D(rho) (I(H) - I(h)) over the sum of w (cos n + n sin n)` [gloam].
 // All samples of one pixel in one frame.
 // position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather

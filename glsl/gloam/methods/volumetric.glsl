@@ -15,6 +15,8 @@
 // partner, so objects in front have no halo. But a one-sided groove of angle b gives 1/2 + sin(2 b) / (4 pi), 0.580
 // at 45 degrees, instead of the ball's 1/2 + b / (2 pi).
 
+// solid share of the ball around a pixel, by paired lines (CS-I-gather): `mean of q_i weighted by h_i` [volumetric
+// obscurance (Loos and Sloan 2010), CS-3.5].
 // All samples of one pixel in one frame; an odd number is taken as the even one above it.
 // position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
 // Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather

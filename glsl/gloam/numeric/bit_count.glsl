@@ -2,6 +2,7 @@
 #ifndef GLOAM_NUMERIC_BIT_COUNT_GLSL
 #define GLOAM_NUMERIC_BIT_COUNT_GLSL
 
+// number of bits set (BIT-count): `sum of the digits in base 2` [definition].
 // Number of bits set, in languages with and without bitCount() (GLSL before 4.00 and ESSL before 3.10 lack it).
 // bits: any 32 bits.
 // Returns a number in [0, 32]. Error: none.

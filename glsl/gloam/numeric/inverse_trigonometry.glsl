@@ -11,7 +11,7 @@
 // A driver that reorders all that Vulkan lets it may err by 2e-4; none is known to. The coefficients are printed by
 // tools/minimax.py.
 
-// Arc sine near 0.
+// arc sine near 0 (ASIN-half): `asin x, |x| <= 1/2` [minimax polynomial].
 // x: in [-1/2, 1/2]; beyond, the polynomial parts from the function.
 // Returns radians. Error: 2 ulp whatever the rounding, 1 ulp where it is to nearest.
 float gloam_asin_half(float x) {
@@ -20,7 +20,7 @@ float gloam_asin_half(float x) {
            (x * z) * (0.166667521 + z * (0.0749529749 + z * (0.0454703756 + z * (0.0241795145 + z * 0.0421663076))));
 }
 
-// Magnitude of a sine or cosine.
+// magnitude of a sine or cosine (UNIT-magnitude): `min(|x|, 1); 0 for NaN` [minimax polynomial].
 // x: any float.
 // Returns |x|, at most 1; 0 for NaN. Error: none.
 float gloam_unit_magnitude(float x) {
@@ -28,6 +28,7 @@ float gloam_unit_magnitude(float x) {
     return magnitude <= 1.0 ? magnitude : (magnitude > 1.0 ? 1.0 : 0.0);
 }
 
+// arc sine, or half the arc cosine, of m (SMALL-ARC): `asin m for m <= 1/2, else acos(m) / 2` [minimax polynomial].
 // Arc sine of m where m <= 1/2, else half the arc cosine of m, which is asin(sqrt((1 - m) / 2)): both small angles.
 // m: in [0, 1].
 // Returns radians in [0, pi / 6]. Error: 4e-7 whatever the rounding, 1e-7 where it is to nearest.
@@ -36,7 +37,7 @@ float gloam_small_arc(float m) {
     return gloam_asin_half(m > 0.5 ? gloam_sqrt(half_rest) : m);
 }
 
-// Arc cosine.
+// arc cosine (ACOS): `acos x` [minimax polynomial].
 // x: cosine; taken to the nearer end outside [-1, 1].
 // Returns radians in [0, pi] (pi as a float); pi / 2 for NaN. 0 exactly at 1.
 // Error: 1e-6 whatever the rounding, 4e-7 where it is to nearest.
@@ -47,7 +48,7 @@ float gloam_acos(float x) {
     return 1.570796327 - (x < 0.0 ? -arc : arc);
 }
 
-// Arc sine.
+// arc sine (ASIN): `asin x` [minimax polynomial].
 // x: sine; taken to the nearer end outside [-1, 1].
 // Returns radians in [-pi / 2, pi / 2] (pi / 2 as a float); 0 for NaN, x itself near 0.
 // Error: 1e-6 whatever the rounding, 3e-7 where it is to nearest.
@@ -59,7 +60,8 @@ float gloam_asin(float x) {
     return x < 0.0 ? -angle : angle;
 }
 
-// Direction of a point, counter-clockwise from the x axis: the angle of (x, y).
+// direction of a point (ATAN2): `angle of (x, y), counter-clockwise from the x axis; 0 at the origin` [minimax
+// polynomial].
 // y, x: coordinates; subnormal ones may be read as 0. Note the order, that of atan(y, x).
 // Returns radians in [-pi, pi] (pi as a float); pi on the negative x axis whatever the sign of y = 0; multiples of pi
 // / 4 where both are infinite. 0 where both are zero or subnormal, and where either is NaN.
@@ -83,7 +85,7 @@ float gloam_atan2(float y, float x) {
     return y < 0.0 ? -angle : angle;
 }
 
-// Arc tangent.
+// arc tangent (ATAN): `atan x` [minimax polynomial].
 // x: any float.
 // Returns radians in [-pi / 2, pi / 2]; 0 for NaN. Error: 1e-6 whatever the rounding, 2e-7 where it is to nearest.
 float gloam_atan(float x) {

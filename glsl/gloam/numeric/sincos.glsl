@@ -9,7 +9,8 @@
 // (`precise`, NoContraction). A driver that reorders all that Vulkan lets it may err by 4e-6; none is known to. The
 // coefficients are printed by tools/minimax.py.
 
-// Cosine and sine of an angle near a multiple of a quarter turn.
+// cosine and sine of an angle near a multiple of a quarter turn (SINCOS-octant): `(cos a, sin a), a = r + q pi / 2`
+// [minimax polynomials].
 // rest: the angle less that multiple, radians, in [-pi / 4, pi / 4]; beyond, the polynomials part from the functions.
 // quarters: the multiple, any integer; only its two lowest bits count.
 // Returns (cos, sin) of rest + quarters pi / 2. Error: 4e-7 whatever the rounding, 1e-7 where it is to nearest; exact
@@ -22,7 +23,8 @@ vec2 gloam_sincos_octant(float rest, int quarters) {
     return (quarters & 2) != 0 ? -turned : turned;
 }
 
-// Cosine and sine of an angle in turns: (cos 2 pi t, sin 2 pi t).
+// cosine and sine of an angle in turns (SINCOS-turns): `(cos 2 pi t, sin 2 pi t)` [minimax polynomials after an exact
+// reduction].
 // turns: t, any finite number (from 2^23 on every float is a whole number of turns); infinity and NaN count as 0.
 // Returns (cos, sin); exact at multiples of a quarter turn. Error: 5e-7 whatever the rounding, 2e-7 where it is to
 // nearest.
@@ -34,7 +36,7 @@ vec2 gloam_sincos_turns(float turns) {
     return gloam_sincos_octant(rest * 6.283185307, int(quarters));
 }
 
-// Turns of an angle.
+// turns of an angle (TURNS): `a / (2 pi), 0 beyond 65536` [definition].
 // angle: radians, |angle| <= 65536; anything else, NaN included, counts as 0.
 // Returns turns. Error: 1.7 ULP whatever the rounding, 1.2 ULP where it is to nearest. It is one product, which every
 // language rounds correctly; a quotient may err by 2.5 ULP more than the constant does.
@@ -42,7 +44,7 @@ float gloam_turns(float angle) {
     return abs(angle) <= 65536.0 ? angle * 0.159154943 : 0.0;
 }
 
-// Cosine and sine of an angle in radians.
+// cosine and sine of an angle in radians (SINCOS): `(cos a, sin a)` [Cody and Waite 1980; minimax polynomials].
 // angle: |angle| <= 65536; anything else, NaN included, counts as 0.
 // Returns (cos, sin). Error: 5e-7 whatever the rounding, 2e-7 where it is to nearest.
 vec2 gloam_sincos(float angle) {

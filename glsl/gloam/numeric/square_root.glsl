@@ -2,7 +2,8 @@
 #ifndef GLOAM_NUMERIC_SQUARE_ROOT_GLSL
 #define GLOAM_NUMERIC_SQUARE_ROOT_GLSL
 
-// Square root that is 0 at 0. Vulkan derives sqrt() from 1 / inversesqrt(): 4.5 ulp, and undefined at 0.
+// square root that is 0 at 0 (SQRT): `x^(1/2), 0 for x <= 0` [x times its inverse square root].
+// Vulkan derives sqrt() from 1 / inversesqrt(): 4.5 ulp, and undefined at 0.
 // x: any float.
 // Returns the square root; 0 for a number that is zero, subnormal, negative or NaN, infinity for infinity.
 // Error: 7 ulp whatever the rounding, 2 ulp where it is to nearest.

@@ -2,6 +2,8 @@
 #ifndef GLOAM_NUMERIC_UNIT_ANGLE_GLSL
 #define GLOAM_NUMERIC_UNIT_ANGLE_GLSL
 
+// angle of a unit vector of the upper half plane (ANGLE-unit): `atan2(y, x), y >= 0, x^2 + y^2 = 1` [minimax
+// polynomial].
 // Angle of a unit vector of the upper half plane, from the x axis: acos(x) and atan(y, x) in one, without a root and
 // without a quotient, because both the cosine and the sine are known. It is as exact near the axes as between them,
 // where acos loses half the digits. The coefficients are printed by tools/minimax.py.

@@ -8,7 +8,8 @@
 // integral turns into an average of (v . n) / (v . v) over surface points: no direction is normalised and no ray is
 // traced.
 
-// Contribution of a surface point: max(v . n - bias, 0) / (v . v + epsilon).
+// Alchemy's contribution of a surface point, in 1 / length (CS-M): `C = max(v . n - bias, 0) / (v . v + epsilon)`
+// [McGuire et al. 2011; Aalund and Baerentzen 2013, eqs 3.6 to 3.10].
 // offset: v = s - p, view space, world units. normal: n, unit vector, same space. bias: world units, >= 0, constant
 // or of gloam_depth_bias.
 // epsilon: world units squared, >= 0: bounds what a touching point counts.
@@ -24,8 +25,9 @@ float gloam_contribution_alchemy(vec3 offset, vec3 normal, float bias, float eps
     return contribution <= 3.402823466e38 ? contribution : 0.0;
 }
 
-// Visibility from the contributions of all samples: max(0, 1 - (2 sigma / N) sum)^k. The printed equation (CS-3.10)
-// lost the factor 2 sigma.
+// visibility from Alchemy's contributions (CS-M-visibility): `max(0, 1 - (2 sigma / N) sum)^k` [McGuire et al. 2011;
+// Aalund and Baerentzen 2013, eqs 3.6 to 3.10].
+// The printed equation (CS-3.10) lost the factor 2 sigma.
 // accumulated: (sum, count) of gloam_estimator_add, the sum in 1 / world units. sigma: world units, >= 0, the
 // distance of the strongest influence (u of the falloff), which is also the intensity. k: contrast, > 0; 1 leaves the
 // estimate.

@@ -10,6 +10,8 @@
 // both samples of a pair, over pi, is what is open. Neither cosine-weighted nor uniform: a groove of 45 degrees is
 // 0.829 open (0.854 and 0.75 would be).
 
+// cosine of a sample's angle to the view vector, no lower than the tangent plane (CS-P-lifted): `view . s, s lifted to
+// s - (s . n) n where s . n < 0` [Mittring 2012; Aalund and Baerentzen 2013].
 // Cosine of the angle between the view vector and a sample, which is lifted to the tangent plane if it lies below.
 // offset: v = s - p, view space, world units. normal: n, unit. view: from the point to the eye, unit.
 // Returns a cosine in [-1, 1]; 0 (a sample in the image plane) for a zero or non-finite offset, one along -n within
@@ -25,6 +27,8 @@ float gloam_lifted_cosine(vec3 offset, vec3 normal, vec3 view) {
     return abs(cosine) <= 1.0 ? cosine : (cosine > 1.0 ? 1.0 : (cosine < -1.0 ? -1.0 : 0.0));
 }
 
+// whether a sample may belong to the same object (CS-P-near): `z_s - z_p <= T` [Mittring 2012; Aalund and Baerentzen
+// 2013].
 // Whether a sample may belong to the same object: it lies in front of the point by no more than a range.
 // offset: s - p, view space, world units. range: T, world units.
 // Returns false for NaN. Error: none.
@@ -32,8 +36,10 @@ bool gloam_sample_near(vec3 offset, float range) {
     return offset.z <= range;
 }
 
-// Cosines and weight of a pair. An invalid sample is replaced by the mirror image of its partner; the published
-// shader mirrors the invalid sample itself.
+// cosines and weight of a pair of opposite samples (CS-P-pair): `(c_1, c_2, w), an invalid one max(-view . s_j, 0)`
+// [Mittring 2012; Aalund and Baerentzen 2013].
+// An invalid sample is replaced by the mirror image of its partner; the published shader mirrors the invalid sample
+// itself.
 // first, second: s_1 - p, s_2 - p, view space, world units. normal: n, unit. view: to the eye, unit. range: T, see
 // gloam_sample_near.
 // Returns (cos of the first, cos of the second, weight): weight 1, 1/2 for one invalid sample, 0 (and cosines 0) for
@@ -48,7 +54,8 @@ vec3 gloam_angle_pair(vec3 first, vec3 second, vec3 normal, vec3 view, float ran
     return a ? vec3(valid, mirrored, 0.5) : vec3(mirrored, valid, 0.5);
 }
 
-// Adds a pair.
+// one more pair in the angle-based occlusion (CS-P-add): `(sum + w (1 - (a_1 + a_2) / pi), weight + w)` [Mittring 2012;
+// Aalund and Baerentzen 2013].
 // accumulated: (sum, weight) so far, (0, 0) to begin with. weight: of the pair. angles: sum of both angles, radians:
 // acos of the cosines less a bias (0.08), by gloam_acos or one of its approximations.
 // Returns (sum + w (1 - angles / pi), weight + w); unchanged for a weight that is not positive or not finite, and
@@ -60,6 +67,7 @@ vec2 gloam_angle_add(vec2 accumulated, float weight, float angles) {
     return accumulated + weight * vec2(occluded, 1.0);
 }
 
+// angle-based occlusion of all pairs (CS-P): `max(sum / weight, 0)` [Mittring 2012; Aalund and Baerentzen 2013].
 // Occlusion of all pairs: what their angles lack of pi, 0 where they exceed it.
 // accumulated: (sum, weight).
 // Returns occlusion in [0, 1]; 0 for a weight below 1e-4, of which nothing can be said (the published shader adds
@@ -70,8 +78,9 @@ float gloam_angle_occlusion(vec2 accumulated) {
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
 }
 
-// A step along one side in the engine's later shader: sat(scale (v . n) / (v . v)). The largest of a side's steps is
-// its occlusion.
+// a step along one side in the engine's later shader (CS-P-unreal): `sat(scale (v . n) / (v . v))` [Unreal Engine 4, as
+// ported].
+// The largest of a side's steps is its occlusion.
 // offset: v = s - p, view space, world units. normal: n, unit. scale: world units, 0.8 in the engine.
 // Returns occlusion in [0, 1]; 0 for v = 0, for v . v outside [2^-126, 2^126], for a scale not positive, and NaN.
 // Error: 5e-7 of scale / |v|.
@@ -83,6 +92,7 @@ float gloam_contribution_unreal(vec3 offset, vec3 normal, float scale) {
     return gloam_unit_interval(scale * (above / squared));
 }
 
+// what a side leaves open in the engine's later shader (CS-P-unreal-side): `(1 - occ)^2` [Unreal Engine 4, as ported].
 // What a side leaves open there: (1 - occ)^2, to be averaged over the sides.
 // occlusion: of the side, taken into [0, 1], NaN to 0.
 // Returns visibility in [0, 1]. Error: 2 ULP.
@@ -91,7 +101,8 @@ float gloam_unreal_side(float occlusion) {
     return open * open;
 }
 
-// Visibility there: 1 - (1 - AO^power) intensity.
+// visibility in the engine's later shader (CS-P-unreal-visibility): `1 - (1 - AO^power) intensity` [Unreal Engine 4, as
+// ported].
 // ao: mean of gloam_unreal_side, [0, 1]. power: > 0. intensity: [0, 1].
 // Returns visibility in [0, 1]; 1 for NaN. Error: 2e-6, and that of gloam_remap.
 float gloam_unreal_visibility(float ao, float power, float intensity) {

@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/background.glsl"
 
+// bias that grows with the depth (BIAS-depth): `b d / d_ref` [McGuire et al. 2011; psi(z) of ISSAO, eq 6].
 // Bias against self-occlusion that grows with the depth, as the rounding error of positions does: b d / d_ref. It is
 // the psi(z) of the improved method (ISSAO-6), and with d_ref = 1 the beta z of Alchemy's estimator (CS-3.10). That one
 // prints + beta; z is negative in view space, so the bias is subtracted.

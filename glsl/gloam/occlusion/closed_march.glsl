@@ -8,6 +8,8 @@
 // Which taps of a march along a slice can still change its result. The others may be skipped: the result is then the
 // same to the bit.
 
+// how near to the view axis the taps of a slice may see something (SLICE-clearance): `s -> (1 - B / D) (s a - b) / (1 +
+// R / D (sqrt(1 - a^2) + b))` [derived from the rays of pixels beside the slice].
 // How near to the view axis the taps of a slice through the eye may see a point of a ball. A tap is aimed at the share
 // s of the radius, in the plane parallel to the image, and its point is moved into the slice (gloam_into_slice). It
 // then sees no point of the ball nearer to the axis than x s - y radii. The reason: its ray passes the aim within half
@@ -33,6 +35,8 @@ vec2 gloam_slice_clearance(GloamSlice slice, vec3 position, vec2 direction, vec2
     return vec2(nearer * along, nearer * beside + 2e-4);
 }
 
+// taps of a side of a slice that may see something within a ball (SLICE-taps): `ceil(n sqrt((b + y) / x) - jitter), at
+// most n` [definition].
 // Taps of a side of a slice, from the first on, that may see something within a ball.
 // clearance: of gloam_slice_clearance, for that ball. ball: its radius as part of that of the march; 0 or less:
 // nothing there counts.

@@ -9,6 +9,8 @@
 // the depth buffer, without falloff. On a plane half of the ball lies in the ground, so the mean is 1/2 (1/4 open in
 // an inner corner, 3/4 on an edge): the offset 0.5 of gloam_remap undoes it.
 
+// Crytek's contribution of a sample point (CS-A): `1 - V', V' = 1 if s_d > s_z, else 0` [Mittring 2007; Aalund and
+// Baerentzen 2013, eq 3.1].
 // Contribution of a sample point, by eye-linear depths: 1 unless the surface at its pixel lies behind it.
 // sample_depth: s_z, eye-linear, world units; the sample is p + R s with s in the unit ball, in view space.
 // buffer_depth: s_d at its pixel.
@@ -20,6 +22,8 @@ float gloam_contribution_crytek(float sample_depth, float buffer_depth) {
     return buffer_depth <= sample_depth ? 1.0 : 0.0;
 }
 
+// Crytek's contribution by the values of a depth buffer (CS-A-buffer): `1 - V', V' = 1 if s_d > s_z, else 0` [Mittring
+// 2007; Aalund and Baerentzen 2013, eq 3.1].
 // The same by the values of a depth buffer, as published: 0 at the near plane, 1 at the far plane (standard Z; pass 1
 // - b for reversed Z).
 // sample_value: third component of gloam_crytek_sample. buffer_value: b at its pixel, in [0, 1].
@@ -29,9 +33,9 @@ float gloam_contribution_crytek_buffer(float sample_value, float buffer_value) {
     return buffer_value < 1.0 && buffer_value <= sample_value ? 1.0 : 0.0;
 }
 
-// Sample point in the space of the depth buffer, as published: (uv, b) + R (s.xy a, s.z b c), a = 1 / d, c = (100 /
-// z_far) a. The scaling of z is a constant that suits one scene, not a projection: p + R s in view space, projected,
-// is exact.
+// Crytek's sample point in the space of the depth buffer (CS-A-sample): `(uv, b) + R (s.xy a, s.z b c), a = 1 / d, c =
+// (100 / z_far) a` [Aalund and Baerentzen 2013, published shader].
+// The scaling of z is a constant that suits one scene, not a projection: p + R s in view space, projected, is exact.
 // uv: of the pixel, texture coordinates. buffer_value: b, in [0, 1]. s: point of the unit ball. radius: R. depth: d,
 // eye-linear, world units; taken into [1e-30, 2^126]. z_far: far plane, world units, > 0.
 // Returns (u, v, b) of the sample; (uv, b) itself for background depth, for z_far outside [1e-30, 2^126], and where the

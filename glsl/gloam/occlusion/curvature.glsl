@@ -12,6 +12,7 @@
 // tan h = q(phi) = max(k(phi), 0) R / 2. The occlusion is the mean of sin^2 h = q^2 / (1 + q^2) over phi. Both
 // functions below are that mean in closed form, from the integral of 1 / (1 + i q).
 
+// occlusion in a bowl (CS-K-bowl): `1 - Re 1 / sqrt((1 + i a) (1 + i b))` [derived, after Hattori et al. 2012].
 // Occlusion in a bowl or a furrow: 1 - Re 1 / sqrt((1 + i a) (1 + i b)).
 // a, b: k_1 R / 2 and k_2 R / 2, both in [0, 4096]. (b down to -1e-4 changes the result by less than 1e-8.)
 // Returns occlusion in [0, 1]; a^2 / (1 + a^2) for a = b. Error: 4e-7.
@@ -24,6 +25,8 @@ float gloam_occlusion_bowl(float a, float b) {
     return gloam_unit_interval(1.0 - gloam_sqrt(part) / size);
 }
 
+// occlusion on a saddle (CS-K-saddle): `(2 / pi) (phi_0 - Re atan(t sqrt(B / A)) / sqrt(A B)), t = tan phi_0 = sqrt(-a
+// / b)` [derived, after Hattori et al. 2012].
 // Occlusion on a saddle, of the directions in which it rises: (2 / pi) (phi_0 - Re atan(t sqrt(B / A)) / sqrt(A B)),
 // A = 1 + i a, B = 1 + i b, t = tan phi_0 = sqrt(-a / b).
 // a: k_1 R / 2 in (0, 4096]. b: k_2 R / 2 in [-4096, -1e-4].
@@ -39,6 +42,8 @@ float gloam_occlusion_saddle(float a, float b) {
     return gloam_unit_interval(0.636619772 * (gloam_atan(t) - dot(arc, root) / size));
 }
 
+// occlusion by principal curvatures (CS-K): `mean over phi of q^2 / (1 + q^2), q = max(k_1 cos^2 phi + k_2 sin^2 phi,
+// 0) R / 2` [derived, after Hattori et al. 2012].
 // Occlusion of a surface by its principal curvatures.
 // k_1, k_2: principal curvatures, 1 / world units, in any order, positive where the surface is concave. radius: R,
 // where the surface around the point ends, world units, > 0.

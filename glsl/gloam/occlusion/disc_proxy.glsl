@@ -12,6 +12,7 @@
 // Sum the contributions of all discs and clamp. A second pass, in which each disc is weighted with its own visibility
 // from the first, takes back what hidden discs added.
 
+// how a disc shares the squared distance to its rim (CS-S-share): `(A, pi D^2) / (A + pi D^2)` [derived].
 // How a disc shares the squared distance to its rim: (A / (A + pi D^2), pi D^2 / (A + pi D^2)).
 // area: A, world units squared, >= 0. distance_to: D of the centre, world units, >= 0.
 // Returns (a, 1 - a), each in [0, 1]; (0, 1) for an area not positive or NaN, and for a distance that is negative or
@@ -27,6 +28,8 @@ vec2 gloam_disc_share(float area, float distance_to) {
     return min(wide ? vec2(larger, smaller) : vec2(smaller, larger), vec2(1.0));
 }
 
+// contribution of a disc of the scene (CS-S): `(1 - 1 / sqrt(1 + A / (pi D^2))) max(-n_E . v / D, 0) min(4 max(n . v /
+// D, 0), 1)` [Bunnell 2005 (GPU Gems 2, chapter 14)].
 // Contribution of a disc: (1 - 1 / sqrt(1 + A / (pi D^2))) max(-n_E . v / D, 0) min(4 max(n . v / D, 0), 1), D = |v|.
 // The first factor is exactly the part of the half space that the disc takes up where it is seen along its axis.
 // offset: v, from the point to the disc, world units. normal: n, unit vector, same space. emitter_normal: n_E, of the
@@ -41,6 +44,8 @@ float gloam_contribution_disc_proxy(vec3 offset, vec3 normal, vec3 emitter_norma
     return gloam_unit_interval(weight) * facing * (share.x / (1.0 + gloam_sqrt(share.y)));
 }
 
+// contribution of a disc of the scene, cosine-weighted (CS-S-cosine): `A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v
+// / D, 0)` [derived: exact on the axis].
 // Contribution of a disc, cosine-weighted: A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v / D, 0), exact for a disc
 // above the point and parallel to its tangent plane.
 // offset, normal, emitter_normal, area, weight: as for gloam_contribution_disc_proxy.

@@ -6,7 +6,7 @@
 
 // The mean of contributions (TSSAO-2, and -4 for one frame's share of them): (1 / n) sum of C(p, s_i).
 
-// Adds a contribution.
+// one more contribution to a mean (TSSAO-2-add): `(sum + C, n + 1), C finite` [TSSAO (Mattausch et al.), eqs 2 and 4].
 // accumulated: (sum, count) so far, starting at (0, 0). contribution: C(p, s_i).
 // Returns (sum + C, count + 1); unchanged for an infinite or NaN contribution, which is dropped and not counted.
 // Counts are exact up to 2^24. Error: 0.5 ULP of the sum for each addition.
@@ -14,7 +14,7 @@ vec2 gloam_estimator_add(vec2 accumulated, float contribution) {
     return gloam_is_finite(contribution) ? accumulated + vec2(contribution, 1.0) : accumulated;
 }
 
-// Weighted mean of contributions.
+// weighted mean of contributions (MEAN-weighted): `sum of w C / sum of w, inside [0, 1]` [definition].
 // weighted: (sum of contributions times weights, sum of weights).
 // Returns sum / weight inside [0, 1]; 0 for a weight not positive, for a subnormal one and for NaN. Error: 0.5 ULP,
 // 1e-44 near 0.
@@ -24,7 +24,7 @@ float gloam_weighted_ratio(vec2 weighted) {
     return weighted.x < weighted.y ? min(weighted.x / weighted.y, 1.0) : 1.0;
 }
 
-// Mean of the contributions.
+// mean of the contributions (TSSAO-2): `AO = (1 / n) sum of C(p, s_i)` [TSSAO (Mattausch et al.), eqs 2 and 4].
 // accumulated: (sum, count).
 // Returns sum / count inside [0, 1], the occlusion; 0 for a count below 1 and for NaN. Error: 0.5 ULP.
 float gloam_estimator_mean(vec2 accumulated) {
@@ -32,6 +32,7 @@ float gloam_estimator_mean(vec2 accumulated) {
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
 }
 
+// weighted mean as if of a number of samples (MEAN-samples): `(n m, n)` [definition].
 // A weighted mean as if of a number of samples, for gloam_estimator_mean.
 // weighted: (sum of contributions times weights, sum of weights). count: of samples.
 // Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5

@@ -8,7 +8,8 @@
 // The polynomials use 1 - d / R in the form (R - d) / R: subtracting before dividing keeps full relative accuracy up to
 // the radius, where 1 - d / R loses it. The min() keeps a division or power that is rounded up inside [0, 1].
 
-// Step falloff (D-step): 1 if d <= R, else 0. The plain AO integral, cut off.
+// step falloff (FALLOFF-step): `D = 1 if d <= R, else 0` [TSSAO (Mattausch et al.), the simplest D of eq 1].
+// The plain AO integral, cut off.
 // hit_distance: d, world units. radius: R, world units, >= 0; at 0 only d = 0 counts.
 // Returns 0 or 1. Error: none.
 // No method or pass here calls it: it is there to be copied.
@@ -16,8 +17,8 @@ float gloam_falloff_step(float hit_distance, float radius) {
     return abs(hit_distance) <= radius ? 1.0 : 0.0;
 }
 
-// Linear falloff (D-lin): max(1 - d / R, 0). What TSSAO's kernel of uniform radii implies, and the usual ray-traced
-// reference.
+// linear falloff (FALLOFF-linear): `D = max(1 - d / R, 0)` [Aalund and Baerentzen 2013, reference images].
+// What TSSAO's kernel of uniform radii implies, and the usual ray-traced reference.
 // hit_distance: d, world units. radius: R, world units, > 0.
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 1.5 ULP.
 float gloam_falloff_linear(float hit_distance, float radius) {
@@ -31,7 +32,8 @@ float gloam_falloff_linear(float hit_distance, float radius) {
     return min((r - d * scale) / r, 1.0);
 }
 
-// Quadratic falloff (D-quad): max(1 - d^2 / R^2, 0), as in horizon-based AO. With a = 1 - d / R it is a (2 - a).
+// quadratic falloff (FALLOFF-quadratic): `D = max(1 - d^2 / R^2, 0)` [horizon-based AO, Bavoil and Sainz 2008].
+// With a = 1 - d / R it is a (2 - a).
 // hit_distance: d, world units. radius: R, world units, > 0.
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 3 ULP.
 float gloam_falloff_quadratic(float hit_distance, float radius) {
@@ -39,8 +41,8 @@ float gloam_falloff_quadratic(float hit_distance, float radius) {
     return min(a * (2.0 - a), 1.0);
 }
 
-// Cubic falloff: max(1 - d^3 / R^3, 0), what a kernel uniform in the volume of the ball implies. With a = 1 - d / R
-// it is a (3 - a (3 - a)).
+// cubic falloff (FALLOFF-cubic): `D = max(1 - d^3 / R^3, 0)` [derived: kernel uniform in the volume of a ball].
+// With a = 1 - d / R it is a (3 - a (3 - a)).
 // hit_distance: d, world units. radius: R, world units, > 0.
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 5 ULP.
 // No method or pass here calls it: it is there to be copied.
@@ -49,7 +51,8 @@ float gloam_falloff_cubic(float hit_distance, float radius) {
     return min(a * (3.0 - a * (3.0 - a)), 1.0);
 }
 
-// Falloff of Scalable Ambient Obscurance (D-sao): (1 - d^2 / R^2)^3 inside the radius, else 0.
+// falloff of Scalable Ambient Obscurance (FALLOFF-sao): `D = (1 - d^2 / R^2)^3 for d < R, else 0` [McGuire et al.
+// 2012].
 // hit_distance: d, world units. radius: R, world units, > 0.
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 10 ULP.
 // No method or pass here calls it: it is there to be copied.
@@ -58,6 +61,8 @@ float gloam_falloff_sao(float hit_distance, float radius) {
     return b * b * b;
 }
 
+// exponential falloff, cut below 1/255 (FALLOFF-exponential): `D = exp(-d / R), 0 where below 1/255` [TSSAO (Mattausch
+// et al.), notes on eq 1].
 // Exponential falloff (D-exp): exp(-d / R), cut to 0 where it falls below 1/255, beyond d = 5.5413 R: it would never
 // end otherwise.
 // hit_distance: d, world units. radius: R, world units, > 0: the distance at which 1/e is left.
@@ -75,6 +80,7 @@ float gloam_falloff_exponential(float hit_distance, float radius) {
     return scaled <= 5.541263545 * r ? min(exp(-(scaled / r)), 1.0) : 0.0;
 }
 
+// falloff of Alchemy (FALLOFF-alchemy): `D = u d / max(u, d)^2` [McGuire et al. 2011].
 // Alchemy's falloff (D-alch): u d / max(u, d)^2, that is u / d beyond u and d / u below: the obscurance of touching
 // geometry vanishes.
 // hit_distance: d, world units. u: distance of the strongest influence, world units, > 0.
@@ -91,6 +97,7 @@ float gloam_falloff_alchemy(float hit_distance, float u) {
     return min(smaller * scale / (larger * scale), 1.0);
 }
 
+// no falloff (FALLOFF-one): `D = 1` [TSSAO (Mattausch et al.), Ritschel's kernel].
 // No falloff (D-one): 1 at every distance. For Ritschel's kernel, whose radii already imply one.
 // hit_distance: d, world units.
 // Returns 1; 0 for NaN. Error: none.
@@ -99,6 +106,8 @@ float gloam_falloff_one(float hit_distance) {
     return abs(hit_distance) >= 0.0 ? 1.0 : 0.0;
 }
 
+// visibility of Filion and McNaughton (FALLOFF-filion): `clamp((D - R) / D, 0, 1), 1 for D <= 0` [Filion and McNaughton
+// 2008].
 // Visibility (not occlusion) of Filion and McNaughton: clamp((D - R) / D, 0, 1): open behind the surface, blocked
 // down to R before it, open again as the surface moves further in front.
 // delta: D, how far the surface at the sample's pixel lies in front of the sample, world units. radius: R, world

@@ -9,6 +9,8 @@ const uint GLOAM_FALLOFF_LINEAR = 1u;
 const uint GLOAM_FALLOFF_QUADRATIC = 2u;
 const uint GLOAM_FALLOFF_CUBIC = 3u;
 
+// falloff that a setting chooses, at a share of the radius (FALLOFF-choice): `step, 1 - x, 1 - x^2, 1 - x^3`
+// [definition].
 // Weight of a hit at a share of the radius of influence (D of TSSAO-1). Another falloff is one more line.
 // falloff: GLOAM_FALLOFF_*, linear for any other number. x: d / R, [0, 1e9].
 // Returns D: 1 at x = 0, positive for x < 1; from there on 0 or less, where nothing counts. Step: 1 up to x = 1, then

@@ -5,6 +5,8 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/numeric/length_ratio.glsl"
 
+// contribution of a sample point, after Filion and McNaughton (CS-B): `1 - clamp((D - R) / D, 0, 1), D = d_s - d_b > 0`
+// [Filion and McNaughton 2008].
 // Contribution of a point of the half ball (Filion and McNaughton 2008; gloam_hemisphere_flip makes the points): 1 -
 // clamp((D - R) / D, 0, 1) with D how far the surface at the sample's pixel lies in front of it. Blocked down to R in
 // front, opening again as R / D beyond. The simple variant that is open beyond R is gloam_sample_blocked.

@@ -8,7 +8,8 @@
 // Contribution of the surface patch seen at a tap, after Fox and Compton's crease shading: no visibility test, the
 // patch itself is what blocks.
 
-// Contribution (TSSAO-12): max(cos(s - p, n), 0) / max(epsilon, |s - p|).
+// contribution of a surface patch, in 1 / length (TSSAO-12): `C = max(cos(s - p, n), 0) / max(epsilon, |s - p|)` [TSSAO
+// (Mattausch et al.), eq 12 corrected; Fox and Compton 2008].
 // position: p, sample_position: s, world units, same space. normal: n, unit vector. epsilon: world units, > 0, 0.01
 // to 0.1 of the kernel radius.
 // Returns a contribution in 1 / world units, at most 1 / epsilon: multiply by a length before it is read as
@@ -25,7 +26,8 @@ float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_pos
     return cosine / clamp(reach > epsilon ? reach : epsilon, 1.175494351e-38, 8.507059173e37);
 }
 
-// The same times epsilon: max(cos(s - p, n), 0) epsilon / max(epsilon, |s - p|).
+// contribution of a surface patch (TSSAO-12-scaled): `epsilon C = max(cos(s - p, n), 0) epsilon / max(epsilon, |s -
+// p|)` [TSSAO (Mattausch et al.), eq 12 corrected; Fox and Compton 2008].
 // position: p, sample_position: s, world units, same space. normal: n, unit vector. epsilon: world units, >= 0.
 // Returns a contribution in [0, 1]: the cosine within epsilon of p, falling as epsilon / |s - p| beyond. 0 for s = p,
 // epsilon <= 0 or NaN, and where s - p is not finite; the cosine for an infinite epsilon. Error: 3e-7, unless a

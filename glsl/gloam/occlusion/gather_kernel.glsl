@@ -35,6 +35,8 @@ struct GloamEstimate {
 // No depth, position or length of a scene is as large: squares stay finite.
 const float GLOAM_FARTHEST = 1e18;
 
+// whether there is anything to gather at a point (TSSAO-2-can): `surface in front of the eye, |n| in [1e-15, 1e15],
+// lengths and projection in [1e-18, 1e18]` [edges of TSSAO (Mattausch et al.), eq 2].
 // Whether there is anything to gather at a point: a surface in front of the eye with a normal, and a radius of
 // influence.
 // position: view space, world units. normal: view space, of a length in [1e-15, 1e15]. radius: world units.
@@ -54,7 +56,7 @@ bool gloam_can_gather(vec3 position, vec3 normal, float radius, GloamCamera came
 // Of a pixel with nothing to gather.
 const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 0u);
 
-// The estimate of a weighted mean.
+// estimate of a weighted mean (TSSAO-2-estimate): `min(sum / weight, 1)` [TSSAO (Mattausch et al.), eq 2].
 // occluded: sum of occlusion times weight, >= 0. whole: sum of weights, >= 0. samples: taken.
 // Returns occlusion occluded / whole inside [0, 1]; 0 where nothing has a weight, and for NaN. Error: 0.5 ULP.
 GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
@@ -63,6 +65,7 @@ GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
     return GloamEstimate(mean, float(samples), 0u);
 }
 
+// whether a depth is that of a surface (TSSAO-2-sees): `1e-18 <= d <= 1e18` [definition].
 // Whether a depth read at a tap is that of a surface: false for 0, what is negative, below 1e-18, beyond 1e18, infinite
 // or NaN. Error: none.
 bool gloam_tap_sees(float depth) {

@@ -13,6 +13,8 @@
 // bare plane is then open exactly, at any tilt and with any number of slices. Divided by the number of slices alone
 // it reads 0.50 to 1.41 when tilted by 60 degrees.
 
+// higher of the horizon so far and a sample's (GTAO-horizon): `max(c, c_0 + w (v . view / |v| - c_0))` [Jimenez et al.
+// 2016].
 // The higher of the horizon so far and a sample's, which is first drawn towards the tangent plane as it loses weight.
 // horizon: cosine of the angle from the view vector, -1 to begin with (nothing seen). lowest: that of the tangent
 // plane on this side, of gloam_gtao_lowest. offset: s - p, view space, world units. view: to the eye, unit. weight:
@@ -27,13 +29,15 @@ float gloam_gtao_horizon(float horizon, float lowest, vec3 offset, vec3 view, fl
     return cosine > horizon ? min(cosine, 1.0) : horizon;
 }
 
-// Cosines of the tangent plane's angles from the view vector: cos(n - pi / 2), cos(n + pi / 2).
+// horizons of the tangent plane (GTAO-lowest): `(cos(n - pi / 2), cos(n + pi / 2))` [Jimenez et al. 2016].
 // Returns (sin n, -sin n): negative, then positive side. Error: none.
 // No method or pass here calls it: it is there to be copied.
 vec2 gloam_gtao_lowest(GloamSlice slice) {
     return vec2(slice.normal.y, -slice.normal.y);
 }
 
+// how far a horizon rises above the tangent plane (GTAO-elevation): `max(n + pi / 2 - acos c, 0)` [Jimenez et al.
+// 2016].
 // How far a horizon on the positive side rises above the tangent plane within the slice: what lies behind the
 // hemisphere is cut off. On the negative side n changes its sign.
 // horizon: cosine of gloam_gtao_horizon. angle: n, of the projected normal, radians.
@@ -46,6 +50,8 @@ float gloam_gtao_elevation(float horizon, float angle) {
     return e > 0.0 ? min(e, 3.141592654) : 0.0;
 }
 
+// inner integral of a slice as printed, one side (GTAO-inner): `1/4 (-cos(2 h - n) + cos n + 2 h sin n)` [Jimenez et
+// al. 2016, eq 10].
 // Inner integral as printed (eq 10), one side: cosine-weighted visibility between the view vector and a horizon,
 // 1/4 (-cos(2 h - n) + cos n + 2 h sin n). The sum of both sides is the visibility of the slice.
 // horizon: h, radians, in [n - pi / 2, 0] on the negative side, in [0, n + pi / 2] on the positive. angle: n, radians.
@@ -57,6 +63,8 @@ float gloam_gtao_inner(float horizon, float angle) {
     return visible > 0.0 ? min(visible, 1.570796327) : 0.0;
 }
 
+// what a horizon takes from a slice, cosine-weighted (GTAO-arc): `1/2 (e sin n + cos h cos(h - n))` [derived from
+// Jimenez et al. 2016, eq 10].
 // Amount by which a horizon on the positive side reduces that: the integral over the angles between the horizon and the
 // tangent plane, 1/2 (e sin n + sin(e - n) sin e). e = n + pi / 2 - h is the elevation: sin(e - n) = cos h and sin e =
 // cos(h - n), so that no further sine is needed. On the negative side n changes its sign.
@@ -69,6 +77,8 @@ float gloam_gtao_arc(float elevation, vec2 horizon, vec2 normal) {
     return arc > 0.0 ? min(arc, 1.570796327) : 0.0;
 }
 
+// what a horizon takes from a slice, all directions alike (GTAO-arc-uniform): `1/2 (sin n + cos h)` [derived: the
+// integral of |sin| over the arc].
 // The same with every direction of the hemisphere weighted alike: 1/2 (sin n + sin(e - n)) = 1/2 (sin n + cos h).
 // horizon: cos h. sine: sin n.
 // Returns an amount in [0, 1]; 0 for a horizon below the tangent plane and for NaN. A free half plane holds 1. Error:
@@ -79,6 +89,8 @@ float gloam_gtao_arc_uniform(float horizon, float sine) {
     return arc > 0.0 ? min(arc, 1.0) : 0.0;
 }
 
+// what a horizon takes from a slice, from its cosine (GTAO-side): `arc(n + pi / 2 - acos c, (c, sqrt(1 - c^2)), n)`
+// [derived from Jimenez et al. 2016, eq 10].
 // Amount by which a horizon reduces a slice's visibility, cosine-weighted, from the horizon's cosine.
 // horizon: cos h of gloam_gtao_horizon, taken to the nearer end outside [-1, 1]. angle: n, radians. normal: (cos n,
 // sin n). Both for the positive side; on the negative side -n.
@@ -89,7 +101,8 @@ float gloam_gtao_side(float horizon, float angle, vec2 normal) {
     return gloam_gtao_arc(1.570796327 + angle - gloam_unit_angle(vec2(c, s)), vec2(c, s), normal);
 }
 
-// Adds a slice to the cosine-weighted occlusion.
+// one more slice in the cosine-weighted occlusion (GTAO-add): `(sum + w (side(c_1, -n) + side(c_2, n)), whole + w (cos
+// n + n sin n))` [Jimenez et al. 2016].
 // accumulated: (occluded, whole) so far, (0, 0) to begin with. horizons: cosines of gloam_gtao_horizon, negative and
 // positive side.
 // Returns (occluded, whole) with the slice: its weight times the amount behind the horizons, and its weight times cos
@@ -102,6 +115,8 @@ vec2 gloam_gtao_add(vec2 accumulated, GloamSlice slice, vec2 horizons) {
     return accumulated + slice.weight * vec2(occluded, gloam_slice_whole(slice));
 }
 
+// one more slice in the occlusion of all directions alike (GTAO-add-uniform): `(sum + arc(c_1, -n) + arc(c_2, n), whole
+// + 1)` [Jimenez et al. 2016].
 // Adds a slice to the occlusion that weighs all directions alike; every slice counts the same.
 // accumulated, horizons: as above.
 // Returns (occluded, whole) with the slice: the amount behind the horizons, and 1. Unchanged for a weight that is not
@@ -115,7 +130,7 @@ vec2 gloam_gtao_add_uniform(vec2 accumulated, GloamSlice slice, vec2 horizons) {
     return accumulated + vec2(occluded, 1.0);
 }
 
-// Occlusion of all slices: occluded / whole.
+// occlusion of all slices (GTAO): `occluded / whole` [Jimenez et al. 2016, self-normalised].
 // accumulated: (occluded, whole).
 // Returns occlusion in [0, 1]; 0 exactly where no horizon rises above the tangent plane, 0 where no slice counts and
 // for NaN.

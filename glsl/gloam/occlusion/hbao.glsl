@@ -13,6 +13,8 @@
 // The result is therefore not the cosine-weighted occlusion (TSSAO-1): a pit whose walls rise by 45 degrees all around
 // has 0.707 here and 0.5 there.
 
+// slope of the tangent plane from derivatives of the position (CS-C-slope): `T.z / |T.xy|, T = x dP/du + y dP/dv`
+// [Bavoil and Sainz 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
 // Slope of the tangent plane in a direction of the image, from the derivatives of the position: tan t = T.z / |T.xy|,
 // T = x dP/du + y dP/dv.
 // direction: (x, y), in units of u and v. dpdu, dpdv: view space, world units; each the smaller of the two one-sided
@@ -26,7 +28,8 @@ float gloam_tangent_slope(vec2 direction, vec3 dpdu, vec3 dpdv) {
     return across > 1e-6 ? clamp(t.z / across, -1e6, 1e6) : (t.z > 0.0 ? 1e6 : (t.z < 0.0 ? -1e6 : 0.0));
 }
 
-// Sine of the angle with that tangent: t / sqrt(1 + t^2).
+// sine of the angle with a tangent (CS-C-sine): `t / (1 + t^2)^(1/2), 1 from 1e6 on` [Bavoil and Sainz 2008; Aalund and
+// Baerentzen 2013, eqs 3.2 to 3.4].
 // tangent: any float; from 1e6 on the sine is 1.
 // Returns a sine in [-1, 1]; 0 for NaN. Error: 2e-7.
 float gloam_sine_of_tangent(float tangent) {
@@ -35,7 +38,8 @@ float gloam_sine_of_tangent(float tangent) {
     return clamp(tangent * inversesqrt(1.0 + magnitude * magnitude), -1.0, 1.0);
 }
 
-// Elevation of the tangent plane above the image plane in a direction of the image: atan(-(n.xy . direction) / n.z).
+// elevation of the tangent plane above the image plane (CS-C-tangent): `atan(-(n.xy . direction) / n.z)` [Bavoil and
+// Sainz 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
 // normal: n, unit, view space. direction: unit, in the image plane, y as in view space.
 // Returns radians in [-pi / 2, pi / 2]; the nearer end for a normal that points away from the eye (n.z < 0), 0 for
 // NaN. Error: 4e-7.
@@ -44,6 +48,8 @@ float gloam_tangent_elevation(vec3 normal, vec2 direction) {
     return clamp(gloam_atan2(-dot(normal.xy, direction), normal.z), -1.570796327, 1.570796327);
 }
 
+// where the march along a direction starts (CS-C-start): `(sin(min(t + bias, pi / 2)), 0)` [Bavoil and Sainz 2008;
+// Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
 // Where the march along a direction starts: (sin of the elevation from which on something blocks, 0 found so far).
 // tangent: t, elevation of the tangent plane, radians. bias: radians above it, >= 0, 0.3 to 0.52: hides the facets of
 // coarse meshes.
@@ -54,6 +60,8 @@ vec2 gloam_hbao_start(float tangent, float bias) {
     return vec2(elevation < 1.570796327 ? gloam_sincos(max(elevation, -1.570796327)).y : 1.0, 0.0);
 }
 
+// direction from which on something blocks (CS-C-horizon): `(cos, sin) of min(t + bias, pi / 2), tan t = -(n.xy .
+// direction) / n.z` [Bavoil and Sainz 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
 // The same from the normal, without an angle: the tangent plane's direction in the image's direction, turned up by the
 // bias.
 // normal: n, unit, view space. direction: unit, in the image plane, y as in view space. bias: (cos, sin) of the bias,
@@ -67,6 +75,8 @@ vec2 gloam_hbao_horizon(vec3 normal, vec2 direction, vec2 bias) {
     return raised.x > 0.0 || raised.y < 0.0 ? raised : vec2(0.0, 1.0);
 }
 
+// where the study's march along a direction starts (CS-C-start-slope): `(sin(atan(tan t + tan bias)), 0)` [Aalund and
+// Baerentzen 2013, CS-C].
 // Where the march starts in the shader of the comparative study (Aalund and Baerentzen 2013; CS-C): the biases are
 // added as tangents, h_0 = atan(tan t + tan bias). Steep planes keep part of the view above them: at t = 75 degrees
 // sin h_0 is 0.971 for a bias of 0.3, where t + bias is beyond the vertical and nothing could block.
@@ -78,6 +88,8 @@ vec2 gloam_hbao_start_slope(float slope, float bias) {
     return vec2(gloam_sine_of_tangent(slope + turned.y / turned.x), 0.0);
 }
 
+// one step of HBAO's march (CS-C): `occ + (sin S - sin H) (1 - |v|^2 / R^2), then H = S, where S > H` [Bavoil and Sainz
+// 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
 // One step of the march: if the sample rises above the horizon, what it adds, weighted by W = 1 - |v|^2 / R^2, and
 // the new horizon.
 // horizon: (sine of the horizon, occlusion so far) of gloam_hbao_start. offset: v = s - p, view space, world units.
@@ -95,7 +107,8 @@ vec2 gloam_hbao_step(vec2 horizon, vec3 offset, float radius) {
     return vec2(sine, horizon.y + (sine - horizon.x) * (1.0 - x * x));
 }
 
-// How far apart the steps are, and how many.
+// how far apart the steps are, and how many (CS-C-steps): `(R / (N + extra), N), N = floor(min(N_s, R))` [Bavoil and
+// Sainz 2008; NVIDIA's sample].
 // radius: of the kernel's image, pixels. largest: upper bound of it, pixels: 0.1 of the image's smaller side keeps
 // the march in the cache.
 // steps: N_s, >= 1. extra: 0 for R / N_s (the last step lies on the radius, where it counts nothing), 1 for R / (N_s
@@ -110,7 +123,9 @@ vec2 gloam_hbao_step_size(float radius, float largest, float steps, float extra)
     return vec2(reach / (count + extra), count);
 }
 
-// Visibility from the mean over directions: 1 - contrast occ / (1 - sin bias). The divisor compensates the bias.
+// visibility from HBAO's mean over directions (CS-C-visibility): `1 - contrast occ / (1 - sin bias)` [NVIDIA's sample
+// of Bavoil and Sainz 2008].
+// The divisor compensates the bias.
 // occlusion: mean of the y of gloam_hbao_step. bias: radians, as given to gloam_hbao_start. contrast: 1, or NVIDIA's
 // 1.25.
 // Returns visibility in [0, 1]; 1 for NaN and for a bias of 1.5 or more. Error: 5e-7 up to 0.8.
@@ -121,7 +136,9 @@ float gloam_hbao_visibility(float occlusion, float bias, float contrast) {
     return visibility > 0.0 ? visibility : (visibility <= 0.0 ? 0.0 : 1.0);
 }
 
-// NVIDIA's later simplification of one tap: sat(n . v / |v| - bias) sat(1 - |v|^2 / R^2) / (1 - bias). No horizon is
+// NVIDIA's simplification of one tap of HBAO (CS-C-simplified): `sat(n . v / |v| - bias) sat(1 - |v|^2 / R^2) / (1 -
+// bias)` [NVIDIA's sample gl_ssao].
+// No horizon is
 // kept: every tap counts.
 // offset: v = s - p, view space, world units. normal: n, unit. radius: R, world units. bias: cosine, [0, 1), 0.1.
 // Returns a contribution in [0, 1] for gloam_visibility_hbao_simplified; 0 for v = 0, |v| >= R, a bias outside [0,
@@ -136,7 +153,8 @@ float gloam_contribution_hbao_simplified(vec3 offset, vec3 normal, float radius,
     return min(above / (1.0 - bias), 1.0) * (1.0 - x * x);
 }
 
-// Visibility from those: sat(1 - 2 mean)^power.
+// visibility from NVIDIA's simplification of HBAO (CS-C-simplified-visibility): `sat(1 - 2 mean)^power` [NVIDIA's
+// sample gl_ssao].
 // accumulated: (sum, count) of gloam_estimator_add. power: > 0, 1.5.
 // Returns visibility in [0, 1]; 1 for a count below 1 and for NaN. Error: 2e-6.
 // No method or pass here calls it: it is there to be copied.

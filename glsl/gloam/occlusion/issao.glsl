@@ -9,7 +9,8 @@
 // (ISSAO-3) is the cosine-weighted integral (TSSAO-1). The attenuated form (ISSAO-4) is the same with an attenuation by
 // distance, and the estimator (ISSAO-6) is the sum over samples.
 
-// Contribution of a direction (the integrand of ISSAO-3): max(v . n / |v|, 0), 0 from the radius on.
+// ISSAO's contribution of a direction, without attenuation (ISSAO-3): `max(v . n / |v|, 0) for |v| < R` [ISSAO, eq 3,
+// reconstructed].
 // offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units.
 // Returns a contribution in [0, 1], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v| >= R and
 // NaN.
@@ -19,7 +20,7 @@ float gloam_contribution_issao_basic(vec3 offset, vec3 normal, float radius) {
     return reach < radius ? gloam_sample_cosine(offset, normal) : 0.0;
 }
 
-// Attenuation (ISSAO-5): Q = phi |v| / max(mu, |v|)^2.
+// ISSAO's attenuation by distance (ISSAO-5): `Q = phi |v| / max(mu, |v|)^2` [ISSAO, eq 5, reconstructed].
 // hit_distance: |v|, world units. phi: world units, >= 0, how dark. mu: world units, > 0, bounds the distance from
 // below.
 // Returns a weight >= 0, at most phi / mu; phi / |v| beyond mu. 0 at distance 0, for mu or the larger of the two
@@ -32,7 +33,7 @@ float gloam_issao_attenuation(float hit_distance, float phi, float mu) {
     return weight <= 3.402823466e38 ? weight : 0.0;
 }
 
-// Contribution of a direction (the integrand of ISSAO-4): Q(|v|) max(v . n / |v|, 0), 0 from the radius on.
+// ISSAO's contribution of a direction (ISSAO-4): `Q(|v|) max(v . n / |v|, 0) for |v| < R` [ISSAO, eq 4, reconstructed].
 // offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi, mu: see
 // gloam_issao_attenuation.
 // Returns a contribution in [0, phi / mu], for uniform directions: twice its mean is the occlusion. 0 for v = 0, |v|
@@ -44,7 +45,8 @@ float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius
     return gloam_issao_attenuation(reach, phi, mu) * gloam_sample_cosine(offset, normal);
 }
 
-// Contribution of a tap (ISSAO-6): phi max(0, v . n - psi) / (v . v + sigma), 0 from the radius on.
+// ISSAO's contribution of a tap (ISSAO-6): `phi max(0, v . n - psi) / (v . v + sigma) for |v| < R` [ISSAO, eq 6,
+// reconstructed].
 // offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi: world units, >= 0,
 // how dark.
 // bias: psi, world units, >= 0, constant or of gloam_depth_bias. sigma: world units squared, > 0, prevents 0 / 0 and
@@ -62,7 +64,7 @@ float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi
     return contribution <= 3.402823466e38 ? contribution : 0.0;
 }
 
-// Occlusion factor from the contributions of all taps (ISSAO-6): A_0 = (lambda / s) sum, clamped.
+// ISSAO's occlusion factor (ISSAO-6-mean): `A_0 = min((lambda / s) sum, 1)` [ISSAO, eq 6, reconstructed].
 // accumulated: (sum, count) of gloam_estimator_add. lambda: gain of the shadow, >= 0, 1 to 1.06 in the paper's figures.
 // Returns occlusion in [0, 1]; 0 for a count below 1 and for NaN. Error: 1.5 ULP.
 // No method or pass here calls it: it is there to be copied.

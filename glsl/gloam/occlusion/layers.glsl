@@ -8,6 +8,7 @@
 // Occlusion of a point by more than one depth image: layers peeled one behind another (Bavoil and Sainz 2009), or views
 // of other cameras.
 
+// occlusion over layers or views (CS-LAYERS): `max(occlusion, layer)` [Bavoil and Sainz 2009].
 // Occlusion over layers or views: the largest, since each can only miss what the others see. A layer given twice
 // changes nothing.
 // occlusion: largest so far, starting at 0. layer: of one more. Both in [0, 1]; outside, the nearer end; 0 for NaN.
@@ -17,6 +18,8 @@ float gloam_layers_occlusion(float occlusion, float layer) {
     return max(gloam_unit_interval(occlusion), gloam_unit_interval(layer));
 }
 
+// whether a sample lies between the front and the back of an object (CS-LAYERS-blocked): `front <= d <= back` [Bavoil
+// and Sainz 2009].
 // Whether a sample point is inside one object, between its front and its back; no thickness has to be assumed.
 // sample_depth: of the point, eye-linear, world units. front, back: depths of the two sides at its pixel, world
 // units. Background at the back: solid all the way.
@@ -29,6 +32,7 @@ float gloam_layer_blocked(float sample_depth, float front, float back) {
     return front <= sample_depth && before_back ? 1.0 : 0.0;
 }
 
+// depth of a layer at a tap (CS-LAYERS-depth): `d_0, |d_1|, |d_2|, |d_3|` [Bavoil and Sainz 2009].
 // Depth of a layer at a tap; layer 0 is the visible surface (CS-E, CS-LAYERS; Bavoil and Sainz 2009). Of the surfaces
 // at a tap the one that blocks most counts, because a layer can only miss blockers.
 // first: of the visible surface. further: of layers 1 to 3 behind it, negative where seen from behind. layer: 0 to 3.
@@ -47,7 +51,8 @@ struct GloamLayersSeen {
     bool front;       // whether the last layer is a front; true to begin with
 };
 
-// Adds a layer.
+// what the layers at a sample point say together (CS-LAYERS-together): `the largest of the layers; a back in front of
+// the point takes what it closes away` [Bavoil and Sainz 2009].
 // blocked: whether it blocks the point, 0 to 1. further: signed depths of layers 1 to 3. depth: of the point,
 // eye-linear, world units. layer: 0 to layers - 1. layers: 1 to 4.
 // Returns what is seen with it. Error: none.

@@ -8,8 +8,10 @@
 // distributed. Only the two at the end estimate the cosine-weighted occlusion (TSSAO-1). Every argument is clamped to
 // [0, 1], and NaN is read as 0.
 
-// Contribution as printed (TSSAO-3): V D max(cos, 0). Averaged over uniform directions it gives half the occlusion,
-// over cosine-weighted ones two thirds of it where everything is blocked: use the forms below for an estimate.
+// contribution of a sample point, as printed (TSSAO-3): `C = V D max(cos, 0)` [TSSAO (Mattausch et al.), eq 3; Ritschel
+// et al. 2009].
+// Averaged over uniform directions it gives half the occlusion, over cosine-weighted ones two thirds of it where
+// everything is blocked: use the forms below for an estimate.
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
 // normal.
 // Returns a contribution in [0, 1]. Error: 1.5 ULP.
@@ -18,6 +20,8 @@ float gloam_contribution_ritschel(float blocked, float falloff, float cosine) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
 }
 
+// contribution of a sample point, cosine-weighted directions (TSSAO-3-cosine): `C = V D` [TSSAO (Mattausch et al.), eq
+// 3 normalised for density cos / pi].
 // Contribution for cosine-weighted directions (density cos / pi, TSSAO-14): V D. The cosine is in the density already.
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii).
 // Returns a contribution in [0, 1] whose mean is the occlusion. Error: 0.5 ULP.
@@ -26,6 +30,8 @@ float gloam_contribution_cosine_directions(float blocked, float falloff) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff);
 }
 
+// contribution of a sample point, uniform directions (TSSAO-3-uniform): `C = 2 V D max(cos, 0)` [TSSAO (Mattausch et
+// al.), eq 3 normalised for density 1 / (2 pi)].
 // Contribution for uniform directions (density 1 / (2 pi)): 2 V D max(cos, 0).
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
 // normal.

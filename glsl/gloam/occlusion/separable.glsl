@@ -8,6 +8,7 @@
 // Separable ambient occlusion (Huang et al. 2011): along one direction of a pair first, then along the other; the
 // pair is turned at random from pixel to pixel and a blur hides it. What stands only on the diagonals is missed.
 
+// occlusion of two directions (CS-O): `(AO_u + AO_v) / 2` [Huang et al. 2011 (separable AO)].
 // The simple form: the mean of the two one-dimensional estimates, (AO_u + AO_v) / 2.
 // along_u, along_v: occlusion, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns occlusion in [0, 1]; the same when the directions are exchanged. Error: 0.5 ULP.
@@ -15,6 +16,8 @@ float gloam_separable_mean(float along_u, float along_v) {
     return 0.5 * (gloam_unit_interval(along_u) + gloam_unit_interval(along_v));
 }
 
+// weight of a neighbour whose first-pass occlusion is taken over (CS-O-weight): `exp(-|q - p|^2 / (2 sigma^2)) if |(q -
+// p) . n| <= tolerance, else 0` [Huang et al. 2011 (separable AO)].
 // Weight of a neighbour whose first-pass occlusion the second pass takes over (the transport form): exp(-|q - p|^2 /
 // (2 sigma^2)) where q lies in the tangent plane of p, |(q - p) . n| <= tolerance, else 0. For gloam_weighted_mean_add.
 // offset: q - p, world units. normal: n of p, unit vector, same space. sigma: world units, see gloam_gaussian.

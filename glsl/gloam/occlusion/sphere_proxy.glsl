@@ -11,6 +11,7 @@
 // half the width of the tap's pixel in the world: gloam_filter_sigma with half a pixel. Overlapping balls count twice,
 // so clamp the sum.
 
+// part of the half space that a ball takes up (CS-H-fraction): `1 - sqrt(1 - (r / D)^2)` [solid angle of a ball].
 // Part of the half space that a ball seen from outside takes up: 1 - sqrt(1 - (r / D)^2), by solid angle.
 // radius: r, distance_to: D of the centre, world units, same unit.
 // Returns a fraction in [0, 1]; 1 for D <= r, 0 for an r not positive and for NaN. Error: 3e-7.
@@ -23,6 +24,8 @@ float gloam_sphere_fraction(float radius, float distance_to) {
     return min(x * x / (1.0 + gloam_sqrt(gap * (1.0 + x))), 1.0);
 }
 
+// contribution of a ball by its solid angle (CS-H): `(1 - sqrt(1 - (r / D)^2)) max(n . v / D, 0)` [Shanmugam and Arikan
+// 2007; Song 2010 (mixture sampling)].
 // Contribution of a ball by its solid angle: (1 - sqrt(1 - (r / D)^2)) max(n . v / D, 0), D = |v|.
 // offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, >
 // 0.
@@ -36,8 +39,9 @@ float gloam_contribution_sphere(vec3 offset, vec3 normal, float radius) {
     return reach <= radius ? fraction : fraction * gloam_sample_cosine(offset, normal);
 }
 
-// Contribution of a ball, cosine-weighted: (r / D)^2 max(n . v / D, 0). The exact occlusion of a ball that lies above
-// the tangent plane.
+// contribution of a ball, cosine-weighted (CS-H-cosine): `(r / D)^2 max(n . v / D, 0)` [derived: exact for a ball above
+// the tangent plane].
+// The exact occlusion of a ball that lies above the tangent plane.
 // offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, >
 // 0.
 // Returns a contribution in [0, 1]; 1 and 0 as gloam_contribution_sphere. Error: 5e-7, but within rounding of D = r.
@@ -49,6 +53,7 @@ float gloam_contribution_sphere_cosine(vec3 offset, vec3 normal, float radius) {
     return x * x * gloam_sample_cosine(offset, normal);
 }
 
+// whether a proxy stands above the horizon (CS-H-above): `v_z > tan(h) |v_xy|` [Song 2010 (mixture sampling)].
 // Whether a proxy is above the horizon of its direction. Only there it blocks directions that the horizon does not
 // (mixture sampling).
 // offset: from the point to the centre, view space, world units. tan_horizon: tangent of the horizon's elevation over

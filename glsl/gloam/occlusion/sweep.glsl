@@ -30,13 +30,16 @@ struct GloamSweepSide {
 // Share of its rise by which the surface falls, from one tap to the next, where a feature ends.
 const float GLOAM_SWEEP_FALL = 0.8;
 
-// A side of which nothing has been seen.
+// a side of a slice of which nothing has been seen (SWEEP-start): `(cos(n + pi / 2), 0, ..., 0)` [gloam; the inner
+// integral of Jimenez et al. 2016].
 // lowest: cosine of the tangent plane's angle from the view vector, of gloam_gtao_lowest.
 // Returns the side. Error: none.
 GloamSweepSide gloam_sweep_side(float lowest) {
     return GloamSweepSide(lowest, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec2(0.0));
 }
 
+// where a surface lies that a tap uncovers (SWEEP-distance): `(before + here) / 2` [gloam; the inner integral of
+// Jimenez et al. 2016].
 // Distance of the surface that a tap uncovers: the mean of the distances of the last tap and this one. For a surface
 // that rises steadily between both this is exact on average. Whether there is a gap between them is unknown with so few
 // taps (docs/methods.md).
@@ -46,6 +49,8 @@ float gloam_sweep_distance(float before, float here) {
     return 0.5 * before + 0.5 * here;
 }
 
+// what lies between a direction and the tangent plane (SWEEP-behind): `I(n + pi / 2) - I(h)` [gloam; the inner integral
+// of Jimenez et al. 2016].
 // Amount behind a direction on the positive side: the inner integral between it and the tangent plane, 1/2 (e sin n +
 // cos h cos(h - n)), e = n + pi / 2 - h (gloam_gtao_arc). On the negative side n changes its sign (gloam_sweep_slice).
 // direction: in the slice, (along view, along tangent), unit, not below the tangent plane; the sign of the latter does
@@ -57,6 +62,7 @@ float gloam_sweep_behind(vec2 direction, GloamSlice slice) {
     return 0.5 * (elevation * slice.normal.y + upper.x * dot(upper, slice.normal));
 }
 
+// a slice as one of its sides sees it (SWEEP-slice): `n times 1 or -1` [definition].
 // The slice for one of its sides: mirrored, if needed, so that the side is the positive one.
 // towards: 1 for the positive side, -1 for the negative. Returns the slice with n times that. Error: none.
 GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
@@ -64,6 +70,8 @@ GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
                       towards * slice.angle, slice.weight);
 }
 
+// a side of a slice with what one more tap uncovers (SWEEP-uncover): `sum + D(rho) (I(H) - I(h)), horizon h, where h <
+// H` [gloam; the inner integral of Jimenez et al. 2016].
 // Adds what a tap uncovers to a side, as a solid surface. It leaves features alone.
 // side: so far. slice: of gloam_sweep_slice. offset: of the tap in the slice, (along view, along tangent), in units of
 // the radius of influence, longer than 1e-17 where the tap rises, shorter than 1e9. tells: whether the tap has a
@@ -86,13 +94,15 @@ GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, GloamSlice slice, vec2 o
                           side.start, side.last);
 }
 
-// Share of a feature's directions that its thickness covers.
+// share of a feature's directions that its thickness covers (SWEEP-share): `min(1, t w / rise)` [gloam].
 // width: of the feature along the tangent, >= 0. rise: > 0. thickness: in widths, >= 0.
 // Returns a share in [0, 1]. Error: 3 ULP, 1e-30 where the product is subnormal.
 float gloam_sweep_share(float width, float rise, float thickness) {
     return min(thickness * width / rise, 1.0);
 }
 
+// a side of a slice whose feature ends where the surface falls (SWEEP-end): `sum + feature min(1, t w / rise) where x <
+// x_last - 0.8 rise` [gloam].
 // Ends the feature of a side where a tap shows that the surface falls.
 // at: the tap, (along view, along tangent), the latter >= 0, in radii. thickness: of features, in widths, in [0, 1e18].
 // Returns the side; unchanged where no feature ends. Error: 1e-6, but for falls within rounding of the share.
@@ -105,6 +115,8 @@ GloamSweepSide gloam_sweep_end(GloamSweepSide side, vec2 at, float thickness) {
     return side;
 }
 
+// a side of a slice with one more tap (SWEEP-tap): `SWEEP-end, then feature + D(rho) (I(H) - I(h)), horizon h, where h
+// < H` [gloam].
 // Adds a tap to a side: ends the feature before it where there is one, and begins or continues a feature where the
 // tap uncovers directions. Parameters as above.
 // Returns the side. Error: 2e-6, but for taps within rounding of where a feature ends.

@@ -12,6 +12,8 @@
 // to be of constant thickness, covers those between its front and its back. Light passes behind thin things, where a
 // horizon would block it. How the half plane is measured decides what is estimated: gloam_slice_fraction_* below.
 
+// direction of the back of a sample of some thickness (BITMASK-back): `direction of v - thickness view` [Therrien et
+// al. 2023].
 // Direction in the slice of a sample's back.
 // offset: s - p, view space, world units, the front of the sample. thickness: world units, along the view ray away
 // from the eye.
@@ -26,7 +28,7 @@ vec2 gloam_bitmask_back(vec3 offset, GloamSlice slice, float thickness) {
     return gloam_slice_direction(thick ? behind : offset, slice);
 }
 
-// Part of the half plane below a direction, all angles weighted alike, as in the paper: (a - n) / pi + 1/2.
+// part of a slice below a direction, all angles alike (BITMASK-fraction): `(a - n) / pi + 1/2` [Therrien et al. 2023].
 // direction: (cos a, sin a) of gloam_slice_direction.
 // Returns a fraction in [0, 1]: 0 on the tangent plane on the negative side and below, 1 on the other. Error: 3.5e-7.
 // No method or pass here calls it: it is there to be copied.
@@ -34,6 +36,8 @@ float gloam_slice_fraction_angle(vec2 direction, GloamSlice slice) {
     return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) * 0.3183098862 + 0.5);
 }
 
+// part of a slice below a direction, cosine-weighted (BITMASK-fraction-cosine): `integral of cos(b - n) |sin b| from n
+// - pi / 2 to a, over the whole` [derived: the measure of Jimenez et al. 2016].
 // The same weighted by the cosine to the normal and by solid angle, as in GTAO. The mean over slices, each weighted by
 // the length of the projected normal times (cos n + n sin n), is the cosine-weighted occlusion (TSSAO-1).
 // direction: (cos a, sin a) of gloam_slice_direction.
@@ -47,6 +51,8 @@ float gloam_slice_fraction_cosine(vec2 direction, GloamSlice slice) {
     return gloam_unit_interval(negative ? part : 1.0 - part);
 }
 
+// part of a slice below a direction, by solid angle (BITMASK-fraction-uniform): `half the integral of |sin b| from n -
+// pi / 2 to a` [derived].
 // The same weighted by solid angle alone; every slice counts the same.
 // direction: (cos a, sin a) of gloam_slice_direction.
 // Returns a fraction in [0, 1], of NaN as well. Error: 1.5e-7.
@@ -57,6 +63,7 @@ float gloam_slice_fraction_uniform(vec2 direction, GloamSlice slice) {
     return gloam_unit_interval(negative ? part : 1.0 - part);
 }
 
+// bits first to last - 1 (BIT-range): `2^last - 2^first` [definition].
 // Bits first ... last - 1 of a word.
 // first, last: 0 to 32.
 // Returns the bits; none for last <= first. Error: none.
@@ -66,8 +73,9 @@ uint gloam_bit_range(uint first, uint last) {
     return below_last & ~below_first;
 }
 
-// Sectors that a sample covers: those of 32 whose centres lie in the range, lower <= (i + 1/2) / 32 < upper. The mean
-// over ranges is right: thin samples cover a sector as often as they should.
+// sectors whose centres a sample covers (BITMASK-sectors): `bit i where lower <= (i + 1/2) / 32 < upper` [Therrien et
+// al. 2023].
+// The mean over ranges is right: thin samples cover a sector as often as they should.
 // fractions: (lower, upper), those of gloam_slice_fraction_* of front and back in order, in [0, 1], taken to the
 // nearer end outside, NaN to 0.
 // Returns bits, sector i as bit i; none for upper <= lower. Error: none, but a centre within rounding of an end may
@@ -77,6 +85,8 @@ uint gloam_bitmask_sectors(vec2 fractions) {
     return gloam_bit_range(uint(max(ends.x, 0.0)), uint(max(ends.y, 0.0)));
 }
 
+// sectors by the rounding of the paper (BITMASK-sectors-outward): `ceil(32 (upper - lower)) bits from floor(32 lower)
+// on` [Therrien et al. 2023].
 // The same by the rounding of the paper's listing: from sector floor(32 lower) on, ceil(32 (upper - lower)) of them.
 // Every sample that is seen covers a sector at least, so thin ones block too much.
 // fractions: (lower, upper), as above.
@@ -89,6 +99,7 @@ uint gloam_bitmask_sectors_outward(vec2 fractions) {
     return width > 0.0 ? gloam_bit_range(first, min(first + uint(ceil(32.0 * width)), 32u)) : 0u;
 }
 
+// occlusion of a slice by the sectors covered (BITMASK): `bits set / 32` [Therrien et al. 2023].
 // Occlusion of a slice: the part of its sectors that are covered.
 // sectors: union of the samples' bits.
 // Returns occlusion in [0, 1], a multiple of 1/32. Error: none.

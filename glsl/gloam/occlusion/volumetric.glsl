@@ -12,7 +12,8 @@
 // uses the plain mean, which is too large in grooves (0.647 instead of 0.625 at 45 degrees), and starts it with (0.5,
 // 1), a prior for few samples.
 
-// Half the chord of the sphere at a tap: r sqrt(1 - |xi|^2).
+// half the chord of the sphere at a tap (CS-I-chord): `h = r (1 - |xi|^2)^(1/2)` [Loos and Sloan 2010; Aalund and
+// Baerentzen 2013, eq 3.5].
 // xi: offset of the tap from the centre in the unit disc (the published shader takes the absolute texture coordinate,
 // which is no offset).
 // radius: r, world units, >= 0.
@@ -22,8 +23,9 @@ float gloam_chord_half_height(vec2 xi, float radius) {
     return height > 0.0 ? height : 0.0;
 }
 
-// Solid part of a chord: clamp((h + z) / (2 h), 0, 1). This is the occluded part; the source's text calls it
-// unoccluded.
+// solid part of a chord (CS-I): `q = clamp((h + z_s - z_p) / (2 h), 0, 1)` [Loos and Sloan 2010; Aalund and Baerentzen
+// 2013, eq 3.5].
+// This is the occluded part; the source's text calls it unoccluded.
 // height: z = z_s - z_p, view space, world units: of the surface at the tap above the centre, positive if nearer to
 // the eye; -infinity for background. half_height: h, world units.
 // Returns occlusion in [0, 1]; 1/2 for h that is not positive, subnormal or above 2^126, and for NaN. Error: 2e-7.
@@ -34,6 +36,8 @@ float gloam_line_occlusion(float height, float half_height) {
     return abs(height) < half_height ? 0.5 + 0.5 * (height / half_height) : 0.5;
 }
 
+// where the surface at a tap lies along the chord (CS-I-ratio): `q* = (h + z_s - z_p) / (2 h)` [Loos and Sloan 2010;
+// Aalund and Baerentzen 2013, eq 3.5].
 // Position of a tap's surface along the chord: q* = (h + z) / (2 h), 0 at the far end, 1 at the near end, not clamped.
 // gloam_line_pair uses it to detect other objects: a surface in front of the sphere has q* > 1, where the clamped
 // fraction would be solid.
@@ -46,8 +50,10 @@ float gloam_line_ratio(float height, float half_height) {
     return abs(ratio) >= 0.0 ? ratio : 0.5;
 }
 
-// Pair of opposite taps. A surface in front of the sphere, or far behind the point, belongs to another object; then 1 -
-// the partner's fraction replaces its own.
+// pair of opposite taps, a disbelieved one replaced (CS-I-pair): `q_i where lowest <= q_i <= highest, else 1 - q_j,
+// else 1/2` [Loos and Sloan 2010; Aalund and Baerentzen 2013, eq 3.5].
+// A surface in front of the sphere, or far behind the point, belongs to another object; then 1 - the partner's fraction
+// replaces its own.
 // ratios: (q*_1, q*_2) of gloam_line_ratio, not clamped. lowest, highest: range of valid fractions, 0.35 and 1 in the
 // published shader.
 // Returns the two fractions, an invalid one replaced by 1 - the other; (0.5, 0.5) if both are invalid. NaN is invalid.
@@ -60,6 +66,8 @@ vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
     return second ? vec2(1.0 - ratios.y, ratios.y) : vec2(0.5);
 }
 
+// solid part of a chord over an area of heights (CS-I-area): `(1 / (2 w)) integral of clamp((h + z) / (2 h), 0, 1) dz
+// over [m - w, m + w]` [Loos and Sloan 2010, reconstructed].
 // Solid part of a chord over an area of the image, in which the surface is not at one height but at any of an interval
 // alike (area samples, Loos and Sloan 2010, reconstructed): the mean of clamp((h + z) / (2 h), 0, 1) over z in [m - w,
 // m + w]. An interval of the distribution's variance has w = sqrt(3 variance).
@@ -83,6 +91,8 @@ float gloam_area_occlusion(float height, float half_width, float half_height) {
     return clamp(crosses_near ? 1.0 - share : share, 0.0, 1.0);
 }
 
+// balls of two radii as one occlusion (CS-I-two-balls): `clamp(q_fine + q_broad - 1/2, 0, 1)` [after Loos and Sloan
+// 2010].
 // Occlusion of balls of two radii around one point: what both hold beyond the half that a plane fills, added.
 // fine, broad: solid share of each, [0, 1].
 // Returns clamp(fine + broad - 1/2, 0, 1); what is not finite counts as 1/2. Error: 1.2e-7.
@@ -91,6 +101,8 @@ float gloam_two_balls(float fine, float broad) {
     return clamp(sum, 0.0, 1.0);
 }
 
+// half the chord of the tangent sphere (CS-I-tangent-chord): `(r / 2) (1 - |2 v.xy / r - n.xy|^2)^(1/2)` [Szirmay-Kalos
+// et al. 2009].
 // Half the chord, at a tap, of the sphere of half the radius that touches the surface from outside (Szirmay-Kalos et
 // al. 2009): a plane leaves it empty, and no offset is needed.
 // offset: s - p, view space, world units, of which x and y count. normal: n, unit. radius: r of the whole kernel,
@@ -105,7 +117,8 @@ float gloam_tangent_sphere_half_height(vec3 offset, vec3 normal, float radius) {
     return height > 0.0 ? height : 0.0;
 }
 
-// Solid part of that chord.
+// solid part of a chord of the tangent sphere (CS-I-tangent): `q of the sphere of radius r / 2 around p + n r / 2`
+// [Szirmay-Kalos et al. 2009].
 // offset, normal, radius: as above.
 // Returns occlusion in [0, 1]; 0 where there is no chord and for NaN. Error: 5e-7, more towards the sphere's outline.
 float gloam_tangent_sphere_occlusion(vec3 offset, vec3 normal, float radius) {

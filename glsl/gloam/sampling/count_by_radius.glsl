@@ -2,6 +2,8 @@
 #ifndef GLOAM_SAMPLING_COUNT_BY_RADIUS_GLSL
 #define GLOAM_SAMPLING_COUNT_BY_RADIUS_GLSL
 
+// number of samples by the projected size of the kernel (ISSAO-LOD): `clamp(round(most r / r_ref), least, most)`
+// [ISSAO, in prose].
 // Number of samples by the projected size of the kernel (ISSAO-LOD, given in prose only: fewer samples far away):
 // clamp(round(most r / r_ref), least, most), a half rounded up.
 // radius: r, pixels. reference_radius: r_ref, pixels, > 0: from this size on every sample is taken. least, most: 0 <=

@@ -6,6 +6,8 @@
 // pixel of a level is one pixel of the level before, never a mean. Level l of an image of w x h pixels has max(w >>
 // l, 1) x max(h >> l, 1).
 
+// level of the depth chain that a tap reads (CS-Q-level): `clamp(floor(log2(h / first)) + 1, 0, last), h in pixels`
+// [McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance)].
 // Level that a tap reads (SAO): one more for every doubling of its distance from the pixel, clamp(floor(log2(h /
 // first)) + 1, 0, last).
 // pixels: h, distance of the tap from its pixel, in PIXELS of the full image (in texture coordinates it is always
@@ -25,14 +27,15 @@ int gloam_depth_mip_level(float pixels, float first, int last) {
     return level;
 }
 
-// Size of a level of the chain.
+// size of a level of the depth chain (CS-Q-size): `max(size >> level, 1)` [Vulkan's rule for the sizes of levels].
 // size: of the full image, pixels; below 1 is read as 1. level: 0 to 30; outside, the nearer end.
 // Returns max(size >> level, 1). Error: none.
 ivec2 gloam_depth_mip_size(ivec2 size, int level) {
     return max(max(size, ivec2(1)) >> clamp(level, 0, 30), ivec2(1));
 }
 
-// Pixel of a level that stands for a pixel of the full image.
+// pixel of a level that stands for one of the full image (CS-Q-pixel): `tap >> level, inside the level` [McGuire, Mara
+// and Luebke 2012 (Scalable Ambient Obscurance)].
 // tap: pixel of the full image. size: of the full image, pixels. level: 0 to 30; outside, the nearer end.
 // Returns tap >> level kept inside the level: the last column and row of an image of odd size stand in the level's
 // last.
@@ -41,6 +44,8 @@ ivec2 gloam_depth_mip_pixel(ivec2 tap, ivec2 size, int level) {
     return clamp(tap >> clamp(level, 0, 30), ivec2(0), gloam_depth_mip_size(size, level) - 1);
 }
 
+// pixel of the level before that a pixel takes its depth from (CS-Q-grid): `(2 x + (y & 1), 2 y + (x & 1))` [McGuire,
+// Mara and Luebke 2012 (Scalable Ambient Obscurance)].
 // The pixel of the level before that a pixel of a level takes its depth from (SAO): (2 x + (y & 1), 2 y + (x & 1)), a
 // rotated grid, so that no row or column is left out.
 // pixel: of the smaller level, inside it. size: of the level before (the larger), pixels; below 1 is read as 1.
@@ -50,8 +55,10 @@ ivec2 gloam_rotated_grid(ivec2 pixel, ivec2 size) {
     return clamp(source, ivec2(0), max(size, ivec2(1)) - 1);
 }
 
-// The pixel of the full image whose depth a pixel of a level holds. Placing the tap there, and not where it was
-// aimed, keeps a bare plane open at any tilt: the depth is that of this pixel.
+// pixel of the full image whose depth a pixel of a level holds (CS-Q-source): `the rotated grid, level by level`
+// [derived from the chain of SAO].
+// Placing the tap there, and not where it was aimed, keeps a bare plane open at any tilt: the depth is that of this
+// pixel.
 // pixel: of the level, inside it. size: of the full image, pixels. level: 0 to 30; outside, the nearer end.
 // Returns a pixel of the full image. Error: none.
 ivec2 gloam_depth_mip_source(ivec2 pixel, ivec2 size, int level) {

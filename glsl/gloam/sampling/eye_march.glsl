@@ -5,6 +5,8 @@
 #include "gloam/geometry/finite.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
+// point of a ray marched in eye space (CS-C2): `p + R (i + jitter) / N w` [Dimitrov, Bavoil and Sainz 2008
+// (horizon-split AO)].
 // Point of a ray that is marched in eye space, p + R (index + jitter) / count w; each is projected to find its tap.
 // How horizon-split ambient occlusion (Dimitrov, Bavoil and Sainz 2008) differs from its successor HBAO, which steps
 // in the image; what is done with the points is the same. Also the way of Poisson ray marching (Sourimant et al.

@@ -2,7 +2,7 @@
 #ifndef GLOAM_SAMPLING_HASH_ROTATION_GLSL
 #define GLOAM_SAMPLING_HASH_ROTATION_GLSL
 
-// Fractional part of h 10 / (2 pi), in units of 2^-32: the angle 10 h radians as a part of a turn.
+// 10 h radians as a part of a turn (HASH-turn): `floor(2^32 frac(10 h / (2 pi)))` [fixed-point arithmetic of 64 bits].
 // h: any 32-bit integer.
 // Returns the floor of the fraction times 2^32, at most one off. Integer arithmetic, because 10 h in float has lost
 // every digit of the angle when h is large.
@@ -17,7 +17,8 @@ uint gloam_hash_turn(uint h) {
     return high + h * 0x976FC893u;
 }
 
-// Per-pixel angle by a cheap hash (Alchemy, SAO): 10 ((3 x) XOR (y + x y)) radians, modulo 2 pi.
+// rotation angle of a pixel by a hash (HASH-ROT): `10 ((3 x) XOR (y + x y)) modulo 2 pi` [McGuire et al., Alchemy and
+// Scalable Ambient Obscurance shaders].
 // pixel: integer pixel; the hash is computed modulo 2^32, so negative and large coordinates wrap and are allowed.
 // Returns an angle in radians, in [0, 2 pi). Error: 3 ulp or 4e-9.
 float gloam_hash_rotation(ivec2 pixel) {

@@ -9,6 +9,7 @@
 // Sampling offsets of the improved method (ISSAO-1) in two readings. Radii are uniform, so taps are denser near the
 // centre.
 
+// sampling offset inside the disc (ISSAO-1): `r_max e_1 (sin 2 pi e_2, cos 2 pi e_2)` [ISSAO, eq 1].
 // The reading that fits the prose: r_max e_1 (sin 2 pi e_2, cos 2 pi e_2), inside the disc, its radius uniform.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.
 // Returns an offset in that unit, no longer than the radius but for rounding; (0, 0) for e_1 = 0. Error: 4e-7 of the
@@ -18,6 +19,8 @@ vec2 gloam_issao_offset_polar(vec2 e, float radius) {
     return radius * (gloam_unit_interval(e.x) * p.yx);
 }
 
+// sampling offset as printed, kept in the disc (ISSAO-1-printed): `r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1)` [ISSAO,
+// eq 1].
 // As printed: r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1). 3.1 % of these leave the disc, up to 1.26 r_max: they are
 // moved to its border.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.

@@ -2,7 +2,7 @@
 #ifndef GLOAM_SAMPLING_PAIRS_GLSL
 #define GLOAM_SAMPLING_PAIRS_GLSL
 
-// Sample of a kernel of opposite pairs: s_(2m) = s, s_(2m+1) = -s.
+// sample of a kernel of opposite pairs (PAIRS): `s_(2m) = s, s_(2m+1) = -s` [Loos and Sloan 2010].
 // s: the point of pair m, in the unit disc.
 // index: number of the sample, 2 m or 2 m + 1; its lowest bit alone counts.
 // Returns s for an even index, -s for an odd one; the zero vector for an infinite or NaN s. Error: none.

@@ -2,6 +2,8 @@
 #ifndef GLOAM_SAMPLING_POISSON_DISC_GLSL
 #define GLOAM_SAMPLING_POISSON_DISC_GLSL
 
+// point of a Poisson disc of 64 (POISSON-disc): `radius sqrt((i' + 1/2) / 64), i' the index with its bits reversed, at
+// the emptiest of 4096 angles` [Sourimant et al. 2011 (the pattern); construction after Mitchell's best candidates].
 // Poisson disc of 64 points, each prefix of which is spread evenly: squared radii (i' + 1/2) / 64, i' the index with
 // its 6 bits reversed; each point at that of 4096 angles (the first at 0) where the nearest of those before it is
 // farthest away. For Sourimant's directions lift them with gloam_hemisphere_lift.

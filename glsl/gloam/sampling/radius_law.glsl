@@ -9,6 +9,8 @@
 // estimates: a sample at radius r blocks whatever hit lies nearer, so a hit at distance x of the kernel radius counts
 // 1 - F(x), with F the distribution of r.
 
+// sample radius for a falloff (RADIUS-linear): `r = zeta (falloff 1 - x)` [derived: falloff = 1 - distribution of the
+// radius].
 // Radius whose distribution is F(x) = x: the average has the linear falloff 1 - x (that of TSSAO-14).
 // zeta: uniform number in [0, 1); taken to the nearer end outside, 0 for NaN.
 // Returns zeta, the radius as a fraction of the kernel's. Error: none.
@@ -17,6 +19,8 @@ float gloam_radius_linear(float zeta) {
     return gloam_unit_interval(zeta);
 }
 
+// sample radius for a falloff (RADIUS-quadratic): `r = sqrt(zeta) (falloff 1 - x^2)` [derived: falloff = 1 -
+// distribution of the radius].
 // Radius whose distribution is F(x) = x^2 (uniform area of a disc): the average has the falloff 1 - x^2.
 // zeta: uniform number in [0, 1); taken to the nearer end outside, 0 for NaN; a subnormal number is read as 0.
 // Returns sqrt(zeta), the radius as a fraction of the kernel's. Error: at most 2 ulp.
@@ -25,6 +29,8 @@ float gloam_radius_quadratic(float zeta) {
     return gloam_sqrt(gloam_unit_interval(zeta));
 }
 
+// sample radius for a falloff (RADIUS-cubic): `r = zeta^(1/3) (falloff 1 - x^3)` [derived: falloff = 1 - distribution
+// of the radius].
 // Radius whose distribution is F(x) = x^3 (uniform volume of a ball): the average has the falloff 1 - x^3.
 // zeta: uniform number in [0, 1); taken to the nearer end outside, 0 for NaN; a subnormal number is read as 0.
 // Returns the cube root of zeta, the radius as a fraction of the kernel's. Error: at most 1.5 ulp; 5e-7 by any device

@@ -7,6 +7,8 @@
 // What rotates many samples by one angle turns them by its cosine and sine, computed once: not every driver moves
 // them out of a loop.
 
+// disc sample turned by the cosine and sine of an angle (TSSAO-ROT-turn-disc): `(c x - s y, s x + c y)` [TSSAO
+// (Mattausch et al.), random rotation].
 // Disc sample turned about the centre (TSSAO-ROT).
 // s: point of the unit disc (any vector of length below 1e19). turn: (cos, sin) of the angle, as gloam_sincos gives it.
 // Returns s rotated counter-clockwise, of the same length; infinite or NaN for a longer, infinite or NaN s.
@@ -15,6 +17,8 @@ vec2 gloam_turn_disc(vec2 s, vec2 turn) {
     return vec2(turn.x * s.x - turn.y * s.y, turn.y * s.x + turn.x * s.y);
 }
 
+// hemisphere sample turned by the cosine and sine of an angle (TSSAO-ROT-turn-hemisphere): `(c x - s y, s x + c y, z)`
+// [TSSAO (Mattausch et al.), random rotation].
 // Hemisphere sample turned about the normal (TSSAO-ROT).
 // s: point of the unit half ball in tangent space, z along the normal (any vector of length below 1e19). turn: as
 // above.
@@ -25,7 +29,8 @@ vec3 gloam_turn_hemisphere(vec3 s, vec2 turn) {
     return vec3(gloam_turn_disc(s.xy, turn), s.z);
 }
 
-// Disc sample rotated about the centre (TSSAO-ROT).
+// disc sample rotated about the centre (TSSAO-ROT-disc): `(c x - s y, s x + c y)` [TSSAO (Mattausch et al.), random
+// rotation].
 // s: as for gloam_turn_disc.
 // angle: radians, counter-clockwise, |angle| <= 65536; anything else, NaN included, rotates by 0.
 // Returns s rotated, of the same length; infinite or NaN for a longer, infinite or NaN s.
@@ -34,7 +39,8 @@ vec2 gloam_rotate_disc(vec2 s, float angle) {
     return gloam_turn_disc(s, gloam_sincos(angle));
 }
 
-// Hemisphere sample rotated about the normal (TSSAO-ROT).
+// hemisphere sample rotated about the normal (TSSAO-ROT-hemisphere): `(c x - s y, s x + c y, z)` [TSSAO (Mattausch et
+// al.), random rotation].
 // s: as for gloam_turn_hemisphere.
 // angle: radians, counter-clockwise seen from the tip of the normal, |angle| <= 65536; anything else rotates by 0.
 // Returns s rotated: same length, same angle to the normal; infinite or NaN for a longer, infinite or NaN s.

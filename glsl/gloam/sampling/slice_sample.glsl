@@ -13,6 +13,8 @@ struct GloamSliceSample {
     float share;     // [0, 1), for what else a method needs
 };
 
+// what is random of a slice (SLICE-sample): `direction pi fract(x + t), jitter fract(y + t), share z, of the Halton
+// point (x, y, z)` [GTAO (Jimenez et al. 2016) with the sequence of TSSAO].
 // Slice number `index` of the sequence, 1 for the first.
 // turns: by which the kernel is rotated (gloam_turns of its angle). Error: 5e-7.
 GloamSliceSample gloam_slice_sample(uint index, float turns) {

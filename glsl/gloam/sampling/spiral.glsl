@@ -5,6 +5,8 @@
 #include "gloam/sampling/circle.glsl"
 #include "gloam/sampling/rotation.glsl"
 
+// point of a spiral (SPIRAL-point): `a = (i + 1/2) / n; a (cos(2 pi a turns), sin(2 pi a turns))` [McGuire, Mara and
+// Luebke 2012 (Scalable Ambient Obscurance)].
 // Point of a spiral kernel (SAO): a = (index + 1/2) / count, radius a, angle 2 pi a turns.
 // index: number of the tap, 0 to count - 1.
 // count: number of taps, 1 to 32768.
@@ -22,6 +24,8 @@ vec2 gloam_spiral_point(int index, int count, int turns) {
     return radius * vec2(tap.x, turns < 0 ? -tap.y : tap.y);
 }
 
+// tap of a spiral (SPIRAL): `a = (i + 1/2) / n; a (cos(2 pi a turns + phase), sin(2 pi a turns + phase))` [McGuire,
+// Mara and Luebke 2012 (Scalable Ambient Obscurance)].
 // Tap of a rotated spiral (SAO): the point above, turned by the phase.
 // index, count, turns: as above. phase: rotation of the whole spiral in radians, |phase| <= 65536; anything else, NaN
 // included, counts as 0.

@@ -2,6 +2,7 @@
 #ifndef GLOAM_SAMPLING_TANGENT_FRAME_GLSL
 #define GLOAM_SAMPLING_TANGENT_FRAME_GLSL
 
+// orthonormal frame around a normal (FRAME): `columns t, b, n: z turned onto n the shortest way` [Duff et al. 2017].
 // Right-handed orthonormal frame around a normal, without branches that lose accuracy near any direction
 // (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"). The tangents jump where n.z changes its sign.
 // normal: n, unit, in any space.

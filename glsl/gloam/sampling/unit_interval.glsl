@@ -2,6 +2,7 @@
 #ifndef GLOAM_SAMPLING_UNIT_INTERVAL_GLSL
 #define GLOAM_SAMPLING_UNIT_INTERVAL_GLSL
 
+// number brought into [0, 1] (UNIT): `x inside [0, 1], else the nearer end; 0 for NaN` [convention].
 // A number brought into [0, 1]: how the sample maps read their random coordinates.
 // x: any float.
 // Returns x inside [0, 1], else the nearer end; 0 for NaN. Error: none.

@@ -5,6 +5,7 @@
 // Samples that a method takes where so many are asked for, when it takes them in units. What follows in the sequence
 // begins that many samples later.
 
+// samples of whole slices, rays or crosses (SAMPLES-whole): `n max(floor(k / n), 1)` [definition].
 // Those of whole slices, rays or crosses, at least of one.
 // count: k. unit: taps of one; 0 counts as 1. Returns a multiple of the unit. Error: none.
 uint gloam_whole_samples(uint count, uint unit) {
@@ -12,7 +13,7 @@ uint gloam_whole_samples(uint count, uint unit) {
     return max(count / taps, 1u) * taps;
 }
 
-// Those of whole pairs.
+// samples of whole pairs (PAIR-samples): `2 ceil(k / 2)` [definition].
 // count: k, below 2^32 - 1. Returns the even number that is not below. Error: none.
 uint gloam_paired_samples(uint count) {
     return count + (count & 1u);

@@ -4,7 +4,7 @@
 
 #include "gloam/sampling/unit_interval.glsl"
 
-// Ambient light that arrives (ISSAO-2): I_a = I_0 (1 - A_0).
+// ambient light that arrives (ISSAO-2): `I_a = I_0 (1 - A_0)` [ISSAO, eq 2, reconstructed].
 // incident: I_0, any unit. occlusion: A_0 in [0, 1], taken to the nearer end outside, NaN to 0.
 // Returns light in the unit of I_0. Error: 1.5 ULP.
 vec3 gloam_ambient_light(vec3 incident, float occlusion) {

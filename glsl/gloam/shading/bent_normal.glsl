@@ -9,7 +9,7 @@
 // Bent normal (Klehm et al. 2011): the mean of the directions in which the point is open, from the samples of any
 // estimator that has directions.
 
-// Adds a direction.
+// one more direction in a bent normal (CS-L-add): `(sum of V w + V w, sum of V + V)` [Klehm et al. 2011].
 // bent: (sum of V w, sum of V) so far, starting at 0. direction: w, unit vector, any space; of uniform density for
 // the cones of gloam_cone_angle. visibility: V in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
 // Returns the sums with the direction; unchanged for a direction that is not finite. Error: 1 ULP of the sums for
@@ -18,6 +18,7 @@ vec4 gloam_bent_add(vec4 bent, vec3 direction, float visibility) {
     return gloam_is_finite3(direction) ? bent + gloam_unit_interval(visibility) * vec4(direction, 1.0) : bent;
 }
 
+// bent normal (CS-L): `b = sum of V w / |sum of V w|` [Klehm et al. 2011].
 // The bent normal: sum of V w over its length.
 // bent: sums of gloam_bent_add. normal: unit vector, for where nothing is open or the open directions cancel.
 // Returns a unit vector, or the normal. Error: 5 ulp in each component.
@@ -25,6 +26,7 @@ vec3 gloam_bent_normal(vec4 bent, vec3 normal) {
     return bent.w > 0.0 ? gloam_safe_normalize(bent.xyz, normal) : normal;
 }
 
+// how much the open directions agree (CS-L-length): `L = |sum of V w| / sum of V` [Klehm et al. 2011].
 // How much the open directions agree: L = |sum of V w| / sum of V, 1/2 for an open hemisphere, 1 for a single
 // direction.
 // bent: sums of gloam_bent_add.

@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/background.glsl"
 
+// depth darkening (CS-R): `lambda min(G * D - D, 0)` [Luft, Colditz and Deussen 2006].
 // Depth darkening, the unsharp mask of the depth buffer (Luft, Colditz and Deussen 2006): lambda min(G * D - D, 0),
 // to be added to the colour. It darkens what lies behind a nearer object, next to its outline; it is no occlusion,
 // but was what came before.

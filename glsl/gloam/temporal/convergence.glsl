@@ -2,7 +2,7 @@
 #ifndef GLOAM_TEMPORAL_CONVERGENCE_GLSL
 #define GLOAM_TEMPORAL_CONVERGENCE_GLSL
 
-// How far a pixel has converged (TSSAO-6): w / w_max.
+// how far a pixel has converged (TSSAO-6): `conv = w / w_max` [TSSAO (Mattausch et al.), eq 6].
 // weight: w, accumulated samples. weight_max: w_max, in samples.
 // Returns convergence in [0, 1]: 0 for a weight that is 0, negative or NaN, 1 from w_max on. 1 for w_max zero,
 // subnormal, negative or NaN: nothing is to be accumulated then, so nothing is missing. Error: 0.5 ULP.

@@ -4,6 +4,8 @@
 
 #include "gloam/geometry/background.glsl"
 
+// whether the history is of the same surface (TSSAO-8): `|d' - d~| < epsilon d', d~ the point's depth in the previous
+// camera` [TSSAO (Mattausch et al.), eq 8].
 // Whether the surface that the history remembers is the one shaded now (TSSAO-8): |1 - expected / stored| < epsilon,
 // as |stored - expected| < epsilon stored. Not symmetric: accepts expected depths in (stored (1 - epsilon), stored (1
 // + epsilon)).
@@ -19,6 +21,8 @@ bool gloam_depth_consistent(float stored_depth, float expected_depth, float epsi
     return surfaces && abs(stored_depth - expected_depth) < epsilon * stored_depth;
 }
 
+// whether there was nothing before and is nothing now (TSSAO-8-background): `both depths background` [TSSAO (Mattausch
+// et al.), edge of eq 8].
 // Whether there was nothing before and is nothing now: valid, with no occlusion to compute.
 // stored_depth: eye-linear depth of the history. expected_depth: as above, or the current depth. World units.
 // Returns true if both are background. Error: none.

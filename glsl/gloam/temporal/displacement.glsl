@@ -9,6 +9,8 @@
 // The code of what is too far to be held, or not known: 255 * 2^31 units along each axis.
 const uint GLOAM_DISPLACED_FAR = 0xFBFDFEFFu;
 
+// displacement in 32 bits (DISPLACED-code): `27 bits of components, 5 of their exponent` [gloam: the motion that
+// TSSAO's equation 9 reads, in 32 bits].
 // A displacement in 32 bits, rounded to the unit, or to 1/256 of its largest component where that is more.
 // displacement: world units, of components whose sizes sum to 255 * 2^31 units at most. unit: world units, from 1e-30
 // to 1e30.
@@ -29,6 +31,8 @@ uint gloam_displacement_to_code(vec3 displacement, float unit) {
     return bits.x | bits.y << 9u | bits.z << 18u | exponent << 27u;
 }
 
+// displacement from 32 bits (DISPLACED-of): `the inverse of DISPLACED-code` [gloam: the motion that TSSAO's equation 9
+// reads, in 32 bits].
 // The displacement of a code, world units. code: any. unit: that of the code, world units, > 0.
 // Error: 1 ULP.
 vec3 gloam_displacement_from_code(uint code, float unit) {

@@ -17,12 +17,16 @@ struct GloamPackedHistory {
 const float GLOAM_PACKED_WEIGHT_MAX = 4095.0;
 const uint GLOAM_PACKED_TABLE = 65536u;
 
+// nearest integer, by no operation that rounds (PACKED-round): `floor(x + 1/2)` [gloam: the layout of TSSAO's
+// ambient-occlusion buffer in 64 bits].
 // x to the nearest integer, a half away from 0, with no operation that rounds. x: in [0, 2^23]. Error: none.
 uint gloam_round_half_up(float x) {
     float whole = floor(x);
     return uint(whole) + (x - whole >= 0.5 ? 1u : 0u);
 }
 
+// depth in 16 bits (PACKED-depth): `6 bits of exponent, 10 of mantissa; 65535 for background` [gloam: the layout of
+// TSSAO's ambient-occlusion buffer in 64 bits].
 // Eye-linear depth in 16 bits: six of exponent and ten of mantissa, rounded to nearest.
 // depth: world units; from 2^-31 to 2^32: nearer and further ones become the nearest and the furthest of these.
 // Returns 1 to 64513; 65535 for background. Error: none; gloam_depth_from_code is within 2^-11 of the depth,
@@ -36,6 +40,8 @@ uint gloam_depth_to_code(float depth) {
     return ((bits - smallest + (1u << (dropped - 1u))) >> dropped) + 1u;
 }
 
+// depth from 16 bits (PACKED-depth-of): `the inverse of PACKED-depth` [gloam: the layout of TSSAO's ambient-occlusion
+// buffer in 64 bits].
 // The depth of a code; 0 for 0, which no depth has, and +infinity from 65535 on. Error: none.
 float gloam_depth_from_code(uint code) {
     if (code == 0u) return 0.0;
@@ -43,6 +49,8 @@ float gloam_depth_from_code(uint code) {
     return uintBitsToFloat(((code - 1u) << 13u) + (96u << 23u));
 }
 
+// history in 64 bits (PACKED-encode): `(32768 AO, 16 w, j, code of d), rounded` [gloam: the layout of TSSAO's
+// ambient-occlusion buffer in 64 bits].
 // A history in 64 bits, sanitized first. The mean stops short of where it should be by up to 1.6e-5 (w_max + k) / k:
 // 2.5e-4 for k = 32 and w_max = 500; its limits are GLOAM_PACKED_WEIGHT_MAX and GLOAM_PACKED_TABLE. h: any history.
 // Each member fits 16 bits. Error: none but the rounding to what the members hold.
@@ -53,6 +61,8 @@ GloamPackedHistory gloam_history_encode(GloamHistory h) {
                               s.index % GLOAM_PACKED_TABLE, gloam_depth_to_code(s.depth));
 }
 
+// texel that 64 bits stand for (PACKED-texel): `(AO, w, j, d), the inverse of PACKED-encode` [gloam: the layout of
+// TSSAO's ambient-occlusion buffer in 64 bits].
 // The texel that 64 bits stand for, as gloam_history_pack gives it but not sanitized: for gloam_history_unpack, and
 // what reads through it.
 // texel: members are taken modulo 65536. Returns (occlusion, weight, index, depth). Error: none.
@@ -62,6 +72,8 @@ vec4 gloam_packed_texel(GloamPackedHistory texel) {
                 float(texel.index & mask), gloam_depth_from_code(texel.depth & mask));
 }
 
+// history from 64 bits (PACKED-decode): `the same, sanitized` [gloam: the layout of TSSAO's ambient-occlusion buffer in
+// 64 bits].
 // The history of 64 bits, sanitized; whatever they hold, the result is usable. Zeros are the empty history of
 // background.
 // texel: members are taken modulo 65536. Error: none.

@@ -8,6 +8,8 @@
 // (TSSAO-SI; a disoccluded pixel starts again with weight 0). Two forms are published: (a) clamps the sample count to
 // 32 to 64 samples, (b) scales it by a confidence with a factor of 15 to 30. The numbers are different quantities.
 
+// smooth invalidation by clamping the weight (TSSAO-SI-a): `w := min(w, w_small)` [TSSAO (Mattausch et al.), notes on
+// smooth invalidation].
 // Form (a): min(w, w_small).
 // weight: w, accumulated samples. weight_small: w_small, 32 to 64 samples.
 // Returns the weight, >= 0; 0 for a negative or NaN argument. Error: none.
@@ -16,6 +18,8 @@ float gloam_invalidate_clamp(float weight, float weight_small) {
     return weight < weight_small ? weight : weight_small;
 }
 
+// confidence in the history after a change (TSSAO-SI-b): `conf = 1 / (1 + S d)` [TSSAO (Mattausch et al.), smooth
+// invalidation factor].
 // Form (b), confidence in the history after a change: 1 / (1 + S d). Of several neighbours the smallest confidence
 // counts.
 // change: d >= 0 (gloam_neighborhood_change; its magnitude is taken), over the kernel radius to be independent of
@@ -30,6 +34,8 @@ float gloam_confidence(float change, float factor) {
     return x <= 8.507059173e37 ? min(1.0 / (1.0 + x), 1.0) : 0.0;
 }
 
+// smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO (Mattausch et al.), smooth invalidation
+// factor].
 // Form (b), weight after a change: conf w.
 // weight: w, accumulated samples. confidence: conf; read inside [0, 1], NaN as 0.
 // Returns the weight, >= 0; 0 for a negative, infinite or NaN weight. Error: 0.5 ULP.

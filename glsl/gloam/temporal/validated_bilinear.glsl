@@ -7,6 +7,7 @@
 // Bilinear interpolation of the history that leaves out texels of another surface. The four texels are, in this order,
 // (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1) with (x, y) = floor(uv size - 1/2).
 
+// weights of bilinear interpolation (BILINEAR): `((1 - x)(1 - y), x (1 - y), (1 - x) y, x y)` [definition].
 // Weights of the four texels.
 // fraction: fract(uv size - 1/2), in [0, 1]^2; taken to the nearer end outside, 0 for NaN.
 // Returns weights in [0, 1] of sum 1. Error: 2.5 ULP each.
@@ -16,6 +17,8 @@ vec4 gloam_bilinear_weights(vec2 fraction) {
     return vec4(g.x * g.y, f.x * g.y, g.x * f.y, f.x * f.y);
 }
 
+// bilinear weights of the valid texels only (BILINEAR-valid): `w_i / (sum of valid w)` [TSSAO (Mattausch et al.),
+// interpolation across depth edges].
 // Weights of the texels that may be used, made to sum to 1 again.
 // bilinear: weights as above; each read inside [0, 1], NaN as 0. valid: which texels passed their test
 // (gloam_depth_consistent).

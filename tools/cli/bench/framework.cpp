@@ -34,7 +34,7 @@ check::LabOptions options_for(const std::string& device, const std::filesystem::
 }
 
 check::Question question_of(const std::string& equation) {
-    return catalogue::select(catalogue::all_entries(), {equation}).front().question;
+    return catalogue::select(catalogue::all_entries(glsl_directory()), {equation}).front().question;
 }
 
 // Framework and copy alternate, so that the machine's drift affects both.

@@ -40,7 +40,8 @@ check::RunOptions options_of(const CheckTask& task) {
 
 }  // namespace
 
-Checker::Checker(CheckerOptions options) : options_(std::move(options)), entries_(catalogue::all_entries()) {
+Checker::Checker(CheckerOptions options)
+    : options_(std::move(options)), entries_(catalogue::all_entries(glsl_directory())) {
     lab(std::string(first_variant), {glsl_directory()}, {});
 }
 

@@ -11,6 +11,7 @@
 
 #include "cli/check/worker.hpp"
 #include "cli/check/worker_session.hpp"
+#include "cli/environment.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -169,7 +170,7 @@ void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
         return;
     }
     if (run.on_device) run.on_device(report.device);
-    const catalogue::Entries entries = catalogue::all_entries();
+    const catalogue::Entries entries = catalogue::all_entries(glsl_directory());
     Board board(run, report.device);
     std::vector<std::thread> helpers;
     for (std::size_t job = 1; job < std::min(run.jobs, run.tasks.size()); ++job) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Filters that stop at edges, and an image of half the resolution: which pixels it stands for, and how its
+// result comes back to full size.
+#include <cmath>
 #include <limits>
 
-#include "catalogue/filter_parts.hpp"
 #include "catalogue/inputs.hpp"
-#include "catalogue/scenarios.hpp"
 #include "reference/filter.hpp"
 
 namespace gloam::catalogue {
@@ -49,41 +50,22 @@ std::vector<ImageScenario> surfaces() {
 }
 
 void append_bilateral(Entries& entries) {
-    constexpr const char* source = "ISSAO, eq 7; Tomasi and Manduchi 1998";
     const Values pixels = either(uniform(0.5, 4), log_uniform(1e-30, 1e30)).and_special();
     const Values lengths = either(log_uniform(0.01, 2), log_uniform(1e-30, 1e30)).and_special();
-    entries.push_back(equation<float(glm::vec2, float, float, float)>(
-        {.id = "ISSAO-7-weight",
-         .function = "gloam_bilateral_weight",
-         .file = "gloam/filter/bilateral_weight.glsl",
-         .title = "weight of a neighbour by distance and depth",
-         .formula = "exp(-(|xi - x| / sigma_d)^2 / 2) exp(-((dp(xi) - dp(x)) / sigma_r)^2 / 2)",
-         .source = source},
-        &reference::gloam_bilateral_weight,
+    add(entries, "ISSAO-7-weight", &reference::gloam_bilateral_weight,
         {.domain = {vector(2, uniform(-8, 8)).and_value(glm::vec2(0)),
                     either(uniform(-1, 1), signed_log_uniform(1e-37, 1e38)).and_special(), pixels, lengths},
          .budget = {.absolute = 4e-7},
-         .codomain = {0, 1},
-         .promised = make_predicate<float(glm::vec2, float, float, float)>(
-             [](glm::dvec2 offset, double difference, double, double) {
-                 return moderate(1e-15, 1e15, offset, difference);
-             })}));
+         .codomain = {0, 1}},
+        [](glm::dvec2 offset, double difference, double, double) {
+            return moderate(1e-15, 1e15, offset, difference);
+        });
 }
 
 void append_bilateral_mean(Entries& entries) {
-    constexpr const char* file = "gloam/filter/bilateral.glsl";
-    constexpr const char* source = "ISSAO, eq 7; Tomasi and Manduchi 1998";
-    using Mean = reference::GloamWeightedMean;
-    using Tap = Mean(Mean, glm::ivec2, float, glm::ivec2, glm::ivec2, float, float);
     const Values sigma_d = uniform(0.5, 4).and_special();
     const Values sigma_r = log_uniform(0.01, 2).and_special();
-    entries.push_back(equation<Tap>(
-        {.id = "ISSAO-7-tap",
-         .function = "gloam_bilateral_tap",
-         .file = file,
-         .title = "one neighbour in the bilateral mean",
-         .formula = "(sum + g s f, k + g s)",
-         .source = source},
+    add(entries, "ISSAO-7-tap",
         [](const ImageSet& images, const reference::GloamWeightedMean& mean, glm::ivec2 pixel, double center,
            glm::ivec2 tap, glm::ivec2 size, double sigma_pixels, double sigma_depth) {
             return reference::gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_pixels, sigma_depth,
@@ -95,17 +77,11 @@ void append_bilateral_mean(Entries& entries) {
                     sigma_r},
          .budget = {.absolute = 6e-7},
          .codomain = {0, 3},
-         .scenarios = surfaces()}));
+         .scenarios = surfaces()});
     // Few taps, because the number of paths of an interval grows with every tap.
     const Values half_width = either(vector(2, integers(0, 1)), vector({integers(0, 3), integers(0, 0)}))
                                   .and_value(glm::ivec2(0, -5));
-    entries.push_back(equation<float(glm::ivec2, glm::ivec2, glm::ivec2, float, float)>(
-        {.id = "ISSAO-7",
-         .function = "gloam_bilateral_filter",
-         .file = file,
-         .title = "bilateral smoothing of occlusion",
-         .formula = "(1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)), k the sum of g s",
-         .source = source},
+    add(entries, "ISSAO-7",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 half, glm::ivec2 size, double sigma_d,
            double sigma_r) {
             return reference::gloam_bilateral_filter(pixel, half, size, sigma_d, sigma_r,
@@ -115,50 +91,30 @@ void append_bilateral_mean(Entries& entries) {
         {.domain = {image_pixel(), half_width, image_size(), sigma_d, sigma_r},
          .budget = {.absolute = 6e-7},
          .codomain = {0, 1},
-         .scenarios = surfaces()}));
+         .scenarios = surfaces()});
 }
 
 auto normals_of(const ImageSet& images) {
     return [&images](glm::ivec2 pixel) { return images.at(normal_name).at<glm::dvec3>(pixel); };
 }
 
-constexpr const char* blur_source = "Aalund and Baerentzen 2013, geometry-aware blur";
-constexpr const char* blur_file = "gloam/filter/geometry_blur.glsl";
-
 void append_geometry_weight(Entries& entries) {
-    using Weight = float(glm::vec3, glm::vec3, float, float, float);
-    entries.push_back(equation<Weight>(
-        {.id = "CS-BLUR-weight",
-         .function = "gloam_geometry_weight",
-         .file = "gloam/filter/geometry_weight.glsl",
-         .title = "weight of a neighbour by normal and depth",
-         .formula = "(n_0 . n_i / 2 + 1/2)^p_n (1 + |z_0 - z_i|)^-p_z",
-         .source = blur_source},
-        &reference::gloam_geometry_weight,
+    add(entries, "CS-BLUR-weight", &reference::gloam_geometry_weight,
         {.domain = {unit_vector(3).and_value(glm::vec3(0)).and_special(),
                     unit_vector(3).and_value(glm::vec3(0)),
                     either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_special(),
                     uniform(1, 16).and_near({10.0}).and_special(),
                     uniform(0, 2).and_near({0.0, 0.5}).and_special()},
          .budget = {.absolute = 3e-6},
-         .codomain = {0, 1},
-         .promised =
-             make_predicate<Weight>([](glm::dvec3 n, glm::dvec3, double, double by_normal, double by_depth) {
-                 return moderate(1e-9, 1.1, n) && by_normal >= 1 && by_normal <= 17 && by_depth <= 3;
-             })}));
+         .codomain = {0, 1}},
+        [](glm::dvec3 n, glm::dvec3, double, double by_normal, double by_depth) {
+            return moderate(1e-9, 1.1, n) && by_normal >= 1 && by_normal <= 17 && by_depth <= 3;
+        });
 }
 
 void append_geometry_blur(Entries& entries) {
-    using Mean = reference::GloamWeightedMean;
-    using Tap = Mean(Mean, float, glm::vec3, glm::ivec2, glm::ivec2, glm::vec2);
     const Values powers = vector({uniform(1, 16), uniform(0, 1)});
-    entries.push_back(equation<Tap>(
-        {.id = "CS-BLUR-tap",
-         .function = "gloam_geometry_blur_tap",
-         .file = blur_file,
-         .title = "one neighbour in the geometry-aware blur",
-         .formula = "(sum + w AO, K + w)",
-         .source = blur_source},
+    add(entries, "CS-BLUR-tap",
         [](const ImageSet& images, const reference::GloamWeightedMean& mean, double center, glm::dvec3 normal,
            glm::ivec2 tap, glm::ivec2 size, glm::dvec2 exponents) {
             return reference::gloam_geometry_blur_tap(mean, center, normal, tap, size, exponents,
@@ -170,16 +126,10 @@ void append_geometry_blur(Entries& entries) {
                     either(image_pixel(), vector(2, integers(-4, 4))), image_size().only_as_drawn(), powers},
          .budget = {.absolute = 2e-6},
          .codomain = {0, 3},
-         .scenarios = surfaces()}));
+         .scenarios = surfaces()});
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
-    entries.push_back(equation<float(glm::ivec2, glm::ivec2, glm::ivec2, int, glm::vec2)>(
-        {.id = "CS-BLUR",
-         .function = "gloam_geometry_blur",
-         .file = blur_file,
-         .title = "geometry-aware blur along one axis",
-         .formula = "(1 / K) sum of w AO, K the sum of w",
-         .source = blur_source},
+    add(entries, "CS-BLUR",
         [](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 along, glm::ivec2 size, int half_width,
            glm::dvec2 exponents) {
             return reference::gloam_geometry_blur(pixel, along, size, half_width, exponents,
@@ -190,16 +140,94 @@ void append_geometry_blur(Entries& entries) {
                     powers},
          .budget = {.absolute = 1e-6},
          .codomain = {0, 1},
-         .scenarios = surfaces()}));
+         .scenarios = surfaces()});
 }
-
-}  // namespace
 
 void append_edge_aware(Entries& entries) {
     append_bilateral(entries);
     append_bilateral_mean(entries);
     append_geometry_weight(entries);
     append_geometry_blur(entries);
+}
+
+void append_half(Entries& entries) {
+    const Values size = integers(0, 1 << 30);
+    add(entries, "HALF-size", &reference::gloam_half_size,
+        {.domain = {either(vector(2, integers(0, 9)), vector(2, size))}});
+    add(entries, "HALF-source", &reference::gloam_half_source,
+        {.domain = {vector(2, integers(-(1 << 29), 1 << 29))}});
+    add(entries, "HALF-shift", &reference::gloam_half_shift,
+        {.domain = {either(signed_log_uniform(0.1, 10), signed_log_uniform(1e-12, 1e12)).and_special(),
+                    either(integers(-2, 9), log_integers(1 << 24))},
+         .budget = {.ulp = 3.5},
+         .codomain = {-5e8, 5e8}});
+    add(entries, "HALF-normal", &reference::gloam_half_normal,
+        {.domain = {unit_vector(3).and_special(),
+                    either(vector(2, signed_log_uniform(1e-5, 0.35)), vector(2, constant(0.0F)))},
+         .budget = {.absolute = 4e-7},
+         .codomain = {-1.000001, 1.000001}},
+        [](glm::dvec3 normal, glm::dvec2 shift) {
+            return moderate(1e-18, 1e18, normal) && moderate(0.0, 0.5, shift);
+        });
+}
+
+// Depths of a surface and of what is in front of it or behind.
+float any_depth(numeric::Random& random, float around) {
+    if (random.below(16) == 0) return random.below(2) == 0 ? INFINITY : 0.0F;
+    const double spread = random.below(2) == 0 ? 0.02 : 2.0;
+    return around * static_cast<float>(std::exp(random.uniform(-spread, spread)));
+}
+
+Values four_depths() {
+    return made_by<glm::vec4>([](numeric::Random& random) {
+        glm::vec4 all(0);
+        for (int i = 0; i < 4; ++i) all[i] = any_depth(random, 1.0F);
+        return all;
+    });
+}
+
+// Whether no two pixels are equally far from a depth within rounding.
+bool one_is_nearest(double depth, glm::dvec4 depths) {
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < i; ++k) {
+            const double a = std::abs(depths[i] - depth);
+            const double b = std::abs(depths[k] - depth);
+            if (std::isfinite(a) && std::isfinite(b) && !(std::abs(a - b) > 1e-6 * (a + b))) return false;
+        }
+    }
+    return true;
+}
+
+void append_upsampling(Entries& entries) {
+    const Values depth = either(uniform(0.95, 1.05), log_uniform(0.1, 10)).and_special();
+    add(entries, "UPSAMPLE-continues", &reference::gloam_upsample_continues,
+        {.domain = {depth, depth, depth, booleans()}, .budget = {.backward_ulp = 2}});
+    add(entries, "UPSAMPLE-nearest", &reference::gloam_upsample_nearest,
+        {.domain = {uniform(0.9, 1.1), four_depths(), vector(4, uniform(0, 1))},
+         .budget = {.backward_ulp = 1},
+         .codomain = {0, 1}});
+    add(entries, "UPSAMPLE", &reference::gloam_upsample,
+        {.domain = {either(uniform(0.97, 1.03), log_uniform(0.1, 10)).and_special(), four_depths(),
+                    vector(4, uniform(0, 1).and_special()), booleans()},
+         .budget = {.absolute = 1.2e-7, .backward_ulp = 2},
+         .codomain = {0, 1}},
+        [](double depth, glm::dvec4 depths, glm::dvec4, bool orthographic) {
+            return one_is_nearest(depth, depths) ||
+                   reference::gloam_upsample_continues(depth, depths.x, depths.w, orthographic) ||
+                   reference::gloam_upsample_continues(depth, depths.y, depths.z, orthographic);
+        });
+}
+
+void append_filter_resolution(Entries& entries) {
+    append_half(entries);
+    append_upsampling(entries);
+}
+
+}  // namespace
+
+void append_filter_edges(Entries& entries) {
+    append_edge_aware(entries);
+    append_filter_resolution(entries);
 }
 
 }  // namespace gloam::catalogue
