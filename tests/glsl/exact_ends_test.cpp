@@ -3,7 +3,9 @@
 // parallel or along an axis.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -144,6 +146,95 @@ TEST_F(ExactEnds, LongVectorsAndLargeContributions) {
         lab, "gloam/occlusion/issao.glsl", "gloam_contribution_issao");
     EXPECT_EQ(issao(vec3(0, 0, 1), vec3(0, 0, 1), 2.0F, 3e38F, 0.0F, 0.0F), 3e38F);
     EXPECT_EQ(issao(vec3(0, 0, 0.5F), vec3(0, 0, 1), 2.0F, 3e38F, 0.0F, 0.0F), 0.0F);
+}
+
+// A bias is scaled by any normal depth, of which the rounding of its quotient takes nothing away.
+TEST_F(ExactEnds, BiasesOfTheSmallestAndTheLargestDepths) {
+    const check::Kernel<float(float, float, float)> scaled(lab, "gloam/occlusion/bias.glsl",
+                                                           "gloam_depth_bias");
+    constexpr float least = 0x1p-126F;
+    constexpr float most = 0x1p126F;
+    constexpr float largest = std::numeric_limits<float>::max();
+    for (const float reference : {least, 2.0F * least, 1.0F, 0.5F * most, most})
+        EXPECT_EQ(scaled(0.25F, reference, reference), 0.25F) << reference;
+    EXPECT_EQ(scaled(0.25F, 1.01F * most, 1.01F * most), 0.0F);
+    EXPECT_EQ(scaled(0.25F, 1.0F, 0.5F * least), 0.0F);
+    EXPECT_EQ(scaled(least, 1.0F, 1.0F), least);
+    EXPECT_EQ(scaled(0.75F * largest, 1.25F, 1.0F), 0.9375F * largest);
+    EXPECT_EQ(scaled(0.75F * largest, 1.5F, 1.0F), largest);
+    EXPECT_EQ(scaled(std::numeric_limits<float>::infinity(), least, most), 0.0F);  // times a quotient of 0
+}
+
+// Normals of directions that are nearly parallel, or longer than unit vectors.
+TEST_F(ExactEnds, NormalsOfShortAndLongProducts) {
+    const check::Kernel<vec3(vec3, vec3, vec3)> facing(lab, "gloam/geometry/normal.glsl",
+                                                       "gloam_facing_normal");
+    const vec3 viewer(0, 0, 1);
+    const auto normal = [&](float sine) { return facing(vec3(0, 1, 0), vec3(0, 0, sine), vec3(1, 0, 0)); };
+    for (const float product : {1.001e-5F, 0.1F, 1.0F, 1.99F, 2.0F})
+        EXPECT_NEAR(normal(product).x, 1.0, 1e-6) << product;
+    for (const float none : {0.0F, 0.999e-5F, 2.001F, std::numeric_limits<float>::infinity(), NAN})
+        EXPECT_EQ(normal(none), viewer) << none;
+}
+
+// Sums whose direction is lost: nothing of it agrees, as long as the quotient can be formed.
+TEST_F(ExactEnds, OpenDirectionsOfTheSmallestAndTheLargestSums) {
+    const check::Kernel<float(vec4)> agreement(lab, "gloam/shading/bent_normal.glsl", "gloam_bent_length");
+    for (const float sum : {0x1p-126F, 1.5F * 0x1p-126F, 1.0F, 0.75F * 0x1p126F, 0x1p126F})
+        EXPECT_EQ(agreement(vec4(0, 0, 0, sum)), 0.0F) << sum;
+    for (const float none : {0.0F, -1.0F, 1.01F * 0x1p126F, 0x1p127F, NAN})
+        EXPECT_EQ(agreement(vec4(0, 0, 0, none)), 1.0F) << none;
+    EXPECT_EQ(agreement(vec4(0, 0, 1.0001F, 1)), 1.0F);
+}
+
+// Ends of what a function takes, both included.
+TEST_F(ExactEnds, ArgumentsAtTheEndsOfTheirRange) {
+    constexpr float least = 0x1p-126F;
+    constexpr float most = 0x1p126F;
+    constexpr float largest = std::numeric_limits<float>::max();
+    const vec3 up(0, 0, 1);
+    const check::Kernel<vec2(vec2, float, float)> add(lab, "gloam/occlusion/angle_based.glsl",
+                                                      "gloam_angle_add");
+    EXPECT_EQ(add(vec2(0), largest, 0.0F), vec2(largest));
+    EXPECT_EQ(add(vec2(1, 2), 1.0F, std::numeric_limits<float>::infinity()), vec2(1, 2));
+    const check::Kernel<float(float, float, float)> quotient(lab, "gloam/occlusion/sao.glsl",
+                                                             "gloam_sao_quotient");
+    EXPECT_EQ(quotient(most, 0.0F, most), 1.0F);
+    EXPECT_EQ(quotient(most, 0.0F, 1.01F * most), 0.0F);
+    EXPECT_EQ(quotient(least, 0.0F, least), 1.0F);
+    const check::Kernel<float(vec3, vec3, vec3, float)> crease(lab, "gloam/occlusion/fox_compton.glsl",
+                                                               "gloam_contribution_fox_compton");
+    EXPECT_EQ(crease(vec3(0), up, up, 2.0F * most), 1.0F / most);
+    EXPECT_EQ(crease(vec3(0), up, up, most), 1.0F / most);
+    const check::Kernel<float(vec3, vec3, float, float)> simplified(lab, "gloam/occlusion/hbao.glsl",
+                                                                    "gloam_contribution_hbao_simplified");
+    EXPECT_EQ(simplified(vec3(0, 0, 0.5F * most), up, most, 0.0F), 0.75F);
+    EXPECT_EQ(simplified(vec3(0, 0, 0.5F), up, 1.01F * most, 0.0F), 0.0F);
+    const check::Kernel<vec2(float)> sincos(lab, "gloam/numeric/sincos.glsl", "gloam_sincos");
+    const check::Kernel<float(float)> turns(lab, "gloam/numeric/sincos.glsl", "gloam_turns");
+    for (const float end : {65536.0F, -65536.0F}) {
+        EXPECT_NEAR(sincos(end).x, std::cos(double{end}), 5e-7);
+        EXPECT_NEAR(turns(end), double{end} / (2.0 * std::acos(-1.0)), 0.01);
+        EXPECT_EQ(turns(std::nextafter(end, 2.0F * end)), 0.0F);
+        EXPECT_EQ(sincos(std::nextafter(end, 2.0F * end)), vec2(1, 0));
+    }
+    const check::Kernel<bool(float)> sees(lab, "gloam/occlusion/gather_kernel.glsl", "gloam_tap_sees");
+    for (const float end : {1e-18F, 1.5e-18F, 0.75e18F, 1e18F}) EXPECT_TRUE(sees(end)) << end;
+    for (const float none : {0.0F, 0.99e-18F, 1.01e18F, -1.0F, NAN}) EXPECT_FALSE(sees(none)) << none;
+}
+
+// Whatever the bits of a NaN are.
+TEST_F(ExactEnds, NoNaNIsFinite) {
+    const check::Kernel<bool(float)> finite(lab, "gloam/geometry/finite.glsl", "gloam_is_finite");
+    const check::Kernel<bool(vec2)> finite2(lab, "gloam/geometry/finite.glsl", "gloam_is_finite2");
+    const check::Kernel<bool(vec3)> finite3(lab, "gloam/geometry/finite.glsl", "gloam_is_finite3");
+    const check::Kernel<bool(vec4)> finite4(lab, "gloam/geometry/finite.glsl", "gloam_is_finite4");
+    for (const std::uint32_t bits : {0x7F800000U, 0x7FC00001U, 0xFFFFFFFFU, 0x7FD5AAAAU}) {
+        const float none = std::bit_cast<float>(bits);
+        EXPECT_FALSE(finite(none) || finite2(vec2(0, none)) || finite3(vec3(0, none, 0)) ||
+                     finite4(vec4(none, 0, 0, 0)))
+            << bits;
+    }
 }
 
 TEST_F(ExactEnds, NeighboursOnAndBesideThePlane) {

@@ -10,76 +10,52 @@
 #include <string>
 #include <vector>
 
-#include "rough_view.hpp"
-#include "support/lab.hpp"
+#include "on_rough.hpp"
 #include "support/method_names.hpp"
 
 namespace gloam {
 namespace method_layers_test {
 
 namespace rough = test::rough_view;
+using test::calls;
 using test::Camera;
+using test::cameras;
 using test::Depths;
-using test::Gather;
-using test::Method;
-
-using Inputs = check::Kernel<Gather>::Inputs;
-using Results = std::vector<glm::vec2>;
-using Surfaces = std::vector<Depths>;
-
-// A method on the rough view. layers, farthest: of its kernel. level: what is prepared is the same
-// everywhere.
-class OnRough {
-  public:
-    OnRough(const std::string& method, int layers, float farthest = std::numeric_limits<float>::infinity(),
-            bool level = false)
-        : functions_(layers, farthest),
-          gather_(lab_, functions_.file(method), effect::method_function),
-          level_(level) {}
-
-    static std::vector<Inputs> points(const Camera& camera) { return rough::points(camera, settings); }
-    [[nodiscard]] glm::vec2 at(const Inputs& point, const Surfaces& surfaces) const {
-        check::ImageSet images = rough::view(surfaces);
-        if (level_) {
-            const auto half = [](glm::ivec2) { return glm::vec4(0.5F); };
-            images.insert_or_assign("gloam_fetch_prepared", check::make_image<glm::vec4>(rough::size, half));
-        }
-        return gather_.with_images(images, point);
-    }
-    Results operator()(const Camera& camera, const Surfaces& surfaces) const {
-        return gather_(points(camera), rough::view(surfaces));
-    }
-
-  private:
-    static constexpr Method settings{
-        .range = 0.7F, .epsilon = 0.3F, .intensity = 0.3F, .thickness = 0.4F, .angle_bias = 0.1F, .steps = 4};
-    test::MethodFunctions functions_;
-    check::Lab lab_ = functions_.lab();
-    check::Kernel<Gather> gather_;
-    bool level_;
-};
-
-const std::vector<Camera> cameras{rough::camera(false), rough::camera(true)};
-
-// Whether a method's text calls a function.
-bool calls(const std::string& method, const std::string& function) {
-    const test::MethodFunctions functions(4);
-    return test::packed_method(functions, functions.file(method)).find(function + "(") != std::string::npos;
-}
+using test::expect_same;
+using test::OnRough;
+using test::Results;
+using test::Surfaces;
+using Inputs = OnRough::Inputs;
 
 bool reads_layers(const effect::MethodInfo& method) {
     return calls(method.name, "gloam_fetch_layers");
 }
 
-// Fails unless the results are the same to the bit at each point.
-void expect_same(const Results& got, const Results& want, const Camera& camera, const std::string& what) {
-    ASSERT_EQ(got.size(), want.size());
-    for (std::size_t i = 0; i < got.size(); ++i)
-        ASSERT_EQ(got[i], want[i]) << (camera.orthographic ? "orthographic, " : "perspective, ") << what
-                                   << ", point " << i << ": " << got[i].x << ", expected " << want[i].x;
+class LayersOfMethod : public testing::TestWithParam<std::string> {};
+
+// The image of the further layers need not exist for a kernel that has none.
+TEST_P(LayersOfMethod, AreNotReadForAKernelOfOne) {
+    const std::string fetch = "vec3 gloam_fetch_layers(ivec2 pixel) {";
+    const OnRough method(GetParam(), 1,
+                         test::Changes{{fetch, "bool read = false;\n" + fetch + "\nread = true;\n"},
+                                       {test::method_result, "if (read) return vec2(-1.0);\n" +
+                                                                 std::string(test::method_result)}});
+    const Camera camera = rough::camera(false);
+    for (const glm::vec2 sum : method(camera, {rough::surface(0, camera)})) EXPECT_GE(sum.x, 0.0F);
 }
 
-class LayersOfMethod : public testing::TestWithParam<std::string> {};
+TEST_P(LayersOfMethod, BeyondThoseOfTheKernelDoNotCount) {
+    for (const int layers : {2, 3}) {
+        const OnRough method(GetParam(), layers);
+        for (const Camera& camera : cameras) {
+            Surfaces surfaces;
+            for (std::uint32_t i = 0; i < 4; ++i) surfaces.push_back(rough::surface(i, camera));
+            const Results all = method(camera, surfaces);
+            surfaces.resize(static_cast<std::size_t>(layers));
+            expect_same(all, method(camera, surfaces), camera, std::to_string(layers) + " layers");
+        }
+    }
+}
 
 // A surface blocks from whichever layer it is in; one more time the same surface blocks nothing more.
 TEST_P(LayersOfMethod, ASurfaceCountsFromAnyLayerAndOnce) {

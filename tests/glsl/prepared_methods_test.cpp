@@ -3,8 +3,10 @@
 // theirs has seen already.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -65,6 +67,7 @@ Bare floor_of(ivec2 size, vec2 pixel) {
     return {{2.0F / (vec2(size) * pixel) * vec2(1, -1), size, true}, vec3(0, 0, 1)};
 }
 
+constexpr double pi = std::numbers::pi;
 constexpr float sigma = 0.4F;
 
 // The result of separable on a floor, twice: what it carries from the pixels on a line; the other slice is
@@ -157,9 +160,64 @@ TEST_F(PreparedMethods, SmallPixelsOfTheSurfaceAreInterpolated) {
         for (const float depth : {0.5F, std::numeric_limits<float>::infinity()})
             EXPECT_NEAR(result({7, 15}, ramp, [&](ivec2 p) { return p == 2 * other ? depth : 0.0F; }), three,
                         2e-4);
+        // One at a height of a fiftieth of the radius counts a quarter, one whose normal is turned by w the
+        // eighth power of (1 + cos w) / 2.
+        const vec3 aside = glm::normalize(glm::cross(normal, vec3(0, 1, 0)));
+        for (const float turn : {0.0F, 0.6F}) {
+            const vec3 other_normal = std::cos(turn) * normal + std::sin(turn) * aside;
+            const double share = turn == 0.0F ? 0.25 : std::pow(0.5 * (1.0 + std::cos(double{turn})), 8.0);
+            const auto one_apart = [&](ivec2 p) {
+                return vec4(p == other ? 0.5F : 0.45F, p == other ? other_normal : normal);
+            };
+            const vec3 source = bare.point(2 * other);
+            const float along = orthographic ? normal.z : glm::dot(normal, source / source.z);
+            const float rise = turn == 0.0F ? 0.02F * samples.radius / along : 0.0F;
+            EXPECT_NEAR(result({7, 15}, one_apart, [&](ivec2 p) { return p == 2 * other ? -rise : 0.0F; }),
+                        (3.0 * 0.45 + share * 0.5) / (3.0 + share), 1e-4)
+                << turn;
+        }
         // Of neighbours that disagree nothing is interpolated.
         const auto odd_one = [&](ivec2 p) { return p == ivec2(2, 6) ? vec4(0.6F, normal) : ramp(p); };
         EXPECT_EQ(result({7, 15}, odd_one, level), 0.0);
+    }
+}
+
+// Which level of an image of several resolutions a texel belongs to; 0 for values that are no means.
+// size: of level 0, a multiple of the largest block.
+int level_of_mean(ivec2 texel, ivec2 size) {
+    ivec2 first(0);
+    for (int level = 1; level <= 6; ++level) {
+        const ivec2 end = first + size / (1 << level);
+        if (glm::all(glm::greaterThanEqual(texel, first)) && glm::all(glm::lessThan(texel, end)))
+            return level;
+        first = end;
+    }
+    return 0;
+}
+
+// A sample reads the block that is as wide as a square of its part of the disc, or up to half as wide: of all
+// levels that one alone. Here a level holds the floor and the others nothing.
+TEST_F(PreparedMethods, ASampleIsABlockOfItsPartOfTheDisc) {
+    const check::Kernel<Gather> area(lab, functions.file("volumetric_area"), effect::method_function);
+    const ivec2 size(256, 128);
+    const vec2 pixel(1.0F / 64.0F, 1.0F / 32.0F);
+    const Bare floor = floor_of(size, pixel);
+    for (const auto& [radius, count] : std::vector<std::pair<float, unsigned>>{
+             {1.0F, 2}, {1.0F, 8}, {1.0F, 32}, {1.0F, 128}, {1.0F, 512}, {1.0F, 2048}, {4.0F, 2}}) {
+        const vec2 axes = radius / pixel;
+        const double side = std::sqrt(pi * double{axes.x} * double{axes.y} / count);
+        const int expected = std::clamp(static_cast<int>(std::floor(std::log2(side))), 0, 6);
+        const Samples samples{.radius = radius, .bias = 0.0F, .angle = 0.4F, .first = 0, .count = count};
+        for (int level = 1; level <= 6; ++level) {
+            const auto filled = [&](ivec2 texel) {
+                return level_of_mean(texel, size) == level
+                           ? vec4(0, 0, -5, static_cast<float>(1 << 2 * level))
+                           : vec4(0);
+            };
+            EXPECT_NEAR(occlusion(area, floor, size / 2, samples, Method{}, size, filled),
+                        expected == 0 || expected == level ? 0.5 : 0.0, 1e-6)
+                << side << ", level " << level;
+        }
     }
 }
 

@@ -30,8 +30,8 @@ vec3 gloam_bent_normal(vec4 bent, vec3 normal) {
 // How much the open directions agree: L = |sum of V w| / sum of V, 1/2 for an open hemisphere, 1 for a single
 // direction.
 // bent: sums of gloam_bent_add.
-// Returns L in [0, 1]; 1 where nothing is open, so that no cone is left; 0 where the sum of V w is not finite. Error:
-// 4e-7 for sums from 1e-18 to 1e18.
+// Returns L in [0, 1]; 1 where nothing is open, so that no cone is left, and for a sum of V above 2^126; 0 where the
+// sum of V w is not finite. Error: 4e-7 for sums from 1e-18 to 1e18.
 float gloam_bent_length(vec4 bent) {
     bool some = bent.w >= 1.175494351e-38 && bent.w <= 8.507059173e37;
     float agreement = some ? gloam_length(bent.xyz) / bent.w : 1.0;

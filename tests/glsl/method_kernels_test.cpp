@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// What follows, for every method, from the definition of its kernel: relations between its results on a rough
+// view, seen with other samples, lengths and units.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "effect/setting_table.hpp"
+#include "on_rough.hpp"
+#include "support/method_names.hpp"
+
+namespace gloam {
+namespace method_kernels_test {
+
+namespace rough = test::rough_view;
+using test::Camera;
+using test::cameras;
+using test::Depths;
+using test::expect_same;
+using test::Method;
+using test::OnRough;
+using test::Surfaces;
+using Inputs = OnRough::Inputs;
+
+class Kernels : public testing::TestWithParam<std::string> {
+  protected:
+    const effect::MethodInfo& info = effect::method_named(GetParam());
+    const OnRough method{GetParam(), 1};
+
+    // That a change of the inputs leaves the results as they are.
+    template <class Change>
+    void expect_same_after(const Change& change) const {
+        for (const Camera& camera : cameras) {
+            const Surfaces surfaces{rough::surface(0, camera)};
+            std::vector<Inputs> points = OnRough::points(camera);
+            for (Inputs& point : points) change(point);
+            expect_same(method(points, surfaces), method(camera, surfaces), camera, "changed");
+        }
+    }
+};
+
+TEST_P(Kernels, TheLengthOfTheNormalMakesNoDifference) {
+    expect_same_after([](Inputs& point) { std::get<1>(point) *= 4.0F; });
+}
+
+// The settings of a method that are lengths.
+Method scaled(Method method, float scale) {
+    const std::vector<std::pair<const char*, float Method::*>> members{
+        {"range", &Method::range},           {"epsilon", &Method::epsilon},
+        {"intensity", &Method::intensity},   {"thickness", &Method::thickness},
+        {"angle_bias", &Method::angle_bias}, {"feature_thickness", &Method::feature_thickness}};
+    for (const auto& [name, member] : members)
+        if (effect::setting_named(name).unit == "world units") method.*member *= scale;
+    return method;
+}
+
+// World units are any units.
+TEST_P(Kernels, TheUnitOfLengthMakesNoDifference) {
+    if (test::calls(GetParam(), "gloam_fetch_prepared")) GTEST_SKIP() << "what is prepared has lengths in it";
+    for (const float scale : {0.0625F, 16.0F}) {
+        for (const Camera& camera : cameras) {
+            const Depths surface = rough::surface(0, camera);
+            const Camera other{camera.orthographic ? camera.p00_p11 / scale : camera.p00_p11, camera.size,
+                               camera.orthographic};
+            std::vector<Inputs> points = OnRough::points(camera);
+            for (auto& [position, normal, its_camera, samples, settings] : points) {
+                position *= scale;
+                its_camera = other;
+                samples.radius *= scale;
+                samples.bias *= scale;
+                settings = scaled(settings, scale);
+            }
+            const Surfaces larger{[=](glm::ivec2 p) { return scale * surface(p); }};
+            expect_same(method(points, larger), method(camera, {surface}), camera, std::to_string(scale));
+        }
+    }
+}
+
+TEST_P(Kernels, StepsAreAtLeastOne) {
+    const Camera camera = rough::camera(false);
+    const auto with_steps = [&](unsigned steps) {
+        std::vector<Inputs> points = OnRough::points(camera);
+        for (Inputs& point : points) std::get<Method>(point).steps = steps;
+        return method(points, {rough::surface(0, camera)});
+    };
+    const test::Results one = with_steps(1);
+    expect_same(with_steps(0), one, camera, "no step");
+    if (info.takes_fewer || info.points == "disc") return;  // rejected taps are not taken
+    for (const glm::vec2 sum : one) EXPECT_EQ(sum.y, static_cast<float>(effect::samples_taken(info, 16, 1)));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(test::method_names()), test::parameter_name);
+
+class PointsOfMethod : public testing::TestWithParam<std::string> {};
+
+// A frame takes the points of its own samples of the shared sequence, each of them, and no others.
+TEST_P(PointsOfMethod, AreThoseOfItsSamples) {
+    const effect::MethodInfo& info = effect::method_named(GetParam());
+    // Of two samples that are opposite points, or of two rays in opposite directions.
+    constexpr unsigned steps = OnRough::settings.steps;
+    const std::map<std::string, unsigned> several{{"crytek", 2}, {"hsao", 2 * steps}, {"unreal", 2 * steps}};
+    const auto one = several.find(GetParam());
+    const std::string unit =
+        std::to_string(one == several.end() ? effect::unit_of(info, steps) : one->second);
+    const std::string point = "vec3 gloam_" + info.points + "_point(uint index) {";
+    const std::string head = "MethodValues values) {";
+    const OnRough method(
+        GetParam(), 1,
+        test::Changes{
+            {point, "uint own_first;\nuint own_count;\nuint own_taken = 0u;\nbool strange = false;\n" +
+                        point +
+                        "\nif (index - own_first < own_count) own_taken |= 1u << (index - own_first);\n"
+                        "else strange = true;\n"},
+            {head, head + "own_first = given.first / " + unit + "u + 1u;\nown_count = given.count / " + unit +
+                       "u;\n"},
+            {test::method_result, "if (strange || own_taken != (1u << own_count) - 1u) return vec2(-1.0);\n" +
+                                      std::string(test::method_result)}});
+    const Camera camera = rough::camera(false);
+    for (const glm::vec2 sum : method(camera, {rough::surface(0, camera)})) EXPECT_GE(sum.x, 0.0F);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PointsOfMethod,
+                         testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
+                             // Of two slices of separable the pixels nearby have taken one.
+                             return !method.points.empty() && method.name != "separable";
+                         })),
+                         test::parameter_name);
+
+// Methods whose marches and taps begin beside the shaded pixel: what stands in it does not count.
+class OwnPixels : public testing::TestWithParam<std::string> {};
+
+TEST_P(OwnPixels, BlockNothing) {
+    const OnRough method(GetParam(), 2);
+    for (const Camera& camera : cameras) {
+        const Surfaces surfaces{rough::surface(0, camera), rough::surface(1, camera)};
+        for (std::size_t i = 0; i < OnRough::points(camera).size(); i += 5) {
+            const auto nearer = [=](const Depths& surface, float depth) {
+                return [=](glm::ivec2 p) { return p == rough::pixel_of(i) ? depth : surface(p); };
+            };
+            const Inputs point = OnRough::points(camera)[i];
+            const float depth = -std::get<0>(point).z;
+            EXPECT_EQ(
+                method.at(point, {nearer(surfaces[0], depth - 0.3F), nearer(surfaces[1], depth - 0.1F)}),
+                method.at(point, {nearer(surfaces[0], depth), nearer(surfaces[1], 0.0F)}))
+                << i;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OwnPixels,
+                         testing::Values("bitmask", "disc_proxy", "gtao", "hbao", "hbao_study", "hsao",
+                                         "mixture", "poisson", "sphere_proxy", "ssdo", "sweep", "unreal"),
+                         test::parameter_name);
+
+}  // namespace method_kernels_test
+}  // namespace gloam
