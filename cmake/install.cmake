@@ -40,6 +40,7 @@ install(CODE "
 install(DIRECTORY ${header_stage}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 install(DIRECTORY glsl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/glsl)
+install(DIRECTORY experiments/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/experiments)
 install(DIRECTORY tools/stress/shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/stress)
 install(DIRECTORY tools/site/page tools/site/shaders tools/site/third-party
   DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)

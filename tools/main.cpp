@@ -2,17 +2,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "base/file_descriptor.hpp"
 #include "base/text.hpp"
 #include "cli/bench.hpp"
+#include "cli/bench/experiments.hpp"
 #include "cli/check.hpp"
 #include "cli/check/worker.hpp"
 #include "cli/completion.hpp"
@@ -86,7 +91,9 @@ int run(int argc, char** argv) {
     gloam::cli::add_help_examples(app);
     gloam::cli::refuse_meaningless_values(app);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> arguments = gloam::cli::with_own_experiment({argv + 1, argv + argc});
+        std::ranges::reverse(arguments);  // the order in which CLI11 takes them
+        app.parse(std::move(arguments));
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);

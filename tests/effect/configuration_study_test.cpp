@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "effect/presets.hpp"
+#include "effect/study/plain_run.hpp"
 #include "on_device.hpp"
 
 namespace gloam::effect {
 namespace configuration_study_test {
 
-constexpr BenchmarkFrames frames{.extent = {64, 36}, .frames = 4, .scored = 2, .rays = 32};
+const BenchmarkFrames frames{.extent = {64, 36}, .frames = 4, .scored = 2, .rays = 32};
 
 // What a configuration is judged to be, without the times.
 void expect_same(const FrameQuality& one, const FrameQuality& other) {
@@ -72,6 +73,44 @@ TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
         without.skip_settled = false;
         EXPECT_DOUBLE_EQ(study.visit(views, without, temporal, 0).quality->samples, 4.0) << temporal;
     }
+}
+
+TEST_F(ConfigurationStudyTest, FastErrsLessThanASingleFrameOfNineSlices) {
+    for (const char* name : {"columns", "grass", "knot"}) {
+        const BenchmarkFrames shown{.extent = {64, 36}, .frames = 16, .scored = 8, .rays = 64};
+        BenchmarkViews views(device_, passes_, scene::make_scene(name), shown, scene::TruthCache(""));
+        const Settings fast =
+            with_radius(preset_named("fast").settings, static_cast<float>(views.scene().ao_radius));
+        ConfigurationStudy study(device_, passes_, shown.extent);
+        PlainRun loop(device_, passes_, shown.extent, {.slices = 9, .steps = 3}, 1);
+        CopyClock clock(device_, passes_, shown.extent);
+        const FrameQuality run = *study.visit(views, fast, true, 0).quality;
+        EXPECT_LT(run.geometry, loop.visit(views, clock, 0).quality->geometry) << name;
+        EXPECT_EQ(run.raw_geometry, run.geometry) << name << ": its filter has ended";
+        EXPECT_EQ(study.visit(views, fast, true, 1).readings.size(), 8U);
+        EXPECT_EQ(loop.visit(views, clock, 1).readings.size(), 8U);
+    }
+}
+
+// A view that is shown for several frames is advanced once; without a truth nothing is judged.
+TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
+    const BenchmarkFrames shown{.extent = {64, 36}, .frames = 4, .scored = 1, .rays = 0, .shown = {1, 3}};
+    BenchmarkViews views(device_, passes_, scene::make_scene("columns"), shown, scene::TruthCache(""));
+    EXPECT_TRUE(views.is_new(0));
+    EXPECT_TRUE(views.is_new(1));
+    EXPECT_FALSE(views.is_new(2));
+    EXPECT_EQ(&views.view(1, {}), &views.view(3, {}));
+    const Settings settings =
+        with_radius(measured_settings("hemisphere", 4, true), static_cast<float>(views.scene().ao_radius));
+    AmbientOcclusion effect(device_, passes_, shown.extent);
+    effect.begin(views.view(0, settings), settings);
+    (void)effect.next();
+    effect.advance(views.view(1, settings));
+    for (int i = 0; i < 2; ++i) (void)effect.next();
+    ConfigurationStudy study(device_, passes_, shown.extent);
+    const ConfigurationVisit visit = study.visit(views, settings, true, 0);
+    EXPECT_FALSE(visit.quality);
+    EXPECT_EQ(visit.shown, effect.next().filtered);
 }
 
 }  // namespace configuration_study_test

@@ -15,7 +15,6 @@
 #include "effect/internal/texels.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
-#include "effect/study/skip_study.hpp"
 #include "half_size.hpp"
 #include "scene/pixel_positions.hpp"
 #include "scene/rasterize.hpp"

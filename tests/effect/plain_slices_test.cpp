@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
-#include "effect/study/plain_study.hpp"
+#include "effect/internal/method_families.hpp"
+#include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
 
@@ -17,6 +17,14 @@ namespace gloam::effect {
 namespace plain_slices_test {
 
 constexpr gpu::Extent extent{96, 54};
+
+// Of `gtao`, without history and filter, for a radius of 1.
+Settings single_frame(SliceTaps taps) {
+    Settings settings = slices(method_named("gtao"), taps.slices, taps.steps);
+    settings.history = false;
+    settings.filter = Filter::none;
+    return settings;
+}
 
 class PlainSlicesTest : public OnDevice<testing::Test> {
   protected:
@@ -39,7 +47,7 @@ TEST_F(PlainSlicesTest, EstimatesWhatGtaoEstimates) {
     const PlainFrame frame = plain(view, scene.ao_radius, taps);
     AmbientOcclusion effect(device_, passes_, extent);
     const auto difference = [&](double radius) {
-        effect.begin(view, with_radius(single_frame_of_slices("gtao", taps), static_cast<float>(radius)));
+        effect.begin(view, with_radius(single_frame(taps), static_cast<float>(radius)));
         return errors_of(effect.next().occlusion, truth_from(view, frame.occlusion)).rmse;
     };
     const double same = difference(scene.ao_radius);
@@ -76,26 +84,6 @@ TEST_F(PlainSlicesTest, BlursAsOftenAsAsked) {
     EXPECT_EQ(frames[0].blurred, frames[0].occlusion);
     const Truth limit = truth_from(view, plain(view, scene.ao_radius, {.slices = 24, .steps = 12}).occlusion);
     EXPECT_LT(errors_of(frames[2].blurred, limit).rmse, errors_of(frames[1].blurred, limit).rmse);
-}
-
-TEST_F(PlainSlicesTest, ReadsTimesOfBothInEveryRound) {
-    const scene::Scene scene = scene::make_scene("columns");
-    const scene::GBuffer view = view_of(scene);
-    const std::array<std::string, 2> methods{"gtao", "sweep"};
-    const std::array<SliceTaps, 1> taps{SliceTaps{.slices = 1, .steps = 2}};
-    const auto radius = static_cast<float>(scene.ao_radius);
-    const auto rows = compare_with_plain(device_, passes_, view, radius, methods, taps, 2);
-    ASSERT_EQ(rows.size(), 2U);
-    for (const PlainComparison& row : rows) {
-        ASSERT_EQ(row.plain_ms.size(), 2U);
-        ASSERT_EQ(row.method_ms.size(), 2U);
-        for (const double ms : row.plain_ms) EXPECT_GT(ms, 0.0);
-        for (const double ms : row.method_ms) EXPECT_GT(ms, 0.0);
-        EXPECT_GT(row.difference, 0.0);
-    }
-    EXPECT_THROW((void)compare_with_plain(device_, passes_, view, radius, methods, taps, 0),
-                 std::invalid_argument);
-    EXPECT_THROW((void)single_frame_of_slices("alchemy", taps[0]), std::invalid_argument);
 }
 
 TEST_F(PlainSlicesTest, WhatItDoesNotTakeIsRefused) {

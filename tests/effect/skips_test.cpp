@@ -13,7 +13,6 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
-#include "effect/study/skip_study.hpp"
 #include "on_device.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/rasterize.hpp"

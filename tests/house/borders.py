@@ -23,8 +23,9 @@ MAY_INCLUDE = {
     "catalogue": {"check", "reference", "numeric"},
     "scene": {"base", "gpu", "shader", "numeric"},
     "effect": {"base", "scene", "shader", "gpu", "numeric"},
+    "experiment": {"base", "effect", "scene", "reference", "shader", "gpu", "numeric"},
     "report": {"base", "check", "numeric"},
-    "tools": {"base", "report", "effect", "scene", "catalogue", "check", "interpreter", "gpu", "gl",
+    "tools": {"base", "report", "experiment", "effect", "scene", "catalogue", "check", "interpreter", "gpu", "gl",
               "shader", "numeric"},
 }
 
@@ -39,7 +40,7 @@ LIBRARY_HOME = {
 }
 
 MAX_LINES = 400
-AREAS = (".ci", "cmake", "docs", "examples", "glsl", "harness", "tests", "tools")
+AREAS = (".ci", "cmake", "docs", "examples", "experiments", "glsl", "harness", "tests", "tools")
 CODE = {".cpp", ".hpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".in"}
 TEXT = CODE | {".txt", ".md", ".json", ".supp", ""}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

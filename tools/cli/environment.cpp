@@ -65,6 +65,10 @@ fs::path documents_directory() {
     return data_in("doc/gloam/docs", GLOAM_DOCUMENTS, "accuracy.md");
 }
 
+fs::path experiments_directory() {
+    return data_in("gloam/experiments", GLOAM_EXPERIMENTS, "passes.json");
+}
+
 fs::path cache_directory() {
     if (const fs::path own = from_environment("GLOAM_CACHE_DIR"); !own.empty()) return own;
     if (const fs::path cache = from_environment("XDG_CACHE_HOME"); !cache.empty()) return cache / "gloam";

@@ -31,6 +31,9 @@ void add_include_option(CLI::App& command, std::vector<std::string>& further);
 // The folder of the Markdown pages, found in the same way.
 [[nodiscard]] std::filesystem::path documents_directory();
 
+// The folder of the descriptions that `gloam bench` reads, found in the same way.
+[[nodiscard]] std::filesystem::path experiments_directory();
+
 // Folder for compiled shaders: $GLOAM_CACHE_DIR, otherwise gloam in $XDG_CACHE_HOME or ~/.cache; empty
 // without a home.
 [[nodiscard]] std::filesystem::path cache_directory();

@@ -16,6 +16,7 @@ class Judge {
     explicit Judge(const BenchmarkViews& views) : views_(&views) {}
 
     void add(int number, const Frame& frame, const std::vector<float>& before) {
+        if (views_->frames().rays == 0) return;
         const ScoredFrame& truth = views_->scored(number);
         sum_.raw_geometry += errors_of(frame.occlusion, truth.geometry).rmse;
         const Errors shown = errors_of(frame.filtered, truth.geometry);
@@ -35,7 +36,9 @@ class Judge {
             sum_.similarity = structural_similarity(frame.filtered, truth.geometry, frame.extent);
     }
 
-    [[nodiscard]] FrameQuality mean() const {
+    // Nothing where there is no truth.
+    [[nodiscard]] std::optional<FrameQuality> mean() const {
+        if (views_->frames().rays == 0) return std::nullopt;
         const double frames = views_->frames().scored;
         FrameQuality mean = sum_;
         for (double* value :
@@ -87,14 +90,20 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const Setti
     if (round > 0) {
         effect.begin(views.view(views.first_scored() + round % frames.scored, settings), settings);
         const double copy = clock_.measure();
-        return {.readings = {{effect.next().times, copy}}};
+        const Frame frame = effect.next(frames.repeat);
+        return {.readings = {{frame.times, copy}}, .work = frame.work};
     }
     Judge judge(views);
+    ConfigurationVisit visit;
     for (int i = views.first_scored(); i < frames.frames; ++i) {
         effect.begin(views.view(i, settings), settings);
-        judge.add(i, effect.next(), {});
+        Frame frame = effect.next();
+        judge.add(i, frame, {});
+        visit.work = frame.work;
+        visit.shown = std::move(frame.filtered);
     }
-    return {.quality = judge.mean()};
+    visit.quality = judge.mean();
+    return visit;
 }
 
 ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const Settings& settings, int round) {
@@ -106,17 +115,20 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const Set
         const scene::GBuffer& view = views.view(i, settings);
         if (i == 0) {
             effect.begin(view, settings);
-        } else {
+        } else if (views.is_new(i)) {
             effect.advance(view);
         }
         const bool scored = i >= views.first_scored();
         const double copy = scored ? clock_.measure() : 0.0;
-        Frame frame = effect.next();
+        Frame frame = effect.next(scored ? views.frames().repeat : 1);
+        visit.work = frame.work;
         if (scored) visit.readings.push_back({frame.times, copy});
         if (scored && round == 0) judge.add(i, frame, before);
         before = std::move(frame.filtered);
     }
-    if (round == 0) visit.quality = judge.mean();
+    if (round > 0) return visit;
+    visit.quality = judge.mean();
+    visit.shown = std::move(before);
     return visit;
 }
 

@@ -38,8 +38,10 @@ struct FrameQuality {
 };
 
 struct ConfigurationVisit {
-    std::optional<FrameQuality> quality;  // in round 0
+    std::optional<FrameQuality> quality;  // in round 0, of views with a truth
     std::vector<FrameReading> readings;
+    Work work;                 // of the last frame
+    std::vector<float> shown;  // the displayed image of the last frame, in round 0
 };
 
 // Measures configurations of the effect in rounds. Each round visits every configuration once, so that the

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "effect/study/plain_run.hpp"
 
+#include <utility>
+
 namespace gloam::effect {
+namespace {
+
+// The part of one of the scored frames in the means.
+void add(FrameQuality& mean, const PlainFrame& frame, const Truth& truth, int scored) {
+    mean.raw_geometry += errors_of(frame.occlusion, truth).rmse / scored;
+    const Errors shown = errors_of(frame.blurred, truth);
+    mean.geometry += shown.rmse / scored;
+    mean.bias += shown.bias / scored;
+}
+
+}  // namespace
 
 PlainRun::PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
                    SliceTaps taps, int blurs)
@@ -10,23 +23,22 @@ PlainRun::PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, 
 ConfigurationVisit PlainRun::visit(BenchmarkViews& views, CopyClock& clock, int round) {
     const BenchmarkFrames& frames = views.frames();
     const auto radius = static_cast<float>(views.scene().ao_radius);
-    if (round > 0) {
-        slices_.take(views.view(views.first_scored() + round % frames.scored, {}), radius);
-        const double copy = clock.measure();
-        const PlainFrame frame = slices_.next();
-        return {.readings = {{{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}, copy}}};
-    }
+    ConfigurationVisit visit;
     FrameQuality sum;
     for (int i = views.first_scored(); i < frames.frames; ++i) {
         slices_.take(views.view(i, {}), radius);
-        const PlainFrame frame = slices_.next();
-        const Truth& truth = views.scored(i).geometry;
-        sum.raw_geometry += errors_of(frame.occlusion, truth).rmse / frames.scored;
-        const Errors shown = errors_of(frame.blurred, truth);
-        sum.geometry += shown.rmse / frames.scored;
-        sum.bias += shown.bias / frames.scored;
+        const double copy = round > 0 ? clock.measure() : 0.0;
+        PlainFrame frame = slices_.next(round > 0 ? frames.repeat : 1);
+        if (round > 0) {
+            visit.readings.push_back(
+                {{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}, copy});
+            continue;
+        }
+        if (frames.rays > 0) add(sum, frame, views.scored(i).geometry, frames.scored);
+        visit.shown = std::move(frame.blurred);
     }
-    return {.quality = sum};
+    if (round == 0 && frames.rays > 0) visit.quality = sum;
+    return visit;
 }
 
 }  // namespace gloam::effect

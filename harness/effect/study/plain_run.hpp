@@ -14,8 +14,8 @@ class PlainRun {
     PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent, SliceTaps taps,
              int blurs);
 
-    // Round 0 judges all scored frames. Each later round times one of them, in turn, beside a copy. Throws
-    // like PlainSlices::take(), which refuses orthographic cameras.
+    // Round 0 judges all scored frames. Each later round times them, each beside a copy. Throws like
+    // PlainSlices::take(), which refuses orthographic cameras.
     [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, CopyClock& clock, int round);
 
   private:

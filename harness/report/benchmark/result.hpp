@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "numeric/spread.hpp"
+
 namespace gloam::report {
 
 // A measured configuration. Two are equal if all members are.
@@ -47,12 +49,8 @@ struct Quality {
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes use
 };
 
-// A median with its quartiles. NaN without values.
-struct Spread {
-    double median = std::numeric_limits<double>::quiet_NaN();
-    double low = std::numeric_limits<double>::quiet_NaN();   // lower quartile
-    double high = std::numeric_limits<double>::quiet_NaN();  // upper quartile
-};
+using numeric::Spread;
+using numeric::spread_of;
 
 // All results of a configuration.
 struct Row {

@@ -8,10 +8,6 @@
 
 namespace gloam::report {
 
-// Median and quartiles, interpolated linearly between the values of the sorted list; the first value is the
-// quantile 0, the last the quantile 1. Values that are not finite are skipped.
-[[nodiscard]] Spread spread_of(std::span<const double> values);
-
 // Whether a pass takes samples: its name begins with "ambient_occlusion".
 [[nodiscard]] bool is_gather(std::string_view pass);
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include "scene/primitives.hpp"
+#include "scene/views.hpp"
+
+namespace gloam::experiment {
+namespace {
+
+constexpr double roughness = 0.01;  // of the depth
+constexpr std::uint32_t most_taps = 64;
+
+// A pseudorandom number in [-1, 1).
+double noise(std::uint32_t x, std::uint32_t y) {
+    std::uint32_t bits = x * 0x9E3779B1U ^ y * 0x85EBCA77U;
+    bits = (bits ^ bits >> 15U) * 0x2C1B3C6DU;
+    bits = (bits ^ bits >> 12U) * 0x297A2D39U;
+    return static_cast<double>(bits >> 8U) / 8388608.0 - 1.0;
+}
+
+// Roughens the columns from this share of the width on.
+void roughen(scene::GBuffer& view, double from) {
+    const auto first = static_cast<std::uint32_t>(std::lround(from * view.extent.width));
+    for (std::uint32_t y = 0; y < view.extent.height; ++y) {
+        for (std::uint32_t x = first; x < view.extent.width; ++x)
+            view.depth[std::size_t{y} * view.extent.width + x] *=
+                static_cast<float>(1.0 + roughness * noise(x, y));
+    }
+}
+
+// Removes all geometry from the columns up to this share of the width.
+void clear(scene::GBuffer& view, double until) {
+    const auto end = static_cast<std::uint32_t>(std::lround(until * view.extent.width));
+    for (std::uint32_t y = 0; y < view.extent.height; ++y) {
+        for (std::uint32_t x = 0; x < end; ++x) {
+            const std::size_t pixel = std::size_t{y} * view.extent.width + x;
+            view.depth[pixel] = std::numeric_limits<float>::infinity();
+            view.normal[pixel] = {};
+        }
+    }
+}
+
+// A bare floor that fills the view of a walking camera.
+scene::Scene floor_scene() {
+    scene::Scene scene{.name = "floor",
+                       .mesh = scene::make_parallelogram({-40, 0, -60}, {0, 0, 70}, {80, 0, 0}, 1.0)};
+    scene.camera = {.eye = {0, 1.7, 0}, .target = {0, 0, -3.0}, .fovy_rad = 0.9, .near = 0.1, .far = 200.0};
+    scene.camera_path = [start = scene.camera](int frame) {
+        scene::Camera camera = start;
+        camera.eye.z -= 0.02 * frame;
+        camera.target.z -= 0.02 * frame;
+        return camera;
+    };
+    return scene;
+}
+
+bool is_edited(const Case& one) {
+    return one.still || one.rough_from || one.empty_until > 0.0;
+}
+
+// The changes of a view that a case asks for. A view that stands still has not moved since the one before.
+void edit(const Case& one, scene::GBuffer& view, int number) {
+    if (one.rough_from) roughen(view, *one.rough_from);
+    if (number == 0 || !one.filled_later) clear(view, one.empty_until);
+    if (one.still && number > 0) view.camera.previous_from_current = glm::mat4(1.0F);
+}
+
+std::vector<Case> moving_scenes() {
+    std::vector<Case> cases;
+    for (const scene::SceneInfo& info : scene::built_in_scenes())
+        if (scene::make_scene(info.name).camera_path)
+            cases.push_back({.name = info.name, .scene = info.name});
+    return cases;
+}
+
+std::vector<Case> all_views() {
+    std::vector<Case> cases;
+    for (const scene::ViewInfo& info : scene::all_views())
+        cases.push_back({.name = info.name,
+                         .kind = info.kind,
+                         .half = std::string(scene::name_of(info.half)),
+                         .scene = info.name,
+                         .view = true});
+    return cases;
+}
+
+void require_names(const std::vector<Case>& cases, const std::vector<std::string>& names) {
+    std::string known;
+    for (const Case& one : cases)
+        if (known.find(one.name) == std::string::npos) known += (known.empty() ? "" : ", ") + one.name;
+    for (const std::string& name : names)
+        if (std::ranges::find(cases, name, &Case::name) == cases.end())
+            throw std::invalid_argument(fmt::format("case {}: expected {}", name, known));
+}
+
+}  // namespace
+
+std::optional<std::size_t> candidate_of(const Experiment& experiment, std::string_view name) {
+    const std::vector<Candidate>& candidates = experiment.candidates;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (candidates[i].name == name || fmt::format("#{}", i) == name) return i;
+    return std::nullopt;
+}
+
+void require_consistent(const Experiment& experiment) {
+    std::set<std::string> names;
+    for (const Candidate& candidate : experiment.candidates)
+        if (!names.insert(candidate.name).second)
+            throw std::invalid_argument(
+                fmt::format("candidates: \"{}\" twice, expected once", candidate.name));
+    const auto require = [&](const std::string& name, const char* where) {
+        if (!name.empty() && !candidate_of(experiment, name))
+            throw std::invalid_argument(
+                fmt::format("{}: \"{}\", expected one of {}", where, name, fmt::join(names, ", ")));
+    };
+    for (const Case& one : experiment.cases)
+        for (const std::string& name : one.candidates) require(name, "a case's candidates");
+    for (const Table& table : experiment.tables) {
+        for (const Column& column : table.columns) {
+            require(column.of, "a column's \"of\"");
+            require(column.over, "a column's \"over\"");
+        }
+    }
+}
+
+PlainLoop plain_loop(std::string_view text) {
+    const auto number = [&](std::size_t from, std::size_t until, std::uint32_t least, std::uint32_t most) {
+        std::uint32_t value = 0;
+        for (std::size_t i = from; i < std::min(until, text.size()) && value <= most; ++i)
+            value = text[i] >= '0' && text[i] <= '9' ? 10 * value + static_cast<std::uint32_t>(text[i] - '0')
+                                                     : most + 1;
+        if (from >= until || value < least || value > most)
+            throw std::invalid_argument(fmt::format(
+                "{}: expected SLICESxSTEPS+BLURS, at most {} slices and steps and 9 blurs, such as 3x3+2",
+                text, most_taps));
+        return value;
+    };
+    const std::size_t times = std::min(text.find('x'), text.size());
+    const std::size_t plus = std::min(text.find('+'), text.size());
+    const std::uint32_t blurs = plus == text.size() ? 0 : number(plus + 1, text.size(), 0, 9);
+    return {{.slices = number(0, times, 1, most_taps), .steps = number(times + 1, plus, 1, most_taps)},
+            static_cast<int>(blurs)};
+}
+
+void choose_cases(Experiment& experiment, const std::vector<std::string>& names, const std::string& half,
+                  const std::filesystem::path& meshes) {
+    const bool views = experiment.query && experiment.query->views;
+    if (!half.empty() && !views)
+        throw std::invalid_argument(fmt::format("{} half: expected an experiment on all views", half));
+    if (experiment.query) experiment.cases = views ? all_views() : moving_scenes();
+    require_names(experiment.cases, names);
+    const std::string wanted = half.empty() && views ? experiment.query->half : half;
+    const bool perspective = views && experiment.query->perspective;
+    std::erase_if(experiment.cases, [&](const Case& one) {
+        if (!names.empty() && std::ranges::count(names, one.name) == 0) return true;
+        if (!wanted.empty() && one.half != wanted) return true;
+        return perspective && scene_of(one, meshes).camera.projection == scene::Projection::orthographic;
+    });
+    if (experiment.query)
+        for (Case& one : experiment.cases) one.target = experiment.query->target;
+    experiment.query.reset();
+    if (experiment.cases.empty())
+        throw std::invalid_argument(perspective ? "no perspective view of this half"
+                                                : "no view of this half");
+}
+
+scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes) {
+    if (one.view) return scene::make_view(one.scene, meshes);
+    return one.scene == "floor" ? floor_scene() : scene::make_scene(one.scene);
+}
+
+effect::BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent) {
+    effect::BenchmarkFrames frames{.extent = extent,
+                                   .frames = experiment.frames,
+                                   .scored = one.scored.value_or(experiment.scored),
+                                   .rays = is_edited(one) ? 0 : experiment.rays,
+                                   .depth_truth = false,
+                                   .depth_thickness = experiment.depth_thickness,
+                                   .repeat = experiment.repeat,
+                                   .motion = one.motion,
+                                   .still = one.still,
+                                   .shown = one.shown};
+    if (!one.shown.empty()) frames.frames = std::accumulate(one.shown.begin(), one.shown.end(), 0);
+    if (is_edited(one)) frames.edit = [one](scene::GBuffer& view, int number) { edit(one, view, number); };
+    return frames;
+}
+
+}  // namespace gloam::experiment

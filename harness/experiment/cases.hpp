@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "effect/study/benchmark_views.hpp"
+#include "experiment/experiment.hpp"
+
+namespace gloam::experiment {
+
+// The scene or the view of a case. Throws like scene::make_scene() and scene::make_view().
+[[nodiscard]] scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes);
+
+// The frames of a case, without the truth of the depth buffer. Changed views have no truth.
+[[nodiscard]] effect::BenchmarkFrames frames_of(const Experiment& experiment, const Case& one,
+                                                gpu::Extent extent);
+
+}  // namespace gloam::experiment

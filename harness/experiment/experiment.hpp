@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "effect/study/plain_slices.hpp"
+
+namespace gloam::experiment {
+
+// Single frames of the plain loop over slices, and how often its blur is applied.
+struct PlainLoop {
+    effect::SliceTaps taps;
+    int blurs = 0;
+};
+
+// Parses SLICESxSTEPS+BLURS, at most 64 slices and steps and 9 blurs. Throws std::invalid_argument with the
+// text otherwise.
+[[nodiscard]] PlainLoop plain_loop(std::string_view text);
+
+// What is measured.
+enum class Kind {
+    effect,      // the effect with settings
+    plain,       // the plain loop
+    copy,        // a copy of a history: the lower bound of a pass that moves one
+    depth_truth  // the truth of the depth buffer (D), as an image: nothing is timed
+};
+
+// A part of a description of what is measured. The experiment, a case and a candidate have one each. What a
+// later one says counts.
+struct Layer {
+    std::optional<Kind> kind;
+    PlainLoop plain;
+    effect::HistoryPrecision copied = effect::HistoryPrecision::float32;
+    std::string preset;            // name or file; empty: not said
+    std::string method;            // empty: the preset's
+    std::optional<bool> sequence;  // with the history, in the order of the frames; otherwise each frame alone
+    std::optional<bool> hoisted;   // the shader compiler hoists loop invariants
+    std::vector<std::pair<std::string, std::string>> set;  // settings, lengths for a radius of 1
+};
+
+struct Candidate {
+    std::string name;
+    Layer layer;
+};
+
+// What is shown: frames of a scene or of a view.
+struct Case {
+    std::string name;
+    std::string what{};  // in a few words
+    std::string kind{};  // rows of tables are chosen and grouped by it
+    std::string half{};  // of a view: "tuning" or "unseen"
+    std::string scene{};
+    bool view = false;         // `scene` is a view of scene/views.hpp; otherwise a built-in scene or "floor"
+    std::vector<int> shown{};  // for how many frames each view is shown; empty: the experiment's frames
+    std::optional<int> scored{};            // the last ones of these, instead of the experiment's
+    bool motion = true;                     // views know how objects moved; otherwise only how the camera did
+    bool still = false;                     // all views are the first frame's
+    std::optional<double> rough_from{};     // share of the width from which on the depth is roughened
+    double empty_until = 0.0;               // share of the width up to which there is nothing
+    bool filled_later = false;              // that share is empty in the first view alone
+    double target = 0.0;                    // of the table's column with a target; 0: none
+    std::vector<std::string> candidates{};  // names of those that are measured; empty: all
+    Layer layer{};
+};
+
+// A choice of cases that a short description stands for.
+struct CaseQuery {
+    bool views = false;        // those of scene/views.hpp; otherwise the built-in scenes whose camera moves
+    std::string half;          // of the views; empty: both
+    bool perspective = false;  // without orthographic cameras
+    double target = 0.0;       // of each
+};
+
+// A column of a table.
+struct Column {
+    std::string title;  // "{}" is replaced by the name of the candidate, or of what it is repeated for
+    std::string label;  // "case", "what", "kind", "half", "candidate", "pass", or "cases", a count
+    std::string value;  // a quantity of quantities(); empty: a label
+    std::string half;   // over the views of this half alone
+    std::string of;     // the candidate, as in candidate_of(); empty: the row's
+    std::string over;   // divided by this candidate's; empty: not divided
+    std::vector<std::string> passes;       // times of passes whose names begin so; empty: of all
+    std::vector<std::string> over_passes;  // the same of the divisor; empty: the same passes
+    std::string repeated;                  // "candidates" or "sizes": a column for each
+    std::string statistic = "median";      // of times: also "least", or "quartiles" of the rounds' ratios
+    int digits = 2;
+    bool percent = false;
+    bool front = false;   // bold where no other candidate has both a smaller error and a smaller time
+    bool target = false;  // the case's target, and whether it is met
+};
+
+// A table over the results.
+struct Table {
+    std::string rows;  // "cases", "candidates", "runs" (each candidate of each case), "passes" or "kinds"
+    std::string kind;  // only the cases of this kind; empty: all
+    std::vector<Column> columns;
+};
+
+struct Experiment {
+    std::string name;
+    std::string about;               // one line
+    std::vector<std::string> sizes;  // WIDTHxHEIGHT of the images
+    int frames = 1;                  // of each case
+    int scored = 1;                  // the last ones of these
+    int rounds = 1;                  // that are timed
+    int repeat = 1;                  // runs of a timed frame
+    int rays = 0;                    // of the truth, for each pixel; 0: no errors
+    double depth_thickness = std::numeric_limits<double>::infinity();  // of the surface of (D), in radii
+    bool interleaved = false;  // a round visits all cases; otherwise each case has its rounds
+    Layer layer;
+    std::optional<CaseQuery> query;
+    std::vector<Case> cases;  // without a query
+    std::vector<Candidate> candidates;
+    std::vector<Table> tables;
+};
+
+// Reads a description in JSON (docs/benchmark.md). name: of the experiment, and in messages. Throws
+// std::runtime_error with the name, the place and what was expected, also for members that it does not know
+// and for values out of range.
+[[nodiscard]] Experiment read_experiment(const std::string& name, std::string_view text);
+
+// The number of the candidate with this name, or "#0" for the first and so on. nullopt: there is none.
+[[nodiscard]] std::optional<std::size_t> candidate_of(const Experiment& experiment, std::string_view name);
+
+// Throws std::invalid_argument for two candidates with one name, and for a case or a column that names a
+// candidate that does not exist.
+void require_consistent(const Experiment& experiment);
+
+// Replaces a query by its cases, and keeps the cases with these names; all without names. half: instead of
+// the query's; empty: the query's. meshes: folder of the views' meshes. Throws like scene::make_view(), and
+// std::invalid_argument for an unknown name, for a half without a query of views, and if no case is left.
+void choose_cases(Experiment& experiment, const std::vector<std::string>& names, const std::string& half,
+                  const std::filesystem::path& meshes);
+
+}  // namespace gloam::experiment

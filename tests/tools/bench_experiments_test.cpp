@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// The experiments of `gloam bench`: descriptions in experiments/, and a user's own.
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tools/expect.hpp"
+#include "tools/installation.hpp"
+
+namespace gloam::test {
+namespace bench_experiments_test {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+using Arguments = std::vector<std::string>;
+
+std::string fixed(double value, int digits) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(digits) << value;
+    return text.str();
+}
+
+// Runs `gloam bench` with the validation layers, and reads what it writes.
+class BenchExperiments : public testing::Test {
+  protected:
+    json measured(Arguments arguments) {
+        const fs::path file = folder_.path() / "results.json";
+        arguments.insert(arguments.begin(), "bench");
+        for (const char* word : {"--validation", "--json"}) arguments.emplace_back(word);
+        arguments.push_back(file.string());
+        const CommandResult result = run_command(arguments);
+        expect_success(result);
+        out_ = result.out;
+        return json::parse(read_file(file));
+    }
+
+    [[nodiscard]] fs::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_.path() / name) << text;
+        return folder_.path() / name;
+    }
+
+    // The result of a candidate in a case at the only size.
+    static const json& result_of(const json& document, std::size_t number, const std::string& candidate) {
+        for (const json& result : document.at("sizes").at(0).at("cases").at(number).at("results"))
+            if (result.at("candidate") == candidate) return result;
+        throw std::runtime_error("no result of " + candidate);
+    }
+
+    std::string out_;
+
+  private:
+    TemporaryDirectory folder_;
+};
+
+TEST_F(BenchExperiments, PassesTimesEachPassOfEachState) {
+    const json document = measured({"passes", "--size", "96x54", "--rounds", "1"});
+    EXPECT_THAT(out_, HasSubstr("| fresh | nothing has converged: 5 x 5 taps | ambient_occlusion | "));
+    EXPECT_THAT(out_, HasSubstr("| history, packed | one texel read and one written | copy | "));
+    EXPECT_THAT(document.at("versions"), HasSubstr("gloam"));
+    const json& cases = document.at("sizes").at(0).at("cases");
+    ASSERT_EQ(cases.size(), 25U);
+    bool reprojected = false;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        bool shaded = false;
+        for (const json& pass : result_of(document, i, "frame").at("passes")) {
+            EXPECT_GT(pass.at("ms"), 0.0) << cases[i].at("case") << ' ' << pass.at("pass");
+            EXPECT_GT(pass.at("copies"), 0.0);
+            shaded |= pass.at("pass") == (i < 3 ? "copy" : "ambient_occlusion");
+            reprojected |= pass.at("pass") == "reproject";
+        }
+        EXPECT_TRUE(shaded) << cases[i].at("case");
+    }
+    EXPECT_TRUE(reprojected) << "no state in which the view moves";
+}
+
+TEST_F(BenchExperiments, SkipsCountsWhatEachCaseLeavesOut) {
+    const json document = measured({"skips", "--size", "96x54", "--rounds", "1"});
+    EXPECT_THAT(out_, HasSubstr("| sky | mostly sky"));
+    const json& cases = document.at("sizes").at(0).at("cases");
+    ASSERT_EQ(cases.size(), 21U);
+    for (const json& one : cases)
+        for (const json& result : one.at("results")) EXPECT_GT(result.at("ms"), 0.0) << one.at("case");
+    EXPECT_GT(result_of(document, 0, "all").at("tiles_blank"), 0);
+    EXPECT_GT(result_of(document, 1, "all").at("tiles_open"), 0);
+    EXPECT_GT(result_of(document, 5, "all").at("ended_early"), 0);
+    EXPECT_GT(result_of(document, 6, "all").at("ended_early"), 0);
+    const json& settled = result_of(document, 4, "all");
+    EXPECT_DOUBLE_EQ(double{settled.at("tiles_settled")} + double{settled.at("tiles_blank")}, 1.0);
+    EXPECT_EQ(result_of(document, 0, "none").at("tiles_blank"), 0.0);
+    for (std::size_t i = 7; i < cases.size(); ++i) {
+        const double share = std::stod(cases[i].at("what").get<std::string>()) / 100.0;
+        const char* counter = cases[i].at("case") == "open"      ? "tiles_open"
+                              : cases[i].at("case") == "settled" ? "tiles_settled"
+                                                                 : "tiles_blank";
+        const double counted = result_of(document, i, "all").at(counter);
+        EXPECT_LE(counted, share + 0.02) << cases[i];
+        if (share >= 0.75) {
+            EXPECT_GT(counted, 0.0) << cases[i];
+        }
+    }
+}
+
+const Arguments tiny{"--size", "48x27", "--frames", "3", "--scored", "2", "--rays", "32"};
+
+Arguments with(Arguments arguments, const Arguments& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+TEST_F(BenchExperiments, ViewsMeasuresPresetsOnBothHalves) {
+    const fs::path page = write("page.md", "before\n<!-- begin views -->\n<!-- end views -->\nafter\n");
+    const json document =
+        measured(with(tiny, {"views", "--view", "moving", "room", "--single", "gtao-quality", "sweep-quality",
+                             "--sequence", "sweep-quality", "--page", page.string()}));
+    EXPECT_THAT(read_file(page), HasSubstr(out_));
+    EXPECT_THAT(out_, HasSubstr("| moving | scene | tuning |"));
+    EXPECT_THAT(out_, HasSubstr("| room | scene | unseen |"));
+    for (const std::size_t view : {0U, 1U}) {
+        const json& first = result_of(document, view, "gtao-quality, single");
+        const json& second = result_of(document, view, "sweep-quality, single");
+        const json& run = result_of(document, view, "sweep-quality, sequence");
+        EXPECT_GT(double{result_of(document, view, "the depth buffer's truth (D)").at("rmse")}, 0.0);
+        for (const json* cell : {&first, &second, &run}) {
+            EXPECT_GT(double{cell->at("copies")}, 0.0);
+            EXPECT_GT(double{cell->at("rmse_depth")}, 0.0);
+            EXPECT_GT(double{cell->at("rmse")}, std::abs(double{cell->at("bias")}));
+        }
+        EXPECT_LT(double{second.at("rmse")}, double{first.at("rmse")});
+        EXPECT_TRUE(first.at("flicker").is_null());
+        EXPECT_FALSE(run.at("flicker").is_null());
+    }
+    // The means' row of a half with one view holds that view's error and its ratio to the first.
+    const double error = result_of(document, 1, "sweep-quality, single").at("rmse");
+    const double base = result_of(document, 1, "gtao-quality, single").at("rmse");
+    EXPECT_THAT(out_, HasSubstr(fixed(error, 4) + " | "));
+    EXPECT_THAT(out_, HasSubstr(fixed(error / base, 2) + " | "));
+}
+
+TEST_F(BenchExperiments, AHalfAloneWithoutTimes) {
+    const json document = measured(with(tiny, {"views", "--view", "moving", "room", "--half", "unseen",
+                                               "--single", "fast", "--rounds", "0", "--no-depth-truth"}));
+    ASSERT_EQ(document.at("sizes").at(0).at("cases").size(), 1U);
+    EXPECT_THAT(out_, HasSubstr("| room | scene | unseen |"));
+    EXPECT_THAT(out_, Not(HasSubstr("| moving |")));
+    EXPECT_TRUE(result_of(document, 0, "fast, single").at("copies").is_null());
+}
+
+// The mean over the cases of a size: of errors arithmetic, of times geometric.
+double mean_of(const json& size, std::size_t run, const char* what) {
+    double sum = 0.0;
+    const bool time = std::string(what) == "copies";
+    for (const json& one : size.at("cases")) {
+        const double value = one.at("results").at(run).at(what);
+        sum += time ? std::log(value) : value;
+    }
+    const double mean = sum / static_cast<double>(size.at("cases").size());
+    return time ? std::exp(mean) : mean;
+}
+
+bool beaten(const json& size, std::size_t run, std::size_t runs) {
+    for (std::size_t other = 0; other < runs; ++other)
+        if (mean_of(size, other, "rmse") < mean_of(size, run, "rmse") &&
+            mean_of(size, other, "copies") < mean_of(size, run, "copies"))
+            return true;
+    return false;
+}
+
+TEST_F(BenchExperiments, FrontShowsPresetsBesideThePlainLoopAtEachSize) {
+    const json document = measured({"front", "--size", "48x27", "64x36", "--frames", "3", "--scored", "2",
+                                    "--rays", "32", "--view", "room", "knot", "moving", "plan", "--sequence",
+                                    "fast", "balanced,samples=4,filter=none"});
+    for (const char* text : {"48 x 27", "64 x 36", "| plain loop, 9 x 3 |", "| scene | 2 |",
+                             "| plain loop, 1 x 2 and a blur |", "| plain loop, 3 x 3 and 2 blurs |",
+                             "| sweep-quality, single |", "| balanced,samples=4,filter=none, sequence |"})
+        EXPECT_THAT(out_, HasSubstr(text));
+    ASSERT_EQ(document.at("sizes").size(), 2U);
+    for (const json& size : document.at("sizes")) {
+        ASSERT_EQ(size.at("cases").size(), 2U);  // moving is of the other half, plan is orthographic
+        const json& runs = size.at("cases").at(0).at("results");
+        ASSERT_EQ(runs.size(), 6U);
+        for (const json& run : runs) EXPECT_GT(double{run.at("copies")}, 0.0);
+        EXPECT_GT(double{runs.at(1).at("rmse")}, double{runs.at(0).at("rmse")});
+        EXPECT_LT(double{runs.at(3).at("rmse")}, double{runs.at(0).at("rmse")});
+        EXPECT_TRUE(runs.at(3).at("flicker").is_null());
+        EXPECT_GT(double{runs.at(4).at("flicker")}, 0.0);
+        for (std::size_t run = 0; run < runs.size(); ++run) {
+            const std::string mark = beaten(size, run, runs.size()) ? "" : "**";
+            const double rmse = mean_of(size, run, "rmse");
+            EXPECT_THAT(out_, HasSubstr(" " + mark + fixed(rmse, 4) + mark + " | " +
+                                        fixed(rmse / mean_of(size, 0, "rmse"), 2) + " | " + mark +
+                                        fixed(mean_of(size, run, "copies"), 1) + mark + " |"));
+        }
+    }
+}
+
+TEST_F(BenchExperiments, PlainTimesAMethodBesideTheLoop) {
+    const json document = measured({"plain", "--size", "64x36", "--rounds", "2", "--case", "1 x 2", "3 x 3"});
+    const json& loop = result_of(document, 1, "plain loop");
+    const json& method = result_of(document, 1, "gtao");
+    ASSERT_EQ(loop.at("rounds_ms").size(), 2U);
+    ASSERT_EQ(method.at("rounds_ms").size(), 2U);
+    EXPECT_GT(double{method.at("difference")}, 0.0);
+    EXPECT_THAT(out_, HasSubstr(" " + fixed(method.at("difference"), 4) + " |"));
+    EXPECT_EQ(double{loop.at("difference")}, 0.0);
+    EXPECT_THAT(out_, HasSubstr("| 3 x 3 | "));
+    EXPECT_THAT(out_, Not(HasSubstr("| 9 x 3 | ")));
+}
+
+const Arguments bar{"bar",      "--size", "64x36",  "--frames", "4",       "--scored", "2",
+                    "--rounds", "2",      "--rays", "32",       "--scene", "moving"};
+
+TEST_F(BenchExperiments, BarHoldsARunAgainstPlainSlices) {
+    const json document = measured(bar);
+    EXPECT_THAT(out_, HasSubstr("| moving |"));
+    const json& run = result_of(document, 0, "fast");
+    const double error = run.at("rmse");
+    const double exact = result_of(document, 0, "9x3").at("rmse");
+    EXPECT_GT(double{run.at("flicker")}, 0.0);
+    EXPECT_LT(exact, double{result_of(document, 0, "1x2").at("rmse")});
+    EXPECT_THAT(out_, HasSubstr("| " + fixed(error, 4) + " | " + fixed(exact, 4) + " | " +
+                                fixed(error / exact, 2) + " | 1.00, "));
+}
+
+// A run that shows no occlusion at all misses any bar.
+TEST_F(BenchExperiments, BarSaysWhatIsMissed) {
+    const Arguments nothing = with(bar, {"--sequence", "fast,intensity=0"});
+    (void)measured(nothing);
+    EXPECT_THAT(out_, HasSubstr("RMSE (G) of fast,intensity=0"));
+    EXPECT_THAT(out_, HasSubstr("1.00, missed"));
+    EXPECT_EQ(run_command(with(with({"bench"}, nothing), {"--fail-if-missed"})).status, 1);
+}
+
+TEST_F(BenchExperiments, AFileOfOnesOwn) {
+    const fs::path file = write("mine.json", R"({
+      "about": "two methods", "sizes": ["48x27"], "rounds": 1,
+      "cases": [{"scene": "corner", "target": 1e-6}],
+      "candidates": [{"name": "gtao", "method": "gtao"}, {"name": "alchemy", "method": "alchemy"}],
+      "tables": [{"rows": "cases", "columns": [{"title": "scene", "label": "case"},
+        {"title": "ms", "value": "ms", "of": "gtao", "target": true}]}]})");
+    const json document = measured({file.string()});
+    EXPECT_EQ(document.at("experiment"), "mine");
+    EXPECT_GT(double{result_of(document, 0, "alchemy").at("ms")}, 0.0);
+    EXPECT_TRUE(result_of(document, 0, "alchemy").at("rmse").is_null()) << "no rays, no error";
+    EXPECT_THAT(out_, HasSubstr("| corner | 0.00, missed |"));
+    EXPECT_EQ(run_command({"bench", file.string(), "--fail-if-missed"}).status, 1);
+}
+
+TEST_F(BenchExperiments, WrongOptionsAreNamed) {
+    const auto expect = [](const Arguments& arguments, const std::string& named) {
+        expect_could_not_run(run_command(with({"bench"}, arguments)), named);
+    };
+    expect({"passes", "--size", "8x8"}, "8x8");
+    expect({"skips", "--rounds", "-1"}, "--rounds");
+    expect({"skips", "--single", "fast"}, "\"none\"");
+    expect({"views"}, "--single, --sequence");
+    expect({"views", "--single", "magic"}, "magic");
+    expect({"views", "--single", "fast", "--view", "magic"}, "case magic");
+    expect({"views", "--single", "fast", "--half", "magic"}, "magic");
+    expect({"views", "--single", "fast", "--set", "magic=1"}, "magic");
+    expect({"views", "--single", "fast", "--view", "bunny", "--meshes", "/nowhere"}, "/nowhere/bunny.obj");
+    expect({"views", "--single", "fast", "--frames", "2", "--scored", "3"}, "3 scored frames");
+    expect({"front", "--plain", "9"}, "9: expected SLICESxSTEPS+BLURS");
+    expect({"front", "--plain", "9x65"}, "expected SLICESxSTEPS");
+    expect({"front", "--view", "room", "--sequence", "fast,magic=1"}, "magic");
+    expect({"front", "--view", "plan"}, "no perspective view");
+    expect({"passes", "--half", "unseen"}, "unseen half");
+    expect({"plain", "--single", "paper,method=magic"}, "magic");
+    expect({"plain", "--case", "magic"}, "case magic: expected 1 x 2, 3 x 3");
+    expect({"bar", "--scene", "corner"}, "case corner: expected columns");
+    expect({"bar", "--page", write("page.md", "no block\n").string()}, "begin bar");
+    expect({"nowhere.json"}, "nowhere.json");
+    expect({write("broken.json", "{\"sizes\": [").string()}, "no JSON");
+}
+
+}  // namespace bench_experiments_test
+}  // namespace gloam::test
