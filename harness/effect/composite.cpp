@@ -12,7 +12,6 @@
 namespace gloam::effect {
 namespace {
 
-using enum gpu::BindingKind;
 using enum gpu::Format;
 
 void require(std::size_t found, std::size_t expected, const char* what) {
@@ -23,10 +22,7 @@ void require(std::size_t found, std::size_t expected, const char* what) {
 }  // namespace
 
 Composite::Composite(const gpu::Device& device, const scene::PassLibrary& passes)
-    : device_(&device),
-      pipeline_(pipeline_of(device, passes, {.file = "composite.comp"},
-                            {sampled_image, sampled_image, sampled_image, storage_image},
-                            sizeof(glm::ivec2))) {}
+    : device_(&device), pipeline_(pipeline_of(device, passes, {.file = "composite.comp"})) {}
 
 void Composite::watch(PassWatcher watcher) {
     watcher_ = std::move(watcher);

@@ -5,63 +5,21 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "effect/internal/executor.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/require_view.hpp"
-#include "effect/internal/steps.hpp"
 #include "effect/internal/texels.hpp"
+#include "effect/internal/view_inputs.hpp"
 #include "scene/guard_band.hpp"
 
 namespace gloam::effect {
 
-// What a pass is compiled for.
-struct DirectionalProgram {
-    std::string pass;
-    std::uint32_t layers = 1;
-    std::uint32_t interleave = 0;  // 0: the pass does not use it
-    bool keeps_history = false;    // it includes directional/history.glsl
-    std::size_t reads = 0;         // images that it reads besides those that all passes read
-
-    [[nodiscard]] auto operator<=>(const DirectionalProgram&) const = default;
-};
-
-// A filter's pass over light along one axis.
-struct LightFilterProgram {
-    bool along_y = false;
-    bool orthographic = false;
-    int half_width = 2;
-
-    [[nodiscard]] auto operator<=>(const LightFilterProgram&) const = default;
-};
-
-// A frame's light: direct in xyz and samples in w; bounced in xyz and depth in w.
-struct LightImages {
-    LightImages(const gpu::Device& device, gpu::Extent size)
-        : direct(device, size, gpu::Format::rgba32f), bounced(device, size, gpu::Format::rgba32f) {}
-    gpu::Image direct;
-    gpu::Image bounced;
-};
-
-// What light keeps from frame to frame, and what it needs within one.
-struct LightFrames {
-    LightFrames(const gpu::Device& device, gpu::Extent size)
-        : before(device, size), now(device, size), half_filtered(device, size), filtered(device, size) {}
-    LightImages before;
-    LightImages now;
-    LightImages half_filtered;
-    LightImages filtered;
-    View view;                // of the frame before
-    std::uint64_t count = 0;  // frames since the history began
-};
-
 namespace {
 
-using enum gpu::BindingKind;
 using enum gpu::Format;
 
 constexpr int most_interleave = 8;
@@ -75,29 +33,6 @@ DirectionalParameters parameters_of(const scene::GBuffer& view, const Settings& 
             .samples = settings.samples,
             .orthographic = view.camera.orthographic() ? 1U : 0U,
             .world_from_view = glm::mat3x4(world_from_view)};
-}
-
-gpu::ComputePipeline make_pipeline(const gpu::Device& device, const scene::PassLibrary& library,
-                                   const DirectionalProgram& program) {
-    std::vector<gpu::BindingKind> bindings{sampled_image, sampled_image, sampled_image, storage_buffer,
-                                           storage_image};
-    if (program.keeps_history)
-        bindings.insert(bindings.end(), {storage_buffer, sampled_image, sampled_image, sampled_image});
-    bindings.insert(bindings.end(), program.reads, sampled_image);
-    PassSource source{.file = program.pass + ".comp", .constants = {{.id = 0, .bits = program.layers}}};
-    if (program.interleave > 0) source.constants.push_back({.id = 1, .bits = program.interleave});
-    return pipeline_of(device, library, source, std::move(bindings), sizeof(DirectionalParameters));
-}
-
-gpu::ComputePipeline make_filter(const gpu::Device& device, const scene::PassLibrary& library,
-                                 const LightFilterProgram& program) {
-    const PassSource source{.file = "light_filter.comp",
-                            .constants = {{.id = 0, .bits = flag(program.along_y)},
-                                          {.id = 1, .bits = flag(program.orthographic)},
-                                          {.id = 2, .bits = static_cast<std::uint32_t>(program.half_width)}}};
-    return pipeline_of(device, library, source,
-                       {sampled_image, sampled_image, sampled_image, storage_image, storage_image},
-                       sizeof(FilterParameters));
 }
 
 // The albedo of each pixel, in [0, 1].
@@ -130,110 +65,89 @@ void require(const scene::GBuffer& view, const Settings& settings) {
 }  // namespace
 
 struct Directional::Impl {
-    Impl(const gpu::Device& the_device, const scene::PassLibrary& passes)
-        : device(&the_device),
-          library(passes),
-          normals(normals_from_depth(the_device, passes)),
-          nothing(the_device, {1, 1}, rgba32f),
-          method(the_device, sizeof(MethodValues)),
-          history(the_device, sizeof(LightHistory)) {}
+    Impl(const gpu::Device& device, const scene::PassLibrary& passes)
+        : executor(device, passes), resources(device) {}
 
-    const gpu::Device* device;
-    scene::PassLibrary library;
-    gpu::ComputePipeline normals;
-    std::map<DirectionalProgram, gpu::ComputePipeline> pipelines;
-    gpu::Image nothing;
-    gpu::Buffer method;
-    gpu::Buffer history;  // LightHistory
-    std::map<LightFilterProgram, gpu::ComputePipeline> filter_pipelines;
-    std::optional<LightFrames> light;
-    PassWatcher watcher;  // empty: none
-
-    [[nodiscard]] const gpu::ComputePipeline& pipeline(const DirectionalProgram& program) {
-        const auto found = pipelines.find(program);
-        if (found != pipelines.end()) return found->second;
-        return pipelines.emplace(program, make_pipeline(*device, library, program)).first->second;
-    }
+    Executor executor;
+    Resources resources;
+    View last;                // of the last frame of light
+    std::uint64_t count = 0;  // frames since the history of light began
+    PassWatcher watcher;      // empty: none
 
     // Uploads a view; reconstructs missing normals.
-    [[nodiscard]] ViewImages taken(const scene::GBuffer& view, const Settings& settings) {
+    void take(const scene::GBuffer& view, const Settings& settings) {
         require(view, settings);
-        ViewImages images(*device, view.extent);
-        images.take_linear(*device, view);
-        method.as<MethodValues>()[0] = settings.own;
-        if (view.normal.empty()) {
-            const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
-            const Step step{
-                "normals_from_depth", &normals, {images.depth, images.normal}, bytes_of(parameters)};
-            (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1, {}, watcher);
-        }
-        return images;
+        take_linear(view, resources, executor, watcher);
+        resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings.own;
     }
 
-    // Runs a pass that writes `out`. `read`: the images at its further bindings.
-    void shade(const std::string& pass, const ViewImages& images, const gpu::Image& out,
-               std::vector<gpu::Resource> read, const scene::GBuffer& view, const Settings& settings,
-               std::uint32_t interleave = 0, bool keeps_history = false) {
-        const DirectionalParameters parameters = parameters_of(view, settings);
-        std::vector<gpu::Resource> resources{images.depth, images.normal,
-                                             images.layers ? *images.layers : nothing, method, out};
-        if (keeps_history)
-            resources.insert(resources.end(),
-                             {history, light->before.direct, light->before.bounced,
-                              images.previous_position ? *images.previous_position : nothing});
-        resources.insert(resources.end(), read.begin(), read.end());
-        const DirectionalProgram program{pass, settings.layers, interleave, keeps_history, read.size()};
-        const Step step{pass, &pipeline(program), std::move(resources), bytes_of(parameters)};
-        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1, {}, watcher);
+    // The name of an image that the view may lack.
+    static std::string or_nothing(bool exists, const char* name) { return exists ? name : nothing_image; }
+
+    // Runs a pass that writes `out`. read: the images and buffers at its further bindings. interleave: 0
+    // where the pass does not use it.
+    void shade(const std::string& name, const std::string& out, const std::vector<std::string>& read,
+               const scene::GBuffer& view, const Settings& settings, std::uint32_t interleave = 0) {
+        PassSource source{.file = name + ".comp", .constants = {{.id = 0, .bits = settings.layers}}};
+        if (interleave > 0) source.constants.push_back({.id = 1, .bits = interleave});
+        std::vector<std::string> bound{"depth", "normal", or_nothing(!view.layers.empty(), "layers"),
+                                       "method", out};
+        bound.insert(bound.end(), read.begin(), read.end());
+        const PlannedPass pass = single_pass(name, std::move(source), std::move(bound),
+                                             parameters_of(view, settings), groups_for(view.extent));
+        executor.run(std::span(&pass, 1), resources, watcher);
     }
 
     // Decides what the frame keeps of the one before, and sets LightHistory.
-    void follow(const scene::GBuffer& view, const Settings& settings, const ViewImages& images,
-                LightFollows follows) {
-        const bool fits = light && light->view.extent == view.extent;
+    void follow(const scene::GBuffer& view, const Settings& settings, LightFollows follows) {
+        const bool fits = last.extent == view.extent;
         const bool linked = follows == LightFollows::same_view ||
                             (follows == LightFollows::last_view && view.camera.previous_from_current);
-        if (!fits) light.emplace(*device, view.extent);
-        if (!fits || !linked || !settings.history) light->count = 0;
+        if (!fits || !linked || !settings.history) count = 0;
+        for (const char* state : {"before", "now"})
+            for (const char* part : {"direct_", "bounced_"})
+                (void)resources.image(std::string(part) + state, view.extent, rgba32f);
         const bool same = follows == LightFollows::same_view;
-        const scene::CameraFrame& previous = light->count > 0 ? light->view.camera : view.camera;
-        history.as<LightHistory>()[0] = {
+        const scene::CameraFrame& previous = count > 0 ? last.camera : view.camera;
+        resources.buffer("history_of_light", sizeof(LightHistory)).as<LightHistory>()[0] = {
             .previous_from_current = view.camera.previous_from_current.value_or(glm::mat4(1.0F)),
             .previous_p00_p11 = previous.p00_p11(),
-            .kept = light->count == 0 ? 0U
-                    : same            ? 1U
-                                      : 2U,
-            .objects_move = flag(light->count > 0 && !same && images.previous_position.has_value()),
+            .kept = count == 0 ? 0U
+                    : same     ? 1U
+                               : 2U,
+            .objects_move = flag(count > 0 && !same && !view.previous_position.empty()),
             .previous_orthographic = flag(previous.orthographic()),
-            .first_sample = static_cast<std::uint32_t>(light->count * settings.samples % settings.table_size),
+            .first_sample = static_cast<std::uint32_t>(count * settings.samples % settings.table_size),
             .weight_max = settings.weight_max,
             .depth_tolerance = settings.depth_tolerance,
             .invalidation = static_cast<std::uint32_t>(settings.invalidation),
             .change_tolerance = settings.change_tolerance,
             .weight_small = settings.weight_small,
             .confidence_factor = settings.confidence_factor};
-        light->view = {view.camera, view.extent, view.border};
+        last = {view.camera, view.extent, view.border};
     }
 
-    // Smooths the frame's light, if the settings filter it. Returns what is displayed.
-    [[nodiscard]] const LightImages& smoothed(const ViewImages& images, const Settings& settings) {
-        if (!filters(settings, light->count)) return light->now;
-        const FilterParameters parameters = filter_parameters(light->view, settings);
-        const auto along = [&](bool y, const LightImages& from, const LightImages& to) {
-            const LightFilterProgram program{y, light->view.camera.orthographic(),
-                                             settings.filter_half_width};
-            auto found = filter_pipelines.find(program);
-            if (found == filter_pipelines.end())
-                found = filter_pipelines.emplace(program, make_filter(*device, library, program)).first;
-            return Step{"light_filter",
-                        &found->second,
-                        {images.depth, from.direct, from.bounced, to.direct, to.bounced},
-                        bytes_of(parameters)};
+    // Smooths the frame's light, if the settings filter it. Returns the state of it that is displayed.
+    [[nodiscard]] const char* smoothed(const Settings& settings) {
+        if (!filters(settings, count)) return "now";
+        const FilterParameters parameters = filter_parameters(last, settings);
+        const auto along = [&](bool y, const std::string& from, const std::string& to) {
+            for (const char* part : {"direct_", "bounced_"})
+                (void)resources.image(part + to, last.extent, rgba32f);
+            const PassSource source{
+                .file = "light_filter.comp",
+                .constants = {{.id = 0, .bits = flag(y)},
+                              {.id = 1, .bits = flag(last.camera.orthographic())},
+                              {.id = 2, .bits = static_cast<std::uint32_t>(settings.filter_half_width)}}};
+            return single_pass(
+                "light_filter", source,
+                {"depth", "direct_" + from, "bounced_" + from, "direct_" + to, "bounced_" + to}, parameters,
+                groups_for(last.extent));
         };
-        const std::array steps{along(false, light->now, light->half_filtered),
-                               along(true, light->half_filtered, light->filtered)};
-        (void)run(*device, steps, groups_for(light->view.extent), 1, {}, watcher);
-        return light->filtered;
+        const std::array passes{along(false, "now", "half_filtered"),
+                                along(true, "half_filtered", "filtered")};
+        executor.run(passes, resources, watcher);
+        return "filtered";
     }
 };
 
@@ -254,15 +168,12 @@ BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings
             fmt::format("interleave {}: expected 1 to {}", options.interleave, most_interleave));
     }
     const auto interleave = static_cast<std::uint32_t>(options.interleave);
-    const ViewImages images = impl_->taken(view, settings);
-    gpu::Image bent(*impl_->device, view.extent, rgba32f);
-    impl_->shade("bent_normals", images, bent, {}, view, settings, interleave);
-    if (interleave > 1) {
-        gpu::Image gathered(*impl_->device, view.extent, rgba32f);
-        impl_->shade("bent_gather", images, gathered, {bent}, view, settings, interleave);
-        bent = std::move(gathered);
-    }
-    const std::vector<float> texels = bent.download();
+    impl_->take(view, settings);
+    gpu::Image& bent = impl_->resources.image("bent", view.extent, rgba32f);
+    gpu::Image& gathered = impl_->resources.image("gathered", view.extent, rgba32f);
+    impl_->shade("bent_normals", "bent", {}, view, settings, interleave);
+    if (interleave > 1) impl_->shade("bent_gather", "gathered", {"bent"}, view, settings, interleave);
+    const std::vector<float> texels = (interleave > 1 ? gathered : bent).download();
     return {.extent = scene::frame_of(view),
             .direction = scene::cropped(view, vectors_of(texels)),
             .half_angle = scene::cropped(view, channel(texels, 3))};
@@ -270,24 +181,27 @@ BentNormals Directional::bent_normals(const scene::GBuffer& view, const Settings
 
 DirectionalLight Directional::light(const scene::GBuffer& view, const Settings& settings,
                                     const scene::Environment& environment, LightFollows follows) {
-    const ViewImages images = impl_->taken(view, settings);
-    impl_->follow(view, settings, images, follows);
-    const gpu::Device& device = *impl_->device;
+    Resources& resources = impl_->resources;
+    impl_->take(view, settings);
+    impl_->follow(view, settings, follows);
     const std::vector<glm::vec3> color = albedo_of(view);
-    gpu::Image albedo(device, view.extent, rgba32f);
-    albedo.upload(texels_of(color));
-    gpu::Image around(device, environment.extent, rgba32f);
-    around.upload(texels_of(environment.radiance));
-    LightFrames& light = *impl_->light;
-    impl_->shade("direct_light", images, light.now.direct, {around}, view, settings, 0, true);
-    impl_->shade("bounced_light", images, light.now.bounced, {albedo, light.now.direct}, view, settings, 0,
-                 true);
-    const LightImages& shown = impl_->smoothed(images, settings);
+    resources.image("albedo", view.extent, rgba32f).upload(texels_of(color));
+    resources.image("environment", environment.extent, rgba32f).upload(texels_of(environment.radiance));
+    const auto with_history = [&](std::vector<std::string> read) {
+        read.insert(read.begin(), {"history_of_light", "direct_before", "bounced_before",
+                                   Impl::or_nothing(!view.previous_position.empty(), "previous_position")});
+        return read;
+    };
+    impl_->shade("direct_light", "direct_now", with_history({"environment"}), view, settings);
+    impl_->shade("bounced_light", "bounced_now", with_history({"albedo", "direct_now"}), view, settings);
+    const std::string shown = impl_->smoothed(settings);
     DirectionalLight result{.extent = scene::frame_of(view),
-                            .direct = sent(view, shown.direct, color),
-                            .bounced = sent(view, shown.bounced, color)};
-    std::swap(light.before, light.now);
-    ++light.count;
+                            .direct = sent(view, resources.image("direct_" + shown), color),
+                            .bounced = sent(view, resources.image("bounced_" + shown), color)};
+    const std::array<std::array<std::string, 2>, 2> exchanged{
+        {{"direct_before", "direct_now"}, {"bounced_before", "bounced_now"}}};
+    resources.exchange(exchanged);
+    ++impl_->count;
     return result;
 }
 

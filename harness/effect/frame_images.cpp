@@ -30,6 +30,15 @@ gpu::Format format_of(OutputFormat output) {
     }
 }
 
+std::vector<float> expanded(const std::vector<float>& half, gpu::Extent extent) {
+    const std::size_t columns = (extent.width + 1) / 2;
+    std::vector<float> all;
+    all.reserve(pixels_of(extent));
+    for (std::size_t y = 0; y < extent.height; ++y)
+        for (std::size_t x = 0; x < extent.width; ++x) all.push_back(half[y / 2 * columns + x / 2]);
+    return all;
+}
+
 std::size_t pixels_of(gpu::Extent extent) {
     return std::size_t{extent.width} * extent.height;
 }
@@ -48,26 +57,6 @@ HistoryTexels history_in(const gpu::Image& image) {
     for (float& value : history.occlusion) value *= packed_occlusion_unit;
     for (float& value : history.samples) value /= 16.0F;
     return history;
-}
-
-FrameImages::FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPrecision precision)
-    : inputs(device, size),
-      before(device, size, format_of(precision)),
-      reprojected(device, size, format_of(precision)),
-      after(device, size, format_of(precision)),
-      half_filtered(device, size, r32f),
-      filtered(device, size, r32f),
-      tiles(device, size) {}
-
-void FrameImages::watch_objects(const gpu::Device& device) {
-    if (inputs.previous_position && !displacement) displacement.emplace(device, inputs.depth.extent(), r32ui);
-}
-
-void FrameImages::map(const gpu::Device& device, OutputFormat output) {
-    const gpu::Format format = format_of(output);
-    if (mapped && mapped->format() == format) return;
-    mapped.emplace(device, inputs.depth.extent(), format);
-    filtered_mapped.emplace(device, inputs.depth.extent(), format);
 }
 
 }  // namespace gloam::effect

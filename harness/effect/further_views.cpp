@@ -3,19 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "effect/internal/frame_images.hpp"
+#include "effect/internal/executor.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/steps.hpp"
+#include "effect/internal/view_inputs.hpp"
 #include "effect/methods.hpp"
 
 namespace gloam::effect {
 namespace {
-
-using enum gpu::BindingKind;
 
 glm::ivec2 size_of(const scene::GBuffer& view) {
     return {static_cast<int>(view.extent.width), static_cast<int>(view.extent.height)};
@@ -59,41 +56,12 @@ void require(const scene::GBuffer& view, const std::vector<float>& occlusion, co
 }  // namespace
 
 struct FurtherViews::Impl {
-    Impl(const gpu::Device& the_device, const scene::PassLibrary& passes)
-        : device(&the_device),
-          library(passes),
-          normals(normals_from_depth(the_device, passes)),
-          method(the_device, sizeof(MethodValues)) {}
+    Impl(const gpu::Device& device, const scene::PassLibrary& passes)
+        : executor(device, passes), resources(device) {}
 
-    const gpu::Device* device;
-    scene::PassLibrary library;
-    gpu::ComputePipeline normals;
-    gpu::Buffer method;
-    PassWatcher watcher;                                                 // empty: none
-    std::map<std::pair<Program, bool>, gpu::ComputePipeline> pipelines;  // by both cameras
-
-    [[nodiscard]] const gpu::ComputePipeline& pipeline(const Program& program, bool other_orthographic) {
-        const std::pair key(program, other_orthographic);
-        const auto known = pipelines.find(key);
-        if (known != pipelines.end()) return known->second;
-        return pipelines
-            .emplace(key, pipeline_of(*device, library, further_view_source(program, other_orthographic),
-                                      {sampled_image, sampled_image, sampled_image, sampled_image,
-                                       storage_image, storage_buffer},
-                                      sizeof(FurtherViewParameters)))
-            .first->second;
-    }
-
-    // Uploads a view; reconstructs missing normals.
-    [[nodiscard]] ViewImages taken(const scene::GBuffer& view) {
-        ViewImages images(*device, view.extent);
-        images.take_linear(*device, view);
-        if (!view.normal.empty()) return images;
-        const NormalParameters parameters = normal_parameters({view.camera, view.extent, view.border});
-        const Step step{"normals_from_depth", &normals, {images.depth, images.normal}, bytes_of(parameters)};
-        (void)run(*device, std::span(&step, 1), groups_for(view.extent), 1, {}, watcher);
-        return images;
-    }
+    Executor executor;
+    Resources resources;  // of the view, and with the prefix other_ of a further view
+    PassWatcher watcher;  // empty: none
 };
 
 FurtherViews::FurtherViews(const gpu::Device& device, const scene::PassLibrary& passes)
@@ -110,20 +78,19 @@ std::vector<float> FurtherViews::raised(const scene::GBuffer& view, const std::v
                                         std::span<const scene::GBuffer> others, const Settings& settings) {
     require(view, occlusion, settings);
     for (const scene::GBuffer& other : others) require(other);
-    Program program = program_for(settings);
-    program.orthographic = view.camera.orthographic();
-    impl_->method.as<MethodValues>()[0] = settings.own;
-    gpu::Image result(*impl_->device, view.extent, gpu::Format::r32f);
+    Resources& resources = impl_->resources;
+    resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings.own;
+    gpu::Image& result = resources.image("raised", view.extent, gpu::Format::r32f);
     result.upload(occlusion);
-    const ViewImages images = impl_->taken(view);
+    take_linear(view, resources, impl_->executor, impl_->watcher);
     for (const scene::GBuffer& other : others) {
-        const ViewImages there = impl_->taken(other);
-        const FurtherViewParameters parameters = parameters_of(view, other, settings);
-        const Step step{"further_view",
-                        &impl_->pipeline(program, other.camera.orthographic()),
-                        {images.depth, images.normal, there.depth, there.normal, result, impl_->method},
-                        bytes_of(parameters)};
-        (void)run(*impl_->device, std::span(&step, 1), groups_for(view.extent), 1, {}, impl_->watcher);
+        take_linear(other, resources, impl_->executor, impl_->watcher, "other_");
+        const PlannedPass pass = single_pass(
+            "further_view",
+            further_view_source(settings, view.camera.orthographic(), other.camera.orthographic()),
+            {"depth", "normal", "other_depth", "other_normal", "raised", "method"},
+            parameters_of(view, other, settings), groups_for(view.extent));
+        impl_->executor.run(std::span(&pass, 1), resources, impl_->watcher);
     }
     return result.download();
 }

@@ -68,7 +68,7 @@ struct PlannedPass {
     std::vector<std::byte> odd_parameters;
     std::vector<bool> of_view;  // for each byte: it depends on the view; otherwise on the settings alone
     std::array<std::uint32_t, 2> pixels{};  // pixels of the view for each group, along x and y
-    std::array<std::uint32_t, 3> groups{};  // number of groups, if `pixels` is 0
+    std::array<std::uint32_t, 3> groups{};  // for the view of the plan; for every view if `pixels` is 0
     std::optional<std::size_t> list;  // instead: indirect dispatch, byte offset in the buffer tile_lists
     std::uint32_t divisor =
         1;  // 2: the pass reads half-size images, and `of_view` are those of the half-size view

@@ -32,7 +32,4 @@ struct Preparation {
 // method that needs none.
 [[nodiscard]] std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view);
 
-// Format of a method's prepared image; rgba32f for a method without one.
-[[nodiscard]] gpu::Format prepared_format(const std::string& method);
-
 }  // namespace gloam::effect

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/compute.hpp"
@@ -70,8 +71,9 @@ class DisplacementPass : public OnDevice<testing::Test> {
                                                 .size = size,
                                                 .tolerance = 0.1F,
                                                 .displacement_unit = unit};
-        const gpu::ComputePipeline pass =
-            reproject(device_, passes_, {.moving_objects = true, .keeps_displacement = true});
+        Moment moment{.has_positions = true};
+        moment.view.camera = moment.before.camera = scene::make_frame({}, 2.0);
+        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, reprojection_source(moment));
         gpu::Commands commands(device_);
         commands.dispatch(pass,
                           std::vector<gpu::Resource>{depth, positions, history, after, no_list, displacement},

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
 #include "effect/setting_table.hpp"
 #include "filter_passes.hpp"
 #include "on_device.hpp"
@@ -51,23 +52,21 @@ using Case = std::tuple<std::string, int, HistoryPrecision, bool>;
 
 class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
   protected:
-    [[nodiscard]] FilterProgram program() const {
+    // A frame of the case's settings.
+    [[nodiscard]] Moment moment() const {
         const auto& [filter, half_width, precision, orthographic] = GetParam();
         Settings settings;
         set(settings, "filter", filter);
         settings.filter_half_width = half_width;
         settings.precision = precision;
-        FilterProgram program = filter_program_for(settings, std::nullopt);
-        program.orthographic = orthographic;
-        return program;
+        Moment moment{.settings = settings};
+        moment.view.camera = orthographic ? scene::CameraFrame{} : scene::make_frame({}, 1.0);
+        return moment;
     }
 
     [[nodiscard]] FilterPair rows() const {
-        FilterProgram along_x = program();
-        FilterProgram along_y = program();
-        along_y.along_y = true;
-        return {spatial_filter(device_, passes_, along_x),
-                spatial_filter(device_, passes_, along_y),
+        return {pipeline_of(device_, passes_, filter_source(moment(), false)),
+                pipeline_of(device_, passes_, filter_source(moment(), true)),
                 {tile_side * filter_tiles, tile_side}};
     }
 
@@ -83,11 +82,11 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
     [[nodiscard]] std::string text() const {
         std::string filter;
         for (const char c : std::get<0>(GetParam())) filter += static_cast<char>(std::toupper(c));
-        const bool rounds = program().precision == HistoryPrecision::float16;
+        const bool rounds = moment().settings.precision == HistoryPrecision::float16;
         const std::size_t end = pixel_filter.find('\n') + 1;
         return pixel_filter.substr(0, end) +
                fmt::format("#define GLOAM_HISTORY {}\n#define HALF_WIDTH {}\n#define {}\n",
-                           rounds ? "rgba16f" : "rgba32f", program().half_width, filter) +
+                           rounds ? "rgba16f" : "rgba32f", moment().settings.filter_half_width, filter) +
                pixel_filter.substr(end);
     }
 
@@ -99,7 +98,7 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
                               storage_image},
                  .push_constant_bytes = sizeof(FilterConstants),
                  .constants = {{.id = 0, .bits = along_y ? 1U : 0U},
-                               {.id = 1, .bits = program().orthographic ? 1U : 0U}}}};
+                               {.id = 1, .bits = moment().view.camera.orthographic() ? 1U : 0U}}}};
     }
 };
 
@@ -108,12 +107,12 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
 TEST_P(FilterRows, GiveWhatTheLibraryGivesForEachPixel) {
     const FilterPair of_rows = rows();
     const FilterPair of_pixels = pixels();
-    const bool rounds = program().precision == HistoryPrecision::float16;
+    const bool rounds = moment().settings.precision == HistoryPrecision::float16;
     const gpu::Format history = rounds ? gpu::Format::rgba16f : gpu::Format::rgba32f;
     for (const glm::ivec2 size : {glm::ivec2(3, 7), glm::ivec2(21, 13), glm::ivec2(69, 34)}) {
         const Field field = rough_field(size);
         for (const bool capped : {false, true}) {
-            const FilterConstants constants = constants_for(program().half_width, capped);
+            const FilterConstants constants = constants_for(moment().settings.filter_half_width, capped);
             EXPECT_EQ(run_filter(device_, of_rows, field, constants, history),
                       run_filter(device_, of_pixels, field, constants, history))
                 << size.x << " x " << size.y << (capped ? ", capped" : "");

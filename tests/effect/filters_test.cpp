@@ -15,6 +15,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
 #include "effect/setting_table.hpp"
 #include "filter_passes.hpp"
@@ -56,9 +57,9 @@ class Filters : public OnDevice<testing::TestWithParam<std::string>> {
   private:
     [[nodiscard]] FilterPair pair_for(int half_width) const {
         const auto pass = [&](bool along_y) {
-            FilterProgram program = filter_program_for(settings(half_width), std::nullopt);
-            program.along_y = along_y;
-            return spatial_filter(device_, passes_, program);
+            Moment moment{.settings = settings(half_width)};
+            moment.view.camera = scene::make_frame({}, 1.0);
+            return pipeline_of(device_, passes_, filter_source(moment, along_y));
         };
         return {pass(false), pass(true), {tile_side * filter_tiles, tile_side}};
     }

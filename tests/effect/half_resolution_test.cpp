@@ -10,7 +10,7 @@
 
 #include "bits.hpp"
 #include "effect/internal/frame_images.hpp"
-#include "effect/internal/half_resolution.hpp"
+#include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/texels.hpp"
 #include "effect/methods.hpp"

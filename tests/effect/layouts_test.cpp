@@ -11,10 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "effect/internal/half_resolution.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/prepared_image.hpp"
-#include "effect/internal/sample_table.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "effect/presets.hpp"
@@ -51,7 +48,7 @@ class Layouts : public OnDevice<testing::Test> {
 };
 
 PassSource occlusion() {
-    return occlusion_source(program_for({}), Counting::each_group, 1);
+    return occlusion_source({.counting = Counting::each_group});
 }
 
 TEST_F(Layouts, OcclusionPass) {
@@ -86,8 +83,7 @@ TEST_F(Layouts, OcclusionPass) {
 
 TEST_F(Layouts, PreparationPasses) {
     using T = PreparationParameters;
-    const PassSource source =
-        preparation_source("half_resolution.comp", preparation_program_for({}), gpu::Format::rgba32f);
+    const PassSource source = preparation_source({}, "half_resolution.comp");
     expect_pushed(source, sizeof(T),
                   {MEMBER(T, p00_p11), MEMBER(T, size), MEMBER(T, border), MEMBER(T, radius), MEMBER(T, bias),
                    MEMBER(T, c_spatial), MEMBER(T, weight_max), MEMBER(T, c_rot), MEMBER(T, least_radius),
@@ -102,21 +98,24 @@ TEST_F(Layouts, ReprojectionFilterAndMap) {
                   {MEMBER(R, previous_from_current), MEMBER(R, p00_p11), MEMBER(R, previous_p00_p11),
                    MEMBER(R, size), MEMBER(R, tolerance), MEMBER(R, displacement_unit)});
     using F = FilterParameters;
-    for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao})
-        expect_pushed(filter_source({.filter = filter}), sizeof(F),
+    for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao}) {
+        Moment moment;
+        moment.settings.filter = filter;
+        expect_pushed(filter_source(moment, false), sizeof(F),
                       {MEMBER(F, p00_p11), MEMBER(F, size), MEMBER(F, sigma_pixels), MEMBER(F, depth_scale),
                        MEMBER(F, c_adaptive), MEMBER(F, weight_max), MEMBER(F, cap)});
+    }
     using M = RemapParameters;
-    expect_pushed(remap_source({}, {}), sizeof(M),
+    expect_pushed(remap_source({}, false), sizeof(M),
                   {MEMBER(M, size), MEMBER(M, a), MEMBER(M, b), MEMBER(M, c)});
     using H = HalveParameters;
     expect_pushed(halve_source({}), sizeof(H),
                   {MEMBER(H, p00_p11), MEMBER(H, previous_p00_p11), MEMBER(H, size)});
     using U = UpsampleParameters;
-    expect_pushed(upsample_source({}), sizeof(U),
+    expect_pushed(upsample_source({}, true), sizeof(U),
                   {MEMBER(U, size), MEMBER(U, a), MEMBER(U, b), MEMBER(U, c)});
     using N = NormalParameters;
-    expect_pushed(normals_source(), sizeof(N),
+    expect_pushed({.file = "normals_from_depth.comp"}, sizeof(N),
                   {MEMBER(N, p00_p11), MEMBER(N, size), MEMBER(N, orthographic)});
     using S = SampleTableParameters;
     const std::string points = method_named("hemisphere").points;
@@ -142,7 +141,7 @@ TEST_F(Layouts, PassesOverTiles) {
 
 TEST_F(Layouts, FurtherViewsAndDirections) {
     using V = FurtherViewParameters;
-    expect_pushed(further_view_source(program_for({}), false), sizeof(V),
+    expect_pushed(further_view_source({}, false, false), sizeof(V),
                   {MEMBER(V, other_from_this), MEMBER(V, p00_p11), MEMBER(V, other_p00_p11), MEMBER(V, size),
                    MEMBER(V, other_size), MEMBER(V, radius), MEMBER(V, bias), MEMBER(V, bias_depth),
                    MEMBER(V, remap_a), MEMBER(V, remap_b), MEMBER(V, remap_c)});

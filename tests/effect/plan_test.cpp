@@ -9,7 +9,6 @@
 #include <set>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/internal/half_resolution.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
 #include "effect/preparation.hpp"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/compute.hpp"
@@ -49,13 +50,22 @@ Texels different() {
     return texels;
 }
 
+Settings interpolated() {
+    Settings settings;
+    settings.nearest_index = false;
+    return settings;
+}
+
+Settings with_taps(HistoryTaps taps) {
+    Settings settings;
+    settings.taps = taps;
+    return settings;
+}
+
 class ReprojectionPass : public OnDevice<testing::Test> {
   protected:
     // The history of a wall that a parallel camera has moved along by `shift`.
-    [[nodiscard]] Texels moved(const Texels& before, ReprojectionProgram program,
-                               float tolerance = 0.1F) const {
-        program.orthographic = true;
-        program.previous_orthographic = true;
+    [[nodiscard]] Texels moved(const Texels& before, const Settings& settings, float tolerance = 0.1F) const {
         const gpu::Extent extent{static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
         using enum gpu::Format;
         gpu::Image depth(device_, extent, r32f);
@@ -76,7 +86,8 @@ class ReprojectionPass : public OnDevice<testing::Test> {
             .previous_p00_p11 = p00_p11,
             .size = size,
             .tolerance = tolerance};
-        const gpu::ComputePipeline pass = reproject(device_, passes_, program);
+        const Moment moment{.settings = settings};  // its cameras are orthographic
+        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, reprojection_source(moment));
         gpu::Commands commands(device_);
         commands.dispatch(
             pass, std::vector<gpu::Resource>{depth, positions, previous, history, no_list, no_displacement},
@@ -114,7 +125,7 @@ TEST_F(ReprojectionPass, InterpolatesOcclusionAndWeightAndTakesTheIndexOfTheNear
 
 TEST_F(ReprojectionPass, AnInterpolatedIndexIsTheMeanOfFourWithoutItsFraction) {
     const Texels before = different();
-    const Texels after = moved(before, {.nearest_index = false});
+    const Texels after = moved(before, interpolated());
     for (int y = 0; y + 1 < size.y; ++y)
         for (int x = 0; x + 1 < size.x; ++x)
             EXPECT_EQ(after[at(x, y)].index, std::floor(mean_at(before, x, y, &Texel::index)))
@@ -123,7 +134,7 @@ TEST_F(ReprojectionPass, AnInterpolatedIndexIsTheMeanOfFourWithoutItsFraction) {
 
 TEST_F(ReprojectionPass, AtTheEdgeOfTheImageTheLastTexelStandsForThoseBeyond) {
     Texels before = different();
-    const Texels after = moved(before, {.nearest_index = false});
+    const Texels after = moved(before, interpolated());
     // The last column that lies inside: its right neighbours are itself.
     for (int y = 0; y + 1 < size.y; ++y) {
         const Texel& own = before[at(size.x - 1, y)];
@@ -135,14 +146,14 @@ TEST_F(ReprojectionPass, AtTheEdgeOfTheImageTheLastTexelStandsForThoseBeyond) {
 
 TEST_F(ReprojectionPass, TheNearestTexelAloneIsCopied) {
     const Texels before = different();
-    EXPECT_EQ(moved(before, {.taps = HistoryTaps::nearest}), before);
+    EXPECT_EQ(moved(before, with_taps(HistoryTaps::nearest)), before);
 }
 
 // Bilinear without a test of its own where the nearest texel passes; nothing where it does not.
 TEST_F(ReprojectionPass, BilinearTapsAreValidWhereTheNearestIs) {
     Texels before = different();
     for (int y = 0; y < size.y; ++y) before[at(5, y)].depth = 10.0F * depth_of_all;
-    const Texels after = moved(before, {.taps = HistoryTaps::bilinear});
+    const Texels after = moved(before, with_taps(HistoryTaps::bilinear));
     for (int y = 0; y + 1 < size.y; ++y) {
         EXPECT_EQ(after[at(5, y)].weight, 0.0F) << y;
         EXPECT_NEAR(after[at(4, y)].weight, mean_at(before, 4, y, &Texel::weight), 1e-3) << y;
@@ -168,7 +179,7 @@ TEST_F(ReprojectionPass, AFieldThatIsTheSameEverywhereStaysSo) {
     const Texel everywhere{.occlusion = 0.3F, .weight = 7.0F, .index = 41.0F};
     const Texels before(static_cast<std::size_t>(size.x * size.y), everywhere);
     for (const bool nearest : {true, false}) {
-        for (const Texel& got : moved(before, {.nearest_index = nearest})) {
+        for (const Texel& got : moved(before, nearest ? Settings{} : interpolated())) {
             EXPECT_NEAR(got.occlusion, everywhere.occlusion, 1e-6);
             EXPECT_EQ(got.index, everywhere.index);
         }

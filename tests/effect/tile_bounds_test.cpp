@@ -10,6 +10,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
@@ -36,7 +37,7 @@ class TileBounds : public OnDevice<testing::Test> {
         const glm::uvec2 tiles = (glm::uvec2(size) + tile_side - 1U) / tile_side;
         const glm::uvec2 groups = (tiles + 7U) / 8U;
         const gpu::Buffer buffer(device_, std::size_t{tiles.x} * tiles.y * sizeof(Bound));
-        const gpu::ComputePipeline pass = bound_tiles(device_, passes_);
+        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, {.file = "tiles/bound.comp"});
         gpu::Commands commands(device_);
         commands.dispatch(pass, std::vector<gpu::Resource>{image, buffer}, {groups.x, groups.y, 1},
                           std::as_bytes(std::span(&size, 1)));

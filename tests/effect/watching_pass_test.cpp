@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "effect/internal/passes.hpp"
+#include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
@@ -48,8 +49,8 @@ class WatchingPass : public OnDevice<testing::Test> {
         const View view{scene::make_frame({}, 1.5), extent, {}};
         OcclusionParameters parameters = occlusion_parameters(view, settings());
         parameters.still = still ? 1 : 0;
-        Program program = program_for(settings());
-        program.moving_objects = true;
+        Moment moment{.settings = settings(), .has_positions = true, .counting = Counting::each_group};
+        moment.view = view;
         gpu::Image depth(device_, extent, r32f);
         gpu::Image normal(device_, extent, rgba32f);
         gpu::Image before(device_, extent, rgba32f);
@@ -76,7 +77,10 @@ class WatchingPass : public OnDevice<testing::Test> {
         normal.upload(normals);
         before.upload(history);
         displacements.upload(codes);
-        const gpu::ComputePipeline pass = ambient_occlusion(device_, passes_, program);
+        using enum gpu::BindingKind;
+        std::vector<gpu::BindingKind> kinds(12, storage_image);
+        for (const std::size_t buffer : {4, 6, 9}) kinds[buffer] = storage_buffer;
+        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, occlusion_source(moment), kinds);
         gpu::Commands commands(device_);
         commands.dispatch(pass,
                           std::vector<gpu::Resource>{depth, normal, before, after, states, displacements,

@@ -2,14 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "effect/internal/tiles.hpp"
-#include "effect/internal/view_images.hpp"
 #include "effect/settings.hpp"
-#include "gpu/buffer.hpp"
 #include "gpu/image.hpp"
 
 namespace gloam::effect {
@@ -35,26 +31,7 @@ struct HistoryTexels {
 };
 [[nodiscard]] HistoryTexels history_in(const gpu::Image& image);
 
-// All images and buffers that have the size of the view.
-struct FrameImages {
-    FrameImages(const gpu::Device& device, gpu::Extent size, HistoryPrecision precision);
-
-    // Allocates the displacement of surface points, if the inputs have previous positions.
-    void watch_objects(const gpu::Device& device);
-
-    // Allocates the images for remapped results, if they do not exist yet in this format.
-    void map(const gpu::Device& device, OutputFormat output);
-
-    ViewImages inputs;
-    gpu::Image before;       // history of the last frame, at its pixels
-    gpu::Image reprojected;  // the same at the pixels of this frame, if the view has moved
-    gpu::Image after;        // history of this frame
-    gpu::Image half_filtered;
-    gpu::Image filtered;
-    Tiles tiles;
-    std::optional<gpu::Image> displacement;     // of surface points, where there are previous positions
-    std::optional<gpu::Image> mapped;           // remapped history, if anything is remapped
-    std::optional<gpu::Image> filtered_mapped;  // remapped result of the filter
-};
+// Each pixel's value of a half-size image at the pixels of an image of this size: that of its block of 2 x 2.
+[[nodiscard]] std::vector<float> expanded(const std::vector<float>& half, gpu::Extent extent);
 
 }  // namespace gloam::effect

@@ -7,18 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "effect/internal/constants.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/plan.hpp"
+#include "effect/preparation.hpp"
 #include "effect/settings.hpp"
-#include "gpu/compute.hpp"
 #include "scene/camera.hpp"
 #include "scene/encoding.hpp"
-#include "scene/pass_library.hpp"
 
+// The shaders of the passes and their push constants.
 namespace gloam::effect {
 
 constexpr std::uint32_t tile_side = 8;
-constexpr std::uint32_t filter_tiles = 8;  // tiles of one group of the filter, as in tiles/list.glsl
+constexpr std::uint32_t filter_tiles = 8;         // tiles of one group of the filter, as in tiles/list.glsl
+constexpr std::uint32_t sample_table_group = 64;  // samples of one group of sample_table.comp
 
 // A size and a choice as shaders take them.
 [[nodiscard]] inline glm::ivec2 vector_of_size(gpu::Extent extent) {
@@ -28,116 +30,6 @@ constexpr std::uint32_t filter_tiles = 8;  // tiles of one group of the filter, 
     return value ? 1U : 0U;
 }
 
-// Push constants, with the layout that each pass declares.
-struct NormalParameters {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    std::uint32_t orthographic;
-};
-
-// Of take_inputs.comp.
-struct InputParameters {
-    glm::mat3x4 view_from_world;
-    glm::vec2 p22_p32;
-    glm::ivec2 size;
-};
-
-struct OcclusionParameters {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    glm::ivec2 border;
-    float radius;
-    float bias;
-    float c_spatial;
-    float weight_max;
-    float c_rot;
-    float least_radius;
-    std::uint32_t shade_border;
-    std::uint32_t skip_background;
-    std::uint32_t invalidation;
-    float change_tolerance;
-    float weight_small;
-    float confidence_factor;
-    std::uint32_t still;
-    std::uint32_t freeze;
-    float samples_distance;
-    float samples_radius;
-    std::uint32_t samples_least;
-    float radius_cap;
-    float smoothing;
-    float c_filter;
-    float bias_depth;
-    float displacement_unit;
-};
-
-struct ReprojectionParameters {
-    glm::mat4 previous_from_current;
-    glm::vec2 p00_p11;
-    glm::vec2 previous_p00_p11;
-    glm::ivec2 size;
-    float tolerance;
-    float displacement_unit;
-};
-
-struct FilterParameters {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    float sigma_pixels;
-    float depth_scale;
-    float c_adaptive;
-    float weight_max;
-    float cap;
-};
-
-struct RemapParameters {
-    glm::ivec2 size;
-    float a;
-    float b;
-    float c;
-};
-
-// Of further_view.comp.
-struct FurtherViewParameters {
-    glm::mat4 other_from_this;
-    glm::vec2 p00_p11;
-    glm::vec2 other_p00_p11;
-    glm::ivec2 size;
-    glm::ivec2 other_size;
-    float radius;
-    float bias;
-    float bias_depth;
-    float remap_a;
-    float remap_b;
-    float remap_c;
-};
-
-// Of the passes that include directional/points.glsl.
-struct DirectionalParameters {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    float radius;
-    float bias;
-    std::uint32_t samples;
-    std::uint32_t orthographic;
-    glm::mat3x4 world_from_view;
-};
-
-// The buffer of the passes that include directional/history.glsl, with its layout.
-struct LightHistory {
-    glm::mat4 previous_from_current{1.0F};
-    glm::vec2 previous_p00_p11{1.0F};
-    std::uint32_t kept = 0;
-    std::uint32_t objects_move = 0;
-    std::uint32_t previous_orthographic = 0;
-    std::uint32_t first_sample = 0;
-    float weight_max = 1.0F;
-    float depth_tolerance = 0.0F;
-    std::uint32_t invalidation = 0;
-    float change_tolerance = 0.0F;
-    float weight_small = 0.0F;
-    float confidence_factor = 0.0F;
-};
-
 // The part of a view that is the same in all of its frames.
 struct View {
     scene::CameraFrame camera;
@@ -145,149 +37,118 @@ struct View {
     gpu::Extent border;
 };
 
-[[nodiscard]] NormalParameters normal_parameters(const View& view);
-[[nodiscard]] InputParameters input_parameters(const View& view);
-[[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
-[[nodiscard]] ReprojectionParameters reprojection_parameters(const View& view, const View& previous,
-                                                             const Settings& settings);
-[[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings);
+// Size of the half-size image: half of each side, rounded up.
+[[nodiscard]] gpu::Extent half_of(gpu::Extent extent);
 
-[[nodiscard]] RemapParameters remap_parameters(const View& view, const Settings& settings);
+// The view whose images the passes read: `view`, or at half the resolution its half-size view. Its camera has
+// another projection where a side is odd. Its band is at least one pixel smaller than half of the band,
+// because pixels at the edge of the frame are interpolated from it.
+[[nodiscard]] View working_view(const View& view, Resolution resolution);
 
-// What the pipeline of the occlusion pass is compiled for.
-struct Program {
-    std::string method;
-    HistoryPrecision precision = HistoryPrecision::float32;
-    bool moving_objects = false;
-    std::uint32_t layers = 1;
-    bool reject_taps = false;
-    bool listed = false;  // runs over a list of tiles
-    TileLists list = TileLists::shaded;
-    bool shows = false;  // a filter over lists of tiles follows
-    bool sample_table = false;
-    std::uint32_t table_size = 0;
-    bool fewer_samples = false;  // with distance or with small projected radius
-    bool caps_radius = false;
-    bool smooths = false;
-    bool skip_closed = false;
-    bool keeps_history = true;
-    bool shows_alone = false;
-    std::uint32_t samples = 0;
-    std::uint32_t samples_converged = 0;
-    std::uint32_t steps = 0;
-    bool orthographic = false;
+// The camera of the half-size image is in the middle of it, half a pixel of the view away from where its
+// pixels are. Its view space is sheared by that (perspective) or shifted (orthographic). This is the motion
+// `previous_from_current` of the views between these spaces.
+[[nodiscard]] glm::mat4 half_previous_from_current(const View& view, const View& previous);
 
-    friend auto operator<=>(const Program&, const Program&) = default;
+// How passes count the work of their tiles (tiles/tally.glsl).
+enum class Counting : std::uint32_t { none, each_invocation, each_group };
+
+// One frame: the settings, the view, and everything else that decides what the frame runs.
+struct Moment {
+    Settings settings;
+    View given;         // the engine's view
+    View given_before;  // the engine's view of the frame before; the same one where there is none
+    View view;          // these two at the size of the images that the passes read
+    View before;
+    std::optional<Preparation> preparation;  // of the method
+    std::optional<scene::Encoding>
+        converted;                  // how the engine stores depth and normals; none: as passes read them
+    bool has_normals = true;        // the engine gives normals; otherwise they are reconstructed
+    bool has_positions = false;     // the engine gives previous positions of surface points
+    bool new_view = true;           // the view was not that of the frame before
+    bool moved = true;              // the history, if there is one, belongs to another view
+    bool settled = false;           // both images of the history show this view
+    bool odd = false;               // the two images of the history are swapped
+    bool filtered = true;           // the filter runs
+    bool every_turn = false;        // the plan holds the passes of early and of later frames
+    bool shows_unfiltered = false;  // the unfiltered occlusion is remapped, too
+    bool has_tiles = false;         // the buffers of tiles exist
+    bool listed = false;            // passes run over lists of tiles
+    bool finds_open = false;        // and tiles in which nothing can block have a list of their own
+    bool searches_open = false;     // for which the frame searches
+    Counting counting = Counting::none;
+    std::uint32_t open_tiles_each = 1;  // open tiles of one group
+    SampleTableParameters tabulated{1,
+                                    0};  // samples that the frame adds to the table; none if the last is less
+    std::uint32_t step = 0;              // of a pass that runs several times
+
+    // Sets the view and the one before it, and what depends on their size.
+    void look(const View& now, const View& last);
+
+    [[nodiscard]] bool half() const { return settings.resolution == Resolution::half; }
+    // Whether the history is moved to the view.
+    [[nodiscard]] bool moves_history() const { return moved && settings.history; }
+    [[nodiscard]] bool knows_motion() const { return moves_history() && has_positions; }
+    // Whether the samples watch for objects that move.
+    [[nodiscard]] bool watches() const {
+        return knows_motion() && settings.invalidation != Invalidation::none;
+    }
+    // Whether images for remapped results exist. At half the resolution the pass that upsamples remaps as
+    // well, but only what is displayed.
+    [[nodiscard]] bool maps_images() const {
+        return remaps(settings) && (!half() || (shows_unfiltered && filtered));
+    }
+    // Guard band on each side of the view that is not shaded.
+    [[nodiscard]] gpu::Extent unshaded_band() const {
+        return settings.guard_history ? gpu::Extent{} : view.border;
+    }
 };
 
 // Precision of the history that is bound: of an image in its place where there is none.
 [[nodiscard]] HistoryPrecision bound_precision(const Settings& settings);
 
-// The members that the settings determine; the others keep their defaults.
-[[nodiscard]] Program program_for(const Settings& settings);
+// Largest number of pixels that the settings' filter reads to each side.
+[[nodiscard]] std::int32_t filter_reach(const Settings& settings);
 
-// What the pipeline of the reprojection pass is compiled for.
-struct ReprojectionProgram {
-    HistoryPrecision precision = HistoryPrecision::float32;
-    bool moving_objects = false;
-    bool listed = false;  // runs over the shaded tiles
-    HistoryTaps taps = HistoryTaps::validated;
-    bool nearest_index = true;
-    bool orthographic = false;
-    bool previous_orthographic = false;
-    bool keeps_displacement = false;
+// The push constants.
+[[nodiscard]] NormalParameters normal_parameters(const View& view);
+[[nodiscard]] InputParameters input_parameters(const View& view);
+[[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
+[[nodiscard]] ReprojectionParameters reprojection_parameters(const Moment& moment);
+[[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings);
+[[nodiscard]] PreparationParameters preparation_parameters(const View& view, const Settings& settings,
+                                                           int level);
+[[nodiscard]] SelectParameters select_parameters(const Moment& moment);
+[[nodiscard]] OpenParameters open_parameters(const Moment& moment);
 
-    friend auto operator<=>(const ReprojectionProgram&, const ReprojectionProgram&) = default;
-};
-
-// What the pipeline of a filter's pass along one axis is compiled for.
-struct FilterProgram {
-    Filter filter = Filter::convergence;
-    HistoryPrecision precision = HistoryPrecision::float32;
-    int half_width = 2;
-    bool along_y = false;
-    bool orthographic = false;
-    std::optional<TileLists> list;  // of the tiles that it runs on; none: the whole image
-
-    friend auto operator<=>(const FilterProgram&, const FilterProgram&) = default;
-};
-
-// The members that the settings determine, and `list`.
-[[nodiscard]] FilterProgram filter_program_for(const Settings& settings, std::optional<TileLists> list);
-
-// What the pipeline of the pass over an engine's depth and normals is compiled for.
-struct InputProgram {
-    scene::Encoding encoding;
-    bool orthographic = false;
-    bool has_normals = true;
-
-    friend auto operator<=>(const InputProgram&, const InputProgram&) = default;
-};
-
-// Preprocessor definitions of a pass that reads or writes a history.
-[[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision);
-// The same for a pass that also reads or writes a prepared image of this format.
-[[nodiscard]] std::vector<std::string> defines_for(HistoryPrecision precision, gpu::Format prepared);
-
-// How passes count the work of their tiles (tiles/tally.glsl).
-enum class Counting : std::uint32_t { none, each_invocation, each_group };
-
-// The shaders of the passes, with their definitions and constants. `counts`: how the passes count on their
-// device. `open_tiles_each`: open tiles of one group.
-[[nodiscard]] PassSource normals_source();
-[[nodiscard]] PassSource input_source(const InputProgram& program);
-[[nodiscard]] PassSource occlusion_source(const Program& program, Counting counts,
-                                          std::uint32_t open_tiles_each);
-[[nodiscard]] PassSource further_view_source(const Program& program, bool other_orthographic);
-[[nodiscard]] PassSource reprojection_source(const ReprojectionProgram& program);
-[[nodiscard]] PassSource filter_source(const FilterProgram& program);
-[[nodiscard]] PassSource remap_source(std::optional<HistoryPrecision> history, std::optional<TileLists> list,
-                                      OutputFormat output = OutputFormat::r32f);
+// The shaders, with their definitions and constants. list: of the tiles on which the pass runs; none: the
+// whole image.
+using List = std::optional<TileLists>;
+[[nodiscard]] PassSource input_source(const Moment& moment);
+[[nodiscard]] PassSource halve_source(const Moment& moment);
+[[nodiscard]] PassSource upsample_source(const Moment& moment, bool filtered);
+[[nodiscard]] PassSource occlusion_source(const Moment& moment, List list = {});
+[[nodiscard]] PassSource further_view_source(const Settings& settings, bool orthographic,
+                                             bool other_orthographic);
+[[nodiscard]] PassSource reprojection_source(const Moment& moment);
+// Throws std::invalid_argument for Filter::none.
+[[nodiscard]] PassSource filter_source(const Moment& moment, bool along_y, List list = {});
+// from_history: it reads the history; otherwise an image of one channel.
+[[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history, List list = {});
 [[nodiscard]] PassSource selection_source(std::uint32_t open_tiles_each);
+// file: in glsl/passes/preparation.
+[[nodiscard]] PassSource preparation_source(const Moment& moment, const std::string& file);
+// samples: name of the points in the table, a file of glsl/passes/samples.
+[[nodiscard]] PassSource sample_table_source(const std::string& samples);
 
-// Whether the device is a driver on the CPU.
-[[nodiscard]] bool runs_on_cpu(const gpu::Device& device);
+// The last sample that a table for these settings holds, and the size of its image.
+[[nodiscard]] std::uint32_t last_tabulated(const Settings& settings);
+[[nodiscard]] gpu::Extent sample_table_extent(const Settings& settings);
 
-// Compiles a pass to a pipeline with these bindings. sampled_image: an image that the pass only reads; on
-// some devices that becomes a storage image (scene::Inputs).
-[[nodiscard]] gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
-                                               const PassSource& source,
-                                               std::vector<gpu::BindingKind> bindings,
-                                               std::size_t push_constant_bytes);
-
-// The pipelines of glsl/passes.
-[[nodiscard]] gpu::ComputePipeline normals_from_depth(const gpu::Device& device,
-                                                      const scene::PassLibrary& library);
-[[nodiscard]] gpu::ComputePipeline take_inputs(const gpu::Device& device, const scene::PassLibrary& library,
-                                               const InputProgram& program);
-[[nodiscard]] gpu::ComputePipeline ambient_occlusion(const gpu::Device& device,
-                                                     const scene::PassLibrary& library,
-                                                     const Program& program);  // counts its work
-[[nodiscard]] gpu::ComputePipeline reproject(const gpu::Device& device, const scene::PassLibrary& library,
-                                             const ReprojectionProgram& program);
-// `filter`: throws std::invalid_argument for Filter::none.
-[[nodiscard]] gpu::ComputePipeline spatial_filter(const gpu::Device& device,
-                                                  const scene::PassLibrary& library,
-                                                  const FilterProgram& program);
-
-// `history`: precision of the history that the pass reads; none: it reads the filter's result. `list`: the
-// list of tiles on which it runs; none: the whole image.
-[[nodiscard]] gpu::ComputePipeline remap(const gpu::Device& device, const scene::PassLibrary& library,
-                                         std::optional<HistoryPrecision> history,
-                                         std::optional<TileLists> list, OutputFormat output);
-
-// Passes that select the tiles for the others.
-[[nodiscard]] gpu::ComputePipeline select_tiles(const gpu::Device& device, const scene::PassLibrary& library);
-[[nodiscard]] gpu::ComputePipeline bound_tiles(const gpu::Device& device, const scene::PassLibrary& library);
-[[nodiscard]] gpu::ComputePipeline merge_bounds(const gpu::Device& device, const scene::PassLibrary& library);
-[[nodiscard]] gpu::ComputePipeline open_tiles(const gpu::Device& device, const scene::PassLibrary& library);
-[[nodiscard]] gpu::ComputePipeline select_filtered_tiles(const gpu::Device& device,
-                                                         const scene::PassLibrary& library);
+// Whether the settings' frames read a table. False for a sequence of more than 131,072 samples.
+[[nodiscard]] bool tabulates_samples(const Settings& settings);
 
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);
-
-// Groups of the filter that cover an image, each of filter_tiles tiles along x.
-[[nodiscard]] std::array<std::uint32_t, 3> filter_groups_for(gpu::Extent extent);
 
 }  // namespace gloam::effect

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <string>
+
+#include "effect/internal/passes.hpp"
+#include "effect/methods.hpp"
 
 namespace gloam::effect {
 
@@ -42,6 +47,50 @@ class Progress {
     Came came_ = Came::not_yet;
     std::uint64_t frames_ = 0;  // of the view
     std::uint64_t frames_since_cut_ = 0;
+};
+
+// Which samples the table of what all pixels share holds, and which the next frame needs. The table stays
+// valid as long as the method uses the same points.
+class Tabulated {
+  public:
+    // Takes the settings of the next frames.
+    void take(const Settings& settings) {
+        most_ = std::max(settings.samples, settings.samples_converged);
+        table_size_ = settings.table_size;
+        used_ = tabulates_samples(settings);
+        if (!used_) return;
+        const std::string& points = method_named(settings.method).points;
+        const gpu::Extent extent = sample_table_extent(settings);
+        if (points != points_ || extent != extent_) filled_ = 0;
+        points_ = points;
+        extent_ = extent;
+    }
+
+    // No pixel has taken a sample yet.
+    void restart() { taken_ = 0; }
+
+    // The samples that the next frame may read and the table lacks.
+    [[nodiscard]] SampleTableParameters missing() const {
+        return used_ ? SampleTableParameters{filled_ + 1, std::max(filled_, last_needed())}
+                     : SampleTableParameters{1, 0};
+    }
+
+    // Call it after each frame: its samples have been taken and are in the table.
+    void advance() {
+        if (used_) filled_ = std::max(filled_, last_needed());
+        taken_ = std::min(taken_ + most_, table_size_);
+    }
+
+  private:
+    [[nodiscard]] std::uint32_t last_needed() const { return std::min(taken_, table_size_ - 1) + most_; }
+
+    bool used_ = false;
+    std::string points_;
+    gpu::Extent extent_;
+    std::uint32_t most_ = 0;        // samples of a frame
+    std::uint32_t table_size_ = 0;  // samples after which the sequence starts over
+    std::uint32_t taken_ = 0;       // by any pixel, largest number
+    std::uint32_t filled_ = 0;      // samples in the table
 };
 
 }  // namespace gloam::effect

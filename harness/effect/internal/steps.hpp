@@ -11,9 +11,20 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/pass_watcher.hpp"
+#include "effect/plan.hpp"
 #include "gpu/compute.hpp"
 
 namespace gloam::effect {
+
+// Whether the device is a driver on the CPU.
+[[nodiscard]] bool runs_on_cpu(const gpu::Device& device);
+
+// Compiles a pass to a pipeline with the bindings and the push constants of its module. Images that it only
+// reads are sampled or storage images, as the library says. kinds: of bindings that its shader declares and
+// does not use, by number; empty where it uses all.
+[[nodiscard]] gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
+                                               const PassSource& source,
+                                               std::vector<gpu::BindingKind> kinds = {});
 
 // A pass that is ready to be recorded. The objects that it refers to must live until it has run.
 struct Step {

@@ -47,42 +47,6 @@ enum TileImage : std::uint32_t {
     image_filtered_mapped = 32
 };
 
-// Push constants of tiles/select.comp.
-struct SelectParameters {
-    std::array<std::int32_t, 2> size;
-    std::array<std::int32_t, 2> band;
-    std::uint32_t written;
-    std::uint32_t background;
-    std::uint32_t settled;
-    std::uint32_t open_tiles;
-};
-
-// Push constants of tiles/bound.comp.
-struct BoundParameters {
-    std::array<std::int32_t, 2> size;
-};
-
-// Push constants of tiles/merge_bounds.comp.
-struct MergeParameters {
-    std::array<std::int32_t, 2> size;
-    std::int32_t level;
-};
-
-// Push constants of tiles/open.comp.
-struct OpenParameters {
-    std::array<float, 2> p00_p11;
-    std::array<std::int32_t, 2> size;
-    float radius;
-    float bias;
-    std::uint32_t points;
-};
-
-// Push constants of tiles/select_filtered.comp.
-struct SelectFilteredParameters {
-    std::array<std::int32_t, 2> size;
-    std::array<std::int32_t, 2> reach;
-};
-
 // How many tiles a frame shaded, and how many it skipped for which reason.
 struct SelectedTiles {
     std::uint32_t shaded = 0;
@@ -110,35 +74,36 @@ class Listing {
     std::uint32_t rest_ = 0;   // frames until the next list
 };
 
-// What is known about an image's tiles from frame to frame, and the lists of tiles on which passes run.
-class Tiles {
+// Decides when a frame searches for the tiles in which nothing can block any sample. A search that finds few
+// of them costs more than it saves; then the next frames do not search. The result of a frame is the same
+// either way.
+class OpenSearch {
   public:
-    Tiles(const gpu::Device& device, gpu::Extent extent);
+    // Takes another view, whose open tiles are unknown, and its settings.
+    void take(bool orthographic, const Settings& settings);
 
-    // Forgets all that is known.
-    void forget();
+    // Lets the next frame search, if its settings allow it.
+    void restart() { rest_ = 0; }
 
-    // Empties the lists and the counts. Call it before each run of the passes.
-    void clear();
+    // Whether the next frame has a list of open tiles. False if samples are probes as well (`probes`), if
+    // they see further layers, if some samples do not count, or if they may read depth from beyond their
+    // reach.
+    [[nodiscard]] bool searches(bool probes) const { return provable_ && !probes && rest_ == 0; }
 
-    // The states of this frame become those of the last.
-    void advance() { std::swap(before_, after_); }
+    // Whether the open tiles of the view have been found already.
+    [[nodiscard]] bool known() const { return known_; }
 
-    [[nodiscard]] SelectedTiles counts() const;
-
-    [[nodiscard]] const gpu::Buffer& before() const { return before_; }
-    [[nodiscard]] const gpu::Buffer& after() const { return after_; }
-    [[nodiscard]] const gpu::Buffer& lists() const { return lists_; }
-    [[nodiscard]] const gpu::Buffer& open() const { return open_; }
-    [[nodiscard]] const gpu::Buffer& bounds() const { return bounds_; }
+    // Call it after each frame. `searched`: whether the frame had a list of open tiles. `found`: its counts.
+    void advance(bool searched, const SelectedTiles& found);
 
   private:
-    gpu::Buffer before_;
-    gpu::Buffer after_;
-    gpu::Buffer lists_;
-    gpu::Buffer open_;
-    gpu::Buffer bounds_;
+    bool provable_ = false;
+    bool known_ = false;
+    std::uint32_t rest_ = 0;  // frames until the next search
 };
+
+// The counts of a frame, from the buffer of lists.
+[[nodiscard]] SelectedTiles counts_in(const gpu::Buffer& lists);
 
 // The beginning of the buffer of lists before a frame: every list is empty.
 [[nodiscard]] std::vector<std::byte> empty_lists();
@@ -154,8 +119,5 @@ constexpr std::uint32_t bound_levels = 3;
 
 // Whether frames with these settings run over lists of tiles.
 [[nodiscard]] bool selects_tiles(const Settings& settings);
-
-// Largest number of pixels that the settings' filter reads to each side.
-[[nodiscard]] std::int32_t filter_reach(const Settings& settings);
 
 }  // namespace gloam::effect

@@ -13,27 +13,23 @@
 namespace gloam::effect {
 namespace {
 
-using enum gpu::BindingKind;
 using enum gpu::Format;
 
 constexpr float depth_tolerance = 0.02F;
 
 gpu::ComputePipeline slices_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
-                                     SliceTaps taps, std::uint32_t push_constant_bytes) {
+                                     SliceTaps taps) {
     if (taps.slices < 1 || taps.steps < 1)
         throw std::invalid_argument(
             fmt::format("{} slices of {} steps: expected 1 or more", taps.slices, taps.steps));
     require_timestamps(device.info());
     return pipeline_of(device, passes,
                        {.file = "comparison/plain_slices.comp",
-                        .constants = {{.id = 0, .bits = taps.slices}, {.id = 1, .bits = taps.steps}}},
-                       {sampled_image, sampled_image, storage_image}, push_constant_bytes);
+                        .constants = {{.id = 0, .bits = taps.slices}, {.id = 1, .bits = taps.steps}}});
 }
 
-gpu::ComputePipeline blur_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
-                                   std::uint32_t push_constant_bytes) {
-    return pipeline_of(device, passes, {.file = "comparison/plain_blur.comp"},
-                       {sampled_image, sampled_image, storage_image}, push_constant_bytes);
+gpu::ComputePipeline blur_pipeline(const gpu::Device& device, const scene::PassLibrary& passes) {
+    return pipeline_of(device, passes, {.file = "comparison/plain_blur.comp"});
 }
 
 void require(bool holds, const char* found, const char* expected) {
@@ -45,8 +41,8 @@ void require(bool holds, const char* found, const char* expected) {
 PlainSlices::PlainSlices(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
                          SliceTaps taps, int blurs)
     : device_(&device),
-      slices_(slices_pipeline(device, passes, taps, sizeof(SliceParameters))),
-      blur_(blur_pipeline(device, passes, sizeof(BlurParameters))),
+      slices_(slices_pipeline(device, passes, taps)),
+      blur_(blur_pipeline(device, passes)),
       depth_(device, extent, r32f),
       normal_(device, extent, rgba32f),
       occlusion_(device, extent, r32f) {

@@ -309,8 +309,9 @@ class HeaderWriter {
         put("{}, {}u, {}{}, {}{}, {}u, ", of_constants("members"), constants ? constants->members.size() : 0,
             address, of_constants("preset"), address,
             of_constants(alternates(pass) ? "odd_preset" : "preset"), plan.parameters.size());
-        put("{{{}u, {}u}}, {{{}u, {}u, {}u}}, ", plan.pixels[0], plan.pixels[1], plan.groups[0],
-            plan.groups[1], plan.groups[2]);
+        const bool fixed = plan.pixels[0] == 0;  // the groups do not depend on the view
+        put("{{{}u, {}u}}, {{{}u, {}u, {}u}}, ", plan.pixels[0], plan.pixels[1], fixed ? plan.groups[0] : 0,
+            fixed ? plan.groups[1] : 0, fixed ? plan.groups[2] : 0);
         put("{}, {}u, {}u}},\n", plan.list ? "GLOAM_BUFFER_TILE_LISTS" : "-1", plan.list.value_or(0),
             plan.divisor);
     }

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/constants.hpp"
+
+#include <limits>
+
+#include "effect/internal/passes.hpp"
+#include "effect/methods.hpp"
+
+namespace gloam::effect {
+namespace {
+
+// To what a displacement is rounded: so little that rounding two of them stays far below what counts as a
+// change.
+float displacement_unit(const Settings& settings) {
+    return settings.change_tolerance / 32.0F;
+}
+
+// Convergence from which the filter leaves a pixel unchanged; infinite if it changes all.
+float c_filter(const Settings& settings) {
+    const bool leaves = settings.skip_filtered && settings.filter == Filter::convergence;
+    return leaves ? settings.c_adaptive : std::numeric_limits<float>::infinity();
+}
+
+// The images that the frame writes, as TileImage.
+std::uint32_t written_images(const Moment& moment) {
+    std::uint32_t written = moment.odd ? image_second_history : image_first_history;
+    if (moment.moves_history()) written |= image_reprojected;
+    if (moment.filtered) written |= image_filtered;
+    if (shows_alone(moment.settings)) written = image_filtered;
+    if (moment.maps_images()) written |= image_mapped;
+    if (moment.maps_images() && moment.filtered && !moment.half()) written |= image_filtered_mapped;
+    return written;
+}
+
+}  // namespace
+
+NormalParameters normal_parameters(const View& view) {
+    return {view.camera.p00_p11(), vector_of_size(view.extent), flag(view.camera.orthographic())};
+}
+
+InputParameters input_parameters(const View& view) {
+    return {.view_from_world = glm::mat3x4(glm::mat3(view.camera.view)),
+            .p22_p32 = {view.camera.proj_vk[2][2], view.camera.proj_vk[3][2]},
+            .size = vector_of_size(view.extent)};
+}
+
+OcclusionParameters occlusion_parameters(const View& view, const Settings& settings) {
+    return {.p00_p11 = view.camera.p00_p11(),
+            .size = vector_of_size(view.extent),
+            .border = vector_of_size(view.border),
+            .radius = settings.radius,
+            .bias = settings.bias,
+            .c_spatial = settings.c_spatial,
+            .weight_max = settings.weight_max,
+            .c_rot = settings.c_rot,
+            .least_radius = settings.least_radius,
+            .shade_border = flag(settings.guard_history),
+            .skip_background = flag(settings.skip_background),
+            .invalidation = static_cast<std::uint32_t>(settings.invalidation),
+            .change_tolerance = settings.change_tolerance,
+            .weight_small = settings.weight_small,
+            .confidence_factor = settings.confidence_factor,
+            .still = 0,
+            .freeze = flag(settings.freeze),
+            .samples_distance = settings.samples_distance,
+            .samples_radius = settings.samples_radius,
+            .samples_least = settings.samples_least,
+            .radius_cap = settings.radius_cap,
+            .smoothing = settings.smoothing,
+            .c_filter = c_filter(settings),
+            .bias_depth = settings.bias_depth,
+            .displacement_unit = displacement_unit(settings)};
+}
+
+PreparationParameters preparation_parameters(const View& view, const Settings& settings, int level) {
+    const OcclusionParameters all = occlusion_parameters(view, settings);
+    return {.p00_p11 = all.p00_p11,
+            .size = all.size,
+            .border = all.border,
+            .radius = all.radius,
+            .bias = all.bias,
+            .c_spatial = all.c_spatial,
+            .weight_max = all.weight_max,
+            .c_rot = all.c_rot,
+            .least_radius = all.least_radius,
+            .orthographic = flag(view.camera.orthographic()),
+            .shade_border = all.shade_border,
+            .samples_distance = all.samples_distance,
+            .samples_radius = all.samples_radius,
+            .samples_least = all.samples_least,
+            .radius_cap = all.radius_cap,
+            .bias_depth = all.bias_depth,
+            .level = level};
+}
+
+ReprojectionParameters reprojection_parameters(const Moment& moment) {
+    return {.previous_from_current = moment.half()
+                                         ? half_previous_from_current(moment.given, moment.given_before)
+                                         : moment.view.camera.previous_from_current.value_or(glm::mat4(1.0F)),
+            .p00_p11 = moment.view.camera.p00_p11(),
+            .previous_p00_p11 = moment.before.camera.p00_p11(),
+            .size = vector_of_size(moment.view.extent),
+            .tolerance = moment.settings.depth_tolerance,
+            .displacement_unit = displacement_unit(moment.settings)};
+}
+
+FilterParameters filter_parameters(const View& view, const Settings& settings) {
+    return {.p00_p11 = view.camera.p00_p11(),
+            .size = vector_of_size(view.extent),
+            .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1),
+            .depth_scale = settings.filter_depth,
+            .c_adaptive = settings.c_adaptive,
+            .weight_max = settings.weight_max,
+            .cap = settings.filter_cap};
+}
+
+SelectParameters select_parameters(const Moment& moment) {
+    return {.size = vector_of_size(moment.view.extent),
+            .band = vector_of_size(moment.unshaded_band()),
+            .written = written_images(moment),
+            .background = flag(moment.settings.skip_background),
+            .settled = flag(moment.settings.skip_settled && moment.settled),
+            .open_tiles = flag(moment.finds_open)};
+}
+
+OpenParameters open_parameters(const Moment& moment) {
+    const OpenProof proof = method_named(moment.settings.method).open_proof;
+    return {.p00_p11 = moment.view.camera.p00_p11(),
+            .size = vector_of_size(moment.view.extent),
+            .radius = moment.settings.radius,
+            .bias = moment.settings.bias,
+            .points = flag(proof == OpenProof::points)};
+}
+
+}  // namespace gloam::effect

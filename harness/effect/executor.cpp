@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/executor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "effect/internal/frame_images.hpp"
+#include "effect/internal/work.hpp"
+#include "gpu/commands.hpp"
+#include "shader/reflection.hpp"
+
+namespace gloam::effect {
+namespace {
+
+// The resource with this name.
+template <class Map>
+auto& named(Map& all, const std::string& name, const char* what) {
+    const auto found = all.find(name);
+    if (found == all.end()) throw std::logic_error(fmt::format("passes without the {} {}", what, name));
+    return found->second;
+}
+
+void fill(gpu::Buffer& buffer, const std::vector<std::byte>& contents) {
+    std::ranges::copy(contents, buffer.bytes().begin());
+}
+
+void clear(gpu::Buffer& buffer) {
+    std::ranges::fill(buffer.bytes(), std::byte{0});
+}
+
+// Swaps two resources if they are of this map.
+template <class Map>
+void swap_named(Map& all, const std::array<std::string, 2>& names) {
+    const auto first = all.find(names[0]);
+    const auto second = all.find(names[1]);
+    if (first != all.end() && second != all.end()) std::swap(first->second, second->second);
+}
+
+// All that a source says, as one text.
+std::string key_of(const PassSource& source) {
+    std::string key = source.unrolls ? source.file + ", unrolled" : source.file;
+    for (const std::string& define : source.defines) key += "\n" + define;
+    for (const scene::PassLibrary::Replacement& replacement : source.replaced)
+        key += "\n" + replacement.include + "\n" + replacement.instead;
+    for (const gpu::SpecializationConstant& constant : source.constants)
+        key += fmt::format("\n{}={}", constant.id, constant.bits);
+    return key;
+}
+
+bool reads_storage_images(const gpu::Device& device, scene::Inputs inputs) {
+    return inputs == scene::Inputs::storage || (inputs == scene::Inputs::by_device && runs_on_cpu(device));
+}
+
+gpu::BindingKind kind_of(shader::BindingType type) {
+    if (type == shader::BindingType::storage_buffer) return gpu::BindingKind::storage_buffer;
+    return type == shader::BindingType::sampled_image ? gpu::BindingKind::sampled_image
+                                                      : gpu::BindingKind::storage_image;
+}
+
+shader::Spirv module_of(const gpu::Device& device, const scene::PassLibrary& library,
+                        const PassSource& source) {
+    const scene::PassLibrary& optimized = source.unrolls ? library.unrolled() : library;
+    std::vector<std::string> defines = source.defines;
+    if (reads_storage_images(device, library.inputs())) defines.emplace_back("GLOAM_STORAGE_INPUTS");
+    return optimized.compile(source.file, defines, source.replaced);
+}
+
+// kinds: of the bindings that the module lacks.
+gpu::ComputePipeline pipeline_of(const gpu::Device& device, const PassSource& source,
+                                 const shader::Spirv& spirv, const shader::ModuleInterface& interface,
+                                 std::vector<gpu::BindingKind> kinds) {
+    for (const shader::Binding& binding : interface.bindings) {
+        if (kinds.size() <= binding.number) kinds.resize(binding.number + 1, gpu::BindingKind::storage_image);
+        kinds[binding.number] = kind_of(binding.type);
+    }
+    const std::size_t bytes = interface.push_constants ? interface.push_constants->size : 0;
+    return {device,
+            {.spirv = spirv,
+             .bindings = std::move(kinds),
+             .push_constant_bytes = static_cast<std::uint32_t>(bytes),
+             .constants = source.constants}};
+}
+
+}  // namespace
+
+bool runs_on_cpu(const gpu::Device& device) {
+    return device.info().type == "cpu";
+}
+
+gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
+                                 const PassSource& source, std::vector<gpu::BindingKind> kinds) {
+    const shader::Spirv spirv = module_of(device, library, source);
+    return pipeline_of(device, source, spirv, shader::reflect(spirv), std::move(kinds));
+}
+
+Resources::Resources(const gpu::Device& device)
+    : device_(&device),
+      nothing_(device, {1, 1}, gpu::Format::rgba32f),
+      no_integers_(device, {1, 1}, gpu::Format::r32ui) {}
+
+gpu::Image& Resources::image(const std::string& name, gpu::Extent extent, gpu::Format format) {
+    const auto found = images_.find(name);
+    if (found == images_.end()) return images_.try_emplace(name, *device_, extent, format).first->second;
+    gpu::Image& image = found->second;
+    if (image.extent() != extent || image.format() != format) image = gpu::Image(*device_, extent, format);
+    return image;
+}
+
+gpu::Buffer& Resources::buffer(const std::string& name, std::size_t bytes) {
+    const auto found = buffers_.find(name);
+    if (found != buffers_.end() && found->second.size() == bytes) return found->second;
+    gpu::Buffer made(*device_, bytes);
+    clear(made);
+    return buffers_.insert_or_assign(name, std::move(made)).first->second;
+}
+
+void Resources::provide(const Plan& plan) {
+    for (const PlannedImage& planned : plan.images) image(planned.name, planned.extent, planned.format);
+    for (const PlannedBuffer& planned : plan.buffers)
+        fill(buffer(planned.name, planned.bytes), planned.contents);
+}
+
+void Resources::restart(const Plan& plan) {
+    for (const PlannedImage& planned : plan.images)
+        if (planned.origin == PlannedImage::Origin::history)
+            image(planned.name).upload(std::vector<float>(4 * pixels_of(planned.extent), 0.0F));
+    for (const PlannedBuffer& planned : plan.buffers) {
+        clear(buffer(planned.name));
+        fill(buffer(planned.name), planned.contents);
+    }
+}
+
+void Resources::refill(const Plan& plan) {
+    for (const PlannedBuffer& planned : plan.buffers) {
+        if (!planned.refilled) continue;
+        if (planned.contents.empty()) clear(buffer(planned.name));
+        fill(buffer(planned.name), planned.contents);
+    }
+}
+
+void Resources::exchange(std::span<const std::array<std::string, 2>> pairs) {
+    for (const auto& names : pairs) {
+        swap_named(images_, names);
+        swap_named(buffers_, names);
+    }
+}
+
+gpu::Image& Resources::image(const std::string& name) {
+    return named(images_, name, "image");
+}
+const gpu::Image& Resources::image(const std::string& name) const {
+    return named(images_, name, "image");
+}
+gpu::Buffer& Resources::buffer(const std::string& name) {
+    return named(buffers_, name, "buffer");
+}
+const gpu::Buffer& Resources::buffer(const std::string& name) const {
+    return named(buffers_, name, "buffer");
+}
+
+gpu::Resource Resources::at(const std::string& name, bool of_integers) const {
+    if (name == nothing_image) return of_integers ? no_integers_ : nothing_;
+    if (has_buffer(name)) return buffer(name);
+    return image(name);
+}
+
+Executor::Executor(const gpu::Device& device, scene::PassLibrary library)
+    : device_(&device), library_(std::move(library)) {}
+
+const Executor::Compiled& Executor::compiled(const PlannedPass& pass, const Resources& resources) {
+    std::string key = key_of(pass.source);
+    const auto known = compiled_.find(key);
+    if (known != compiled_.end()) return known->second;
+    std::vector<gpu::BindingKind> kinds;
+    for (const std::string& name : pass.resources)
+        kinds.push_back(resources.has_buffer(name) ? gpu::BindingKind::storage_buffer
+                                                   : gpu::BindingKind::storage_image);
+    const shader::Spirv spirv = module_of(*device_, library_, pass.source);
+    const shader::ModuleInterface interface = shader::reflect(spirv);
+    std::vector<bool> integers(pass.resources.size(), false);
+    for (const shader::Binding& binding : interface.bindings)
+        if (binding.number < integers.size()) integers[binding.number] = binding.texel == "uint";
+    return compiled_
+        .emplace(std::move(key),
+                 Compiled{pipeline_of(*device_, pass.source, spirv, interface, std::move(kinds)),
+                          std::move(integers)})
+        .first->second;
+}
+
+std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Resources& resources) {
+    std::vector<Step> steps;
+    for (const PlannedPass& pass : passes) {
+        const Compiled& of_pass = compiled(pass, resources);
+        Step step{.name = pass.name,
+                  .pipeline = &of_pass.pipeline,
+                  .resources = {},
+                  .parameters = pass.parameters,
+                  .groups = pass.groups};
+        for (std::size_t i = 0; i < pass.resources.size(); ++i)
+            step.resources.push_back(resources.at(pass.resources[i], of_pass.integers[i]));
+        if (pass.list) {
+            step.indirect = &resources.buffer("tile_lists");
+            step.offset = *pass.list;
+        }
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+void Executor::run(std::span<const PlannedPass> passes, const Resources& resources,
+                   const PassWatcher& watcher) {
+    (void)effect::run(*device_, steps(passes, resources), {}, 1, {}, watcher);
+}
+
+}  // namespace gloam::effect

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace gloam::effect {
+
+// Push constants, with the layout that each pass declares.
+struct NormalParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    std::uint32_t orthographic;
+};
+
+// Of take_inputs.comp.
+struct InputParameters {
+    glm::mat3x4 view_from_world;
+    glm::vec2 p22_p32;
+    glm::ivec2 size;
+};
+
+struct OcclusionParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    glm::ivec2 border;
+    float radius;
+    float bias;
+    float c_spatial;
+    float weight_max;
+    float c_rot;
+    float least_radius;
+    std::uint32_t shade_border;
+    std::uint32_t skip_background;
+    std::uint32_t invalidation;
+    float change_tolerance;
+    float weight_small;
+    float confidence_factor;
+    std::uint32_t still;
+    std::uint32_t freeze;
+    float samples_distance;
+    float samples_radius;
+    std::uint32_t samples_least;
+    float radius_cap;
+    float smoothing;
+    float c_filter;
+    float bias_depth;
+    float displacement_unit;
+};
+
+struct ReprojectionParameters {
+    glm::mat4 previous_from_current;
+    glm::vec2 p00_p11;
+    glm::vec2 previous_p00_p11;
+    glm::ivec2 size;
+    float tolerance;
+    float displacement_unit;
+};
+
+struct FilterParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    float sigma_pixels;
+    float depth_scale;
+    float c_adaptive;
+    float weight_max;
+    float cap;
+};
+
+struct RemapParameters {
+    glm::ivec2 size;
+    float a;
+    float b;
+    float c;
+};
+
+// Of further_view.comp.
+struct FurtherViewParameters {
+    glm::mat4 other_from_this;
+    glm::vec2 p00_p11;
+    glm::vec2 other_p00_p11;
+    glm::ivec2 size;
+    glm::ivec2 other_size;
+    float radius;
+    float bias;
+    float bias_depth;
+    float remap_a;
+    float remap_b;
+    float remap_c;
+};
+
+// Of the passes that include directional/points.glsl.
+struct DirectionalParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    float radius;
+    float bias;
+    std::uint32_t samples;
+    std::uint32_t orthographic;
+    glm::mat3x4 world_from_view;
+};
+
+// The buffer of the passes that include directional/history.glsl, with its layout.
+struct LightHistory {
+    glm::mat4 previous_from_current{1.0F};
+    glm::vec2 previous_p00_p11{1.0F};
+    std::uint32_t kept = 0;
+    std::uint32_t objects_move = 0;
+    std::uint32_t previous_orthographic = 0;
+    std::uint32_t first_sample = 0;
+    float weight_max = 1.0F;
+    float depth_tolerance = 0.0F;
+    std::uint32_t invalidation = 0;
+    float change_tolerance = 0.0F;
+    float weight_small = 0.0F;
+    float confidence_factor = 0.0F;
+};
+
+// Push constants of halve_inputs.comp.
+struct HalveParameters {
+    glm::vec2 p00_p11;
+    glm::vec2 previous_p00_p11;
+    glm::ivec2 size;
+};
+
+// Push constants of upsample.comp.
+struct UpsampleParameters {
+    glm::ivec2 size;
+    float a;
+    float b;
+    float c;
+};
+
+// Push constants of the passes of glsl/passes/preparation, with the layout of pass.glsl.
+struct PreparationParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    glm::ivec2 border;
+    float radius;
+    float bias;
+    float c_spatial;
+    float weight_max;
+    float c_rot;
+    float least_radius;
+    std::uint32_t orthographic;
+    std::uint32_t shade_border;
+    float samples_distance;
+    float samples_radius;
+    std::uint32_t samples_least;
+    float radius_cap;
+    float bias_depth;
+    std::int32_t level;
+};
+
+// Push constants of sample_table.comp.
+struct SampleTableParameters {
+    std::uint32_t first;
+    std::uint32_t last;
+};
+
+// Push constants of tiles/select.comp.
+struct SelectParameters {
+    glm::ivec2 size;
+    glm::ivec2 band;
+    std::uint32_t written;
+    std::uint32_t background;
+    std::uint32_t settled;
+    std::uint32_t open_tiles;
+};
+
+// Push constants of tiles/bound.comp.
+struct BoundParameters {
+    glm::ivec2 size;
+};
+
+// Push constants of tiles/merge_bounds.comp.
+struct MergeParameters {
+    glm::ivec2 size;
+    std::int32_t level;
+};
+
+// Push constants of tiles/open.comp.
+struct OpenParameters {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    float radius;
+    float bias;
+    std::uint32_t points;
+};
+
+// Push constants of tiles/select_filtered.comp.
+struct SelectFilteredParameters {
+    glm::ivec2 size;
+    glm::ivec2 reach;
+};
+
+}  // namespace gloam::effect

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "effect/internal/steps.hpp"
+#include "effect/plan.hpp"
+#include "gpu/buffer.hpp"
+#include "gpu/image.hpp"
+#include "scene/pass_library.hpp"
+
+namespace gloam::effect {
+
+// The images and buffers that passes name.
+class Resources {
+  public:
+    // The device must outlive this object.
+    explicit Resources(const gpu::Device& device);
+
+    // Makes the images and buffers of a plan that are missing or have another size or format, and writes the
+    // contents of its buffers.
+    void provide(const Plan& plan);
+
+    // Fills what a first frame expects: zeros in the images of the history, contents in all buffers.
+    void restart(const Plan& plan);
+
+    // Fills the buffers that are refilled before each frame. Behind a buffer's contents nothing is read that
+    // the frame has not written.
+    void refill(const Plan& plan);
+
+    // Swaps the images or buffers of each pair.
+    void exchange(std::span<const std::array<std::string, 2>> pairs);
+
+    // Make an image or a buffer, or make it anew if its size or format is another.
+    gpu::Image& image(const std::string& name, gpu::Extent extent, gpu::Format format);
+    gpu::Buffer& buffer(const std::string& name, std::size_t bytes);
+
+    // Each throws std::logic_error if there is none of this name.
+    [[nodiscard]] gpu::Image& image(const std::string& name);
+    [[nodiscard]] const gpu::Image& image(const std::string& name) const;
+    [[nodiscard]] gpu::Buffer& buffer(const std::string& name);
+    [[nodiscard]] const gpu::Buffer& buffer(const std::string& name) const;
+    [[nodiscard]] bool has_image(const std::string& name) const { return images_.contains(name); }
+    [[nodiscard]] bool has_buffer(const std::string& name) const { return buffers_.contains(name); }
+
+    // What a pass binds for a name: nothing_image is an image of one texel, of integers where the pass reads
+    // integers.
+    [[nodiscard]] gpu::Resource at(const std::string& name, bool of_integers) const;
+
+  private:
+    const gpu::Device* device_;
+    std::map<std::string, gpu::Image> images_;
+    std::map<std::string, gpu::Buffer> buffers_;
+    gpu::Image nothing_;
+    gpu::Image no_integers_;
+};
+
+// A pass of a plan of its own: not of a frame of the effect.
+template <class Parameters>
+[[nodiscard]] PlannedPass single_pass(std::string name, PassSource source, std::vector<std::string> resources,
+                                      const Parameters& parameters, std::array<std::uint32_t, 3> groups) {
+    const auto bytes = bytes_of(parameters);
+    return {.name = std::move(name),
+            .source = std::move(source),
+            .resources = std::move(resources),
+            .parameters = {bytes.begin(), bytes.end()},
+            .groups = groups};
+}
+
+// Compiles the passes of plans and binds their resources. Each pass is compiled once.
+class Executor {
+  public:
+    // The device must outlive this object.
+    Executor(const gpu::Device& device, scene::PassLibrary library);
+
+    // The passes, ready to run. They are valid until the resources change, as long as `passes` and this
+    // object live. Throws std::runtime_error when a shader does not compile.
+    [[nodiscard]] std::vector<Step> steps(std::span<const PlannedPass> passes, const Resources& resources);
+
+    // Runs passes once. Throws like steps() and gpu::Commands::submit().
+    void run(std::span<const PlannedPass> passes, const Resources& resources, const PassWatcher& watcher);
+
+  private:
+    struct Compiled {
+        gpu::ComputePipeline pipeline;
+        std::vector<bool> integers;  // for each binding: an image of integers
+    };
+    [[nodiscard]] const Compiled& compiled(const PlannedPass& pass, const Resources& resources);
+
+    const gpu::Device* device_;
+    scene::PassLibrary library_;
+    std::map<std::string, Compiled> compiled_;  // by all that the source says
+};
+
+}  // namespace gloam::effect

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "effect/internal/passes.hpp"
+
+namespace gloam::effect {
+
+// Push constants, and which of them are the view's.
+struct Constants {
+    std::vector<std::byte> bytes;
+    std::vector<bool> of_view;  // for each byte
+};
+
+// What the groups of a pass cover.
+enum class Cover {
+    tiles,           // 8 x 8 pixels of the images that the passes read
+    rows_of_tiles,   // filter_tiles of these along x
+    tiles_of_tiles,  // 8 x 8 of these
+    view,            // 8 x 8 pixels of the engine's view
+    halved,          // 8 x 8 pixels of the half-size images; the constants are those of the engine's view
+    own              // PassRow::groups
+};
+
+// A pass. Resources are named by what they are to the frame: see planned_passes().
+struct PassRow {
+    const char* name;
+    std::function<std::size_t(const Moment&)> when;  // how many times it runs; Moment::step counts them
+    std::function<PassSource(const Moment&, List)> source;
+    std::vector<const char*> resources;  // at binding 0, 1, ...
+    std::function<Constants(const Moment&)> fill;
+    Cover cover = Cover::tiles;
+    List list = {};  // on which it runs in frames with lists
+    Turn turn = Turn::always;
+    std::function<std::array<std::uint32_t, 3>(const Moment&)> groups = {};
+    std::function<std::string(const Moment&)> own_name = {};  // in the place of `name`
+};
+
+// The passes of a frame in their order.
+[[nodiscard]] const std::vector<PassRow>& pass_table();
+
+}  // namespace gloam::effect

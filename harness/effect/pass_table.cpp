@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/pass_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "effect/methods.hpp"
+
+namespace gloam::effect {
+namespace {
+
+// of_view: the members that depend on the view or the frame.
+template <class Parameters, class... Members>
+Constants constants(const Parameters& all, Members Parameters::*... of_view) {
+    const auto bytes = std::as_bytes(std::span(&all, 1));
+    Constants result{{bytes.begin(), bytes.end()}, std::vector<bool>(sizeof all, false)};
+    [[maybe_unused]] const auto mark = [&](const auto& member) {
+        const auto first = std::as_bytes(std::span(&member, 1)).data() - bytes.data();
+        std::fill_n(result.of_view.begin() + first, sizeof member, true);
+    };
+    (mark(all.*of_view), ...);
+    return result;
+}
+
+// The source of a pass without definitions and constants.
+std::function<PassSource(const Moment&, List)> file(const char* name) {
+    return [name](const Moment&, List) { return PassSource{.file = name}; };
+}
+
+// Groups with an invocation for each block of tiles.
+std::array<std::uint32_t, 3> groups_of_level(const Moment& moment, std::uint32_t level) {
+    return groups_for(blocks_of(moment.view.extent, level));
+}
+
+// Whether the plan holds both what is shown with the filter and what is shown without.
+bool shows_both(const Moment& moment) {
+    return moment.every_turn && filters_early(moment.settings);
+}
+
+bool remaps_filtered(const Moment& moment) {
+    return moment.maps_images() && moment.filtered && !moment.half();
+}
+
+std::vector<PassRow> rows_of_inputs() {
+    return {{.name = "sample_table",
+             .when = [](const Moment& m) { return m.tabulated.last >= m.tabulated.first; },
+             .source = [](const Moment& m,
+                          List) { return sample_table_source(method_named(m.settings.method).points); },
+             .resources = {"sample_table"},
+             .fill = [](const Moment& m) { return constants(m.tabulated); },
+             .cover = Cover::own,
+             .turn = Turn::once,
+             .groups = [](const Moment& m) -> std::array<std::uint32_t, 3> {
+                 const std::uint32_t samples = m.tabulated.last - m.tabulated.first + 1;
+                 return {(samples + sample_table_group - 1) / sample_table_group, 1, 1};
+             }},
+            {.name = "take_inputs",
+             .when = [](const Moment& m) { return m.new_view && m.converted; },
+             .source = [](const Moment& m, List) { return input_source(m); },
+             .resources = {"stored_depth", "stored_normal", "full_depth", "full_normal"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = InputParameters;
+                     return constants(input_parameters(m.given), &P::view_from_world, &P::p22_p32, &P::size);
+                 },
+             .cover = Cover::view},
+            {.name = "normals_from_depth",
+             .when = [](const Moment& m) { return m.new_view && !m.has_normals; },
+             .source = file("normals_from_depth.comp"),
+             .resources = {"full_depth", "full_normal"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = NormalParameters;
+                     return constants(normal_parameters(m.given), &P::p00_p11, &P::size);
+                 },
+             .cover = Cover::view},
+            {.name = "halve_inputs",
+             .when = [](const Moment& m) { return m.new_view && m.half(); },
+             .source = [](const Moment& m, List) { return halve_source(m); },
+             .resources = {"full_depth", "full_normal", "full_positions", "full_layers", "depth", "normal",
+                           "positions", "layers"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = HalveParameters;
+                     const P all{m.given.camera.p00_p11(), m.given_before.camera.p00_p11(),
+                                 vector_of_size(m.given.extent)};
+                     return constants(all, &P::p00_p11, &P::previous_p00_p11, &P::size);
+                 },
+             .cover = Cover::halved}};
+}
+
+Constants select_constants(const Moment& m) {
+    using P = SelectParameters;
+    // An unshaded band and settled tiles are matters of the view where the settings allow them at all.
+    const auto band = m.settings.guard_history ? &P::size : &P::band;
+    const SelectParameters all = select_parameters(m);
+    return m.settings.skip_settled ? constants(all, &P::size, band, &P::settled)
+                                   : constants(all, &P::size, band);
+}
+
+std::vector<PassRow> rows_of_tiles() {
+    const auto searches = [](const Moment& m) { return m.searches_open; };
+    return {{.name = "bound_tiles",
+             .when = searches,
+             .source = file("tiles/bound.comp"),
+             .resources = {"depth", "tile_bounds"},
+             .fill =
+                 [](const Moment& m) {
+                     return constants(BoundParameters{vector_of_size(m.view.extent)}, &BoundParameters::size);
+                 },
+             .cover = Cover::own,
+             .groups = [](const Moment& m) { return groups_of_level(m, 0); }},
+            {.name = "merge_bounds",
+             .when = [](const Moment& m) { return m.searches_open ? bound_levels - 1 : 0; },
+             .source = file("tiles/merge_bounds.comp"),
+             .resources = {"tile_bounds"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = MergeParameters;
+                     return constants(P{vector_of_size(m.view.extent), static_cast<int>(m.step + 1)},
+                                      &P::size);
+                 },
+             .cover = Cover::own,
+             .groups = [](const Moment& m) { return groups_of_level(m, m.step + 1); },
+             .own_name = [](const Moment& m) { return fmt::format("merge_bounds_{}", m.step + 1); }},
+            {.name = "open_tiles",
+             .when = searches,
+             .source = file("tiles/open.comp"),
+             .resources = {"depth", "normal", "tile_bounds", "open_tiles"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = OpenParameters;
+                     return constants(open_parameters(m), &P::p00_p11, &P::size);
+                 },
+             .cover = Cover::own,
+             .groups = [](const Moment& m) { return groups_of_level(m, 0); }},
+            {.name = "select_tiles",
+             .when = [](const Moment& m) { return m.listed; },
+             .source = [](const Moment& m, List) { return selection_source(m.open_tiles_each); },
+             .resources = {"depth", "tile_states_before", "tile_states_after", "tile_lists", "open_tiles"},
+             .fill = select_constants,
+             .cover = Cover::tiles_of_tiles}};
+}
+
+// The pass that takes the samples, over one list of tiles.
+PassRow row_of_samples(const char* name, TileLists list, std::function<bool(const Moment&)> when) {
+    return {.name = name,
+            .when = std::move(when),
+            .source = [](const Moment& m, List tiles) { return occlusion_source(m, tiles); },
+            .resources = {"depth", "normal", "history", "history_after", "tile_states_after", "displacement",
+                          "method", "prepared", "layers", "tile_lists", "filtered", "sample_table"},
+            .fill =
+                [](const Moment& m) {
+                    using P = OcclusionParameters;
+                    P all = occlusion_parameters(m.view, m.settings);
+                    all.still = flag(!m.new_view);
+                    return constants(all, &P::p00_p11, &P::size, &P::border, &P::still);
+                },
+            .list = list};
+}
+
+std::vector<PassRow> rows_of_samples() {
+    return {
+        {.name = "reproject",
+         .when = [](const Moment& m) { return m.moves_history(); },
+         .source = [](const Moment& m, List) { return reprojection_source(m); },
+         .resources = {"depth", "positions", "history_before", "history_reprojected", "tile_lists",
+                       "displacement"},
+         .fill =
+             [](const Moment& m) {
+                 using P = ReprojectionParameters;
+                 return constants(reprojection_parameters(m), &P::previous_from_current, &P::p00_p11,
+                                  &P::previous_p00_p11, &P::size);
+             },
+         .list = TileLists::shaded,
+         .turn = Turn::moved},
+        {.name = "preparation",
+         .when = [](const Moment& m) { return m.preparation ? m.preparation->passes.size() : 0; },
+         .source = [](const Moment& m,
+                      List) { return preparation_source(m, m.preparation->passes[m.step].file); },
+         .resources = {"depth", "normal", "history", "prepared", "method", "layers", "prepared"},
+         .fill =
+             [](const Moment& m) {
+                 using P = PreparationParameters;
+                 const int level = m.preparation->passes[m.step].level;
+                 return constants(preparation_parameters(m.view, m.settings, level), &P::p00_p11, &P::size,
+                                  &P::border);
+             },
+         .cover = Cover::own,
+         .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
+         .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
+        row_of_samples("ambient_occlusion", TileLists::shaded, [](const Moment& m) { return !m.finds_open; }),
+        row_of_samples("ambient_occlusion", TileLists::sampled, [](const Moment& m) { return m.finds_open; }),
+        row_of_samples("ambient_occlusion_open", TileLists::open,
+                       [](const Moment& m) { return m.finds_open; })};
+}
+
+// A pass of the filter along one axis.
+PassRow row_of_filter(const char* name, TileLists list, const char* from, const char* to) {
+    return {.name = name,
+            .when = [](const Moment& m) { return m.filtered; },
+            .source = [along_y = list == TileLists::filtered_y](
+                          const Moment& m, List tiles) { return filter_source(m, along_y, tiles); },
+            .resources = {"depth", "history_after", to, "normal", "tile_lists", from},
+            .fill =
+                [](const Moment& m) {
+                    using P = FilterParameters;
+                    return constants(filter_parameters(m.view, m.settings), &P::p00_p11, &P::size);
+                },
+            .cover = Cover::rows_of_tiles,
+            .list = list,
+            .turn = Turn::early};
+}
+
+std::vector<PassRow> rows_of_filter() {
+    return {{.name = "select_filtered_tiles",
+             .when = [](const Moment& m) { return m.filtered && m.listed; },
+             .source = file("tiles/select_filtered.comp"),
+             .resources = {"tile_states_after", "tile_lists"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = SelectFilteredParameters;
+                     return constants(P{vector_of_size(m.view.extent), glm::ivec2(filter_reach(m.settings))},
+                                      &P::size);
+                 },
+             .cover = Cover::tiles_of_tiles,
+             .turn = Turn::early},
+            row_of_filter("filter_x", TileLists::filtered_x, "filtered", "half_filtered"),
+            row_of_filter("filter_y", TileLists::filtered_y, "half_filtered", "filtered")};
+}
+
+// A pass that remaps an image for display.
+PassRow row_of_remap(const char* name, TileLists list, Cover cover, Turn turn, const char* from,
+                     const char* to, std::function<bool(const Moment&)> when) {
+    return {.name = name,
+            .when = std::move(when),
+            .source =
+                [of_history = turn == Turn::always](const Moment& m, List tiles) {
+                    return remap_source(m.settings, of_history && !shows_alone(m.settings), tiles);
+                },
+            .resources = {"depth", from, to, "tile_lists"},
+            .fill =
+                [](const Moment& m) {
+                    const Settings& s = m.settings;
+                    const RemapParameters all{vector_of_size(m.view.extent), s.remap_a, s.remap_b, s.remap_c};
+                    return constants(all, &RemapParameters::size);
+                },
+            .cover = cover,
+            .list = list,
+            .turn = turn};
+}
+
+// A pass that brings an image to the size of the view.
+PassRow row_of_upsampling(bool filtered, const char* from, std::function<bool(const Moment&)> when) {
+    return {.name = "upsample",
+            .when = std::move(when),
+            .source = [filtered](const Moment& m, List) { return upsample_source(m, filtered); },
+            .resources = {"full_depth", "depth", from, "upsampled"},
+            .fill =
+                [](const Moment& m) {
+                    const Settings& s = m.settings;
+                    using P = UpsampleParameters;
+                    return constants(P{vector_of_size(m.given.extent), s.remap_a, s.remap_b, s.remap_c},
+                                     &P::size);
+                },
+            .cover = Cover::halved,
+            .turn = filtered ? Turn::early : Turn::always,
+            .own_name =
+                [filtered](const Moment& m) {
+                    return filtered && shows_both(m) ? "upsample_filtered" : "upsample";
+                }};
+}
+
+std::vector<PassRow> rows_of_results() {
+    return {row_of_remap("remap", TileLists::shaded, Cover::tiles, Turn::always, "occlusion", "mapped",
+                         [](const Moment& m) {
+                             return m.maps_images() && (!m.filtered || m.shows_unfiltered || shows_both(m));
+                         }),
+            row_of_remap("remap_filtered", TileLists::shaded, Cover::tiles, Turn::early, "filtered",
+                         "filtered_mapped", remaps_filtered),
+            // The tiles that only the filter changes.
+            row_of_remap("remap_filtered_tiles", TileLists::filtered_y, Cover::rows_of_tiles, Turn::early,
+                         "filtered", "filtered_mapped",
+                         [](const Moment& m) { return remaps_filtered(m) && m.listed; }),
+            row_of_upsampling(false, "occlusion",
+                              [](const Moment& m) { return m.half() && (!m.filtered || shows_both(m)); }),
+            row_of_upsampling(true, "filtered", [](const Moment& m) { return m.half() && m.filtered; })};
+}
+
+}  // namespace
+
+const std::vector<PassRow>& pass_table() {
+    static const std::vector<PassRow> table = [] {
+        std::vector<PassRow> all;
+        for (const auto& rows :
+             {rows_of_inputs(), rows_of_tiles(), rows_of_samples(), rows_of_filter(), rows_of_results()})
+            all.insert(all.end(), rows.begin(), rows.end());
+        return all;
+    }();
+    return table;
+}
+
+}  // namespace gloam::effect
