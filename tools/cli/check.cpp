@@ -64,7 +64,8 @@ std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& out
         return own.names;
     }
     std::vector<std::string> names;
-    for (const catalogue::Entry& entry : catalogue::select(catalogue::all_entries(glsl_directory()), options.equations))
+    for (const catalogue::Entry& entry :
+         catalogue::select(catalogue::all_entries(glsl_directory()), options.equations))
         names.push_back(entry.description.id);
     return names;
 }
