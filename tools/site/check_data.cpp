@@ -60,8 +60,9 @@ ordered_json scenario_json(const check::PreparedScenario& scenario) {
     Bytes counts;
     Bytes wants;
     for (const check::Expectation& expectation : scenario.expectations) {
+        // Of a recorded input: which of a predicate's two results is not judged.
         const bool judged = expectation.criterion != check::Criterion::recorded;
-        const std::size_t count = judged ? expectation.wants.size() : 0;
+        const std::size_t count = judged ? expectation.wants.size() : 1;
         classes.add(static_cast<std::uint8_t>(expectation.input_class));
         criteria.add(static_cast<std::uint8_t>(expectation.criterion));
         counts.add(static_cast<std::uint16_t>(count));
