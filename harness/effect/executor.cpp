@@ -96,10 +96,15 @@ gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLib
     return pipeline_of(device, source, spirv, shader::reflect(spirv), std::move(kinds));
 }
 
-Resources::Resources(const gpu::Device& device)
-    : device_(&device),
-      nothing_(device, {1, 1}, gpu::Format::rgba32f),
-      no_integers_(device, {1, 1}, gpu::Format::r32ui) {}
+Resources::Resources(const gpu::Device& device) : device_(&device) {
+    using gpu::Format;
+    for (const auto& [name, format] : {std::pair{"r32f", Format::r32f},
+                                       {"rgba32f", Format::rgba32f},
+                                       {"rgba16f", Format::rgba16f},
+                                       {"rgba16ui", Format::rgba16ui},
+                                       {"r32ui", Format::r32ui}})
+        nothing_.try_emplace(name, device, gpu::Extent{1, 1}, format);
+}
 
 gpu::Image& Resources::image(const std::string& name, gpu::Extent extent, gpu::Format format) {
     const auto found = images_.find(name);
@@ -161,8 +166,8 @@ const gpu::Buffer& Resources::buffer(const std::string& name) const {
     return named(buffers_, name, "buffer");
 }
 
-gpu::Resource Resources::at(const std::string& name, bool of_integers) const {
-    if (name == nothing_image) return of_integers ? no_integers_ : nothing_;
+gpu::Resource Resources::at(const std::string& name, const std::string& format) const {
+    if (name == nothing_image) return named(nothing_, format, "image");
     if (has_buffer(name)) return buffer(name);
     return image(name);
 }
@@ -180,13 +185,18 @@ const Executor::Compiled& Executor::compiled(const PlannedPass& pass, const Reso
                                                    : gpu::BindingKind::storage_image);
     const shader::Spirv spirv = module_of(*device_, library_, pass.source);
     const shader::ModuleInterface interface = shader::reflect(spirv);
-    std::vector<bool> integers(pass.resources.size(), false);
-    for (const shader::Binding& binding : interface.bindings)
-        if (binding.number < integers.size()) integers[binding.number] = binding.texel == "uint";
+    std::vector<std::string> formats(pass.resources.size(), "rgba32f");
+    for (const shader::Binding& binding : interface.bindings) {
+        if (binding.number >= formats.size()) continue;
+        if (!binding.format.empty())
+            formats[binding.number] = binding.format;
+        else if (binding.texel == "uint")
+            formats[binding.number] = "r32ui";
+    }
     return compiled_
         .emplace(std::move(key),
                  Compiled{pipeline_of(*device_, pass.source, spirv, interface, std::move(kinds)),
-                          std::move(integers)})
+                          std::move(formats)})
         .first->second;
 }
 
@@ -200,7 +210,7 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
                   .parameters = pass.parameters,
                   .groups = pass.groups};
         for (std::size_t i = 0; i < pass.resources.size(); ++i)
-            step.resources.push_back(resources.at(pass.resources[i], of_pass.integers[i]));
+            step.resources.push_back(resources.at(pass.resources[i], of_pass.formats[i]));
         if (pass.list) {
             step.indirect = &resources.buffer("tile_lists");
             step.offset = *pass.list;

@@ -48,16 +48,15 @@ class Resources {
     [[nodiscard]] bool has_image(const std::string& name) const { return images_.contains(name); }
     [[nodiscard]] bool has_buffer(const std::string& name) const { return buffers_.contains(name); }
 
-    // What a pass binds for a name: nothing_image is an image of one texel, of integers where the pass reads
-    // integers.
-    [[nodiscard]] gpu::Resource at(const std::string& name, bool of_integers) const;
+    // What a pass binds for a name: nothing_image is an image of one texel in the format that the pass
+    // declares. Throws std::logic_error for a name or a format that there is not.
+    [[nodiscard]] gpu::Resource at(const std::string& name, const std::string& format) const;
 
   private:
     const gpu::Device* device_;
     std::map<std::string, gpu::Image> images_;
     std::map<std::string, gpu::Buffer> buffers_;
-    gpu::Image nothing_;
-    gpu::Image no_integers_;
+    std::map<std::string, gpu::Image> nothing_;  // by format
 };
 
 // A pass of a plan of its own: not of a frame of the effect.
@@ -88,7 +87,7 @@ class Executor {
   private:
     struct Compiled {
         gpu::ComputePipeline pipeline;
-        std::vector<bool> integers;  // for each binding: an image of integers
+        std::vector<std::string> formats;  // of the image of each binding
     };
     [[nodiscard]] const Compiled& compiled(const PlannedPass& pass, const Resources& resources);
 
