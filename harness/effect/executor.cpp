@@ -167,7 +167,10 @@ const gpu::Buffer& Resources::buffer(const std::string& name) const {
 }
 
 gpu::Resource Resources::at(const std::string& name, const std::string& format) const {
-    if (name == nothing_image) return named(nothing_, format, "image");
+    if (name == nothing_image) {
+        const auto found = nothing_.find(format);
+        return found == nothing_.end() ? nothing_.at("rgba32f") : found->second;
+    }
     if (has_buffer(name)) return buffer(name);
     return image(name);
 }

@@ -49,7 +49,7 @@ class Resources {
     [[nodiscard]] bool has_buffer(const std::string& name) const { return buffers_.contains(name); }
 
     // What a pass binds for a name: nothing_image is an image of one texel in the format that the pass
-    // declares. Throws std::logic_error for a name or a format that there is not.
+    // declares. Throws std::logic_error for a name that there is not.
     [[nodiscard]] gpu::Resource at(const std::string& name, const std::string& format) const;
 
   private:
