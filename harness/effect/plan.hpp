@@ -74,6 +74,9 @@ struct PlannedPass {
         1;  // 2: the pass reads half-size images, and `of_view` are those of the half-size view
 };
 
+// Format of the images that hold a history.
+[[nodiscard]] gpu::Format format_of(HistoryPrecision precision);
+
 // Names of the resources that are bound where the settings need no image or no buffer.
 inline constexpr const char* nothing_image = "nothing";
 inline constexpr const char* nothing_buffer = "no_buffer";

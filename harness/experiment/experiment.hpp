@@ -60,7 +60,7 @@ struct Case {
     bool view = false;         // `scene` is a view of scene/views.hpp; otherwise a built-in scene or "floor"
     std::vector<int> shown{};  // for how many frames each view is shown; empty: the experiment's frames
     std::optional<int> scored{};            // the last ones of these, instead of the experiment's
-    bool motion = true;                     // views know how objects moved; otherwise only how the camera did
+    bool motion = true;                     // views hold the motion of objects, not of the camera alone
     bool still = false;                     // all views are the first frame's
     std::optional<double> rough_from{};     // share of the width from which on the depth is roughened
     double empty_until = 0.0;               // share of the width up to which there is nothing
@@ -85,9 +85,9 @@ struct Column {
     std::string value;  // a quantity of quantities(); empty: a label
     std::string half;   // over the views of this half alone
     std::string of;     // the candidate, as in candidate_of(); empty: the row's
-    std::string over;   // divided by this candidate's; empty: not divided
+    std::string over;   // divided by the value of this candidate; empty: not divided
     std::vector<std::string> passes;       // times of passes whose names begin so; empty: of all
-    std::vector<std::string> over_passes;  // the same of the divisor; empty: the same passes
+    std::vector<std::string> over_passes;  // passes of the divisor; empty: those of `passes`
     std::string repeated;                  // "candidates" or "sizes": a column for each
     std::string statistic = "median";      // of times: also "least", or "quartiles" of the rounds' ratios
     int digits = 2;

@@ -11,6 +11,7 @@
 
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
+#include "effect/plan.hpp"
 #include "effect/setting_table.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "effect/study/plain_run.hpp"
@@ -73,17 +74,6 @@ Subject subject_of(const Experiment& experiment, const Case& one, const Candidat
         return subject_of({&experiment.layer, &one.layer, &candidate.layer}, place);
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(fmt::format("{}, {}: {}", one.name, candidate.name, error.what()));
-    }
-}
-
-gpu::Format format_of(effect::HistoryPrecision precision) {
-    switch (precision) {
-        case effect::HistoryPrecision::float32:
-            return gpu::Format::rgba32f;
-        case effect::HistoryPrecision::float16:
-            return gpu::Format::rgba16f;
-        default:
-            return gpu::Format::rgba16ui;
     }
 }
 
@@ -201,7 +191,7 @@ class SizeRun {
             case Kind::copy: {
                 if (round == 0) return {};
                 const double copy_ms = clock(gpu::Format::r32f).measure();
-                const double ms = clock(format_of(subject.copied)).measure_now();
+                const double ms = clock(effect::format_of(subject.copied)).measure_now();
                 return {.readings = {{{{"copy", ms}}, copy_ms}}};
             }
             case Kind::depth_truth:

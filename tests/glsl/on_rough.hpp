@@ -36,8 +36,7 @@ inline std::string changed(const MethodFunctions& functions, const std::string& 
     return "changed.glsl";
 }
 
-// A method on the rough view. layers, farthest: of its kernel. level: what is prepared is the same
-// everywhere.
+// A method on the rough view. layers, farthest: of its kernel. level: the prepared image has one value.
 class OnRough {
   public:
     using Inputs = check::Kernel<Gather>::Inputs;

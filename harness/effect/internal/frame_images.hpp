@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "gpu/image.hpp"
 
@@ -14,9 +15,6 @@ namespace gloam::effect {
 
 // One channel of an image of four: element `which` of each texel.
 [[nodiscard]] std::vector<float> channel(std::span<const float> texels, std::size_t which);
-
-// Format of the images that hold a history.
-[[nodiscard]] gpu::Format format_of(HistoryPrecision precision);
 
 // Format of the images that hold what is displayed.
 [[nodiscard]] gpu::Format format_of(OutputFormat output);

@@ -19,9 +19,9 @@ struct Constants {
 
 // What the groups of a pass cover.
 enum class Cover {
-    tiles,           // 8 x 8 pixels of the images that the passes read
-    rows_of_tiles,   // filter_tiles of these along x
-    tiles_of_tiles,  // 8 x 8 of these
+    tiles,           // one tile: 8 x 8 pixels of the images that the passes read
+    rows_of_tiles,   // a row of filter_tiles tiles
+    tiles_of_tiles,  // 8 x 8 tiles
     view,            // 8 x 8 pixels of the engine's view
     halved,          // 8 x 8 pixels of the half-size images; the constants are those of the engine's view
     own              // PassRow::groups

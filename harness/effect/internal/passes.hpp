@@ -61,8 +61,8 @@ struct Moment {
     View view;          // these two at the size of the images that the passes read
     View before;
     std::optional<Preparation> preparation;  // of the method
-    std::optional<scene::Encoding>
-        converted;                  // how the engine stores depth and normals; none: as passes read them
+    // How the engine stores depth and normals. None: as passes read them.
+    std::optional<scene::Encoding> converted;
     bool has_normals = true;        // the engine gives normals; otherwise they are reconstructed
     bool has_positions = false;     // the engine gives previous positions of surface points
     bool new_view = true;           // the view was not that of the frame before
@@ -78,9 +78,9 @@ struct Moment {
     bool searches_open = false;     // for which the frame searches
     Counting counting = Counting::none;
     std::uint32_t open_tiles_each = 1;  // open tiles of one group
-    SampleTableParameters tabulated{1,
-                                    0};  // samples that the frame adds to the table; none if the last is less
-    std::uint32_t step = 0;              // of a pass that runs several times
+    // Samples that the frame adds to the table. None if the last is less than the first.
+    SampleTableParameters tabulated{1, 0};
+    std::uint32_t step = 0;  // of a pass that runs several times
 
     // Sets the view and the one before it, and what depends on their size.
     void look(const View& now, const View& last);
