@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "interpreter/number.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -90,11 +91,26 @@ template <>
 std::optional<Explained> exponent_field(const Explained&) {
     return std::nullopt;
 }
+namespace {
+
+// The power of two whose float has the exponent of that magnitude: 0 for 0 and subnormal numbers.
+double power_of(double magnitude) {
+    constexpr double smallest_normal = 0x1p-126;
+    constexpr double largest_power = 0x1p127;
+    if (magnitude < smallest_normal) return 0.0;
+    return std::min(std::exp2(std::ilogb(magnitude)), largest_power);
+}
+
+}  // namespace
+
 template <>
 std::optional<numeric::Interval> exponent_field(const numeric::Interval& x) {
-    constexpr double largest_power = 0x1p127;
-    if (numeric::is_finite(x)) return numeric::Interval::within(0.0, largest_power);
-    return number_from_bits<numeric::Interval>(exponent_mask);
+    if (!numeric::is_finite(x)) return number_from_bits<numeric::Interval>(exponent_mask);
+    const double low = std::abs(x.low());
+    const double high = std::abs(x.high());
+    const bool has_zero = x.low() <= 0.0 && x.high() >= 0.0;
+    return numeric::Interval::within(has_zero ? 0.0 : power_of(std::min(low, high)),
+                                     power_of(std::max(low, high)));
 }
 template <>
 std::optional<numeric::Rearranged> exponent_field(const numeric::Rearranged& x) {

@@ -10,6 +10,7 @@ namespace gloam::test {
 namespace failures_test {
 
 namespace fs = std::filesystem;
+using testing::AnyOf;
 using testing::HasSubstr;
 
 constexpr const char* shader_file = "gloam/sampling/radical_inverse.glsl";
@@ -117,7 +118,9 @@ TEST(Failures, AHangIsHandedOverWithoutRunningItAgain) {
     EXPECT_EQ(check(installation, failures, {"--timeout", "1.5"}).status, 1);
     ASSERT_EQ(folders(failures).size(), 1U);
     const fs::path folder = folders(failures).front();
-    EXPECT_THAT(read_file(folder / "report.txt"), HasSubstr("hang: not finished after 1.5 s"));
+    // The worker's processor time and its wait for the device are limited alike: either may end first.
+    EXPECT_THAT(read_file(folder / "report.txt"),
+                AnyOf(HasSubstr("hang: not finished after 1.5 s"), HasSubstr("submission within 1.5 s")));
     EXPECT_THAT(read_file(folder / "repro.amber"), HasSubstr("not judged"));
     EXPECT_THAT(read_file(folder / "shader.comp"), HasSubstr("spin"));
 }

@@ -182,8 +182,7 @@ TEST(Pack, IncludesThatDoubleAreStopped) {
     std::ofstream(folder.path() / "i40.glsl") << "// nothing\n";
     const std::string first = (folder.path() / "i0.glsl").string();
     const CommandResult result = run_command({"pack", first});
-    expect_could_not_run(result, first);
-    EXPECT_THAT(result.err, HasSubstr("takes more than"));
+    expect_could_not_run(result, "more than 65536 includes at ");
 }
 
 // Each macro is twice the one before: 2^40 additions, 7 GB on the way there.

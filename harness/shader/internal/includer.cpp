@@ -9,6 +9,7 @@
 namespace gloam::shader::internal {
 
 constexpr std::size_t most_nested = 256;
+constexpr std::size_t most_included = 65536;  // files that include the next one twice double their number
 
 using Path = std::filesystem::path;
 using Result = glslang::TShader::Includer::IncludeResult;
@@ -41,6 +42,8 @@ Result* Includer::open(const char* name, const Path& from) {
         if (open_.size() >= most_nested)
             return fail("includes are nested more than " + std::to_string(most_nested) + " deep at " +
                         path.string());
+        if (++included_ > most_included)
+            return fail("more than " + std::to_string(most_included) + " includes at " + path.string());
         std::string text = read_text(path);
         if (reading_) text = reading_(path, std::move(text));
         return hold(std::move(path), std::move(text));

@@ -42,6 +42,7 @@ class Includer final : public glslang::TShader::Includer {
     IncludeFolders folders_;
     Reading reading_;
     std::vector<std::unique_ptr<Open>> open_;
+    std::size_t included_ = 0;  // files so far
     std::optional<std::string> local_failure_;
 };
 
