@@ -101,7 +101,7 @@ struct PlanOptions {
     gpu::Extent view{1920, 1080};
     bool moving_objects = false;  // the engine gives the previous positions of surface points
     bool orthographic = false;
-    bool tiles = false;   // passes run over lists of tiles (docs/skips.md); otherwise over the whole image
+    bool tiles = false;   // passes run over lists of tiles (docs/passes.md); otherwise over the whole image
     bool normals = true;  // the engine has normals; otherwise they are reconstructed from depth
     scene::Encoding encoding;  // of the engine's depth and normals
 };

@@ -14,7 +14,7 @@ Settings paper() {
 
 // A short memory: what the depth buffer shows of a surface changes with the view, and a mean over 500 samples
 // lags behind. The filter stops at as many samples as in table 1. Pixels that have just come into view are
-// not dominated by converged neighbours (docs/temporal.md).
+// not dominated by converged neighbours (docs/measurements.md).
 Settings moving() {
     Settings settings = paper();
     settings.samples_converged = 32;
@@ -25,9 +25,9 @@ Settings moving() {
     return settings;
 }
 
-// Three points on the front of error against time over moving cameras (docs/benchmark.md). All reduce noise
-// by the mean, which is free. All hold the history in half the bytes: its rounding error is far smaller than
-// its lag.
+// Three points on the front of error against time over moving cameras (docs/measurements.md). All reduce
+// noise by the mean, which is free. All hold the history in half the bytes: its rounding error is far smaller
+// than its lag.
 Settings packed(Settings settings, std::uint32_t samples) {
     settings.samples = samples;
     settings.samples_converged = samples;
@@ -36,7 +36,7 @@ Settings packed(Settings settings, std::uint32_t samples) {
 }
 
 // Pixels with few samples are filtered in the first frames after a cut. Later the filter would change what
-// has just come into view, and cost as much as several samples everywhere (docs/temporal.md).
+// has just come into view, and cost as much as several samples everywhere (docs/measurements.md).
 Settings filtered_at_first(Settings settings) {
     settings.filter = Filter::convergence;
     settings.c_adaptive = 0.2F;
@@ -44,7 +44,7 @@ Settings filtered_at_first(Settings settings) {
     return settings;
 }
 
-// In the time of a single frame of one slice it is more exact than a frame of nine slices (docs/temporal.md).
+// More exact than a single frame of nine slices, in less time (docs/measurements.md).
 // Of all estimators this one is nearest to the truth where the depth buffer hides most. A larger intensity
 // has larger errors where little is hidden.
 Settings fast() {

@@ -14,7 +14,7 @@ them does not do what the page says. A block's first line says what it is:
     ```cpp consumer    lines of the test in examples/own_function
     ```cmake consumer  lines of its CMakeLists.txt; others may stand between them
 
-Also: every source that an equation cites by author and year is in docs/bibliography.md.
+Also: every source that an equation cites by author and year is in docs/glossary.md.
 """
 import json
 import os
@@ -30,6 +30,7 @@ WHY_NOT_RUN = {
     "package": "tests/house/package does the same",
     "long": "takes minutes",
     "ci": "installs packages",
+    "piglit": "needs a package and a failure",
 }
 BLOCK = re.compile(r"^```(\S*) ?(\S*)\n(.*?)^```$", re.S | re.M)
 CITED = re.compile(r"([A-Z][\w-]+(?:, [A-Z][\w-]+)*(?: and [A-Z][\w-]+)?(?: et al\.)? \d{4})")
@@ -115,13 +116,13 @@ def run_guide(root, name, gloam):
 
 
 def uncited(root, gloam):
-    known = (root / "docs" / "bibliography.md").read_text(encoding="utf-8")
+    known = (root / "docs" / "glossary.md").read_text(encoding="utf-8")
     listed = subprocess.run([gloam, "list", "equations", "--json"], check=True, capture_output=True)
     cited = set()
     for equation in json.loads(listed.stdout):
         names = CITED.findall(equation["source"])
         cited.update(re.sub(r"^(?:AO|GTAO|SSDO), ", "", name) for name in names)
-    return [f"docs/bibliography.md does not have {name}" for name in sorted(cited) if name not in known]
+    return [f"docs/glossary.md does not have {name}" for name in sorted(cited) if name not in known]
 
 
 def main():

@@ -12,16 +12,20 @@ from pathlib import Path
 from browser import Browser, program
 
 GLOAM, DOCS = sys.argv[1], Path(sys.argv[2])
-PAGES = ["index", "check", "effect", "gallery", "accuracy", "drivers", "benchmark", "licences"]
+PAGES = ["index", "check", "effect", "gallery", "drivers", "measurements", "licences"]
+MEASURED = """# Of this machine
+
+| run | RMSE (G) | copies |
+| --- | --: | --: |
+| one/single | 0.08 | 27.1 |
+| two/temporal | 0.05 | 14.6 |
+| three/temporal | 0.04 | 84.0 |
+"""
 
 
-def tables_in(*names):
-    """How many tables pages of the documents have."""
-    rules = 0
-    for name in names:
-        lines = (DOCS / name).read_text(encoding="utf-8").splitlines()
-        rules += sum("---" in line and set(line) <= set("|-: ") for line in lines)
-    return rules
+def tables_in(text):
+    """How many tables a page of Markdown has."""
+    return sum("---" in line and set(line) <= set("|-: ") for line in text.splitlines())
 
 
 class PagesTest(unittest.TestCase):
@@ -29,7 +33,9 @@ class PagesTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder_owner = tempfile.TemporaryDirectory()
         cls.site = Path(cls.folder_owner.name, "site")
-        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--quiet"], check=True)
+        measured = cls.site.parent / "measured.md"
+        measured.write_text(MEASURED, encoding="utf-8")
+        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--quiet", "--measured", measured], check=True)
         cls.browser = Browser()
 
     @classmethod
@@ -57,17 +63,22 @@ class PagesTest(unittest.TestCase):
         self.assertEqual([], asked)
 
     def test_the_documents_have_their_tables(self):
-        for page, sources in (("accuracy", ["accuracy.md"]), ("drivers", ["drivers.md"]),
-                              ("benchmark", ["benchmark.md"])):
+        for page, further in (("drivers", ""), ("measurements", MEASURED)):
+            text = (DOCS / f"{page}.md").read_text(encoding="utf-8")
             self.open(page)
-            self.assertEqual(tables_in(*sources), self.count("#document .wide table"), page)
+            self.assertEqual(tables_in(text + further), self.count("#document .wide table"), page)
             self.assertGreater(self.count("h2"), 1, page)
-        title = (DOCS / "accuracy.md").read_text(encoding="utf-8").splitlines()[0].lstrip("# ")
-        self.open("accuracy")
-        self.assertEqual(title, self.browser.evaluate("document.querySelector('h1').textContent"))
+            self.assertEqual(text.splitlines()[0].lstrip("# "),
+                             self.browser.evaluate("document.querySelector('h1').textContent"))
+
+    def test_the_measurements_end_with_the_pages_of_the_user(self):
+        self.open("measurements")
+        last = "[...document.querySelectorAll('{}')].at(-1).textContent"
+        self.assertEqual("Of this machine", self.browser.evaluate(last.format("h1")))
+        self.assertIn("three/temporal", self.browser.evaluate(last.format("table")))
 
     def test_the_columns_of_a_document_sort_by_number(self):
-        self.open("benchmark")
+        self.open("measurements")
         values = ("[...document.querySelectorAll('.wide')[0].querySelectorAll('tbody tr')]"
                   ".map((row) => Number(row.cells[1].textContent))")
         click = "document.querySelectorAll('.wide')[0].querySelectorAll('th button')[1].click()"
@@ -79,7 +90,7 @@ class PagesTest(unittest.TestCase):
         self.assertGreater(len(falling), 3)
 
     def test_the_charts_have_the_points_of_the_tables(self):
-        self.open("benchmark", dark=True)
+        self.open("measurements", dark=True)
         charts = self.count(".chart canvas")
         self.assertGreater(charts, 1)
         self.assertEqual(charts, self.count(".chart"))

@@ -71,6 +71,8 @@ TEST(SiteTest, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
     EXPECT_FALSE(fs::exists(site));
     test::expect_could_not_run(test::run_command({"site", site.string(), "--inputs", "0"}), "--inputs");
     test::expect_could_not_run(test::run_command({"site", "/dev/null", "--no-pictures"}), "/dev/null");
+    test::expect_could_not_run(test::run_command({"site", site.string(), "--measured", "no-such.md"}),
+                               "no-such.md");
 }
 
 }  // namespace site_test

@@ -59,6 +59,11 @@ void add_site(CLI::App& app) {
         ->check(CLI::Range(1, 65'536))
         ->capture_default_str();
     site->add_option("--seed", command->options.seed, "of the inputs")->capture_default_str();
+    site->add_option(
+            "--measured", command->options.measured,
+            "Markdown of gloam bench, gloam report --accuracy or gloam pack --lines, for the page of "
+            "measurements")
+        ->check(CLI::ExistingFile);
     site->add_flag("!--no-pictures", command->gallery.pictures, "render no pictures for the gallery");
     site->add_option("--device", command->gallery.device,
                      "name or index of the device that renders the pictures (gloam devices)");

@@ -118,14 +118,16 @@ void write_pages(const SiteOptions& options, Files& files) {
     files.write("gallery-data.js", "gloam.gallery = " + options.gallery + ";\n");
 }
 
-// The pages of measurements, one script each.
-void write_documents(const fs::path& folder, Files& files) {
-    const std::map<std::string, std::vector<std::string>> sources{
-        {"accuracy", {"accuracy.md"}}, {"drivers", {"drivers.md"}}, {"benchmark", {"benchmark.md"}}};
+// The pages of drivers and measurements, one script each. The measurements end with the pages of the user.
+void write_documents(const SiteOptions& options, Files& files) {
+    std::map<std::string, std::vector<fs::path>> sources;
+    for (const std::string name : {"drivers", "measurements"})
+        sources[name].push_back(options.documents / (name + ".md"));
+    for (const fs::path& page : options.measured) sources["measurements"].push_back(page);
     for (const auto& [name, pages] : sources) {
         std::string blocks;
-        for (const std::string& page : pages)
-            blocks += (blocks.empty() ? "" : ",\n") + document_json(base::read_file(folder / page));
+        for (const fs::path& page : pages)
+            blocks += (blocks.empty() ? "" : ",\n") + document_json(base::read_file(page));
         files.write("document-" + name + ".js", "gloam.documents = [\n" + blocks + "\n];\n");
     }
 }
@@ -175,7 +177,7 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
     Files files(folder);
     write_pages(options, files);
-    write_documents(options.documents, files);
+    write_documents(options, files);
     write_effect(lab, options, files);
     write_checks(entries, written, options, files);
     summary.bytes = files.bytes();

@@ -17,10 +17,11 @@ struct SiteOptions {
     std::vector<std::string> equations;  // IDs, functions or globs; empty: all
     std::size_t inputs = 512;            // of each check
     std::uint64_t seed = 1;
-    std::filesystem::path files;      // folder of the pages and the shaders
-    std::filesystem::path documents;  // folder of the Markdown pages
-    std::string gallery;              // JSON of its pictures: page/gallery.js
-    std::string versions;             // of this program, for the results file
+    std::filesystem::path files;                  // folder of the pages and the shaders
+    std::filesystem::path documents;              // folder of the Markdown pages
+    std::vector<std::filesystem::path> measured;  // Markdown pages that the page of measurements ends with
+    std::string gallery;                          // JSON of its pictures: page/gallery.js
+    std::string versions;                         // of this program, for the results file
 };
 
 // What was written.

@@ -5,7 +5,7 @@
 #include "shader/language.hpp"
 
 // How far the precision rules of OpenGL agree with those of Vulkan, by which the interpreter judges
-// (docs/opengl.md).
+// (docs/opengl-and-browsers.md).
 namespace gloam::check::internal {
 
 // Whether the rules of this version of GLSL can be asked: GLSL 4.50 and GLSL ES 3.20, whose section 4.7.1 has

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* benchmark_introduction = R"(# Time against error
 
 Which method, with how many samples, takes how long and comes how near to the truth. `gloam bench --report FILE` wrote
-this page. docs/benchmark.md says how to measure on your device and how to query the results; other devices rank
+this page. docs/measurements.md says how to measure on your device and how to query the results; other devices rank
 methods otherwise.
 
 )";
@@ -89,7 +89,7 @@ std::string framework_section(const Benchmark& benchmark) {
     return "\n## The framework\n\nInputs uploaded, one dispatch, every canary checked, outputs downloaded. "
            "*Of a copy*: "
            "the rate as a fraction of that of a bare dispatch that copies the same bytes, in turn. The rest "
-           "of what the framework costs is in docs/benchmark.md.\n\n" +
+           "of what the framework costs is in docs/measurements.md.\n\n" +
            framework_table(benchmark);
 }
 

@@ -139,7 +139,7 @@ void add_bench_sources(CLI::App& bench, int& status) {
         ->capture_default_str();
     add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
-    command->add_option("--page", options->page, "page whose tables are written anew (docs/sources.md)");
+    command->add_option("--page", options->page, "page whose tables are written anew");
     command->callback([options, &status] { status = run_bench_sources(*options); });
 }
 

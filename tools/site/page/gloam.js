@@ -49,9 +49,8 @@ gloam.pages = [
     ["check.html", "Check this browser"],
     ["effect.html", "See the effect"],
     ["gallery.html", "Gallery"],
-    ["accuracy.html", "Accuracy"],
     ["drivers.html", "Drivers"],
-    ["benchmark.html", "Benchmark"],
+    ["measurements.html", "Measurements"],
     ["licences.html", "Licences"],
 ];
 

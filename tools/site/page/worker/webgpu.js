@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs kernels in WebGPU: an invocation of a compute shader evaluates one input (docs/browser.md).
+// Runs kernels in WebGPU: an invocation of a compute shader evaluates one input (docs/opengl-and-browsers.md).
 "use strict";
 
 gloam.webgpu = (() => {
