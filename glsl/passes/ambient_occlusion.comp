@@ -94,6 +94,7 @@ layout(push_constant) uniform Parameters {
 #include "gloam/filter/shrink.glsl"
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
@@ -170,7 +171,7 @@ void probe(ivec2 pixel, float depth) {
         gloam_tap_sees(depth) && !(squared > reach && squared_before > reach) && dot(now, neighborhood.normal) > 0.0;
     float change = abs(sqrt(squared) - sqrt(squared_before));
     bool more = tells && !(change <= neighborhood.change);
-    neighborhood.change = more ? (change <= 3.402823466e38 ? change : 3.402823466e38) : neighborhood.change;
+    neighborhood.change = more ? (change <= GLOAM_LARGEST ? change : GLOAM_LARGEST) : neighborhood.change;
 }
 
 // Read by the samples, which thereby are the probes.

@@ -9,6 +9,7 @@
 //   9  rgba32f  radiance of the environment in xyz, over directions of the world: columns are longitudes, -z in the
 //               middle and +x to the right of it, rows polar angles from +y; each texel is one value
 #include "directional/history.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/shading/directional_occlusion.glsl"
 
@@ -21,7 +22,7 @@ vec3 environment(vec3 direction) {
         mat3(parameters.world_from_view[0].xyz, parameters.world_from_view[1].xyz, parameters.world_from_view[2].xyz) *
         direction;
     ivec2 size = GLOAM_INPUT_SIZE(environment_image);
-    vec2 at = vec2(0.5 + gloam_atan2(world.x, -world.z) / 6.283185307, gloam_acos(world.y) / 3.141592654);
+    vec2 at = vec2(0.5 + gloam_atan2(world.x, -world.z) / GLOAM_TAU, gloam_acos(world.y) / GLOAM_PI);
     return GLOAM_FETCH(environment_image, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1)).xyz;
 }
 

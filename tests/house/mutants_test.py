@@ -77,10 +77,10 @@ class Change(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             modules = Modules(Path(scratch))
             text = (ROOT / "glsl" / FILE).read_text(encoding="utf-8")
-            at = text.index("scaled <= 3.402823466e38")
-            for new, verdict in (("(scaled <= 3.402823466e38)", "same"), ("scaled >= 3.402823466e38", "other"),
+            at = text.index("scaled <= GLOAM_LARGEST")
+            for new, verdict in (("(scaled <= GLOAM_LARGEST)", "same"), ("scaled >= GLOAM_LARGEST", "other"),
                                  ("scaled <= nothing", "invalid")):
-                after = text[:at] + new + text[at + len("scaled <= 3.402823466e38"):]
+                after = text[:at] + new + text[at + len("scaled <= GLOAM_LARGEST"):]
                 self.assertEqual(modules.change(FILE, text, after, at), verdict)
 
     def test_what_some_definitions_exclude_is_not_judged(self):

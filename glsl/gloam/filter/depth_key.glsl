@@ -3,6 +3,7 @@
 #define GLOAM_FILTER_DEPTH_KEY_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // The depth that a blur stores beside the occlusion, in two of the four 8-bit channels (SAO).
 
@@ -13,7 +14,7 @@
 // Error: 1.5 ULP; 3.5 by any device that keeps Vulkan's rules.
 // No method or pass here calls it: it is there to be copied.
 float gloam_depth_key(float depth, float z_key) {
-    bool divides = z_key >= 1.175494351e-38 && z_key <= 8.507059173e37;
+    bool divides = z_key >= GLOAM_SMALLEST && z_key <= GLOAM_LARGEST_DIVISOR;
     return !gloam_is_background(depth) && divides && depth < z_key ? min(depth / z_key, 1.0) : 1.0;
 }
 

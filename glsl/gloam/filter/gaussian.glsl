@@ -3,6 +3,7 @@
 #define GLOAM_FILTER_GAUSSIAN_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO (Mattausch et al.), eq
 // 10].
@@ -14,7 +15,7 @@
 // every finite distance counts wholly; for NaN infinity, with which nothing counts. Error: 1.5 ULP.
 float gloam_gaussian_scale(float sigma) {
     if (!(abs(sigma) >= 0.0)) return uintBitsToFloat(0x7F800000u);
-    return sigma <= 1.2676506e30 ? 0.8493218003 / max(sigma, 1.175494351e-38) : 0.0;
+    return sigma <= 1.2676506e30 ? 0.8493218003 / max(sigma, GLOAM_SMALLEST) : 0.0;
 }
 
 // weight of a neighbour by the scale of the Gaussian (TSSAO-10-g-scaled): `g = 2^-(d s)^2` [TSSAO (Mattausch et al.),
@@ -55,10 +56,10 @@ float gloam_gaussian(float squared_distance, float sigma) {
 // NaN, and where infinite ones leave the quotient unknown.
 // Error: 2.5 ULP.
 float gloam_filter_sigma(float depth, float tan_half_fovy, float height, float sigma_pixels) {
-    if (gloam_is_background(depth) || !(tan_half_fovy > 0.0 && height >= 1.175494351e-38 && sigma_pixels > 0.0))
+    if (gloam_is_background(depth) || !(tan_half_fovy > 0.0 && height >= GLOAM_SMALLEST && sigma_pixels > 0.0))
         return 0.0;
     float sigma = 2.0 * tan_half_fovy * depth * (sigma_pixels / height);
-    return sigma <= 3.402823466e38 ? sigma : (sigma > 0.0 ? 3.402823466e38 : 0.0);
+    return sigma <= GLOAM_LARGEST ? sigma : (sigma > 0.0 ? GLOAM_LARGEST : 0.0);
 }
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef GLOAM_FILTER_QUAD_BOX_GLSL
 #define GLOAM_FILTER_QUAD_BOX_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/visibility.glsl"
 
 // mean of the two pixels of a quad along one axis (CS-Q-quad): `A - dA ((x & 1) - 1/2), if |dz| < edge` [McGuire, Mara
@@ -15,7 +16,7 @@
 // Returns visibility in [0, 1]; A itself (1 for NaN) at an edge and where a difference is NaN. Error: 1e-7.
 // No method or pass here calls it: it is there to be copied.
 float gloam_quad_box(float visibility, float difference, float depth_difference, int coordinate, float edge) {
-    bool smooth_here = abs(depth_difference) < edge && abs(difference) <= 3.402823466e38;
+    bool smooth_here = abs(depth_difference) < edge && abs(difference) <= GLOAM_LARGEST;
     float side = (coordinate & 1) == 1 ? 0.5 : -0.5;
     return gloam_visibility_clamp(smooth_here ? visibility - difference * side : visibility);
 }

@@ -2,6 +2,7 @@
 #ifndef GLOAM_FILTER_SHRINK_GLSL
 #define GLOAM_FILTER_SHRINK_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // factor on the filter's support (TSSAO-11): `s = max(c - conv, 0) / c` [TSSAO (Mattausch et al.), eq 11].
@@ -13,7 +14,7 @@
 // 1 for infinite c and finite conv. Error: 1.5 ULP.
 float gloam_shrink(float convergence, float c_adaptive) {
     if (!(c_adaptive >= 1e-30) || convergence >= c_adaptive) return 0.0;
-    if (!(convergence > 0.0) || c_adaptive > 3.402823466e38) return 1.0;
+    if (!(convergence > 0.0) || c_adaptive > GLOAM_LARGEST) return 1.0;
     return min((c_adaptive - convergence) / c_adaptive, 1.0);
 }
 

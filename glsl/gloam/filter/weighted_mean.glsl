@@ -2,6 +2,8 @@
 #ifndef GLOAM_FILTER_WEIGHTED_MEAN_GLSL
 #define GLOAM_FILTER_WEIGHTED_MEAN_GLSL
 
+#include "gloam/numeric/constants.glsl"
+
 // A weighted mean of occlusion values being formed. The range of the values is kept as well: the quotient of two
 // rounded sums may leave it, and with it a constant image would change, and a lone neighbour would not give its own
 // value.
@@ -25,7 +27,7 @@ GloamWeightedMean gloam_weighted_mean_empty() {
 // and finite.
 // Error: 1.5 ULP for each addition.
 GloamWeightedMean gloam_weighted_mean_add(GloamWeightedMean mean, float value, float weight) {
-    if (!(value >= 0.0 && value <= 1.0 && weight > 0.0 && weight <= 3.402823466e38)) return mean;
+    if (!(value >= 0.0 && value <= 1.0 && weight > 0.0 && weight <= GLOAM_LARGEST)) return mean;
     return GloamWeightedMean(mean.sum + weight * value, mean.weight + weight, min(mean.low, value),
                              max(mean.high, value));
 }

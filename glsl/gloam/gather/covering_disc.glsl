@@ -4,6 +4,7 @@
 
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/covering_radius.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/issao_offset.glsl"
@@ -25,7 +26,7 @@ const float GLOAM_ISSAO_MOST_STRETCH = 4.0;
 // Error of the stretch: 4e-6.
 GloamCoveringDisc gloam_covering_disc(vec3 position, float radius, float angle, GloamCamera camera) {
     GloamFootprint footprint = gloam_footprint(position, radius, camera);
-    float parallel = gloam_covering_radius_parallel(position, radius, 3.402823466e38);
+    float parallel = gloam_covering_radius_parallel(position, radius, GLOAM_LARGEST);
     float covering = gloam_covering_radius_perpendicular(position, radius, GLOAM_ISSAO_MOST_STRETCH * parallel);
     return GloamCoveringDisc(footprint, parallel > 0.0 ? covering / parallel : 1.0,
                              gloam_sincos_turns(gloam_turns(angle)));

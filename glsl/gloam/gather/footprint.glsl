@@ -3,6 +3,7 @@
 #define GLOAM_GATHER_FOOTPRINT_GLSL
 
 #include "gloam/geometry/camera.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // The image of the ball of influence around a shaded point, and the mapping from a tap in it to its pixel and to the
 // surface there. Computed once a pixel; requires gloam_can_gather.
@@ -71,7 +72,7 @@ float gloam_footprint_plane_depth(GloamFootprint footprint, ivec2 pixel, vec3 po
     vec3 start = footprint.orthographic ? vec3(ray, 0.0) : vec3(0.0);
     float along = footprint.orthographic ? -normal.z : dot(normal, vec3(ray, -1.0));
     float depth = dot(normal, point - start) / (along < 0.0 ? along : -1.0);
-    return along < 0.0 && depth > 0.0 && depth <= 3.402823466e38 ? depth : -point.z;
+    return along < 0.0 && depth > 0.0 && depth <= GLOAM_LARGEST ? depth : -point.z;
 }
 
 // From a surface to the eye: unit vector.

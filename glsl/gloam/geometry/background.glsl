@@ -2,6 +2,8 @@
 #ifndef GLOAM_GEOMETRY_BACKGROUND_GLSL
 #define GLOAM_GEOMETRY_BACKGROUND_GLSL
 
+#include "gloam/numeric/constants.glsl"
+
 // depth of a pixel without geometry (BACKGROUND-depth): `+infinity` [convention].
 // Returns +infinity. Error: none.
 float gloam_background_depth() {
@@ -14,7 +16,7 @@ float gloam_background_depth() {
 // Returns false for a positive finite depth, true for zero, negative, infinite and NaN. A subnormal depth is read as
 // 0, so that devices that flush subnormals agree with those that do not. Error: none.
 bool gloam_is_background(float depth) {
-    return !(depth >= 1.175494351e-38 && depth <= 3.402823466e38);
+    return !(depth >= GLOAM_SMALLEST && depth <= GLOAM_LARGEST);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/finite.glsl"
 #include "gloam/geometry/projected_radius.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 
 // Radius of the image of a sampling disc (ISSAO-P), in units of the focal length: times P11 H / 2 it is in pixels.
@@ -17,7 +18,7 @@
 // Error: 1 ULP.
 float gloam_covering_radius_parallel(vec3 position, float radius, float largest) {
     if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > 0.0 && largest > 0.0)) return 0.0;
-    float depth = clamp(-position.z, 1.175494351e-38, 8.507059173e37);
+    float depth = clamp(-position.z, GLOAM_SMALLEST, GLOAM_LARGEST_DIVISOR);
     float r = radius / depth;
     return min(r, gloam_positive_length(largest));
 }
@@ -39,8 +40,8 @@ float gloam_covering_radius_perpendicular(vec3 position, float radius, float lar
     float along = gloam_sqrt(dot(position, position));
     // sin t = across / along, cos t = depth / along.
     float denominator = (depth / along) * (depth - radius * (across / along));
-    if (!(denominator >= 1.175494351e-38)) return gloam_positive_length(largest);
-    float r = radius / min(denominator, 8.507059173e37);
+    if (!(denominator >= GLOAM_SMALLEST)) return gloam_positive_length(largest);
+    float r = radius / min(denominator, GLOAM_LARGEST_DIVISOR);
     return min(r, gloam_positive_length(largest));
 }
 

@@ -2,6 +2,7 @@
 #ifndef GLOAM_GEOMETRY_CURVATURE_GLSL
 #define GLOAM_GEOMETRY_CURVATURE_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 
 // principal curvatures from neighbouring pixels (CS-K-principal): `eigenvalues of the shape operator, -dn = S dp`
@@ -32,7 +33,7 @@ vec2 gloam_principal_curvatures(vec3 position_x, vec3 position_y, vec3 normal_x,
     float spread = gloam_sqrt(half_difference * half_difference + c * c);
     vec2 curvatures = vec2(0.5 * (a + b) + spread, 0.5 * (a + b) - spread);
     // The spread is infinite or less than 2^65: both are finite, or neither.
-    return abs(curvatures.x) <= 3.402823466e38 ? curvatures : vec2(0.0);
+    return abs(curvatures.x) <= GLOAM_LARGEST ? curvatures : vec2(0.0);
 }
 
 #endif

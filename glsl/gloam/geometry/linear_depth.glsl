@@ -3,6 +3,7 @@
 #define GLOAM_GEOMETRY_LINEAR_DEPTH_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // A depth-buffer value b is the projection of the eye-linear depth d = -z. With the projection's elements P22 =
 // P[2][2] and P32 = P[3][2] (column-major), clip z is P22 z + P32 and clip w is -z (perspective) or 1 (orthographic).
@@ -17,7 +18,8 @@
 // numerator, denominator: any floats.
 // Returns numerator / denominator, or +infinity. Error: at most 1.5 ulp; Vulkan's bound for a quotient is 2.5.
 float gloam_depth_quotient(float numerator, float denominator) {
-    if (!(abs(denominator) >= 1.175494351e-38 && abs(denominator) <= 8.507059173e37)) return gloam_background_depth();
+    if (!(abs(denominator) >= GLOAM_SMALLEST && abs(denominator) <= GLOAM_LARGEST_DIVISOR))
+        return gloam_background_depth();
     float depth = numerator / denominator;
     return gloam_is_background(depth) ? gloam_background_depth() : depth;
 }

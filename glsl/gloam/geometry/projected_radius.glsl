@@ -3,6 +3,7 @@
 #define GLOAM_GEOMETRY_PROJECTED_RADIUS_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // How large a world length appears at a depth: half-axes of the image of a disc parallel to the screen. The factor
 // 1/2 takes normalised device coordinates, two units wide, to texture coordinates. Signs of the projection (y down)
@@ -12,7 +13,7 @@
 // A length that is not positive counts as 0, and so does NaN; one too large for a float is the largest float.
 // x: any float. Returns a number in [0, FLT_MAX]. Error: none.
 float gloam_positive_length(float x) {
-    return x > 0.0 ? (x <= 3.402823466e38 ? x : 3.402823466e38) : 0.0;
+    return x > 0.0 ? (x <= GLOAM_LARGEST ? x : GLOAM_LARGEST) : 0.0;
 }
 
 // projected radius of a world length (RADIUS-uv): `R (|P00|, |P11|) / (2 d)` [the projection].

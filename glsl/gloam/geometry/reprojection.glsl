@@ -3,6 +3,7 @@
 #define GLOAM_GEOMETRY_REPROJECTION_GLSL
 
 #include "gloam/geometry/finite.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // Where a surface point was in the previous image (TSSAO-RP). Matrices are column-major and act on column vectors;
 // "view" takes world to view space, "model" takes object to world space. Clip points stay homogeneous throughout:
@@ -18,7 +19,7 @@
 // No method or pass here calls it: it is there to be copied.
 bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
     uv = vec2(0.0);
-    if (!(clip.w >= 1e-30 && clip.w <= 8.507059173e37)) return false;
+    if (!(clip.w >= 1e-30 && clip.w <= GLOAM_LARGEST_DIVISOR)) return false;
     if (!(abs(clip.x) <= clip.w && abs(clip.y) <= clip.w)) return false;
     // A quotient of equals may be 1 and a rounding error.
     uv = min((0.5 * clip.xy + 0.5 * clip.w) / clip.w, vec2(1.0));

@@ -2,6 +2,8 @@
 #ifndef GLOAM_NUMERIC_ACOS_APPROXIMATION_GLSL
 #define GLOAM_NUMERIC_ACOS_APPROXIMATION_GLSL
 
+#include "gloam/numeric/constants.glsl"
+
 // Arc cosine by a polynomial in x and |x|, as the angle-based method of UE4 uses it. All are right at -1, 0 and 1 and
 // symmetric about (0, pi / 2); gloam_acos is the function itself.
 
@@ -19,7 +21,7 @@ float gloam_clamp_cosine(float x) {
 // Returns radians in [0, pi]. Error against its own formula: 3.5e-7.
 // No method or pass here calls it: it is there to be copied.
 float gloam_acos_linear(float x) {
-    return 1.570796327 - 1.570796327 * gloam_clamp_cosine(x);
+    return GLOAM_HALF_PI - GLOAM_HALF_PI * gloam_clamp_cosine(x);
 }
 
 // arc cosine, quadratic approximation (CS-P-acos-quadratic): `pi (1 - sgn(x) x^2) / 2` [Mittring 2012; Aalund and
@@ -30,7 +32,7 @@ float gloam_acos_linear(float x) {
 // No method or pass here calls it: it is there to be copied.
 float gloam_acos_quadratic(float x) {
     float c = gloam_clamp_cosine(x);
-    return 1.570796327 - 1.570796327 * (c * abs(c));
+    return GLOAM_HALF_PI - GLOAM_HALF_PI * (c * abs(c));
 }
 
 // arc cosine, cubic approximation (CS-P-acos-cubic): `((-2 pi / 9) x^2 - 5 pi / 18) x + pi / 2` [Mittring 2012; Aalund
@@ -42,7 +44,7 @@ float gloam_acos_quadratic(float x) {
 // No method or pass here calls it: it is there to be copied.
 float gloam_acos_cubic(float x) {
     float c = gloam_clamp_cosine(x);
-    return clamp((-0.6981317008 * (c * c) - 0.8726646260) * c + 1.570796327, 0.0, 3.141592654);
+    return clamp((-0.6981317008 * (c * c) - 0.8726646260) * c + GLOAM_HALF_PI, 0.0, GLOAM_PI);
 }
 
 #endif

@@ -3,6 +3,12 @@
 #define GLOAM_NUMERIC_CONSTANTS_GLSL
 
 const float GLOAM_PI = 3.141592654;
+const float GLOAM_HALF_PI = 1.570796327;
 const float GLOAM_TAU = 6.283185307;  // 2 pi, a whole turn in radians
+
+// Limits that values are tested against.
+const float GLOAM_LARGEST = 3.402823466e38;          // the largest finite float
+const float GLOAM_SMALLEST = 1.175494351e-38;        // 2^-126, the smallest normal float; a device may read less as 0
+const float GLOAM_LARGEST_DIVISOR = 8.507059173e37;  // 2^126: above it, Vulkan bounds no division's error
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef GLOAM_NUMERIC_INVERSE_TRIGONOMETRY_GLSL
 #define GLOAM_NUMERIC_INVERSE_TRIGONOMETRY_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/length_ratio.glsl"
 #include "gloam/numeric/precise.glsl"
 #include "gloam/numeric/square_root.glsl"
@@ -44,8 +45,8 @@ float gloam_small_arc(float m) {
 float gloam_acos(float x) {
     float m = gloam_unit_magnitude(x);
     float arc = gloam_small_arc(m);
-    if (m > 0.5) return x < 0.0 ? 3.141592654 - 2.0 * arc : 2.0 * arc;
-    return 1.570796327 - (x < 0.0 ? -arc : arc);
+    if (m > 0.5) return x < 0.0 ? GLOAM_PI - 2.0 * arc : 2.0 * arc;
+    return GLOAM_HALF_PI - (x < 0.0 ? -arc : arc);
 }
 
 // arc sine (ASIN): `asin x` [minimax polynomial].
@@ -56,7 +57,7 @@ float gloam_acos(float x) {
 float gloam_asin(float x) {
     float m = gloam_unit_magnitude(x);
     float arc = gloam_small_arc(m);
-    float angle = m > 0.5 ? 1.570796327 - 2.0 * arc : arc;
+    float angle = m > 0.5 ? GLOAM_HALF_PI - 2.0 * arc : arc;
     return x < 0.0 ? -angle : angle;
 }
 
@@ -72,15 +73,15 @@ float gloam_atan2(float y, float x) {
     bool steep = up > across;
     float larger = steep ? up : across;
     float smaller = steep ? across : up;
-    if (!(larger >= 1.175494351e-38 && smaller >= 0.0)) return 0.0;
+    if (!(larger >= GLOAM_SMALLEST && smaller >= 0.0)) return 0.0;
     float r = gloam_length_ratio(smaller, larger);
     float z = r * r;
     float tail = -0.0755221471 + z * (0.0432118662 + z * (-0.0163679309 + z * 0.00292069302));
     float angle = r + (r * z) * (-0.333331525 + z * (0.199937731 + z * (-0.142110556 + z * (0.106660046 + z * tail))));
     if (steep) {
-        angle = x < 0.0 ? 1.570796327 + angle : 1.570796327 - angle;
+        angle = x < 0.0 ? GLOAM_HALF_PI + angle : GLOAM_HALF_PI - angle;
     } else if (x < 0.0) {
-        angle = 3.141592654 - angle;
+        angle = GLOAM_PI - angle;
     }
     return y < 0.0 ? -angle : angle;
 }

@@ -2,6 +2,7 @@
 #ifndef GLOAM_NUMERIC_SINCOS_GLSL
 #define GLOAM_NUMERIC_SINCOS_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/precise.glsl"
 
 // Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by
@@ -29,11 +30,11 @@ vec2 gloam_sincos_octant(float rest, int quarters) {
 // Returns (cos, sin); exact at multiples of a quarter turn. Error: 5e-7 whatever the rounding, 2e-7 where it is to
 // nearest.
 vec2 gloam_sincos_turns(float turns) {
-    float part = abs(turns) <= 3.402823466e38 ? turns - floor(turns + 0.5) : 0.0;
+    float part = abs(turns) <= GLOAM_LARGEST ? turns - floor(turns + 0.5) : 0.0;
     float quarters = floor(4.0 * part + 0.5);
     // Exact up to the product: nothing is rounded when whole turns, and then quarters, are taken off.
     GLOAM_PRECISE float rest = part - 0.25 * quarters;
-    return gloam_sincos_octant(rest * 6.283185307, int(quarters));
+    return gloam_sincos_octant(rest * GLOAM_TAU, int(quarters));
 }
 
 // turns of an angle (TURNS): `a / (2 pi), 0 beyond 65536` [definition].

@@ -2,6 +2,8 @@
 #ifndef GLOAM_NUMERIC_UNIT_ANGLE_GLSL
 #define GLOAM_NUMERIC_UNIT_ANGLE_GLSL
 
+#include "gloam/numeric/constants.glsl"
+
 // angle of a unit vector of the upper half plane (ANGLE-unit): `atan2(y, x), y >= 0, x^2 + y^2 = 1` [minimax
 // polynomial].
 // Angle of a unit vector of the upper half plane, from the x axis: acos(x) and atan(y, x) in one, without a root and
@@ -16,7 +18,7 @@ float gloam_unit_angle(vec2 direction) {
     float z = m * m;
     float p = 0.0390092656 + z * (0.0605309047 + z * (-0.0547225587 + z * 0.100911587));
     float arc = m + (m * z) * (0.166653737 + z * (0.0754709542 + z * p));
-    return steep ? 1.570796327 - arc : (direction.x < 0.0 ? 3.141592654 - arc : arc);
+    return steep ? GLOAM_HALF_PI - arc : (direction.x < 0.0 ? GLOAM_PI - arc : arc);
 }
 
 #endif

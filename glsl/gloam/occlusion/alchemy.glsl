@@ -2,6 +2,7 @@
 #ifndef GLOAM_OCCLUSION_ALCHEMY_GLSL
 #define GLOAM_OCCLUSION_ALCHEMY_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/shading/remap.glsl"
 
 // Alchemy ambient obscurance (McGuire et al. 2011; CS-3.6 to 3.10). With the falloff u d / max(u, d)^2 the obscurance
@@ -20,9 +21,10 @@
 float gloam_contribution_alchemy(vec3 offset, vec3 normal, float bias, float epsilon) {
     float above = dot(offset, normal) - bias;
     float denominator = dot(offset, offset) + epsilon;
-    if (!(above > 0.0 && epsilon >= 0.0 && denominator >= 1.175494351e-38 && denominator <= 8.507059173e37)) return 0.0;
+    if (!(above > 0.0 && epsilon >= 0.0 && denominator >= GLOAM_SMALLEST && denominator <= GLOAM_LARGEST_DIVISOR))
+        return 0.0;
     float contribution = above / denominator;
-    return contribution <= 3.402823466e38 ? contribution : 0.0;
+    return contribution <= GLOAM_LARGEST ? contribution : 0.0;
 }
 
 // visibility from Alchemy's contributions (CS-M-visibility): `max(0, 1 - (2 sigma / N) sum)^k` [McGuire et al. 2011;

@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_ANGLE_BASED_GLSL
 
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/shading/remap.glsl"
 
@@ -63,7 +64,7 @@ vec3 gloam_angle_pair(vec3 first, vec3 second, vec3 normal, vec3 view, float ran
 // No method or pass here calls it: it is there to be copied.
 vec2 gloam_angle_add(vec2 accumulated, float weight, float angles) {
     float occluded = 1.0 - angles * 0.3183098862;
-    if (!(weight > 0.0 && weight <= 3.402823466e38 && abs(occluded) <= 3.402823466e38)) return accumulated;
+    if (!(weight > 0.0 && weight <= GLOAM_LARGEST && abs(occluded) <= GLOAM_LARGEST)) return accumulated;
     return accumulated + weight * vec2(occluded, 1.0);
 }
 
@@ -74,7 +75,7 @@ vec2 gloam_angle_add(vec2 accumulated, float weight, float angles) {
 // 1e-4 to the divisor), and for NaN. Error: 0.5 ULP.
 // No method or pass here calls it: it is there to be copied.
 float gloam_angle_occlusion(vec2 accumulated) {
-    if (!(accumulated.x > 0.0 && accumulated.y >= 1e-4 && accumulated.y <= 8.507059173e37)) return 0.0;
+    if (!(accumulated.x > 0.0 && accumulated.y >= 1e-4 && accumulated.y <= GLOAM_LARGEST_DIVISOR)) return 0.0;
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
 }
 
@@ -88,7 +89,7 @@ float gloam_angle_occlusion(vec2 accumulated) {
 float gloam_contribution_unreal(vec3 offset, vec3 normal, float scale) {
     float squared = dot(offset, offset);
     float above = dot(offset, normal);
-    if (!(above > 0.0 && scale > 0.0 && squared >= 1.175494351e-38 && squared <= 8.507059173e37)) return 0.0;
+    if (!(above > 0.0 && scale > 0.0 && squared >= GLOAM_SMALLEST && squared <= GLOAM_LARGEST_DIVISOR)) return 0.0;
     return gloam_unit_interval(scale * (above / squared));
 }
 

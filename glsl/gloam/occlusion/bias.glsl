@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_BIAS_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // bias that grows with the depth (BIAS-depth): `b d / d_ref` [McGuire et al. 2011; psi(z) of ISSAO, eq 6].
 // Bias against self-occlusion that grows with the depth, as the rounding error of positions does: b d / d_ref. It is
@@ -14,10 +15,10 @@
 // or NaN. The contributions subtract it from the height above the tangent plane. Error: 2.5 ULP.
 float gloam_depth_bias(float bias, float depth, float reference_depth) {
     if (gloam_is_background(depth) ||
-        !(bias > 0.0 && reference_depth >= 1.175494351e-38 && reference_depth <= 8.507059173e37))
+        !(bias > 0.0 && reference_depth >= GLOAM_SMALLEST && reference_depth <= GLOAM_LARGEST_DIVISOR))
         return 0.0;
     float scaled = bias * (depth / reference_depth);
-    return scaled <= 3.402823466e38 ? scaled : (scaled > 0.0 ? 3.402823466e38 : 0.0);
+    return scaled <= GLOAM_LARGEST ? scaled : (scaled > 0.0 ? GLOAM_LARGEST : 0.0);
 }
 
 #endif

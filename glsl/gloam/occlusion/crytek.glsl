@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/background.glsl"
 #include "gloam/geometry/finite.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // Crytek's screen-space ambient occlusion (Mittring 2007; CS-3.1): points of a whole ball around the surface against
 // the depth buffer, without falloff. On a plane half of the ball lies in the ground, so the mean is 1/2 (1/4 open in
@@ -43,8 +44,8 @@ float gloam_contribution_crytek_buffer(float sample_value, float buffer_value) {
 // No method or pass here calls it: it is there to be copied.
 vec3 gloam_crytek_sample(vec2 uv, float buffer_value, vec3 s, float radius, float depth, float z_far) {
     vec3 center = vec3(uv, buffer_value);
-    if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 8.507059173e37)) return center;
-    float a = radius / clamp(depth, 1e-30, 8.507059173e37);
+    if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= GLOAM_LARGEST_DIVISOR)) return center;
+    float a = radius / clamp(depth, 1e-30, GLOAM_LARGEST_DIVISOR);
     vec3 point = center + a * s * vec3(1.0, 1.0, buffer_value * (100.0 / z_far));
     return gloam_is_finite3(point) ? point : center;
 }

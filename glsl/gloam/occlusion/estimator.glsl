@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_ESTIMATOR_GLSL
 
 #include "gloam/geometry/finite.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // The mean of contributions (TSSAO-2, and -4 for one frame's share of them): (1 / n) sum of C(p, s_i).
 
@@ -20,7 +21,7 @@ vec2 gloam_estimator_add(vec2 accumulated, float contribution) {
 // 1e-44 near 0.
 // No method or pass here calls it: it is there to be copied.
 float gloam_weighted_ratio(vec2 weighted) {
-    if (!(weighted.y >= 1.175494351e-38 && weighted.x > 0.0)) return 0.0;
+    if (!(weighted.y >= GLOAM_SMALLEST && weighted.x > 0.0)) return 0.0;
     return weighted.x < weighted.y ? min(weighted.x / weighted.y, 1.0) : 1.0;
 }
 

@@ -2,6 +2,8 @@
 #ifndef GLOAM_OCCLUSION_FALLOFF_GLSL
 #define GLOAM_OCCLUSION_FALLOFF_GLSL
 
+#include "gloam/numeric/constants.glsl"
+
 // Weight of a hit by its distance (the D of TSSAO-1): 1 at the shaded point, 0 at the radius of influence. All
 // functions use the magnitude of the distance and return 0 for NaN. With a radius that is zero, subnormal, negative or
 // NaN no hit counts; with an infinite one every finite distance has the value at 0.
@@ -23,8 +25,8 @@ float gloam_falloff_step(float hit_distance, float radius) {
 // Returns a weight in [0, 1]; 0 for R = 0. Error: 1.5 ULP.
 float gloam_falloff_linear(float hit_distance, float radius) {
     float d = abs(hit_distance);
-    if (!(d < radius && radius >= 1.175494351e-38)) return 0.0;
-    if (!(radius <= 3.402823466e38)) return 1.0;
+    if (!(d < radius && radius >= GLOAM_SMALLEST)) return 0.0;
+    if (!(radius <= GLOAM_LARGEST)) return 1.0;
     // Powers of two, so exact: they keep the difference normal and the divisor where division is accurate.
     float scale =
         radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
@@ -71,8 +73,8 @@ float gloam_falloff_sao(float hit_distance, float radius) {
 // No method or pass here calls it: it is there to be copied.
 float gloam_falloff_exponential(float hit_distance, float radius) {
     float d = abs(hit_distance);
-    if (!(d <= 3.402823466e38 && radius >= 1.175494351e-38)) return 0.0;
-    if (!(radius <= 3.402823466e38)) return 1.0;
+    if (!(d <= GLOAM_LARGEST && radius >= GLOAM_SMALLEST)) return 0.0;
+    if (!(radius <= GLOAM_LARGEST)) return 1.0;
     float scale =
         radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
     float r = radius * scale;
@@ -89,7 +91,7 @@ float gloam_falloff_exponential(float hit_distance, float radius) {
 // No method or pass here calls it: it is there to be copied.
 float gloam_falloff_alchemy(float hit_distance, float u) {
     float d = abs(hit_distance);
-    if (!(d <= 3.402823466e38 && u >= 1.175494351e-38 && u <= 3.402823466e38)) return 0.0;
+    if (!(d <= GLOAM_LARGEST && u >= GLOAM_SMALLEST && u <= GLOAM_LARGEST)) return 0.0;
     float smaller = d < u ? d : u;
     float larger = d < u ? u : d;
     float scale =
@@ -116,7 +118,7 @@ float gloam_falloff_one(float hit_distance) {
 // subnormal D or R, and NaN. Error: 2 ULP.
 // No method or pass here calls it: it is there to be copied.
 float gloam_visibility_filion(float delta, float radius) {
-    if (!(delta >= 1.175494351e-38 && radius >= 1.175494351e-38)) return 1.0;
+    if (!(delta >= GLOAM_SMALLEST && radius >= GLOAM_SMALLEST)) return 1.0;
     return gloam_falloff_linear(radius, delta);
 }
 

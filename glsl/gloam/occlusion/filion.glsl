@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_FILION_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/length_ratio.glsl"
 
 // contribution of a sample point, after Filion and McNaughton (CS-B): `1 - clamp((D - R) / D, 0, 1), D = d_s - d_b > 0`
@@ -18,7 +19,7 @@
 float gloam_contribution_filion(float sample_depth, float buffer_depth, float radius) {
     if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
     float in_front = sample_depth - buffer_depth;
-    if (!(in_front >= 1.175494351e-38 && radius >= 1.175494351e-38)) return 0.0;
+    if (!(in_front >= GLOAM_SMALLEST && radius >= GLOAM_SMALLEST)) return 0.0;
     return in_front <= radius ? 1.0 : gloam_length_ratio(radius, in_front);
 }
 

@@ -2,6 +2,7 @@
 #ifndef GLOAM_OCCLUSION_FOX_COMPTON_GLSL
 #define GLOAM_OCCLUSION_FOX_COMPTON_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/length_ratio.glsl"
 #include "gloam/occlusion/cosine.glsl"
 
@@ -20,10 +21,10 @@
 float gloam_contribution_fox_compton(vec3 position, vec3 normal, vec3 sample_position, float epsilon) {
     vec3 offset = sample_position - position;
     float cosine = gloam_sample_cosine(offset, normal);
-    if (!(cosine > 0.0 && epsilon <= 3.402823466e38)) return 0.0;
+    if (!(cosine > 0.0 && epsilon <= GLOAM_LARGEST)) return 0.0;
     // |s - p| as a dot product with its own direction: its square would overflow above 1e19.
     float reach = dot(offset, gloam_safe_normalize(offset, vec3(0.0)));
-    return cosine / clamp(reach > epsilon ? reach : epsilon, 1.175494351e-38, 8.507059173e37);
+    return cosine / clamp(reach > epsilon ? reach : epsilon, GLOAM_SMALLEST, GLOAM_LARGEST_DIVISOR);
 }
 
 // contribution of a surface patch (TSSAO-12-scaled): `epsilon C = max(cos(s - p, n), 0) epsilon / max(epsilon, |s -

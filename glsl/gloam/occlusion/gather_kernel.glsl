@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_GATHER_KERNEL_GLSL
 
 #include "gloam/geometry/camera.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // The common part of all methods of gloam/methods: their request, their result, and the test that rejects unusable
 // points. After this test nothing overflows, and nothing is NaN except depths of taps, which gloam_tap_sees tests.
@@ -60,7 +61,7 @@ const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 0u);
 // occluded: sum of occlusion times weight, >= 0. whole: sum of weights, >= 0. samples: taken.
 // Returns occlusion occluded / whole inside [0, 1]; 0 where nothing has a weight, and for NaN. Error: 0.5 ULP.
 GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
-    bool known = whole >= 1.175494351e-38 && occluded > 0.0;
+    bool known = whole >= GLOAM_SMALLEST && occluded > 0.0;
     float mean = known ? (occluded < whole ? occluded / whole : 1.0) : 0.0;
     return GloamEstimate(mean, float(samples), 0u);
 }

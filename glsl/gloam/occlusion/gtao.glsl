@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/geometry/slice.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/numeric/unit_angle.glsl"
@@ -46,8 +47,8 @@ vec2 gloam_gtao_lowest(GloamSlice slice) {
 // 6e-7.
 // No method or pass here calls it: it is there to be copied.
 float gloam_gtao_elevation(float horizon, float angle) {
-    float e = 1.570796327 + angle - gloam_acos(horizon);
-    return e > 0.0 ? min(e, 3.141592654) : 0.0;
+    float e = GLOAM_HALF_PI + angle - gloam_acos(horizon);
+    return e > 0.0 ? min(e, GLOAM_PI) : 0.0;
 }
 
 // inner integral of a slice as printed, one side (GTAO-inner): `1/4 (-cos(2 h - n) + cos n + 2 h sin n)` [Jimenez et
@@ -60,7 +61,7 @@ float gloam_gtao_elevation(float horizon, float angle) {
 float gloam_gtao_inner(float horizon, float angle) {
     vec2 n = gloam_sincos(angle);
     float visible = 0.25 * (n.x - gloam_sincos(2.0 * horizon - angle).x + 2.0 * horizon * n.y);
-    return visible > 0.0 ? min(visible, 1.570796327) : 0.0;
+    return visible > 0.0 ? min(visible, GLOAM_HALF_PI) : 0.0;
 }
 
 // what a horizon takes from a slice, cosine-weighted (GTAO-arc): `1/2 (e sin n + cos h cos(h - n))` [derived from
@@ -73,8 +74,8 @@ float gloam_gtao_inner(float horizon, float angle) {
 // Returns an amount in [0, pi / 2]; 0 exactly for e = 0. Error: 3e-7.
 float gloam_gtao_arc(float elevation, vec2 horizon, vec2 normal) {
     if (!(elevation > 0.0)) return 0.0;
-    float arc = 0.5 * (min(elevation, 3.141592654) * normal.y + horizon.x * dot(horizon, normal));
-    return arc > 0.0 ? min(arc, 1.570796327) : 0.0;
+    float arc = 0.5 * (min(elevation, GLOAM_PI) * normal.y + horizon.x * dot(horizon, normal));
+    return arc > 0.0 ? min(arc, GLOAM_HALF_PI) : 0.0;
 }
 
 // what a horizon takes from a slice, all directions alike (GTAO-arc-uniform): `1/2 (sin n + cos h)` [derived: the
@@ -98,7 +99,7 @@ float gloam_gtao_arc_uniform(float horizon, float sine) {
 float gloam_gtao_side(float horizon, float angle, vec2 normal) {
     float c = horizon > -1.0 ? min(horizon, 1.0) : -1.0;  // -1 for NaN: nothing taken
     float s = gloam_sqrt((1.0 - c) * (1.0 + c));
-    return gloam_gtao_arc(1.570796327 + angle - gloam_unit_angle(vec2(c, s)), vec2(c, s), normal);
+    return gloam_gtao_arc(GLOAM_HALF_PI + angle - gloam_unit_angle(vec2(c, s)), vec2(c, s), normal);
 }
 
 // one more slice in the cosine-weighted occlusion (GTAO-add): `(sum + w (side(c_1, -n) + side(c_2, n)), whole + w (cos
@@ -109,7 +110,7 @@ float gloam_gtao_side(float horizon, float angle, vec2 normal) {
 // n + n sin n. Unchanged for a weight that is not positive or not finite. Error: 1.2e-6 a slice.
 // No method or pass here calls it: it is there to be copied.
 vec2 gloam_gtao_add(vec2 accumulated, GloamSlice slice, vec2 horizons) {
-    if (!(slice.weight > 0.0 && slice.weight <= 3.402823466e38)) return accumulated;
+    if (!(slice.weight > 0.0 && slice.weight <= GLOAM_LARGEST)) return accumulated;
     float occluded = gloam_gtao_side(horizons.x, -slice.angle, vec2(slice.normal.x, -slice.normal.y)) +
                      gloam_gtao_side(horizons.y, slice.angle, slice.normal);
     return accumulated + slice.weight * vec2(occluded, gloam_slice_whole(slice));
@@ -137,7 +138,7 @@ vec2 gloam_gtao_add_uniform(vec2 accumulated, GloamSlice slice, vec2 horizons) {
 // Error: 0.5 ULP.
 // No method or pass here calls it: it is there to be copied.
 float gloam_gtao_occlusion(vec2 accumulated) {
-    if (!(accumulated.x > 0.0 && accumulated.y >= 1.175494351e-38 && accumulated.y <= 8.507059173e37)) return 0.0;
+    if (!(accumulated.x > 0.0 && accumulated.y >= GLOAM_SMALLEST && accumulated.y <= GLOAM_LARGEST_DIVISOR)) return 0.0;
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
 }
 

@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_HBAO_GLSL
 
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/shading/remap.glsl"
@@ -45,7 +46,7 @@ float gloam_sine_of_tangent(float tangent) {
 // NaN. Error: 4e-7.
 // No method or pass here calls it: it is there to be copied.
 float gloam_tangent_elevation(vec3 normal, vec2 direction) {
-    return clamp(gloam_atan2(-dot(normal.xy, direction), normal.z), -1.570796327, 1.570796327);
+    return clamp(gloam_atan2(-dot(normal.xy, direction), normal.z), -GLOAM_HALF_PI, GLOAM_HALF_PI);
 }
 
 // where the march along a direction starts (CS-C-start): `(sin(min(t + bias, pi / 2)), 0)` [Bavoil and Sainz 2008;
@@ -57,7 +58,7 @@ float gloam_tangent_elevation(vec3 normal, vec2 direction) {
 // No method or pass here calls it: it is there to be copied.
 vec2 gloam_hbao_start(float tangent, float bias) {
     float elevation = tangent + bias;
-    return vec2(elevation < 1.570796327 ? gloam_sincos(max(elevation, -1.570796327)).y : 1.0, 0.0);
+    return vec2(elevation < GLOAM_HALF_PI ? gloam_sincos(max(elevation, -GLOAM_HALF_PI)).y : 1.0, 0.0);
 }
 
 // direction from which on something blocks (CS-C-horizon): `(cos, sin) of min(t + bias, pi / 2), tan t = -(n.xy .
@@ -101,7 +102,8 @@ vec2 gloam_hbao_start_slope(float slope, float bias) {
 vec2 gloam_hbao_step(vec2 horizon, vec3 offset, float radius) {
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     float x = dot(offset, direction) / radius;
-    bool near = radius >= 1.175494351e-38 && radius <= 8.507059173e37 && x < 1.0 && dot(direction, direction) > 0.5;
+    bool near =
+        radius >= GLOAM_SMALLEST && radius <= GLOAM_LARGEST_DIVISOR && x < 1.0 && dot(direction, direction) > 0.5;
     if (!(near && direction.z > horizon.x)) return horizon;
     float sine = min(direction.z, 1.0);
     return vec2(sine, horizon.y + (sine - horizon.x) * (1.0 - x * x));
@@ -118,7 +120,7 @@ vec2 gloam_hbao_step(vec2 horizon, vec3 offset, float radius) {
 // No method or pass here calls it: it is there to be copied.
 vec2 gloam_hbao_step_size(float radius, float largest, float steps, float extra) {
     float reach = radius < largest ? radius : largest;
-    if (!(reach >= 1.0 && reach <= 8.507059173e37 && steps >= 1.0 && extra >= 0.0)) return vec2(0.0);
+    if (!(reach >= 1.0 && reach <= GLOAM_LARGEST_DIVISOR && steps >= 1.0 && extra >= 0.0)) return vec2(0.0);
     float count = floor(steps < reach ? steps : reach);
     return vec2(reach / (count + extra), count);
 }
@@ -148,7 +150,7 @@ float gloam_contribution_hbao_simplified(vec3 offset, vec3 normal, float radius,
     vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
     float x = dot(offset, direction) / radius;
     float above = dot(normal, direction) - bias;
-    bool near = radius >= 1.175494351e-38 && radius <= 8.507059173e37 && x < 1.0;
+    bool near = radius >= GLOAM_SMALLEST && radius <= GLOAM_LARGEST_DIVISOR && x < 1.0;
     if (!(near && above > 0.0 && bias >= 0.0 && bias < 1.0)) return 0.0;
     return min(above / (1.0 - bias), 1.0) * (1.0 - x * x);
 }

@@ -2,6 +2,7 @@
 #ifndef GLOAM_OCCLUSION_ISSAO_GLSL
 #define GLOAM_OCCLUSION_ISSAO_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/cosine.glsl"
 
 // ISSAO, the improved screen-space ambient occlusion. The available copies of the paper lack equations 2 to 6. They are
@@ -28,9 +29,9 @@ float gloam_contribution_issao_basic(vec3 offset, vec3 normal, float radius) {
 float gloam_issao_attenuation(float hit_distance, float phi, float mu) {
     float d = abs(hit_distance);
     float larger = d > mu ? d : mu;
-    if (!(d > 0.0 && phi > 0.0 && mu >= 1.175494351e-38 && larger <= 8.507059173e37)) return 0.0;
+    if (!(d > 0.0 && phi > 0.0 && mu >= GLOAM_SMALLEST && larger <= GLOAM_LARGEST_DIVISOR)) return 0.0;
     float weight = phi * (d / larger) / larger;
-    return weight <= 3.402823466e38 ? weight : 0.0;
+    return weight <= GLOAM_LARGEST ? weight : 0.0;
 }
 
 // ISSAO's contribution of a direction (ISSAO-4): `Q(|v|) max(v . n / |v|, 0) for |v| < R` [ISSAO, eq 4, reconstructed].
@@ -59,9 +60,9 @@ float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi
     float denominator = squared + sigma;
     float above = dot(offset, normal) - bias;
     if (!(squared < radius * radius && radius > 0.0 && above > 0.0 && sigma >= 0.0)) return 0.0;
-    if (!(phi > 0.0 && denominator >= 1.175494351e-38 && denominator <= 8.507059173e37)) return 0.0;
+    if (!(phi > 0.0 && denominator >= GLOAM_SMALLEST && denominator <= GLOAM_LARGEST_DIVISOR)) return 0.0;
     float contribution = phi * (above / denominator);
-    return contribution <= 3.402823466e38 ? contribution : 0.0;
+    return contribution <= GLOAM_LARGEST ? contribution : 0.0;
 }
 
 // ISSAO's occlusion factor (ISSAO-6-mean): `A_0 = min((lambda / s) sum, 1)` [ISSAO, eq 6, reconstructed].

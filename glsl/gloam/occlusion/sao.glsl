@@ -2,6 +2,7 @@
 #ifndef GLOAM_OCCLUSION_SAO_GLSL
 #define GLOAM_OCCLUSION_SAO_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/occlusion/visibility.glsl"
 #include "gloam/shading/remap.glsl"
@@ -20,8 +21,8 @@
 float gloam_sao_window(float squared_distance, float radius) {
     float r2 = radius * radius;
     // 2^-100: a difference below 2^-126 may be flushed to 0, and is then less than the error.
-    bool inside = squared_distance >= 0.0 && squared_distance < r2 && r2 >= 7.888609052e-31 && r2 <= 8.507059173e37 &&
-                  radius > 0.0;
+    bool inside = squared_distance >= 0.0 && squared_distance < r2 && r2 >= 7.888609052e-31 &&
+                  r2 <= GLOAM_LARGEST_DIVISOR && radius > 0.0;
     return inside ? min((r2 - squared_distance) / r2, 1.0) : 0.0;
 }
 
@@ -32,7 +33,7 @@ float gloam_sao_window(float squared_distance, float radius) {
 // No method or pass here calls it: it is there to be copied.
 float gloam_sao_height(vec3 offset, vec3 normal, float bias) {
     float height = dot(offset, normal) - bias;
-    return height > 0.0 && height <= 3.402823466e38 ? height : 0.0;
+    return height > 0.0 && height <= GLOAM_LARGEST ? height : 0.0;
 }
 
 // height over squared distance (CS-Q-quotient): `h / (v^2 + epsilon)` [McGuire, Mara and Luebke 2012 (Scalable Ambient
@@ -45,7 +46,7 @@ float gloam_sao_height(vec3 offset, vec3 normal, float bias) {
 // No method or pass here calls it: it is there to be copied.
 float gloam_sao_quotient(float height, float squared_distance, float epsilon) {
     float denominator = squared_distance + epsilon;
-    bool divides = denominator >= 1.175494351e-38 && denominator <= 8.507059173e37;
+    bool divides = denominator >= GLOAM_SMALLEST && denominator <= GLOAM_LARGEST_DIVISOR;
     return divides && height > 0.0 ? height / denominator : 0.0;
 }
 
@@ -106,7 +107,7 @@ float gloam_contribution_deep(vec3 offset, vec3 normal, float radius, float bias
     float vv = dot(offset, offset);
     float window = gloam_sao_window(vv, radius);
     float reach = gloam_sqrt(vv + epsilon);
-    bool divides = window > 0.0 && reach > 0.0 && reach <= 8.507059173e37;
+    bool divides = window > 0.0 && reach > 0.0 && reach <= GLOAM_LARGEST_DIVISOR;
     return divides ? window * min(gloam_sao_height(offset, normal, bias) / reach, 1.0) : 0.0;
 }
 

@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_SWEEP_GLSL
 
 #include "gloam/geometry/slice.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/unit_angle.glsl"
 #include "gloam/occlusion/falloff_choice.glsl"
 
@@ -58,7 +59,7 @@ float gloam_sweep_distance(float before, float here) {
 // Returns an amount in [0, pi / 2], 2e-7 less for rounding. Error: 5e-7.
 float gloam_sweep_behind(vec2 direction, GloamSlice slice) {
     vec2 upper = vec2(direction.x, abs(direction.y));
-    float elevation = 1.570796327 + slice.angle - gloam_unit_angle(upper);
+    float elevation = GLOAM_HALF_PI + slice.angle - gloam_unit_angle(upper);
     return 0.5 * (elevation * slice.normal.y + upper.x * dot(upper, slice.normal));
 }
 

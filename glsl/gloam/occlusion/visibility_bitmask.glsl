@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/bit_count.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/unit_angle.glsl"
 #include "gloam/occlusion/gtao.glsl"
 #include "gloam/sampling/unit_interval.glsl"
@@ -46,7 +47,7 @@ float gloam_slice_fraction_cosine(vec2 direction, GloamSlice slice) {
     bool negative = direction.y < 0.0;
     vec2 normal = negative ? vec2(slice.normal.x, -slice.normal.y) : slice.normal;
     vec2 horizon = vec2(direction.x, abs(direction.y));
-    float elevation = 1.570796327 + (negative ? -slice.angle : slice.angle) - gloam_unit_angle(horizon);
+    float elevation = GLOAM_HALF_PI + (negative ? -slice.angle : slice.angle) - gloam_unit_angle(horizon);
     float part = gloam_gtao_arc(elevation, horizon, normal) / gloam_slice_whole(slice);
     return gloam_unit_interval(negative ? part : 1.0 - part);
 }

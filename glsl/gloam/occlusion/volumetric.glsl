@@ -2,6 +2,7 @@
 #ifndef GLOAM_OCCLUSION_VOLUMETRIC_GLSL
 #define GLOAM_OCCLUSION_VOLUMETRIC_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 
 // Volumetric obscurance by line samples (Loos and Sloan 2010; CS-3.5): the solid part of a sphere around the point.
@@ -30,7 +31,7 @@ float gloam_chord_half_height(vec2 xi, float radius) {
 // the eye; -infinity for background. half_height: h, world units.
 // Returns occlusion in [0, 1]; 1/2 for h that is not positive, subnormal or above 2^126, and for NaN. Error: 2e-7.
 float gloam_line_occlusion(float height, float half_height) {
-    if (!(half_height >= 1.175494351e-38 && half_height <= 8.507059173e37)) return 0.5;
+    if (!(half_height >= GLOAM_SMALLEST && half_height <= GLOAM_LARGEST_DIVISOR)) return 0.5;
     if (height >= half_height) return 1.0;
     if (height <= -half_height) return 0.0;
     return abs(height) < half_height ? 0.5 + 0.5 * (height / half_height) : 0.5;
@@ -45,7 +46,7 @@ float gloam_line_occlusion(float height, float half_height) {
 // Returns any float; -infinity for background, 1/2 for h that is not positive, subnormal or above 2^126, and for NaN.
 // Error: 2e-7, or 1.5 ULP, up to 1e38.
 float gloam_line_ratio(float height, float half_height) {
-    if (!(half_height >= 1.175494351e-38 && half_height <= 8.507059173e37)) return 0.5;
+    if (!(half_height >= GLOAM_SMALLEST && half_height <= GLOAM_LARGEST_DIVISOR)) return 0.5;
     float ratio = 0.5 + 0.5 * (height / half_height);
     return abs(ratio) >= 0.0 ? ratio : 0.5;
 }
@@ -76,7 +77,7 @@ vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
 // subnormal or above 2^126, for w above 2^126, and for a NaN height. Error: 2e-7.
 float gloam_area_occlusion(float height, float half_width, float half_height) {
     if (!(half_width > 0.0)) return gloam_line_occlusion(height, half_height);
-    if (!(half_height >= 1.175494351e-38 && max(half_height, half_width) <= 8.507059173e37)) return 0.5;
+    if (!(half_height >= GLOAM_SMALLEST && max(half_height, half_width) <= GLOAM_LARGEST_DIVISOR)) return 0.5;
     float beyond_far = half_height + height - half_width;  // of the lower end, from the chord's far end
     float beyond_near = half_height - height - half_width;  // of the upper end, back from its near end
     if (beyond_far >= 0.0 && beyond_near >= 0.0) return 0.5 + 0.5 * (height / half_height);
@@ -97,7 +98,7 @@ float gloam_area_occlusion(float height, float half_width, float half_height) {
 // fine, broad: solid share of each, [0, 1].
 // Returns clamp(fine + broad - 1/2, 0, 1); what is not finite counts as 1/2. Error: 1.2e-7.
 float gloam_two_balls(float fine, float broad) {
-    float sum = (abs(fine) <= 3.402823466e38 ? fine - 0.5 : 0.0) + (abs(broad) <= 3.402823466e38 ? broad : 0.5);
+    float sum = (abs(fine) <= GLOAM_LARGEST ? fine - 0.5 : 0.0) + (abs(broad) <= GLOAM_LARGEST ? broad : 0.5);
     return clamp(sum, 0.0, 1.0);
 }
 
@@ -110,7 +111,7 @@ float gloam_two_balls(float fine, float broad) {
 // Returns a length in [0, r / 2], the weight of the tap; 0 beside the sphere, for r not positive, and for NaN. Error:
 // 4e-7 of r / 2, more towards the sphere's outline.
 float gloam_tangent_sphere_half_height(vec3 offset, vec3 normal, float radius) {
-    if (!(radius >= 1.175494351e-38 && radius <= 8.507059173e37)) return 0.0;
+    if (!(radius >= GLOAM_SMALLEST && radius <= GLOAM_LARGEST_DIVISOR)) return 0.0;
     float half_radius = 0.5 * radius;
     vec2 xi = offset.xy / half_radius - normal.xy;
     float height = half_radius * gloam_sqrt(1.0 - dot(xi, xi));
@@ -124,7 +125,7 @@ float gloam_tangent_sphere_half_height(vec3 offset, vec3 normal, float radius) {
 float gloam_tangent_sphere_occlusion(vec3 offset, vec3 normal, float radius) {
     float half_height = gloam_tangent_sphere_half_height(offset, normal, radius);
     float height = offset.z - 0.5 * radius * normal.z;
-    return half_height >= 1.175494351e-38 && abs(height) >= 0.0 ? gloam_line_occlusion(height, half_height) : 0.0;
+    return half_height >= GLOAM_SMALLEST && abs(height) >= 0.0 ? gloam_line_occlusion(height, half_height) : 0.0;
 }
 
 #endif

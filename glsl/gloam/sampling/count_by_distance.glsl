@@ -2,6 +2,8 @@
 #ifndef GLOAM_SAMPLING_COUNT_BY_DISTANCE_GLSL
 #define GLOAM_SAMPLING_COUNT_BY_DISTANCE_GLSL
 
+#include "gloam/numeric/constants.glsl"
+
 // samples by distance (CS-N): `max(int(base / (1 + base d / z_far)), N_min)` [Aalund and Baerentzen 2013].
 // Samples by distance (CS-N): max(int(base / (1 + base d / z_far)), least): fewer where less is seen of them.
 // depth: d, eye-linear, world units; infinite, negative and NaN count as the far plane. z_far: world units, > 0.
@@ -11,8 +13,8 @@
 // depth. Error: none, but a quotient within rounding of a whole number may fall to either side.
 int gloam_count_by_distance(float depth, float z_far, int base, int least) {
     float start = float(clamp(base, 0, 4096));
-    bool placed = depth >= 0.0 && z_far >= 1.175494351e-38 && depth < z_far;
-    float distance_part = placed ? (z_far <= 8.507059173e37 ? depth / z_far : 0.0) : 1.0;
+    bool placed = depth >= 0.0 && z_far >= GLOAM_SMALLEST && depth < z_far;
+    float distance_part = placed ? (z_far <= GLOAM_LARGEST_DIVISOR ? depth / z_far : 0.0) : 1.0;
     return max(int(start / (1.0 + start * distance_part)), least);
 }
 

@@ -2,6 +2,8 @@
 #ifndef GLOAM_SAMPLING_COUNT_BY_RADIUS_GLSL
 #define GLOAM_SAMPLING_COUNT_BY_RADIUS_GLSL
 
+#include "gloam/numeric/constants.glsl"
+
 // number of samples by the projected size of the kernel (ISSAO-LOD): `clamp(round(most r / r_ref), least, most)`
 // [ISSAO, in prose].
 // Number of samples by the projected size of the kernel (ISSAO-LOD, given in prose only: fewer samples far away):
@@ -11,12 +13,13 @@
 // Returns a count in [least, most]; least for r = 0, negative or NaN, most for r_ref not positive, subnormal or NaN.
 // Error: none, but for radii within 2 ULP of a half.
 int gloam_count_by_radius(float radius, float reference_radius, int least, int most) {
-    if (!(reference_radius >= 1.175494351e-38)) return most;
+    if (!(reference_radius >= GLOAM_SMALLEST)) return most;
     if (!(radius > 0.0)) return least;
     if (radius >= reference_radius) return most;
     // Less than 2^126 on either side of the division.
     float share =
-        reference_radius > 8.507059173e37 ? (radius * 0.25) / (reference_radius * 0.25) : radius / reference_radius;
+        reference_radius > GLOAM_LARGEST_DIVISOR ? (radius * 0.25) / (reference_radius * 0.25)
+                                                 : radius / reference_radius;
     return clamp(int(floor(float(most) * share + 0.5)), least, most);
 }
 

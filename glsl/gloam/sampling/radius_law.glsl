@@ -2,6 +2,7 @@
 #ifndef GLOAM_SAMPLING_RADIUS_LAW_GLSL
 #define GLOAM_SAMPLING_RADIUS_LAW_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
@@ -38,7 +39,7 @@ float gloam_radius_quadratic(float zeta) {
 // No method or pass here calls it: it is there to be copied.
 float gloam_radius_cubic(float zeta) {
     float x = gloam_unit_interval(zeta);
-    if (x < 1.175494351e-38) return 0.0;
+    if (x < GLOAM_SMALLEST) return 0.0;
     // pow() alone may err by a hundred units in the last place; one step of Newton's method mends that.
     float root = exp2(log2(x) * 0.333333333);
     return root - (root - x / (root * root)) * 0.333333333;

@@ -2,6 +2,7 @@
 #ifndef GLOAM_SHADING_BENT_CONE_GLSL
 #define GLOAM_SHADING_BENT_CONE_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/inverse_trigonometry.glsl"
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/sampling/unit_interval.glsl"
@@ -15,7 +16,7 @@
 // Error: 2e-7.
 // No method or pass here calls it: it is there to be copied.
 float gloam_cone_angle_linear(float agreement) {
-    return (1.0 - max(2.0 * gloam_unit_interval(agreement) - 1.0, 0.0)) * 1.570796327;
+    return (1.0 - max(2.0 * gloam_unit_interval(agreement) - 1.0, 0.0)) * GLOAM_HALF_PI;
 }
 
 // half angle of the open cone, exact for a cap (CS-L-cone): `arccos(max(0, 2 L - 1))` [derived: L = (1 + cos a) / 2].
@@ -46,7 +47,7 @@ float gloam_cone_angle_uniform(float visibility) {
 float gloam_cone_angle_cosine(float visibility) {
     float v = gloam_unit_interval(visibility);
     // From the nearer end, where the square root loses nothing.
-    return v > 0.5 ? 1.570796327 - gloam_asin(gloam_sqrt(1.0 - v)) : gloam_asin(gloam_sqrt(v));
+    return v > 0.5 ? GLOAM_HALF_PI - gloam_asin(gloam_sqrt(1.0 - v)) : gloam_asin(gloam_sqrt(v));
 }
 
 #endif

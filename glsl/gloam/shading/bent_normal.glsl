@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/length.glsl"
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Bent normal (Klehm et al. 2011): the mean of the directions in which the point is open, from the samples of any
@@ -33,7 +34,7 @@ vec3 gloam_bent_normal(vec4 bent, vec3 normal) {
 // Returns L in [0, 1]; 1 where nothing is open, so that no cone is left, and for a sum of V above 2^126; 0 where the
 // sum of V w is not finite. Error: 4e-7 for sums from 1e-18 to 1e18.
 float gloam_bent_length(vec4 bent) {
-    bool some = bent.w >= 1.175494351e-38 && bent.w <= 8.507059173e37;
+    bool some = bent.w >= GLOAM_SMALLEST && bent.w <= GLOAM_LARGEST_DIVISOR;
     float agreement = some ? gloam_length(bent.xyz) / bent.w : 1.0;
     return agreement < 1.0 ? agreement : 1.0;
 }

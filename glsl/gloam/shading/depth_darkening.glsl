@@ -3,6 +3,7 @@
 #define GLOAM_SHADING_DEPTH_DARKENING_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // depth darkening (CS-R): `lambda min(G * D - D, 0)` [Luft, Colditz and Deussen 2006].
 // Depth darkening, the unsharp mask of the depth buffer (Luft, Colditz and Deussen 2006): lambda min(G * D - D, 0),
@@ -15,7 +16,7 @@
 float gloam_depth_darkening(float depth, float blurred_depth, float strength) {
     if (gloam_is_background(depth) || gloam_is_background(blurred_depth) || !(strength > 0.0)) return 0.0;
     float difference = blurred_depth - depth;
-    return difference < 0.0 ? max(strength * difference, -3.402823466e38) : 0.0;
+    return difference < 0.0 ? max(strength * difference, -GLOAM_LARGEST) : 0.0;
 }
 
 #endif

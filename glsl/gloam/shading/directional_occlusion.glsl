@@ -3,6 +3,7 @@
 #define GLOAM_SHADING_DIRECTIONAL_OCCLUSION_GLSL
 
 #include "gloam/geometry/length.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/cosine.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
@@ -44,7 +45,7 @@ vec3 gloam_ssdo_direct(vec3 direction, vec3 normal, vec3 radiance, float visibil
 vec3 gloam_ssdo_bounce(vec3 offset, vec3 normal, vec3 sender_normal, vec3 radiance, float radius, float least_distance,
                        float visibility) {
     float reach = max(gloam_length(offset), least_distance);
-    bool sized = radius >= 1.175494351e-38 && least_distance >= 1.175494351e-38 && reach <= 8.507059173e37;
+    bool sized = radius >= GLOAM_SMALLEST && least_distance >= GLOAM_SMALLEST && reach <= GLOAM_LARGEST_DIVISOR;
     if (!sized) return vec3(0.0);
     float ratio = min(radius / reach, 1024.0);
     float cosines = gloam_sample_cosine(offset, normal) * gloam_sample_cosine(-offset, sender_normal);
@@ -60,9 +61,9 @@ vec3 gloam_ssdo_bounce(vec3 offset, vec3 normal, vec3 sender_normal, vec3 radian
 vec3 gloam_ssdo_light(vec3 sum, float count, vec3 albedo) {
     if (!(count >= 1.0 && count <= 16777216.0)) return vec3(0.0);
     vec3 inside = vec3(gloam_unit_interval(albedo.x), gloam_unit_interval(albedo.y), gloam_unit_interval(albedo.z));
-    vec3 mean = vec3(sum.x >= 0.0 && sum.x <= 3.402823466e38 ? sum.x : 0.0,
-                     sum.y >= 0.0 && sum.y <= 3.402823466e38 ? sum.y : 0.0,
-                     sum.z >= 0.0 && sum.z <= 3.402823466e38 ? sum.z : 0.0) /
+    vec3 mean = vec3(sum.x >= 0.0 && sum.x <= GLOAM_LARGEST ? sum.x : 0.0,
+                     sum.y >= 0.0 && sum.y <= GLOAM_LARGEST ? sum.y : 0.0,
+                     sum.z >= 0.0 && sum.z <= GLOAM_LARGEST ? sum.z : 0.0) /
                 count;
     return inside * mean;
 }

@@ -2,6 +2,7 @@
 #ifndef GLOAM_TEMPORAL_BLEND_GLSL
 #define GLOAM_TEMPORAL_BLEND_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // weight of a history value, if it can be one (TSSAO-5-weight): `min(w', w_max) if 0 <= AO' <= 1, else 0` [TSSAO
@@ -11,9 +12,9 @@
 // Returns a weight in [0, max(w_max, 0)], finite: 0 for a history outside [0, 1] or NaN and for a weight or w_max not
 // positive or NaN. Subnormal numbers of either sign are read as 0. Error: none.
 float gloam_history_weight(float history, float weight, float weight_max) {
-    if (!(history > -1.175494351e-38 && history <= 1.0)) return 0.0;
-    if (!(weight >= 1.175494351e-38 && weight_max >= 1.175494351e-38)) return 0.0;
-    float cap = weight_max <= 3.402823466e38 ? weight_max : 3.402823466e38;
+    if (!(history > -GLOAM_SMALLEST && history <= 1.0)) return 0.0;
+    if (!(weight >= GLOAM_SMALLEST && weight_max >= GLOAM_SMALLEST)) return 0.0;
+    float cap = weight_max <= GLOAM_LARGEST ? weight_max : GLOAM_LARGEST;
     return weight < cap ? weight : cap;
 }
 
@@ -35,10 +36,10 @@ float gloam_history_weight(float history, float weight, float weight_max) {
 // 1e-7 (w_max + k) / k.
 vec2 gloam_blend(float history, float weight, float contribution, float k, float weight_max) {
     float w = gloam_history_weight(history, weight, weight_max);
-    float old = w > 0.0 && history >= 1.175494351e-38 ? history : 0.0;
-    if (!(k >= 1.175494351e-38 && k <= 3.402823466e38 && abs(contribution) <= 3.402823466e38)) return vec2(old, w);
+    float old = w > 0.0 && history >= GLOAM_SMALLEST ? history : 0.0;
+    if (!(k >= GLOAM_SMALLEST && k <= GLOAM_LARGEST && abs(contribution) <= GLOAM_LARGEST)) return vec2(old, w);
     float fresh = gloam_unit_interval(contribution);
-    float cap = weight_max >= 1.175494351e-38 ? min(weight_max, 3.402823466e38) : 0.0;
+    float cap = weight_max >= GLOAM_SMALLEST ? min(weight_max, GLOAM_LARGEST) : 0.0;
     float total = w + k;
     float blended = w < k ? fresh + (old - fresh) * (w / total) : old + (fresh - old) * (k / total);
     return vec2(blended, total < cap ? total : cap);

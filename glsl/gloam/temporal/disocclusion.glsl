@@ -3,6 +3,7 @@
 #define GLOAM_TEMPORAL_DISOCCLUSION_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // whether the history is of the same surface (TSSAO-8): `|d' - d~| < epsilon d', d~ the point's depth in the previous
 // camera` [TSSAO (Mattausch et al.), eq 8].
@@ -17,7 +18,7 @@
 // rounding of the threshold may fall to either side. Depths above 1e-30.
 bool gloam_depth_consistent(float stored_depth, float expected_depth, float epsilon) {
     // An infinite depth differs by infinity or NaN, which is below nothing.
-    bool surfaces = stored_depth >= 1.175494351e-38 && expected_depth >= 1.175494351e-38;
+    bool surfaces = stored_depth >= GLOAM_SMALLEST && expected_depth >= GLOAM_SMALLEST;
     return surfaces && abs(stored_depth - expected_depth) < epsilon * stored_depth;
 }
 

@@ -3,6 +3,7 @@
 #define GLOAM_TEMPORAL_HISTORY_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 
 // What a pixel remembers from frame to frame (TSSAO-BUF). Occlusion and weight may be fetched with interpolation; the
 // index and the depth must not (TSSAO-7).
@@ -31,7 +32,7 @@ GloamHistory gloam_history_empty(float depth) {
 // either sign are read as 0.
 // occlusion, weight: any. Error: none.
 bool gloam_history_usable(float occlusion, float weight) {
-    return occlusion > -1.175494351e-38 && occlusion <= 1.0 && weight >= 1.175494351e-38 && weight <= 3.402823466e38;
+    return occlusion > -GLOAM_SMALLEST && occlusion <= 1.0 && weight >= GLOAM_SMALLEST && weight <= GLOAM_LARGEST;
 }
 
 // history made safe to use (TSSAO-BUF-sanitize): `h if 0 <= AO <= 1, 0 < w < infinity and d is geometry, else empty`
@@ -43,7 +44,7 @@ bool gloam_history_usable(float occlusion, float weight) {
 GloamHistory gloam_history_sanitize(GloamHistory h) {
     bool usable = gloam_history_usable(h.occlusion, h.weight);
     if (!usable || gloam_is_background(h.depth)) return gloam_history_empty(h.depth);
-    return GloamHistory(h.occlusion >= 1.175494351e-38 ? h.occlusion : 0.0, h.weight, h.index % GLOAM_LARGEST_TABLE,
+    return GloamHistory(h.occlusion >= GLOAM_SMALLEST ? h.occlusion : 0.0, h.weight, h.index % GLOAM_LARGEST_TABLE,
                         h.depth);
 }
 

@@ -3,6 +3,7 @@
 #define GLOAM_TEMPORAL_NEIGHBORHOOD_GLSL
 
 #include "gloam/geometry/finite.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 
 // change of the distance to a neighbouring point (TSSAO-9): `||s - p| - |s' - p'||` [TSSAO (Mattausch et al.), eq 9].
@@ -18,17 +19,17 @@
 float gloam_neighborhood_change(vec3 sample_position, vec3 position, vec3 previous_sample, vec3 previous_position) {
     vec3 a = sample_position - position;
     vec3 b = previous_sample - previous_position;
-    if (!(gloam_is_finite3(a) && gloam_is_finite3(b))) return 3.402823466e38;
+    if (!(gloam_is_finite3(a) && gloam_is_finite3(b))) return GLOAM_LARGEST;
     vec3 bounds = max(abs(a), abs(b));
     float largest = max(max(bounds.x, bounds.y), bounds.z);
-    if (!(largest >= 1.175494351e-38)) return 0.0;
+    if (!(largest >= GLOAM_SMALLEST)) return 0.0;
     // Powers of two, so exact: lengths beyond 2^32 or below 2^-32 are squared on another scale.
     float scale = largest > 4294967296.0 ? 8.271806125530277e-25
                                          : (largest < 2.3283064365386963e-10 ? 1.2089258196146292e24 : 1.0);
     a *= scale;
     b *= scale;
     float sum = gloam_sqrt(dot(a, a)) + gloam_sqrt(dot(b, b));
-    return min(abs(dot(a - b, a + b)) / sum / scale, 3.402823466e38);
+    return min(abs(dot(a - b, a + b)) / sum / scale, GLOAM_LARGEST);
 }
 
 // whether a neighbourhood counts as unchanged (TSSAO-9-test): `d < epsilon` [TSSAO (Mattausch et al.), eq 9].

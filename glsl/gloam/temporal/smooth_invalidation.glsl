@@ -2,6 +2,7 @@
 #ifndef GLOAM_TEMPORAL_SMOOTH_INVALIDATION_GLSL
 #define GLOAM_TEMPORAL_SMOOTH_INVALIDATION_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // What happens to the weight of a pixel whose neighbourhood has changed but which itself has not been disoccluded
@@ -29,9 +30,9 @@ float gloam_invalidate_clamp(float weight, float weight_small) {
 // where it would be subnormal. Error: 3 ULP.
 float gloam_confidence(float change, float factor) {
     float d = abs(change);
-    if (!(d <= 3.402823466e38 && abs(factor) <= 3.402823466e38)) return 0.0;
+    if (!(d <= GLOAM_LARGEST && abs(factor) <= GLOAM_LARGEST)) return 0.0;
     float x = factor > 0.0 ? factor * d : 0.0;
-    return x <= 8.507059173e37 ? min(1.0 / (1.0 + x), 1.0) : 0.0;
+    return x <= GLOAM_LARGEST_DIVISOR ? min(1.0 / (1.0 + x), 1.0) : 0.0;
 }
 
 // smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO (Mattausch et al.), smooth invalidation
@@ -40,7 +41,7 @@ float gloam_confidence(float change, float factor) {
 // weight: w, accumulated samples. confidence: conf; read inside [0, 1], NaN as 0.
 // Returns the weight, >= 0; 0 for a negative, infinite or NaN weight. Error: 0.5 ULP.
 float gloam_invalidate_confidence(float weight, float confidence) {
-    if (!(weight > 0.0 && weight <= 3.402823466e38)) return 0.0;
+    if (!(weight > 0.0 && weight <= GLOAM_LARGEST)) return 0.0;
     return weight * gloam_unit_interval(confidence);
 }
 

@@ -2,6 +2,7 @@
 #ifndef GLOAM_TEMPORAL_VALIDATED_BILINEAR_GLSL
 #define GLOAM_TEMPORAL_VALIDATED_BILINEAR_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Bilinear interpolation of the history that leaves out texels of another surface. The four texels are, in this order,
@@ -29,7 +30,7 @@ vec4 gloam_validated_weights(vec4 bilinear, bvec4 valid) {
     vec4 w = vec4(valid.x ? gloam_unit_interval(bilinear.x) : 0.0, valid.y ? gloam_unit_interval(bilinear.y) : 0.0,
                   valid.z ? gloam_unit_interval(bilinear.z) : 0.0, valid.w ? gloam_unit_interval(bilinear.w) : 0.0);
     float sum = (w.x + w.y) + (w.z + w.w);
-    return sum >= 1.175494351e-38 ? min(w / sum, vec4(1.0)) : vec4(0.0);
+    return sum >= GLOAM_SMALLEST ? min(w / sum, vec4(1.0)) : vec4(0.0);
 }
 
 #endif

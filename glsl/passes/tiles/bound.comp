@@ -10,6 +10,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "bounds.glsl"
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
@@ -41,14 +42,14 @@ void main() {
     if (tile.x >= tiles.x || tile.y >= tiles.y) return;
     Block block = block_at(tile, 0, parameters.size);
     vec2 slopes = slopes_of(block);
-    float largest = -3.402823466e38;
+    float largest = -GLOAM_LARGEST;
     for (int y = block.first.y; y <= block.last.y; ++y) {
         for (int x = block.first.x; x <= block.last.x; ++x) {
             float inverse = inverse_at(ivec2(x, y));
             if (inverse > 0.0) largest = max(largest, inverse - dot(slopes, vec2(ivec2(x, y) - block.first)));
         }
     }
-    bool empty = largest == -3.402823466e38;
+    bool empty = largest == -GLOAM_LARGEST;
     // Error: 2.5 ULP of the quotient, and 1 ULP each of two products, a sum and a difference, of numbers no larger than
     // this. The largest is positive: at the first pixel of a block with slopes nothing is subtracted.
     float rounded = 1e-6 * (largest + dot(abs(slopes), vec2(block.last - block.first)));

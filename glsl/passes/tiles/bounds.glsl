@@ -2,6 +2,7 @@
 #ifndef GLOAM_PASSES_TILES_BOUNDS_GLSL
 #define GLOAM_PASSES_TILES_BOUNDS_GLSL
 
+#include "gloam/numeric/constants.glsl"
 #include "list.glsl"
 
 // A pyramid of bounds of the inverse depth. Its three levels are tiles, blocks of 4 x 4 tiles, and blocks of 4 x 4 of

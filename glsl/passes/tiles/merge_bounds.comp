@@ -39,7 +39,7 @@ vec3 slopes_of(Block children) {
 // is largest at a corner.
 float constant_over(ivec2 child, vec2 slopes, ivec2 origin) {
     vec4 bound = bound_of_child(child);
-    if (bound.w == 0.0) return -3.402823466e38;
+    if (bound.w == 0.0) return -GLOAM_LARGEST;
     Block pixels = block_at(child, parameters.level - 1, parameters.size);
     vec2 extent = vec2(pixels.last - pixels.first);
     vec2 offset = vec2(pixels.first - origin);
@@ -55,7 +55,7 @@ void main() {
     if (at.x >= blocks.x || at.y >= blocks.y) return;
     Block children = children_of(at);
     vec3 slopes = slopes_of(children);
-    float largest = -3.402823466e38;
+    float largest = -GLOAM_LARGEST;
     ivec2 origin = block_at(at, parameters.level, parameters.size).first;
     for (int y = children.first.y; y <= children.last.y; ++y) {
         for (int x = children.first.x; x <= children.last.x; ++x)
