@@ -4,16 +4,11 @@
 
 #include "gloam/filter/bilateral_weight.glsl"
 #include "gloam/filter/weighted_mean.glsl"
+#include "gloam/gather/fetch.glsl"
 #include "gloam/geometry/background.glsl"
 
 // Bilateral smoothing of occlusion by distance in the image and difference of depth (ISSAO-7, after Tomasi and
 // Manduchi 1998).
-
-// Defined by the user: occlusion (or visibility) of a pixel inside the image, in [0, 1].
-float gloam_fetch_occlusion(ivec2 pixel);
-
-// Defined by the user: eye-linear depth of a pixel inside the image, in world units.
-float gloam_fetch_depth(ivec2 pixel);
 
 // one neighbour in the bilateral mean (ISSAO-7-tap): `(sum + g s f, k + g s)` [ISSAO, eq 7; Tomasi and Manduchi 1998].
 // Adds the pixel at a tap.

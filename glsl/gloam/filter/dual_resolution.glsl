@@ -2,11 +2,10 @@
 #ifndef GLOAM_FILTER_DUAL_RESOLUTION_GLSL
 #define GLOAM_FILTER_DUAL_RESOLUTION_GLSL
 
+#include "gloam/gather/fetch.glsl"
+
 // Where occlusion of half the resolution is not sufficient (Bavoil and Sainz 2009): it is computed there first, and
 // again at full resolution where neighbours differ.
-
-// Defined by the user: occlusion of a pixel inside the image, in [0, 1].
-float gloam_fetch_occlusion(ivec2 pixel);
 
 // where occlusion of half the resolution does not do (CS-E-dual): `max - min > tolerance over 3 x 3` [derived, after
 // Bavoil and Sainz 2009].

@@ -4,19 +4,11 @@
 
 #include "gloam/filter/geometry_weight.glsl"
 #include "gloam/filter/weighted_mean.glsl"
+#include "gloam/gather/fetch.glsl"
 #include "gloam/geometry/background.glsl"
 
 // Blur that keeps to a surface (CS-BLUR), along one axis of the image: run it along x, then along y on the result.
 // The study uses it for all its methods, from 1 pixel on either side upward.
-
-// Defined by the user: occlusion (or visibility) of a pixel inside the image, in [0, 1].
-float gloam_fetch_occlusion(ivec2 pixel);
-
-// Defined by the user: eye-linear depth of a pixel inside the image, in world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: unit normal of a pixel inside the image; the zero vector where there is none.
-vec3 gloam_fetch_normal(ivec2 pixel);
 
 // one neighbour in the geometry-aware blur (CS-BLUR-tap): `(sum + w AO, K + w)` [Aalund and Baerentzen 2013,
 // geometry-aware blur].

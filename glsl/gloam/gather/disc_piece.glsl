@@ -2,6 +2,7 @@
 #ifndef GLOAM_GATHER_DISC_PIECE_GLSL
 #define GLOAM_GATHER_DISC_PIECE_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/occlusion/disc_proxy.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -9,12 +10,6 @@
 // Lower bound of the cosine at which a surface is seen. A pixel at the outline of a surface would otherwise represent
 // more area than there is.
 const float GLOAM_DISC_LEAST_FACING = 0.05;
-
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: view-space normal facing the eye of a pixel inside the image, any length.
-vec3 gloam_fetch_normal(ivec2 pixel);
 
 // Contribution of the surface at a pixel as a disc with the area that the pixel covers there (CS-S).
 // at: inside the image. position: of the shaded point, view space, world units. normal: of it, unit. kernel: of it the

@@ -2,29 +2,14 @@
 #ifndef GLOAM_GATHER_PAIR_GLSL
 #define GLOAM_GATHER_PAIR_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
 
-// Two opposite surface points at a time (CS-I, CS-P): if one of them is unusable, the other one represents both.
-
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind the first, negative where seen from behind, 0 where there is none.
-// Called only if the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
-// Two opposite taps. The surface at a tap is moved parallel to the tangent plane onto the line along the view vector
-// through the aimed position. Opposite taps of a bare plane are then opposite at any tilt, and at the border of the
-// image.
-struct GloamPair {
-    vec3 aim;     // from the shaded point to the place of the first tap, in the plane of the image; the second is
-                  // opposite; world units
-    float first;  // height of the surface over the disc parallel to the image, towards the eye, at the first tap, world
-                  // units
-    float second;   // likewise at the second
-};
+// Two opposite surface points at a time (CS-I, CS-P): if one of them is unusable, the other one represents both. The
+// surface at a tap is moved parallel to the tangent plane onto the line along the view vector through the aimed
+// position. Opposite taps of a bare plane are then opposite at any tilt, and at the border of the image.
 
 // The depths at the two taps of a pair: every layer.
 struct GloamPairDepths {

@@ -2,11 +2,9 @@
 #ifndef GLOAM_GEOMETRY_NORMAL_FROM_DEPTH_GLSL
 #define GLOAM_GEOMETRY_NORMAL_FROM_DEPTH_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/geometry/normal.glsl"
 #include "gloam/geometry/position.glsl"
-
-// Defined by the user: eye-linear depth of a pixel inside the image, in world units.
-float gloam_fetch_depth(ivec2 pixel);
 
 // position read from the depth image (POSITION-depth): `POSITION-perspective of the depth and the centre of the pixel`
 // [inverse of the projection].

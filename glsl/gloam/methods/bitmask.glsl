@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_BITMASK_GLSL
 #define GLOAM_METHODS_BITMASK_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/closed_march.glsl"
@@ -20,13 +21,6 @@ struct GloamBitmask {
     uint steps;       // taps along each half of a slice, at least 1
 };
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
 const uint GLOAM_ALL_SECTORS = 0xFFFFFFFFu;
 
 // Sectors between the front and the back of a sample, of equal shares of the cosine-weighted half plane.
@@ -39,10 +33,8 @@ uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
     return gloam_bitmask_sectors(vec2(min(first, second), max(first, second)));
 }
 
-// All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: 3e-6, but for samples within rounding of a sector's border or a pixel's.
+// All samples of one pixel in one frame (GloamEstimate). Error: 3e-6, but for samples within rounding of a sector's
+// border or a pixel's.
 GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamBitmask settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

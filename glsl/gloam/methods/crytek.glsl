@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_CRYTEK_GLSL
 #define GLOAM_METHODS_CRYTEK_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -16,18 +17,8 @@
 // a = 0.5 of the remap subtracts it. A point counts as open if it is behind the surface by less than the bias. With a
 // bias of 0, opposite points of a plane differ.
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
-// All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). A point behind the eye is not taken. Error: none, but a point within rounding of a pixel's
-// border or of the blocking depth may fall to either side.
+// All samples of one pixel in one frame (GloamEstimate). A point behind the eye is not taken. Error: none, but a point
+// within rounding of a pixel's border or of the blocking depth may fall to either side.
 GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));

@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_CURVATURE_GLSL
 #define GLOAM_METHODS_CURVATURE_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/curvature.glsl"
 #include "gloam/numeric/sincos.glsl"
@@ -18,12 +19,6 @@ struct GloamCurvature {
     float range;  // world units: the ends of a cross farther away than that lie on another surface; there the point
                   // itself stands for the end
 };
-
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: view-space normal facing the eye of a pixel inside the image, any length.
-vec3 gloam_fetch_normal(ivec2 pixel);
 
 // Pixels that one cross reads.
 const uint GLOAM_CROSS_TAPS = 4u;
@@ -54,11 +49,8 @@ GloamNeighbor gloam_across(GloamFootprint footprint, vec2 arm, vec3 position, ve
     return GloamNeighbor(ahead.offset - behind.offset, ahead.turn - behind.turn);
 }
 
-// All samples of one pixel in one frame: crosses of arms between half the radius and the radius, turned from one to
-// the next.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: that of gloam_principal_curvatures, but for taps within rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate): crosses of arms between half the radius and the radius, turned
+// from one to the next. Error: that of gloam_principal_curvatures, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_curvature(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                               GloamCurvature settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

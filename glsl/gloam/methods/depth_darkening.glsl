@@ -21,10 +21,7 @@ struct GloamDepthDarkening {
     float intensity;  // lambda, per radius of depth
 };
 
-// All samples of one pixel in one frame; an odd number is taken as the even one above it.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
 GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                     GloamDepthDarkening settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_DISC_GLSL
 #define GLOAM_METHODS_DISC_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -19,19 +20,9 @@ struct GloamDisc {
     float epsilon;  // world units: distance below which a patch counts fully
 };
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
 // crease shading of a pixel by surface points under a disc (TSSAO-2-disc): `mean of epsilon C(p, s_i), s_i under
 // TSSAO-13, i = j + 1 ... j + k` [TSSAO (Mattausch et al.), eqs 2, 4, 12 and 13; Fox and Compton 2008].
-// All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: 2e-6, but for taps within rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate). Error: 2e-6, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_disc(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamDisc settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_DISC_PROXY_TWO_GLSL
 #define GLOAM_METHODS_DISC_PROXY_TWO_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/methods/disc_proxy.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/sampling/whole_samples.glsl"
@@ -11,9 +12,6 @@
 // disc in the shadow of another is behind it for most points, so what both block is counted once. The first pass
 // takes half of the samples. Its result is that of one frame: with few samples it is noisy, and it is clamped.
 
-// Defined by the user: what the preparation passes have written; here the visibility of each pixel's disc in x.
-vec4 gloam_fetch_prepared(ivec2 pixel);
-
 // Samples of one of the passes: half of those asked for.
 GloamKernel gloam_disc_pass_kernel(GloamKernel kernel) {
     GloamKernel half_of = kernel;
@@ -22,10 +20,9 @@ GloamKernel gloam_disc_pass_kernel(GloamKernel kernel) {
     return half_of;
 }
 
-// All samples of one pixel in one frame, the prepared ones counted; an odd number is taken as the even one above it.
-// Parameters are those of gloam_disc_proxy.
-// Returns the occlusion, no larger than that of gloam_disc_proxy by as many samples; outside the image the nearest
-// pixel counts. No samples where there is nothing to gather (gloam_can_gather). Error: as there.
+// All samples of one pixel in one frame (GloamEstimate), the prepared ones counted; an odd number is taken as the even
+// one above it. gloam_fetch_prepared: the visibility of each pixel's disc, in x.
+// Returns an occlusion no larger than that of gloam_disc_proxy by as many samples. Error: as there.
 GloamEstimate gloam_disc_proxy_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                    GloamDiscProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

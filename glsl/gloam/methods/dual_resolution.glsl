@@ -6,6 +6,7 @@
 #include "gloam/filter/half_resolution.glsl"
 #include "gloam/filter/mssao_upsample.glsl"
 #include "gloam/filter/weighted_mean.glsl"
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/methods/hbao.glsl"
 
@@ -19,9 +20,6 @@ struct GloamDualResolution {
     uint steps;
     float disagreement;  // of neighbours at half the resolution, in occlusion, beyond which a pixel is sampled in full
 };
-
-// Defined by the user: what the preparation passes have written; here (occlusion, normal) of the small image.
-vec4 gloam_fetch_prepared(ivec2 pixel);
 
 // Read by gloam_dual_resolution_disagrees.
 float gloam_fetch_occlusion(ivec2 pixel) {
@@ -66,11 +64,9 @@ GloamWeightedMean gloam_dual_interpolated(vec3 position, vec3 normal, GloamFootp
     return gloam_dual_add(mean, last, along.x * along.y, position, normal, footprint, radius);
 }
 
-// All samples of one pixel in one frame; where the small image is taken, those of its pixels.
-// position: of the surface under a pixel's centre, view space, world units. normal: view space, of a length in
-// [1e-15, 1e15].
-// Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of gloam_hbao,
-// or 3e-6 of the weights.
+// All samples of one pixel in one frame (GloamEstimate); where the small image is taken, those of its pixels.
+// gloam_fetch_prepared: (occlusion, normal) of the small image. position: under a pixel's centre. Error: that of
+// gloam_hbao, or 3e-6 of the weights.
 GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                     GloamDualResolution settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_GTAO_GLSL
 #define GLOAM_METHODS_GTAO_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -19,19 +20,9 @@ struct GloamGtao {
     uint steps;  // taps along each half of a slice, at least 1
 };
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
 // occlusion of a pixel by horizon slices (GTAO-gather): `weighted mean over slices` [GTAO (Jimenez et al. 2016)].
-// All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: 3e-6, 6e-5 where a slice nearly lies in the tangent plane, but for taps within rounding
-// of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate). Error: 3e-6, 6e-5 where a slice nearly lies in the tangent
+// plane, but for taps within rounding of a pixel's border.
 GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamGtao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

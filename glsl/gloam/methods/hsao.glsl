@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_HSAO_GLSL
 #define GLOAM_METHODS_HSAO_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/into_slice.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -20,18 +21,9 @@ struct GloamHsao {
     uint steps;        // of a ray, at least 1
 };
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
-// All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Steps lie evenly up to the radius; background, the point's own pixel and steps that are not in
-// front of the eye do not count. Error: that of the rays, but for taps within rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate). Steps lie evenly up to the radius; background, the point's own
+// pixel and steps that are not in front of the eye do not count. Error: that of the rays, but for taps within rounding
+// of a pixel's border.
 GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHsao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -4,6 +4,7 @@
 
 #include "gloam/gather/covering_disc.glsl"
 #include "gloam/gather/distinct_pixels.glsl"
+#include "gloam/gather/fetch.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
@@ -20,18 +21,7 @@ struct GloamIssao {
 const bool GLOAM_EVERY_TAP = false;
 const bool GLOAM_DISTINCT_TAPS = true;  // several taps in one pixel count once (gloam_distinct_add)
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
-// All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion, and as samples the taps that counted; outside the image the nearest pixel counts. No samples
-// where there is nothing to gather (gloam_can_gather). Error: that of the contributions, but for taps within rounding
-// of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate); its samples are the taps that counted.
 GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamIssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -3,6 +3,7 @@
 #define GLOAM_METHODS_ISSAO_BASIC_GLSL
 
 #include "gloam/gather/covering_disc.glsl"
+#include "gloam/gather/fetch.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/issao.glsl"
@@ -11,17 +12,7 @@
 // ISSAO before its attenuation (ISSAO-3, the left half of its figure 4). With the taps of issao, every surface within
 // the radius counts its cosine, whatever its distance. The mean stands for the integral in the same way as in issao.
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
-// All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate).
 GloamEstimate gloam_issao_basic(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -4,6 +4,7 @@
 
 #include "gloam/filter/mssao_upsample.glsl"
 #include "gloam/filter/weighted_mean.glsl"
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/gather/pyramid.glsl"
 #include "gloam/geometry/background.glsl"
@@ -22,15 +23,8 @@ struct GloamMssao {
     uint resolutions;  // 1 to 9
 };
 
-// Surfaces at ever smaller resolutions, and their results, in one image (gloam/gather/pyramid.glsl): positions,
-// normals and results.
-
-// Defined by the user: eye-linear depth of a pixel inside the image, in world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: a texel of that image.
-vec4 gloam_fetch_prepared(ivec2 pixel);
-
+// What gloam_fetch_prepared reads: surfaces at ever smaller resolutions, and their results, in one image
+// (gloam/gather/pyramid.glsl): positions, normals and results.
 const int GLOAM_PYRAMID_POSITIONS = 0;
 const int GLOAM_PYRAMID_NORMALS = 1;
 const int GLOAM_PYRAMID_RESULTS = 2;
@@ -143,9 +137,7 @@ GloamLevels gloam_mssao_at(vec3 position, vec3 normal, int level, GloamCamera ca
     return GloamLevels(max(reach.z * own, coarser.largest), clamp(mean, 0.0, 1.0), count);
 }
 
-// All samples of one pixel in one frame: kernel.count at every resolution.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of the levels.
+// All samples of one pixel in one frame (GloamEstimate): kernel.count at every resolution. Error: that of the levels.
 GloamEstimate gloam_mssao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMssao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -2,14 +2,12 @@
 #ifndef GLOAM_METHODS_SAO_CHAIN_GLSL
 #define GLOAM_METHODS_SAO_CHAIN_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/methods/sao.glsl"
 
 // SAO with its depth chain in an image (preparation/depth_chain.comp), as in the paper. Far taps read neighbouring
 // texels of a small image instead of pixels that are far apart. The result equals that of sao to the bit, with one
 // exception: far taps do not detect moving objects. Further layers are read from the full image.
-
-// Defined by the user: a texel of the image that holds levels 1 to 5 of the chain, in x (gloam_chain_texel).
-vec4 gloam_fetch_prepared(ivec2 texel);
 
 // Where in that image a texel of a level lies: level 1 at the upper left, the others in a column to its right.
 // texel: inside its level, from 1. size: of the full image, pixels.
@@ -20,7 +18,8 @@ ivec2 gloam_chain_texel(ivec2 texel, int level, ivec2 size) {
     return at;
 }
 
-// Parameters and result are those of gloam_sao.
+// All samples of one pixel in one frame (GloamEstimate). gloam_fetch_prepared: levels 1 to 5 of the chain, in x
+// (gloam_chain_texel).
 GloamEstimate gloam_sao_chain(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -3,6 +3,7 @@
 #define GLOAM_METHODS_SEPARABLE_GLSL
 
 #include "gloam/filter/weighted_mean.glsl"
+#include "gloam/gather/fetch.glsl"
 #include "gloam/methods/gtao.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/separable.glsl"
@@ -46,9 +47,6 @@ float gloam_separable_slice(vec3 position, vec3 normal, GloamCamera camera, Gloa
     return gloam_gtao(position, normal, camera, gloam_separable_kernel(kernel, second), slice).occlusion;
 }
 
-// Defined by the user: what the preparation passes have written; here the occlusion along the first direction in x.
-vec4 gloam_fetch_prepared(ivec2 pixel);
-
 // Largest height over the tangent plane, as a fraction of the standard deviation, at which a neighbour lies on the
 // same surface.
 const float GLOAM_SEPARABLE_HEIGHT = 0.1;
@@ -79,10 +77,8 @@ float gloam_separable_carried(vec3 position, vec3 normal, GloamCamera camera, Gl
     return gloam_weighted_mean_value(mean, own);
 }
 
-// All samples of one pixel in one frame, the prepared ones counted.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; no samples where there is nothing to gather (gloam_can_gather). Error: that of gloam_gtao,
-// and 3e-6 of the mean.
+// All samples of one pixel in one frame (GloamEstimate), the prepared ones counted. gloam_fetch_prepared: occlusion
+// along the first direction, in x. Error: that of gloam_gtao, and 3e-6 of the mean.
 GloamEstimate gloam_separable(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                               GloamSeparable settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_SPHERE_PROXY_GLSL
 #define GLOAM_METHODS_SPHERE_PROXY_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
@@ -21,22 +22,13 @@ struct GloamSphereProxy {
     float intensity;  // factor of the sum
 };
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
 // occlusion of a pixel by its surroundings as balls (PROXY-gather): `intensity times the sum of 2 rho_i M C(p, s_i), M
 // the pixels of the disc, rho_i uniform` [Shanmugam and Arikan 2007, CS-H].
-// All samples of one pixel in one frame. The density of taps is 1 / distance from the pixel, because a piece counts by
-// the inverse square of its distance. They are weighted so that their mean is the sum over all pixels of the disc but
-// the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where many pieces lie
-// behind one another it is too large.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: 2e-6 of each tap's share of the sum, but for taps within rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate). The density of taps is 1 / distance from the pixel, because a
+// piece counts by the inverse square of its distance. They are weighted so that their mean is the sum over all pixels
+// of the disc but the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where
+// many pieces lie behind one another it is too large. Error: 2e-6 of each tap's share of the sum, but for taps within
+// rounding of a pixel's border.
 GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                  GloamSphereProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_SWEEP_GLSL
 #define GLOAM_METHODS_SWEEP_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -20,21 +21,12 @@ struct GloamSweep {
     uint falloff;             // GLOAM_FALLOFF_*, of a blocker's distance
 };
 
-// Defined by the user: eye-linear depth of a pixel inside the image, world units.
-float gloam_fetch_depth(ivec2 pixel);
-
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
 // occlusion of a pixel by horizon slices, each direction with the falloff at its distance (SWEEP-gather): `sum of w
 // D(rho) (I(H) - I(h)) over the sum of w (cos n + n sin n)` [gloam].
-// All samples of one pixel in one frame.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). A tap that sees background, the pixel itself, or a rejected surface is skipped. A tap that is not
-// above the tangent plane by the bias adds nothing. Error: 1.5e-5, 3e-4 where a surface is seen nearly edge-on,
-// but for taps within rounding of a pixel's border, of another's horizon or of a falloff's end.
+// All samples of one pixel in one frame (GloamEstimate). A tap that sees background, the pixel itself, or a rejected
+// surface is skipped. A tap that is not above the tangent plane by the bias adds nothing. Error: 1.5e-5, 3e-4 where a
+// surface is seen nearly edge-on, but for taps within rounding of a pixel's border, of another's horizon or of a
+// falloff's end.
 GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSweep settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -16,11 +16,7 @@
 // 2009). A plane leaves it empty. Chords lie along the view vector. Along the axis of a perspective view, a floor
 // seen from a camera that looks up would lie in front of its own ball.
 
-
-// All samples of one pixel in one frame; an odd number is taken as the even one above it.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: that of the contributions, but for taps within rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
 GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -2,6 +2,7 @@
 #ifndef GLOAM_METHODS_VOLUMETRIC_AREA_GLSL
 #define GLOAM_METHODS_VOLUMETRIC_AREA_GLSL
 
+#include "gloam/gather/fetch.glsl"
 #include "gloam/gather/line_pair.glsl"
 #include "gloam/gather/pyramid.glsl"
 #include "gloam/geometry/surface_moments.glsl"
@@ -19,9 +20,6 @@
 // so large that all samples together cover the disc, so few samples miss nothing. But a block does not say on which
 // side a near surface is. Pairs are opposite, so that a tilted plane stays at 1/2, but no sample of a pair is
 // rejected, so objects in front have a halo. Further layers do not count.
-
-// Defined by the user: a texel of the image of the moments: mean and weight, variance, covariance.
-vec4 gloam_fetch_prepared(ivec2 texel);
 
 const int GLOAM_AREA_MEANS = 0;
 const int GLOAM_AREA_VARIANCES = 1;
@@ -65,11 +63,9 @@ float gloam_area_solid(GloamLinePoint point, vec2 tap, float radius, int level, 
     return share * gloam_area_occlusion(height, half_width, gloam_chord_half_height(tap, radius));
 }
 
-// All samples of one pixel in one frame; an odd number is taken as the even one above it.
-// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
-// Returns the occlusion; outside the image the nearest pixel counts. No samples where there is nothing to gather
-// (gloam_can_gather). Error: that of the moments and of gloam_area_occlusion, but for taps within rounding of a block's
-// border.
+// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
+// gloam_fetch_prepared: mean and weight, variance, covariance of blocks (gloam_area_moments). Error: that of the
+// moments and of gloam_area_occlusion, but for taps within rounding of a block's border.
 GloamEstimate gloam_volumetric_area(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

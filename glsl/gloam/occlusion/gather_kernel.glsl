@@ -26,7 +26,13 @@ struct GloamKernel {
     bool ends_marches;  // skip taps that cannot change a march any more; bit-identical result
 };
 
-// What a method estimates for a pixel.
+// What a method estimates for a pixel: all that it samples there in one frame. Every method of gloam/methods is a
+// function gloam_NAME(position, normal, camera, kernel), some with settings of their own; what is said here holds
+// unless its comment differs.
+// position: of the surface, view space, world units. normal: view space, of a length in [1e-15, 1e15].
+// Where a tap lies outside the image, the nearest pixel counts. No samples where there is nothing to gather
+// (gloam_can_gather). Error of the occlusion: that of the contributions, but for taps within rounding of a pixel's
+// border.
 struct GloamEstimate {
     float occlusion;  // mean of the samples, [0, 1]
     float samples;    // taken, an integer up to 2^24; 0 where there is nothing to shade
