@@ -8,7 +8,7 @@ import re
 import sys
 from pathlib import Path
 
-import papers
+from prose import files_of
 
 # Who may include whom. A room may always include itself.
 MAY_INCLUDE = {
@@ -40,10 +40,14 @@ LIBRARY_HOME = {
 }
 
 MAX_LINES = 400
-AREAS = (".ci", "cmake", "docs", "examples", "experiments", "glsl", "harness", "tests", "tools")
 CODE = {".cpp", ".hpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".in"}
 TEXT = CODE | {".txt", ".md", ".json", ".supp", ""}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+TO_BE_COPIED = "// No method or pass here calls it: it is there to be copied."
+CALL = re.compile(r"\b(gloam_\w+)\s*\(")
+NAMED_PATH = re.compile(r"(?<![\w/.-])((?:cmake|docs|examples|glsl|gloam|harness|tests|tools)/[\w./-]*\w)")
+SHOWN_FROM = ("examples", "glsl", "harness", "tests")  # what pages may show pieces of
+SHOWN = re.compile(r"^```(?:cpp|glsl|cmake)\n(.*?)^```", re.M | re.S)
 MACHINE_PATH = re.compile(r"(?<![\w./}-])/(home|root|work|tmp|Users|mnt|media)/\w")
 
 
@@ -159,50 +163,45 @@ def library_home(source):
                 yield number, f"{name}: {library} shows in a public header of {home}"
 
 
+def statements(source):
+    """(line, head, its first line, name of the function or None, body or None) of each statement at file scope."""
+    code = blank_code(source.text)
+    found = list(file_scope_statements(code))
+    ends = [position for position, _, _ in found[1:]] + [len(code)]
+    for (position, head, has_body), end in zip(found, ends):
+        function = FUNCTION_HEAD.match(head)
+        body = code[position + len(head):end] if has_body else None
+        yield line_of(code, position), head, head.splitlines()[0], function and function.group(1), body
+
+
 def shader_bindings(source):
     """glsl/gloam holds no bindings, no main and no globals: those belong to passes and engines."""
-    if not source.is_shader_library:
-        return
-    code = blank_code(source.text)
-    for position, head, body in file_scope_statements(code):
-        line = line_of(code, position)
-        function = FUNCTION_HEAD.match(head)
-        if function and function.group(1) == "main":
+    for line, head, first, name, _ in statements(source) if source.is_shader_library else ():
+        if name == "main":
             yield line, "main() belongs in glsl/passes"
-        elif re.search(r"\b(layout|uniform|buffer|shared)\b", head.split("(")[0] if function else head):
-            yield line, f"a binding belongs in glsl/passes: {head.splitlines()[0]}"
-        elif not function and not re.match(r"(struct\b|const\s+\w+\s+GLOAM_\w+)", head):
-            yield line, f"file scope holds functions, structs and GLOAM_ constants only: {head.splitlines()[0]}"
+        elif re.search(r"\b(layout|uniform|buffer|shared)\b", head.split("(")[0] if name else head):
+            yield line, f"a binding belongs in glsl/passes: {first}"
+        elif not name and not re.match(r"(struct\b|const\s+\w+\s+GLOAM_\w+)", head):
+            yield line, f"file scope holds functions, structs and GLOAM_ constants only: {first}"
 
 
 def shader_comment(source):
     """Every function of glsl/gloam has a comment directly above it."""
-    if not source.is_shader_library:
-        return
-    code = blank_code(source.text)
-    for position, head, _ in file_scope_statements(code):
-        function = FUNCTION_HEAD.match(head)
-        line = line_of(code, position)
-        if function and not source.lines[line - 2].startswith("//"):
-            yield line, f"{function.group(1)} has no comment directly above it"
+    for line, _, _, name, _ in statements(source) if source.is_shader_library else ():
+        if name and not source.lines[line - 2].startswith("//"):
+            yield line, f"{name} has no comment directly above it"
 
 
 def shader_name(source):
     """Functions of glsl/gloam are called gloam_snake_case."""
-    if not source.is_shader_library:
-        return
-    code = blank_code(source.text)
-    for position, head, _ in file_scope_statements(code):
-        function = FUNCTION_HEAD.match(head)
-        if function and function.group(1) != "main" and not re.fullmatch(r"gloam_[a-z0-9_]+", function.group(1)):
-            yield line_of(code, position), f"{function.group(1)}: functions are called gloam_snake_case"
+    for line, _, _, name, _ in statements(source) if source.is_shader_library else ():
+        if name and name != "main" and not re.fullmatch(r"gloam_[a-z0-9_]+", name):
+            yield line, f"{name}: functions are called gloam_snake_case"
 
 
 def shader_include(source):
     """glsl/gloam includes only itself, named from the root."""
-    if not source.is_shader_library:
-        return
-    for number, _, name in source.includes():
+    for number, _, name in source.includes() if source.is_shader_library else ():
         if not re.fullmatch(r"gloam/\w+/\w+\.glsl", name):
             yield number, f'{name}: include "gloam/room/file.glsl"'
 
@@ -215,11 +214,9 @@ def shader_reference(source):
     room = source.path.parts[2]
     headers = sorted((source.root / "harness/reference").glob(f"{room}*.hpp"))
     references = "".join(header.read_text(encoding="utf-8") for header in headers)
-    code = blank_code(source.text)
-    for position, head, has_body in file_scope_statements(code):
-        match = FUNCTION_HEAD.match(head) if has_body else None
-        if match and match.group(1).startswith("gloam_") and f" {match.group(1)}(" not in references:
-            yield line_of(code, position), f"no harness/reference/{room}*.hpp has {match.group(1)}()"
+    for line, _, _, name, body in statements(source):
+        if body and name and name.startswith("gloam_") and f" {name}(" not in references:
+            yield line, f"no harness/reference/{room}*.hpp has {name}()"
 
 
 def guard(source):
@@ -259,24 +256,71 @@ def machine_path(source):
             yield number, f"a path of one machine: {line[match.start():match.start() + 40]}"
 
 
+def paper_path(source):
+    """A path that a page names is there; gloam/... is meant as in #include. harness/ROOM/... stands for many files."""
+    for number, line in enumerate(source.lines if source.path.suffix == ".md" else [], 1):
+        for path in NAMED_PATH.findall(line):
+            roots = ("", "glsl", "harness") if path.startswith("gloam/") else ("", source.path.parent.as_posix())
+            known = any((source.root / root / path).exists() for root in roots) or path == "gloam/shader_test.hpp"
+            if not known and not re.search(r"(^|/)(?!README\.md)[A-Z_]+(\.\w+)?(/|$)", path):
+                yield number, f"there is no {path}"
+
+
+def stripped(text):
+    return "\n".join(line.strip() for line in text.splitlines() if line.strip())
+
+
+def paper_code(source):
+    """A block of C++, GLSL or CMake in a page stands, line by line, in a file of ours; so it compiles and is tested."""
+    for block in SHOWN.finditer(source.text) if source.path.suffix == ".md" else ():
+        files = (path for area in SHOWN_FROM for path in sorted((source.root / area).rglob("*"))
+                 if path.suffix in (".cpp", ".hpp", ".glsl", ".comp") or path.name == "CMakeLists.txt")
+        if not any(stripped(block.group(1)) in stripped(path.read_text(encoding="utf-8")) for path in files):
+            yield line_of(source.text, block.start()), "this code stands in no file of the house"
+
+
 RULES = (room_include, internal_include, include_style, library_home, shader_bindings, shader_comment, shader_name,
-         shader_include, shader_reference, guard, spdx, length, machine_path, papers.paper_path, papers.paper_code)
+         shader_include, shader_reference, guard, spdx, length, machine_path, paper_path, paper_code)
+
+
+def shader_caller(house):
+    """A method or a pass calls each function of glsl/gloam, itself or by others, or the function's comment ends with
+    TO_BE_COPIED. Of overloads all count as called. The rule reads all sources at once: (source, line, message)."""
+    functions, called, waiting = {}, set(), set()
+    for source in house:
+        if source.path.parts[:2] == ("glsl", "passes"):
+            waiting.update(CALL.findall(blank_code(source.text)))
+        for line, head, _, name, body in statements(source) if source.is_shader_library else ():
+            if name and name.startswith("gloam_") and body:
+                functions.setdefault(name, []).append((source, line, set(CALL.findall(body))))
+            if source.path.parts[2] == "methods" and head.startswith("GloamEstimate gloam_"):
+                waiting.add(name)  # the effect calls it by its macro
+    while waiting:
+        called |= waiting
+        waiting = {name for caller in waiting for *_, calls in functions.get(caller, ()) for name in calls} - called
+    for name, all_of_name in functions.items():
+        for source, line, _ in all_of_name:
+            to_be_copied = source.lines[line - 2] == TO_BE_COPIED
+            if name in called and to_be_copied:
+                yield source, line, f"{name} is called, and said to be there to be copied"
+            elif name not in called and not to_be_copied:
+                yield source, line, f'nothing calls {name}: expected the line "{TO_BE_COPIED}"'
 
 
 def sources(root):
     """Every text file of the house, in order."""
-    files = [path for path in root.iterdir() if path.suffix]
-    for area in AREAS:
-        files += (root / area).rglob("*")
-    for path in sorted(files):
-        if path.is_file() and path.suffix in TEXT and "__pycache__" not in path.parts:
+    for name in files_of(root):
+        path = Path(root, name)
+        if path.suffix in TEXT and (path.suffix or "/" in name):
             yield Source(root, path)
 
 
 def violations(root):
     """(path, line, rule, message) of everything that breaks a rule below `root`."""
-    return [(source.path.as_posix(), line, rule.__name__, message)
-            for source in sources(Path(root)) for rule in RULES for line, message in rule(source)]
+    house = list(sources(Path(root)))
+    found = [(source, line, rule, message) for source in house for rule in RULES for line, message in rule(source)]
+    found += [(source, line, shader_caller, message) for source, line, message in shader_caller(house)]
+    return [(source.path.as_posix(), line, rule.__name__, message) for source, line, rule, message in found]
 
 
 def main(arguments):

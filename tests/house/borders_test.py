@@ -33,9 +33,17 @@ CLEAN = {
     "harness/check/lab.hpp": HPP + '#include "gpu/device.hpp"\n#include "shader/compile.hpp"\n',
     "harness/scene/mesh.cpp": SPDX + "#include <assimp/Importer.hpp>\n",
     "harness/report/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
-    "harness/reference/occlusion.hpp": HPP + "".join(f"double gloam_{name}();\n" for name in ("shade", "a", "b")),
+    "harness/reference/occlusion.hpp": HPP + "".join(
+        f"double gloam_{name}();\n" for name in ("shade", "a", "b", "spare", "copied")),
     "tests/gpu/device_test.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include "shader/compile.hpp"\n',
-    "glsl/passes/shade.comp": SPDX + "layout(binding = 0) uniform Block { float x; };\nvoid main() {}\n",
+    "glsl/passes/shade.comp": SPDX + "layout(binding = 0) uniform Block { float x; };  // not gloam_spare(1.0)\n"
+                                     "void main() { gloam_shade(1.0, gloam_a() + gloam_b() + gloam_alone()); }\n",
+    "glsl/gloam/methods/any.glsl": shader(
+        "// A method.\nGloamEstimate gloam_one(float x) { return gloam_of_one(x); }\n"
+        "// Its own.\nfloat gloam_of_one(float x) { return x; }", guard="GLOAM_METHODS_ANY_GLSL"),
+    "glsl/gloam/occlusion/copied.glsl": shader(
+        f"// Copied.\n{borders.TO_BE_COPIED}\nfloat gloam_copied() {{ return 1.0; }}",
+        guard="GLOAM_OCCLUSION_COPIED_GLSL"),
     "glsl/gloam/occlusion/shade.glsl": shader(
         '#include "gloam/geometry/depth.glsl"\n'
         "/* layout(binding = 0) uniform Commented { float main(); }; */\n"
@@ -98,6 +106,14 @@ PLANTED = {
     "shader_reference": [
         ("glsl/gloam/occlusion/alone.glsl",
          shader("// Stands alone.\nfloat gloam_alone() { return 1.0; }", guard="GLOAM_OCCLUSION_ALONE_GLSL"), 6),
+    ],
+    "shader_caller": [
+        ("glsl/gloam/occlusion/spare.glsl",
+         shader("// Nothing calls it.\nfloat gloam_spare() { return 1.0; }", guard="GLOAM_OCCLUSION_SPARE_GLSL"), 6),
+        ("glsl/gloam/occlusion/shade.glsl",
+         shader(f"// A pass calls it.\n{borders.TO_BE_COPIED}\nfloat gloam_shade() {{ return 1.0; }}"), 7),
+        ("glsl/gloam/methods/any.glsl",
+         shader("// No method.\nfloat gloam_any(float x) { return x; }", guard="GLOAM_METHODS_ANY_GLSL"), 6),
     ],
     "guard": [
         ("harness/gpu/wrong.hpp", SPDX + "#include <memory>\n", 1),
@@ -163,7 +179,7 @@ class Borders(unittest.TestCase):
                     self.assertEqual([found[:3] for found in borders.violations(folder)], [(path, line, rule)])
 
     def test_no_rule_is_without_a_planted_violation(self):
-        self.assertEqual({rule.__name__ for rule in borders.RULES}, set(PLANTED))
+        self.assertEqual({rule.__name__ for rule in (*borders.RULES, borders.shader_caller)}, set(PLANTED))
 
     def test_a_violation_is_printed_and_fails(self):
         path, text, line = PLANTED["room_include"][0]

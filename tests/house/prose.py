@@ -1,13 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""prose.py ROOT [--list]: how the pages, the comments and the code read.
+"""prose.py ROOT: how the pages, the comments and the code read.
 
 - No line has more than 120 columns. Tables, links and pictures of a page may, and what a command printed.
 - No sentence of a page, or of a comment in a header or in the shader library, has more than 35 words.
 - An equation's ID, CS-P say, stands in brackets behind its plain name, or in a table, not alone in a sentence.
-
-Files that do not keep a rule yet are listed in prose_exempt.txt, one "RULE FILE" a line. The list only shrinks: a
-listed file that keeps the rule is a failure too. --list prints what the list would have to hold.
 """
 import re
 import shutil
@@ -19,7 +16,6 @@ LONGEST_LINE = 120
 MOST_WORDS = 35
 CODE = {".cpp", ".hpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".css", ".js", ".in"}
 COMMENTED = {".hpp", ".glsl"}  # whose comments people read who use them
-GENERATED = ("docs/data/",)  # by the commands that its pages name
 THIRD_PARTY = "tools/site/third-party/"  # copies without a change
 ID = re.compile(r"\b(?:TSSAO|CS|ISSAO|GTAO)-[A-Z0-9][\w.-]*")
 SENTENCE_END = re.compile(r"(?<=[.!?:;])\s+")
@@ -91,7 +87,7 @@ def departures(root, name):
     """(rule, line, what is wrong) of a file."""
     path = root / name
     is_third_party = name.startswith(THIRD_PARTY) and path.suffix != ".md"
-    if path.suffix not in CODE | {".md"} or name.startswith(GENERATED) or is_third_party:
+    if path.suffix not in CODE | {".md"} or is_third_party:
         return
     text = path.read_text(encoding="utf-8", errors="replace")
     yield from (("columns", *found) for found in long_lines(path, text))
@@ -106,6 +102,7 @@ def departures(root, name):
 
 
 def files_of(root):
+    """Names of the files of the repository: those of git where there is one, without what it ignores."""
     if shutil.which("git"):
         listed = subprocess.run(["git", "-C", str(root), "ls-files", "-co", "--exclude-standard"], capture_output=True,
                                 text=True, check=False)
@@ -116,27 +113,13 @@ def files_of(root):
                   if path.is_file() and path.relative_to(root).parts[0] not in skipped)
 
 
-def check(root, exempt):
-    """Lines that say what is wrong, with the rules and files that are exempt."""
-    found = {}
-    for name in files_of(root):
-        for rule, line, what in departures(root, name):
-            found.setdefault((rule, name), []).append(f"{name}:{line}: [{rule}] {what}")
-    failures = [message for key, messages in sorted(found.items()) if key not in exempt for message in messages]
-    failures += [f"prose_exempt.txt: \"{rule} {name}\" is not needed any more: take it out"
-                 for rule, name in sorted(exempt) if (rule, name) not in found]
-    return failures, sorted(found)
+def check(root):
+    """Lines that say what is wrong."""
+    return [f"{name}:{line}: [{rule}] {what}" for name in files_of(root) for rule, line, what in departures(root, name)]
 
 
 def main():
-    root = Path(sys.argv[1]).resolve()
-    listing = Path(__file__).with_name("prose_exempt.txt")
-    lines = listing.read_text(encoding="utf-8").splitlines() if listing.exists() else []
-    exempt = {tuple(line.split(" ", 1)) for line in lines if line and not line.startswith("#")}
-    failures, found = check(root, exempt)
-    if "--list" in sys.argv:
-        print("\n".join(f"{rule} {name}" for rule, name in found))
-        return 0
+    failures = check(Path(sys.argv[1]).resolve())
     print("\n".join(failures))
     return 1 if failures else 0
 
