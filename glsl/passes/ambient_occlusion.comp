@@ -94,12 +94,12 @@ layout(push_constant) uniform Parameters {
 #include "gloam/filter/shrink.glsl"
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/displacement.glsl"
 #include "gloam/temporal/history.glsl"
+#include "gloam/temporal/neighborhood.glsl"
 #include "gloam/temporal/smoothing.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 #include "method_values.glsl"
@@ -154,24 +154,15 @@ vec3 displacement_at(ivec2 pixel) {
     return gloam_displacement_from_code(GLOAM_FETCH(displacement_image, pixel).x, unit);
 }
 
-// Takes the surface point under a sample as a probe (TSSAO-9). One that could not have blocked, now or before, tells
-// nothing. The change is that of gloam_neighborhood_change, without a branch and without its care for lengths whose
-// squares are not finite: those count as changed, as there. The camera's motion keeps all distances, so two points were
-// as far apart as they are without their displacements. Here lengths are subtracted: what tells is within the reach,
-// and 4e-7 of that is no more than the rounding of positions. The ray is divided as gloam_footprint_ray divides, so
-// that compilers share it.
+// Takes the surface point under a sample as a probe (TSSAO-9). The camera's motion keeps all distances, so two points
+// were as far apart as they are without their displacements. The ray is divided as gloam_footprint_ray divides, so that
+// compilers share it.
 void probe(ivec2 pixel, float depth) {
     vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / vec2(parameters.size) / parameters.p00_p11;
     vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
     vec3 before = now + (displacement_at(pixel) - neighborhood.displacement);
-    float squared = dot(now, now);
-    float squared_before = dot(before, before);
-    float reach = neighborhood.reach * neighborhood.reach;
-    bool tells =
-        gloam_tap_sees(depth) && !(squared > reach && squared_before > reach) && dot(now, neighborhood.normal) > 0.0;
-    float change = abs(sqrt(squared) - sqrt(squared_before));
-    bool more = tells && !(change <= neighborhood.change);
-    neighborhood.change = more ? (change <= GLOAM_LARGEST ? change : GLOAM_LARGEST) : neighborhood.change;
+    float change = gloam_probe_change(now, before, neighborhood.normal, neighborhood.reach);
+    neighborhood.change = gloam_tap_sees(depth) ? max(neighborhood.change, change) : neighborhood.change;
 }
 
 // Read by the samples, which thereby are the probes.

@@ -17,7 +17,7 @@ std::string text_for(const MethodInfo& method, int layers, float farthest) {
     const char* no_layers =
         layers > 1 ? "" : "vec3 gloam_fetch_layers(ivec2 pixel) {\n    return vec3(0.0);\n}\n";
     return fmt::format(
-        "#include \"gloam/methods/{}.glsl\"\n"
+        "#include \"{}\"\n"
         "#include \"passes/method_values.glsl\"\n"
         "{}"
         "struct GatherKernel {{\n    float radius;\n    float bias;\n    float angle;\n    uint first;\n    "
@@ -30,7 +30,7 @@ std::string text_for(const MethodInfo& method, int layers, float farthest) {
         "    GloamEstimate estimate = {};\n"
         "    return estimate.samples * vec2(estimate.occlusion, 1.0);\n"
         "}}\n",
-        method.name, no_layers, std::bit_cast<std::uint32_t>(farthest), layers, call_of(method));
+        file_of(method), no_layers, std::bit_cast<std::uint32_t>(farthest), layers, call_of(method));
 }
 
 }  // namespace

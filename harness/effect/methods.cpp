@@ -59,6 +59,10 @@ std::uint32_t samples_taken(const MethodInfo& method, std::uint32_t count, std::
     return std::max(asked / unit, 1U) * unit;
 }
 
+std::string file_of(const MethodInfo& method) {
+    return fmt::format("gloam/methods/{}.glsl", method.family.empty() ? method.name : method.family);
+}
+
 std::string call_of(const MethodInfo& method) {
     const std::string call = fmt::format("gloam_{}(position, normal, camera, kernel", method.name);
     if (method.own_settings.empty()) return call + ")";

@@ -40,7 +40,8 @@ enum class SampleUnit {
 
 // A method: everything about it that the effect, the command line, the tests and the benchmark use.
 struct MethodInfo {
-    std::string name;  // glsl/gloam/methods/NAME.glsl, whose function is gloam_NAME
+    std::string name;    // of the GLSL function gloam_NAME
+    std::string family;  // its file is glsl/gloam/methods/FAMILY.glsl; empty: NAME.glsl
     std::string description;
     Measure measure = Measure::cosine;
     std::string falloff;             // with the distance of the blocker: "linear", "none", ...
@@ -74,6 +75,9 @@ struct MethodInfo {
 
 // Samples that the method takes if `count` are asked for: whole units, at least one; 0 for 0.
 [[nodiscard]] std::uint32_t samples_taken(const MethodInfo& method, std::uint32_t count, std::uint32_t steps);
+
+// File of the method's function, as shaders include it: "gloam/methods/hbao.glsl".
+[[nodiscard]] std::string file_of(const MethodInfo& method);
 
 // GLSL call of the method's function, with the variables `position`, `normal`, `camera`, `kernel`, and
 // `values` of type MethodValues (passes/method_values.glsl).

@@ -20,14 +20,10 @@ constexpr std::uint32_t listed_constant = 10;
 constexpr std::uint32_t list_constant = 11;
 constexpr std::uint32_t open_tiles_constant = 13;
 
-std::string method_include(const std::string& method) {
-    return "gloam/methods/" + method + ".glsl";
-}
-
 // The pass's method in the place of the one that its source names.
 PassSource with_method_in(PassSource source, const MethodInfo& method) {
     source.defines.push_back("METHOD(position, normal, camera, kernel, values) " + call_of(method));
-    source.replaced = {{method_include("hemisphere"), method_include(method.name)}};
+    source.replaced = {{file_of(methods().front()), file_of(method)}};
     return source;
 }
 

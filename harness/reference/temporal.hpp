@@ -146,6 +146,13 @@ inline bool gloam_probe_useful(dvec3 offset, dvec3 normal) {
     return is_finite(offset) && dot(offset, normal) > 0.0;
 }
 
+inline double gloam_probe_change(dvec3 now, dvec3 before, dvec3 normal, double reach) {
+    const bool far = length(now) > reach && length(before) > reach;
+    if (far || !(dot(now, normal) > 0.0)) return 0.0;
+    const double change = abs(length(now) - length(before));
+    return change <= float_max ? change : float_max;
+}
+
 inline double gloam_invalidate_clamp(double weight, double weight_small) {
     return weight > 0.0 && weight_small > 0.0 ? min(weight, weight_small) : 0.0;
 }

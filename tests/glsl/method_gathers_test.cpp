@@ -35,9 +35,9 @@ TEST(MethodFiles, EachHasADescriptor) {
     std::set<std::string> files;
     for (const auto& file :
          std::filesystem::directory_iterator(std::filesystem::path(GLOAM_GLSL_DIR) / "gloam/methods"))
-        if (file.path().extension() == ".glsl") files.insert(file.path().stem().string());
+        files.insert("gloam/methods/" + file.path().filename().string());
     std::set<std::string> described;
-    for (const effect::MethodInfo& method : effect::methods()) described.insert(method.name);
+    for (const effect::MethodInfo& method : effect::methods()) described.insert(file_of(method));
     EXPECT_EQ(files, described);
 }
 

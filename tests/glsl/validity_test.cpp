@@ -166,6 +166,21 @@ TEST_F(Validity, ProbesLieAboveTheTangentPlane) {
     EXPECT_FALSE(useful(glm::vec3(0, 0, 1), glm::vec3(NAN)));
 }
 
+TEST_F(Validity, ProbesThatCannotBlockDoNotChange) {
+    const Kernel<float(glm::vec3, glm::vec3, glm::vec3, float)> change_of(lab, neighborhood_file,
+                                                                          "gloam_probe_change");
+    const glm::vec3 n(0, 0, 1);
+    const glm::vec3 near(0, 3, 4);
+    const glm::vec3 far(0, 6, 8);
+    EXPECT_EQ(change_of(near, far, n, 5.0F), 5.0F);
+    EXPECT_EQ(change_of(far, near, n, 5.0F), 5.0F);
+    EXPECT_EQ(change_of(near, far, n, 4.0F), 0.0F);
+    EXPECT_EQ(change_of(near, far, -n, 5.0F), 0.0F);
+    EXPECT_EQ(change_of(glm::vec3(NAN), near, n, 5.0F), 0.0F);
+    EXPECT_EQ(change_of(near, glm::vec3(NAN), n, 5.0F), float_max);
+    EXPECT_EQ(change_of(near, glm::vec3(infinity), n, 5.0F), float_max);
+}
+
 TEST_F(Validity, SmoothInvalidation) {
     const std::string file = "gloam/temporal/smooth_invalidation.glsl";
     const Kernel<float(float, float)> clamped(lab, file, "gloam_invalidate_clamp");

@@ -39,7 +39,7 @@ std::string packed_file(const std::string& name, Stage stage, const ShaderFolder
 }
 
 std::string occlusion_text(const effect::MethodInfo& method, const ShaderFolders& folders) {
-    const std::string text = "#include \"gloam/methods/" + method.name + ".glsl\"\n" +
+    const std::string text = "#include \"" + file_of(method) + "\"\n" +
                              "#define METHOD(position, normal, camera, kernel, values) " + call_of(method) +
                              "\n" + base::read_file(folders.page / "occlusion.frag");
     return packed("occlusion by " + method.name, text, Stage::fragment, folders);

@@ -6,8 +6,6 @@
 
 // weight of a neighbour by distance and depth (ISSAO-7-weight): `exp(-(|xi - x| / sigma_d)^2 / 2) exp(-((dp(xi) -
 // dp(x)) / sigma_r)^2 / 2)` [ISSAO, eq 7; Tomasi and Manduchi 1998].
-// Weight of a neighbour in the bilateral filter (g s of ISSAO-7): exp(-(|xi - x| / sigma_d)^2 / 2) exp(-(|dp(xi) -
-// dp(x)| / sigma_r)^2 / 2).
 // offset: xi - x, pixels. depth_difference: dp(xi) - dp(x), world units. sigma_d: pixels, about 2. sigma_r: world
 // units.
 // Returns a weight in [0, 1], not below 1e-30 unless 0; for a sigma zero, negative or subnormal its factor is 1 at

@@ -7,8 +7,8 @@
 
 // scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO (Mattausch et al.), eq
 // 10].
-// Scale of distances for gloam_gaussian_scaled (g of TSSAO-10): sqrt(log2(e) / 2) / sigma. It is the factor that all
-// neighbours of a pixel share. It is not squared, because the square could overflow or underflow.
+// For gloam_gaussian_scaled, a factor that all neighbours of a pixel share. It is not squared, because the square could
+// overflow or underflow.
 // sigma: standard deviation, world units, >= 0.
 // Returns the scale, in 1 / world units, from 2^-101 to 2^126 for all but three kinds of sigma: a zero, subnormal or
 // negative one is read as 2^-126, of which no distance but 0 counts; above 2^100 (and for infinity) 0, with which
@@ -20,8 +20,7 @@ float gloam_gaussian_scale(float sigma) {
 
 // weight of a neighbour by the scale of the Gaussian (TSSAO-10-g-scaled): `g = 2^-(d s)^2` [TSSAO (Mattausch et al.),
 // eq 10].
-// Weight of a neighbour by its distance in the world (g of TSSAO-10): exp(-d^2 / (2 sigma^2)), which is exp2(-(d
-// scale)^2).
+// It is exp(-d^2 / (2 sigma^2)), by its distance in the world.
 // squared_distance: d^2, world units squared, of which the sign does not count. scale: of gloam_gaussian_scale, 1 /
 // world units.
 // Returns a weight in [0, 1], not below 1e-30 unless 0. 0 for infinity or NaN in either, else 1 for distance 0 or

@@ -20,7 +20,6 @@ ivec2 gloam_half_size(ivec2 size) {
 }
 
 // full-size pixel that a half-size pixel stands for (HALF-source): `2 p` [definition].
-// The pixel of the full image that a pixel of the half-size image stands for.
 // pixel: of the half-size image, within 2^30 of 0.
 // Error: none.
 ivec2 gloam_half_source(ivec2 pixel) {
@@ -39,7 +38,7 @@ float gloam_half_shift(float p, int size) {
 }
 
 // normal in the view space of the half-size image (HALF-normal): `(n.xy, n.z + shift . n.xy), normalised` [derived].
-// A surface normal in the view space of the half-size image, perspective: (n.x, n.y, n.z + shift . n.xy), normalised.
+// For perspective.
 // normal: in the view space of the full image. shift: gloam_half_shift along both axes.
 // Returns a unit vector; 0 where the normal has no direction, is not finite, or the sum overflows. Error: 4e-7 for
 // unit normals and shifts up to 0.5.

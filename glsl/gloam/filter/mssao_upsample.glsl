@@ -7,8 +7,7 @@
 
 // weight of a pixel of the coarser level (CS-F-upsample): `bilinear (1 / (1 + |dz|))^a ((n . n' + 1) / 2)^b` [Hoang and
 // Low 2012 (MSSAO)].
-// Weight of a pixel of the coarser level whose result the finer level interpolates (MSSAO): bilinear (1 / (1 + |dz|))^a
-// ((n . n' + 1) / 2)^b. For gloam_weighted_mean_add.
+// For gloam_weighted_mean_add.
 // bilinear: weight by position, [0, 1]; outside, the nearer end; 0 for NaN. depth_difference: dz, world units, below
 // 1e30. normal_cosine: n . n'; taken into [-1, 1]. depth_power, normal_power: a, b, in [0, 16].
 // Returns a weight in [0, 1]; 0 for opposite normals (with b > 0), for a NaN and for depths 1e30 apart. Error: 3e-6.

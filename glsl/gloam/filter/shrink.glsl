@@ -6,8 +6,7 @@
 #include "gloam/sampling/unit_interval.glsl"
 
 // factor on the filter's support (TSSAO-11): `s = max(c - conv, 0) / c` [TSSAO (Mattausch et al.), eq 11].
-// Factor on the filter's support in the image (TSSAO-11): max(c - conv, 0) / c. Pixels that have converged are not
-// filtered.
+// Pixels that have converged are not filtered.
 // convergence: conv; below 0 it is read as 0, NaN gives 1. c_adaptive: c, 0.2: the convergence from which nothing is
 // filtered.
 // Returns a factor in [0, 1]: 1 for no convergence, falling linearly to 0 at c. 0 for c below 1e-30, negative or NaN;

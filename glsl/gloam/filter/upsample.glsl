@@ -45,9 +45,7 @@ float gloam_upsample_nearest(float depth, vec4 depths, vec4 values) {
 
 // occlusion of a full-size pixel from half-size pixels (UPSAMPLE): `mean of the opposite pairs through which the
 // surface continues, else the nearest in depth` [derived].
-// Occlusion of a full-size pixel from the four half-size pixels around it: the mean of the opposite pairs through which
-// its surface continues (gloam_upsample_continues). Without such a pair it is that of the half-size pixel nearest in
-// depth. A constant occlusion stays as it is.
+// gloam_upsample_continues tells which pairs those are. A constant occlusion stays as it is.
 // depth: eye-linear, of the full-size pixel. depths, occlusions: of the half-size pixels; x and w are opposite, and so
 // are y and z. Between two half-size pixels a and b: (a, b, a, b).
 // Returns a value in [0, 1]; 0 at the background, where all four are background, and for NaN. Error: 1.2e-7, but for

@@ -11,7 +11,6 @@ float gloam_background_depth() {
 }
 
 // depth that stands for no geometry (BACKGROUND): `not (0 < d < infinity)` [convention].
-// Whether a depth stands for "no geometry here".
 // depth: eye-linear depth in world units, d = -z in view space.
 // Returns false for a positive finite depth, true for zero, negative, infinite and NaN. A subnormal depth is read as
 // 0, so that devices that flush subnormals agree with those that do not. Error: none.

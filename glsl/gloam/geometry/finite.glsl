@@ -11,21 +11,18 @@ bool gloam_is_finite(float x) {
 }
 
 // vector that is neither infinite nor NaN (FINITE-2): `|v_i| <= FLT_MAX` [convention].
-// Whether both components are neither infinite nor NaN.
 // v: any vector. Error: none.
 bool gloam_is_finite2(vec2 v) {
     return all(notEqual(floatBitsToUint(v) & 0x7F800000u, uvec2(0x7F800000u)));
 }
 
 // vector that is neither infinite nor NaN (FINITE-3): `|v_i| <= FLT_MAX` [convention].
-// Whether all three components are neither infinite nor NaN.
 // v: any vector. Error: none.
 bool gloam_is_finite3(vec3 v) {
     return all(notEqual(floatBitsToUint(v) & 0x7F800000u, uvec3(0x7F800000u)));
 }
 
 // vector that is neither infinite nor NaN (FINITE-4): `|v_i| <= FLT_MAX` [convention].
-// Whether all four components are neither infinite nor NaN.
 // v: any vector. Error: none.
 // No method or pass here calls it: it is there to be copied.
 bool gloam_is_finite4(vec4 v) {

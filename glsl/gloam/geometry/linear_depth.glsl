@@ -26,7 +26,7 @@ float gloam_depth_quotient(float numerator, float denominator) {
 
 // eye-linear depth, perspective, depth range [0, 1] (DEPTH-perspective-vk): `d = P32 / (b + P22)` [the projection
 // solved for depth].
-// Eye-linear depth, perspective, depth range [0, 1] (Vulkan, Direct3D): b = (P22 z + P32) / -z, so d = P32 / (b + P22).
+// That of Vulkan and Direct3D: b = (P22 z + P32) / -z.
 // b: depth-buffer value in [0, 1].
 // p22, p32: projection elements: far / (near - far), far near / (near - far); reversed near / (far - near),
 // far near / (far - near); reversed with infinite far plane 0, near.
@@ -39,8 +39,7 @@ float gloam_linear_depth_perspective_vk(float b, float p22, float p32) {
 
 // eye-linear depth, perspective, depth range [-1, 1] (DEPTH-perspective-gl): `d = P32 / (2 b - 1 + P22)` [the
 // projection solved for depth].
-// Eye-linear depth, perspective, depth range [-1, 1] (OpenGL): 2 b - 1 = (P22 z + P32) / -z, so d = P32 / (2 b - 1 +
-// P22).
+// OpenGL's: 2 b - 1 = (P22 z + P32) / -z.
 // b: depth-buffer value in [0, 1] (window depth).
 // p22, p32: projection elements: -(far + near) / (far - near), -2 far near / (far - near); both negated when reversed;
 // infinite far plane -1, -2 near.
@@ -55,7 +54,7 @@ float gloam_linear_depth_perspective_gl(float b, float p22, float p32) {
 
 // eye-linear depth, orthographic, depth range [0, 1] (DEPTH-orthographic-vk): `d = (P32 - b) / P22` [the projection
 // solved for depth].
-// Eye-linear depth, orthographic, depth range [0, 1] (Vulkan, Direct3D): b = P22 z + P32, so d = (P32 - b) / P22.
+// That of Vulkan and Direct3D: b = P22 z + P32.
 // b: depth-buffer value in [0, 1].
 // p22, p32: projection elements: 1 / (near - far), near / (near - far); reversed 1 / (far - near), far / (far - near).
 // Returns d in world units; +infinity for the background: NaN, anything that gives no positive finite d.
@@ -66,7 +65,7 @@ float gloam_linear_depth_orthographic_vk(float b, float p22, float p32) {
 
 // eye-linear depth, orthographic, depth range [-1, 1] (DEPTH-orthographic-gl): `d = (P32 + 1 - 2 b) / P22` [the
 // projection solved for depth].
-// Eye-linear depth, orthographic, depth range [-1, 1] (OpenGL): 2 b - 1 = P22 z + P32, so d = (P32 + 1 - 2 b) / P22.
+// OpenGL's: 2 b - 1 = P22 z + P32.
 // b: depth-buffer value in [0, 1] (window depth).
 // p22, p32: projection elements: -2 / (far - near), -(far + near) / (far - near); both negated when reversed.
 // Returns d in world units; +infinity for the background: NaN, anything that gives no positive finite d.

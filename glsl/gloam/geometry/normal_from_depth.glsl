@@ -8,7 +8,6 @@
 
 // position read from the depth image (POSITION-depth): `POSITION-perspective of the depth and the centre of the pixel`
 // [inverse of the projection].
-// View-space position under a pixel, perspective, read from the depth image.
 // pixel: integer pixel. size: image size in pixels. p00_p11: projection elements (see gloam_view_position_perspective).
 // Returns the position in world units; the zero vector for background and outside the image, where nothing is fetched.
 // Error: at most 4 ulp in each component.

@@ -11,7 +11,6 @@
 
 // normalised device coordinates of a pixel's centre (NDC-pixel): `(2 x + 1 - width) / width` [definition of the pixel
 // centre].
-// Normalised device coordinates of a pixel's centre: (2 x + 1 - width) / width, the same in y.
 // pixel: integer pixel; one outside the image gives coordinates outside [-1, 1].
 // size: image size in pixels, 1 to 2^22; a size below 1 gives (0, 0).
 // Returns coordinates in (-1, 1) for a pixel of the image. Error: at most 1 ulp, for pixels below 2^22.

@@ -41,7 +41,6 @@ bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out ve
 
 // previous clip-space point of a static surface point (TSSAO-RP-static): `P' V' V^-1 P^-1 t` [TSSAO (Mattausch et al.),
 // reprojection].
-// Previous clip-space point of a static surface point: P_(f-1) V_(f-1) V_f^-1 P_f^-1 clip.
 // clip: clip-space point of the current frame. inverse_projection, inverse_view: of the current frame.
 // previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
@@ -56,7 +55,6 @@ vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse
 
 // previous clip-space point of a point of a moving object (TSSAO-RP-moving): `P' V' M' M^-1 V^-1 P^-1 t` [TSSAO
 // (Mattausch et al.), reprojection].
-// Previous clip-space point of a point of a moving object: P_(f-1) V_(f-1) M_(f-1) M_f^-1 V_f^-1 P_f^-1 clip.
 // (Printed without frame indices, the chain P V M M^-1 V^-1 P^-1 would be the identity.)
 // clip: clip-space point of the current frame. inverse_projection, inverse_view, inverse_model: of the current frame.
 // previous_model, previous_view, previous_projection: of the previous frame.
@@ -73,7 +71,6 @@ vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse
 
 // previous world position of a point of a moving object (TSSAO-RP-world): `M' M^-1 x` [TSSAO (Mattausch et al.),
 // reprojection].
-// Previous world-space position of a point of a moving object: M_(f-1) M_f^-1 x.
 // world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame
 // (both affine).
 // Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component,

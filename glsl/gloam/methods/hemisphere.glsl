@@ -9,6 +9,7 @@
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/hemisphere_cosine_point.glsl"
+#include "gloam/sampling/hemisphere_uniform_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
 
@@ -48,6 +49,83 @@ GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, G
             float seen = gloam_layer_depth(first, further, layer);
             float in_front = depth - seen;
             float blocked = gloam_tap_sees(seen) && in_front > kernel.bias && in_front <= settings.range ? 1.0 : 0.0;
+            layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
+        }
+        sum += layers.occlusion;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+// StarCraft II's method (Filion and McNaughton 2008): points of the half ball, uniform in direction and radius. A
+// surface further in front of a point than the radius blocks less, by radius / distance. Directions are uniform: a
+// wall gives 1/2, as with cosine weights, and a bowl more.
+
+// All samples of one pixel in one frame (GloamEstimate). A point behind the eye is not taken. Error: none, but a point
+// within rounding of a pixel's border or of the blocking depth may fall to either side.
+GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    mat3 frame = gloam_tangent_frame(normalize(normal));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec3 point = gloam_turn_hemisphere(gloam_hemisphere_uniform_point(kernel.first + i + 1u), turn);
+        vec3 at = position + kernel.radius * (frame * point);
+        if (point == vec3(0.0) || !(at.z < 0.0)) continue;
+        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel
+        // to the surface, so that a bare plane is the same at any tilt.
+        ivec2 pixel = gloam_footprint_seen(footprint, at);
+        float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
+        float first = gloam_fetch_depth(pixel);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+        GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float seen = gloam_layer_depth(first, further, layer);
+            float in_front = depth - kernel.bias - seen;
+            float opened = in_front > kernel.radius ? kernel.radius / in_front : 1.0;
+            float blocked = gloam_tap_sees(seen) && in_front > 0.0 ? opened : 0.0;
+            layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
+        }
+        sum += layers.occlusion;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+// Crytek's method (Mittring 2007; CS-3.1): points of a whole ball, without falloff. On a plane half of the ball is
+// below the surface. Points come in opposite pairs, so an even number of them gives exactly 1/2 on a bare plane, and
+// a = 0.5 of the remap subtracts it. A point counts as open if it is behind the surface by less than the bias. With a
+// bias of 0, opposite points of a plane differ.
+
+// All samples of one pixel in one frame (GloamEstimate). A point behind the eye is not taken. Error: none, but a point
+// within rounding of a pixel's border or of the blocking depth may fall to either side.
+GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    mat3 frame = gloam_tangent_frame(normalize(normal));
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        uint index = kernel.first + i + 1u;
+        vec3 point = gloam_turn_hemisphere(gloam_hemisphere_uniform_point((index + 1u) / 2u), turn);
+        if ((index & 1u) == 0u) point = -point;
+        vec3 at = position + kernel.radius * (frame * point);
+        if (point == vec3(0.0) || !(at.z < 0.0)) continue;
+        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel
+        // to the surface, so that a bare plane is the same at any tilt.
+        ivec2 pixel = gloam_footprint_seen(footprint, at);
+        float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
+        float first = gloam_fetch_depth(pixel);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+        GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float seen = gloam_layer_depth(first, further, layer);
+            float blocked = gloam_tap_sees(seen) && seen <= depth - kernel.bias ? 1.0 : 0.0;
             layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
         }
         sum += layers.occlusion;

@@ -7,6 +7,7 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/issao.glsl"
 #include "gloam/occlusion/layers.glsl"
 
 // ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the
@@ -44,6 +45,82 @@ GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamK
             float above = dot(offset, n) - kernel.bias;
             bool counts = gloam_tap_sees(depth) && above > 0.0 && squared < kernel.radius * kernel.radius;
             most = counts ? max(most, phi * (above / (squared + settings.epsilon * settings.epsilon))) : most;
+        }
+        sum += most;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+// ISSAO with its attenuation by distance (ISSAO-4 and ISSAO-5, the right half of its figure 4). With the taps of
+// issao, every surface within the radius counts Q(|v|) times its cosine. The mean stands for the integral in the same
+// way as in issao. Both methods agree where |v| is large against mu and the bias small against v . n.
+struct GloamIssaoAttenuated {
+    float epsilon;    // mu, world units: bounds the distance from below
+    float intensity;  // phi as a share of the radius
+};
+
+// All samples of one pixel in one frame (GloamEstimate).
+GloamEstimate gloam_issao_attenuated(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                                     GloamIssaoAttenuated settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = normalize(normal);
+    GloamCoveringDisc disc = gloam_covering_disc(position, kernel.radius, kernel.angle, camera);
+    float phi = settings.intensity * kernel.radius;
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        ivec2 at = gloam_covering_pixel(disc, kernel.first + i + 1u);
+        float first = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        float most = 0.0;
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float depth = gloam_layer_depth(first, further, layer);
+            vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
+            if (!(gloam_tap_sees(depth) && dot(offset, n) > kernel.bias)) continue;
+            float q = gloam_contribution_issao_attenuated(offset, n, kernel.radius, phi, settings.epsilon);
+            most = max(most, q);
+        }
+        sum += most;
+        ++taken;
+    }
+    return gloam_estimate(sum, float(taken), taken);
+}
+
+// ISSAO with the saving that its authors describe: several taps of a frame that fall into the same pixel, of 8 x 8
+// around the shaded one, count once. Radii are uniform, so taps coincide near that pixel and where the radius is
+// small in the image. The result is a mean over pixels, less dense near the point. A device that runs both sides of a
+// branch saves no time.
+
+// All samples of one pixel in one frame. Parameters and result are those of gloam_issao; settings.distinct is to be
+// GLOAM_DISTINCT_TAPS, and the samples are the taps in different pixels.
+GloamEstimate gloam_issao_distinct(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                                   GloamIssao settings) {
+    return gloam_issao(position, normal, camera, kernel, settings);
+}
+
+// ISSAO before its attenuation (ISSAO-3, the left half of its figure 4). With the taps of issao, every surface within
+// the radius counts its cosine, whatever its distance. The mean stands for the integral in the same way as in issao.
+
+// All samples of one pixel in one frame (GloamEstimate).
+GloamEstimate gloam_issao_basic(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = normalize(normal);
+    GloamCoveringDisc disc = gloam_covering_disc(position, kernel.radius, kernel.angle, camera);
+    float sum = 0.0;
+    uint taken = 0u;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        ivec2 at = gloam_covering_pixel(disc, kernel.first + i + 1u);
+        float first = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        float most = 0.0;
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float depth = gloam_layer_depth(first, further, layer);
+            vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
+            if (!(gloam_tap_sees(depth) && dot(offset, n) > kernel.bias)) continue;
+            most = max(most, gloam_contribution_issao_basic(offset, n, kernel.radius));
         }
         sum += most;
         ++taken;

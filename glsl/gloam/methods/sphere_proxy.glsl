@@ -4,10 +4,13 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/geometry/length.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/numeric/square_root.glsl"
+#include "gloam/occlusion/falloff.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/hbao.glsl"
 #include "gloam/occlusion/layers.glsl"
 #include "gloam/occlusion/sphere_proxy.glsl"
 #include "gloam/sampling/circle.glsl"
@@ -56,6 +59,63 @@ GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera,
             vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
             size = kernel.radius / size;
             float piece = gloam_contribution_sphere_cosine(offset, n, 0.5 * gloam_sqrt(size.x * size.y));
+            most = max(most, piece);
+        }
+        sum += 2.0 * random.y * pixels * most;
+    }
+    return gloam_estimate(settings.intensity * sum, float(kernel.count), kernel.count);
+}
+
+// Mixture sampling (Song 2010; CS-H): the balls of sphere_proxy, weighted by their solid angle times the cosine and
+// by the linear falloff of horizon-based occlusion. Only the directions that horizon-based occlusion uses count
+// (above the tangent plane by the bias). Balls behind one another count again.
+struct GloamMixture {
+    float angle_bias;  // radians above the tangent plane below which nothing blocks
+    float intensity;   // factor of the sum
+};
+
+// Tangent of the least elevation over the image plane at which something blocks, in the direction of an offset.
+// bias: (cos, sin) of the angle bias.
+float gloam_mixture_horizon(vec3 offset, vec3 normal, vec2 bias) {
+    vec2 direction = offset.xy * inversesqrt(max(dot(offset.xy, offset.xy), 1e-36));
+    vec2 elevation = gloam_hbao_horizon(normal, direction, bias);
+    return elevation.y / max(elevation.x, 1e-6);
+}
+
+// All samples of one pixel in one frame (GloamEstimate). The density of taps is 1 / distance from the pixel, because a
+// piece counts by the inverse square of its distance. They are weighted so that their mean is the sum over all pixels
+// of the disc but the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where
+// many pieces lie behind one another it is too large. Error: 2e-6 of each tap's share of the sum, but for taps within
+// rounding of a pixel's border.
+GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMixture settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = normalize(normal);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 axes = footprint.reach * footprint.size;
+    float pixels = GLOAM_PI * axes.x * axes.y;
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
+    vec2 bias = gloam_sincos_turns(gloam_turns(settings.angle_bias));
+    float sum = 0.0;
+    for (uint i = 0u; i < kernel.count; ++i) {
+        vec3 random = gloam_halton_point(kernel.first + i + 1u);
+        vec2 tap = gloam_turn_disc(random.y * gloam_circle_point(random.x), turn);
+        ivec2 at = gloam_footprint_pixel(footprint, tap);
+        if (at == footprint.pixel) continue;
+        float first = gloam_fetch_depth(at);
+        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        float most = 0.0;
+        for (int layer = 0; layer < kernel.layers; ++layer) {
+            float depth = gloam_layer_depth(first, further, layer);
+            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+            bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
+                          dot(offset, n) > kernel.bias;
+            if (!counts) continue;
+            // Half-axes of the radius there, pixels: so large is a pixel in the world.
+            vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
+            size = kernel.radius / size;
+            float above = gloam_above_horizon(offset, gloam_mixture_horizon(offset, n, bias));
+            float weight = gloam_falloff_linear(gloam_length(offset), kernel.radius);
+            float piece = above * weight * gloam_contribution_sphere(offset, n, 0.5 * gloam_sqrt(size.x * size.y));
             most = max(most, piece);
         }
         sum += 2.0 * random.y * pixels * most;

@@ -2,11 +2,17 @@
 #ifndef GLOAM_METHODS_VOLUMETRIC_GLSL
 #define GLOAM_METHODS_VOLUMETRIC_GLSL
 
+#include "gloam/gather/footprint.glsl"
 #include "gloam/gather/line_pair.glsl"
+#include "gloam/gather/pair.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/occlusion/volumetric.glsl"
 #include "gloam/sampling/disc_point.glsl"
+#include "gloam/sampling/radical_inverse.glsl"
 #include "gloam/sampling/rotation.glsl"
+#include "gloam/sampling/spiral.glsl"
+#include "gloam/sampling/tangent_frame.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
 // Volumetric obscurance by paired line samples (Loos and Sloan 2010; CS-3.5): the solid part of a ball around the
@@ -30,6 +36,109 @@ GloamEstimate gloam_volumetric(vec3 position, vec3 normal, GloamCamera camera, G
         GloamPairShare pair = gloam_line_pair_share(point, tap, kernel);
         occluded += pair.occluded;
         whole += pair.whole;
+    }
+    return gloam_estimate(occluded, whole, gloam_paired_samples(kernel.count));
+}
+
+// volumetric at two radii (Loos and Sloan 2010). Half of the samples are in a ball of a quarter of the radius, for
+// fine detail, and half in the whole ball. The amounts by which both exceed a plane's 1/2 are added. (The larger of
+// the two would depend on the noise of a frame's few samples.)
+
+// The fine radius, as a fraction of the other.
+const float GLOAM_FINE_BALL = 0.25;
+
+// A pair at both radii.
+const uint GLOAM_TWO_BALLS_UNIT = 4u;
+
+// All samples of one pixel in one frame, as many at both radii: whole fours, at least one. Parameters and result are
+// those of gloam_volumetric.
+GloamEstimate gloam_volumetric_two(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
+    GloamKernel broad = kernel;
+    broad.first = kernel.first / 2u;
+    broad.count = gloam_whole_samples(kernel.count, GLOAM_TWO_BALLS_UNIT) / 2u;
+    GloamKernel fine = broad;
+    fine.radius = GLOAM_FINE_BALL * kernel.radius;
+    GloamEstimate far = gloam_volumetric(position, normal, camera, broad);
+    GloamEstimate near = gloam_volumetric(position, normal, camera, fine);
+    if (!(far.samples > 0.0)) return GLOAM_NO_ESTIMATE;
+    return GloamEstimate(gloam_two_balls(near.occlusion, far.occlusion), float(2u * broad.count), 0u);
+}
+
+// Paired line samples on a spiral (Toy Story 3: The Video Game; Ownby, Hall and Hall 2010; CS-R): the ball of
+// volumetric, with its pairs on a spiral that is rotated from pixel to pixel and from frame to frame. Where both
+// samples of a pair are invalid, both count 1/2. Radii are uniform, so a pair is weighted by its radius as well as
+// its chord.
+
+const int GLOAM_LINE_SPIRAL_TURNS = 7;
+
+// (cos, sin) of the rotation of the spiral: of the pixel's angle and the frame's. Half a turn moves each tap to its
+// partner.
+vec2 gloam_line_spiral_turn(GloamKernel kernel) {
+    uint frame = kernel.first / max(gloam_paired_samples(kernel.count), 1u);
+    return gloam_sincos_turns(gloam_turns(kernel.angle) + 0.5 * gloam_radical_inverse_base2(frame));
+}
+
+// All samples of one pixel in one frame; an odd number is taken as the even one above it. Parameters and result are
+// those of gloam_volumetric.
+GloamEstimate gloam_volumetric_spiral(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = normalize(normal);
+    GloamLinePoint point = gloam_line_point(position, n, kernel.radius, camera);
+    vec2 turn = gloam_line_spiral_turn(kernel);
+    uint pairs = gloam_paired_samples(kernel.count) / 2u;
+    float occluded = 0.0;
+    float whole = 0.0;
+    for (uint i = 0u; i < pairs; ++i) {
+        vec2 tap = gloam_spiral_point(int(i), int(pairs), GLOAM_LINE_SPIRAL_TURNS);
+        GloamPairShare pair = gloam_line_pair_share(point, gloam_turn_disc(tap, turn), kernel);
+        float density = float(2u * i + 1u);  // of the disc's area for each tap
+        occluded += density * pair.occluded;
+        whole += density * pair.whole;
+    }
+    return gloam_estimate(occluded, whole, 2u * pairs);
+}
+
+// Volumetric obscurance of the ball of half the radius that touches the surface from outside (Szirmay-Kalos et al.
+// 2009). A plane leaves it empty. Chords lie along the view vector. Along the axis of a perspective view, a floor
+// seen from a camera that looks up would lie in front of its own ball.
+
+// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
+GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = normalize(normal);
+    vec3 view = gloam_toward_eye(position, camera.orthographic);
+    float facing = max(dot(view, n), 1e-4);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    vec2 turn = gloam_sincos_turns(gloam_turns(kernel.angle));
+    mat3 toward_eye = gloam_tangent_frame(view);  // its third column the view vector
+    vec3 facing_eye = n * toward_eye;
+    float occluded = 0.0;
+    float whole = 0.0;
+    for (uint i = 0u; i < kernel.count; i += 2u) {
+        vec2 tap = gloam_turn_disc(gloam_disc_point((kernel.first + i) / 2u + 1u).xy, turn);
+        vec3 aim = vec3(kernel.radius * tap * gloam_upright(camera), 0.0);
+        GloamPairDepths depths = gloam_pair_depths(footprint, tap, kernel.layers);
+        GloamPairShare most = GloamPairShare(0.0, 0.0);
+        vec2 stayed = vec2(0.0);
+        for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
+            vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
+            float first =
+                gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
+            float second =
+                gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
+            vec3 one = (aim + first * view) * toward_eye;
+            vec3 other = (second * view - aim) * toward_eye;
+            float one_chord = gloam_tangent_sphere_half_height(one, facing_eye, kernel.radius);
+            float other_chord = gloam_tangent_sphere_half_height(other, facing_eye, kernel.radius);
+            float solid = one_chord * gloam_tangent_sphere_occlusion(one, facing_eye, kernel.radius) +
+                          other_chord * gloam_tangent_sphere_occlusion(other, facing_eye, kernel.radius);
+            GloamPairShare found = GloamPairShare(solid, one_chord + other_chord);
+            if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;
+            most = found;
+            stayed = looked;
+        }
+        occluded += most.occluded;
+        whole += most.whole;
     }
     return gloam_estimate(occluded, whole, gloam_paired_samples(kernel.count));
 }

@@ -6,7 +6,7 @@
 #include "gloam/numeric/precise.glsl"
 
 // the smaller over the larger of two lengths (RATIO): `a / b, 0 <= a <= b` [definition].
-// The smaller over the larger of two lengths, at any scale.
+// At any scale.
 // smaller, larger: 0 <= smaller <= larger; a subnormal larger length is read as the smallest normal number.
 // Returns a ratio in [0, 1]; 0 for a finite over an infinite length, 1 for two infinite ones. Error: 2.5 ulp.
 float gloam_length_ratio(float smaller, float larger) {

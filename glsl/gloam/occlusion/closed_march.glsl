@@ -37,7 +37,7 @@ vec2 gloam_slice_clearance(GloamSlice slice, vec3 position, vec2 direction, vec2
 
 // taps of a side of a slice that may see something within a ball (SLICE-taps): `ceil(n sqrt((b + y) / x) - jitter), at
 // most n` [definition].
-// Taps of a side of a slice, from the first on, that may see something within a ball.
+// They are the first ones.
 // clearance: of gloam_slice_clearance, for that ball. ball: its radius as part of that of the march; 0 or less:
 // nothing there counts.
 // jitter, steps: tap i is aimed at the share ((i + jitter) / steps)^2 of the radius.

@@ -44,7 +44,6 @@ float gloam_occlusion_saddle(float a, float b) {
 
 // occlusion by principal curvatures (CS-K): `mean over phi of q^2 / (1 + q^2), q = max(k_1 cos^2 phi + k_2 sin^2 phi,
 // 0) R / 2` [derived, after Hattori et al. 2012].
-// Occlusion of a surface by its principal curvatures.
 // k_1, k_2: principal curvatures, 1 / world units, in any order, positive where the surface is concave. radius: R,
 // where the surface around the point ends, world units, > 0.
 // Returns occlusion in [0, 1]: 0 where neither is positive (plane, ridge, ball), 1/2 for k_1 = k_2 = 2 / R. k R / 2

@@ -5,8 +5,7 @@
 #include "gloam/occlusion/gather_kernel.glsl"
 
 // whether a tap lies too far in front (CS-REJ): `d_p - d_s > threshold` [Aalund and Baerentzen 2013].
-// Whether a tap is rejected, because its surface is too far in front to be near the point (CS-REJ): d_p - d_s >
-// threshold. A rejected tap is skipped, or replaced by its opposite.
+// Such a surface is not near the point. A rejected tap is skipped, or replaced by its opposite.
 // depth: d_p, of the shaded point, eye-linear, world units. tap_depth: d_s, at the tap. threshold: world units, about
 // the radius.
 // Returns true for a surface in front by more than the threshold; false for background on either side (nothing is in

@@ -46,8 +46,7 @@ float gloam_contribution_disc_proxy(vec3 offset, vec3 normal, vec3 emitter_norma
 
 // contribution of a disc of the scene, cosine-weighted (CS-S-cosine): `A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v
 // / D, 0)` [derived: exact on the axis].
-// Contribution of a disc, cosine-weighted: A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v / D, 0), exact for a disc
-// above the point and parallel to its tangent plane.
+// Exact for a disc above the point and parallel to its tangent plane.
 // offset, normal, emitter_normal, area, weight: as for gloam_contribution_disc_proxy.
 // Returns a contribution in [0, 1]; 0 as there. Error: 6e-7.
 float gloam_contribution_disc_proxy_cosine(vec3 offset, vec3 normal, vec3 emitter_normal, float area, float weight) {

@@ -34,7 +34,7 @@ float gloam_estimator_mean(vec2 accumulated) {
 }
 
 // weighted mean as if of a number of samples (MEAN-samples): `(n m, n)` [definition].
-// A weighted mean as if of a number of samples, for gloam_estimator_mean.
+// For gloam_estimator_mean.
 // weighted: (sum of contributions times weights, sum of weights). count: of samples.
 // Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5
 // ULP, 5e-35 near 0.

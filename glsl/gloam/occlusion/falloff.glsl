@@ -65,8 +65,7 @@ float gloam_falloff_sao(float hit_distance, float radius) {
 
 // exponential falloff, cut below 1/255 (FALLOFF-exponential): `D = exp(-d / R), 0 where below 1/255` [TSSAO (Mattausch
 // et al.), notes on eq 1].
-// Exponential falloff (D-exp): exp(-d / R), cut to 0 where it falls below 1/255, beyond d = 5.5413 R: it would never
-// end otherwise.
+// It would never end otherwise: the cut is at d = 5.5413 R.
 // hit_distance: d, world units. radius: R, world units, > 0: the distance at which 1/e is left.
 // Returns a weight in {0} and [1/255, 1]; 0 for R = 0. Error: 10 ULP; within 4 ULP of the cut a distance may fall to
 // either side.
@@ -83,8 +82,7 @@ float gloam_falloff_exponential(float hit_distance, float radius) {
 }
 
 // falloff of Alchemy (FALLOFF-alchemy): `D = u d / max(u, d)^2` [McGuire et al. 2011].
-// Alchemy's falloff (D-alch): u d / max(u, d)^2, that is u / d beyond u and d / u below: the obscurance of touching
-// geometry vanishes.
+// That is u / d beyond u and d / u below: the obscurance of touching geometry vanishes.
 // hit_distance: d, world units. u: distance of the strongest influence, world units, > 0.
 // Returns a weight in [0, 1]; 0 (not 1) at d = 0, and 0 for u not positive, subnormal or NaN and for infinite d or u.
 // Error: 1 ULP.

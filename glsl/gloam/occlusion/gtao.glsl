@@ -53,8 +53,8 @@ float gloam_gtao_elevation(float horizon, float angle) {
 
 // inner integral of a slice as printed, one side (GTAO-inner): `1/4 (-cos(2 h - n) + cos n + 2 h sin n)` [Jimenez et
 // al. 2016, eq 10].
-// Inner integral as printed (eq 10), one side: cosine-weighted visibility between the view vector and a horizon,
-// 1/4 (-cos(2 h - n) + cos n + 2 h sin n). The sum of both sides is the visibility of the slice.
+// Cosine-weighted visibility between the view vector and a horizon. The sum of both sides is the visibility of the
+// slice.
 // horizon: h, radians, in [n - pi / 2, 0] on the negative side, in [0, n + pi / 2] on the positive. angle: n, radians.
 // Returns an amount in [0, pi / 2]; 0 for NaN. A free half plane has cos n + n sin n in all. Error: 5e-7.
 // No method or pass here calls it: it is there to be copied.
@@ -118,7 +118,7 @@ vec2 gloam_gtao_add(vec2 accumulated, GloamSlice slice, vec2 horizons) {
 
 // one more slice in the occlusion of all directions alike (GTAO-add-uniform): `(sum + arc(c_1, -n) + arc(c_2, n), whole
 // + 1)` [Jimenez et al. 2016].
-// Adds a slice to the occlusion that weighs all directions alike; every slice counts the same.
+// Every slice counts the same.
 // accumulated, horizons: as above.
 // Returns (occluded, whole) with the slice: the amount behind the horizons, and 1. Unchanged for a weight that is not
 // positive.

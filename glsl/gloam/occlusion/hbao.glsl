@@ -78,9 +78,8 @@ vec2 gloam_hbao_horizon(vec3 normal, vec2 direction, vec2 bias) {
 
 // where the study's march along a direction starts (CS-C-start-slope): `(sin(atan(tan t + tan bias)), 0)` [Aalund and
 // Baerentzen 2013, CS-C].
-// Where the march starts in the shader of the comparative study (Aalund and Baerentzen 2013; CS-C): the biases are
-// added as tangents, h_0 = atan(tan t + tan bias). Steep planes keep part of the view above them: at t = 75 degrees
-// sin h_0 is 0.971 for a bias of 0.3, where t + bias is beyond the vertical and nothing could block.
+// Steep planes keep part of the view above them: at t = 75 degrees sin h_0 is 0.971 for a bias of 0.3, where t + bias
+// is beyond the vertical and nothing could block.
 // slope: tan t, of the tangent plane, any float. bias: radians, [0, 1.57079625).
 // Returns (sin h_0, 0). (1, 0), which nothing exceeds, for a bias outside and NaN. Error: 5e-7.
 vec2 gloam_hbao_start_slope(float slope, float bias) {

@@ -33,8 +33,8 @@ float gloam_layer_blocked(float sample_depth, float front, float back) {
 }
 
 // depth of a layer at a tap (CS-LAYERS-depth): `d_0, |d_1|, |d_2|, |d_3|` [Bavoil and Sainz 2009].
-// Depth of a layer at a tap; layer 0 is the visible surface (CS-E, CS-LAYERS; Bavoil and Sainz 2009). Of the surfaces
-// at a tap the one that blocks most counts, because a layer can only miss blockers.
+// Layer 0 is the visible surface. Of the surfaces at a tap the one that blocks most counts, because a layer can only
+// miss blockers.
 // first: of the visible surface. further: of layers 1 to 3 behind it, negative where seen from behind. layer: 0 to 3.
 // Eye-linear, world units.
 // Returns a depth without the sign. Error: none.

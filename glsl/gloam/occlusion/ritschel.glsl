@@ -22,7 +22,7 @@ float gloam_contribution_ritschel(float blocked, float falloff, float cosine) {
 
 // contribution of a sample point, cosine-weighted directions (TSSAO-3-cosine): `C = V D` [TSSAO (Mattausch et al.), eq
 // 3 normalised for density cos / pi].
-// Contribution for cosine-weighted directions (density cos / pi, TSSAO-14): V D. The cosine is in the density already.
+// Directions have the density cos / pi (TSSAO-14), which holds the cosine already.
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii).
 // Returns a contribution in [0, 1] whose mean is the occlusion. Error: 0.5 ULP.
 // No method or pass here calls it: it is there to be copied.
@@ -32,7 +32,7 @@ float gloam_contribution_cosine_directions(float blocked, float falloff) {
 
 // contribution of a sample point, uniform directions (TSSAO-3-uniform): `C = 2 V D max(cos, 0)` [TSSAO (Mattausch et
 // al.), eq 3 normalised for density 1 / (2 pi)].
-// Contribution for uniform directions (density 1 / (2 pi)): 2 V D max(cos, 0).
+// Directions have the density 1 / (2 pi).
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
 // normal.
 // Returns a contribution in [0, 2] whose mean is the occlusion: clamp the mean, not the contribution. Error: 1.5 ULP.

@@ -18,8 +18,7 @@ float gloam_separable_mean(float along_u, float along_v) {
 
 // weight of a neighbour whose first-pass occlusion is taken over (CS-O-weight): `exp(-|q - p|^2 / (2 sigma^2)) if |(q -
 // p) . n| <= tolerance, else 0` [Huang et al. 2011 (separable AO)].
-// Weight of a neighbour whose first-pass occlusion the second pass takes over (the transport form): exp(-|q - p|^2 /
-// (2 sigma^2)) where q lies in the tangent plane of p, |(q - p) . n| <= tolerance, else 0. For gloam_weighted_mean_add.
+// The transport form, for gloam_weighted_mean_add.
 // offset: q - p, world units. normal: n of p, unit vector, same space. sigma: world units, see gloam_gaussian.
 // tolerance: world units.
 // Returns a weight in [0, 1]; 1 for q = p, 0 for what is not finite. Error: 5e-7, but for points within rounding of

@@ -41,7 +41,7 @@ float gloam_contribution_sphere(vec3 offset, vec3 normal, float radius) {
 
 // contribution of a ball, cosine-weighted (CS-H-cosine): `(r / D)^2 max(n . v / D, 0)` [derived: exact for a ball above
 // the tangent plane].
-// The exact occlusion of a ball that lies above the tangent plane.
+// Exact for a ball above the tangent plane.
 // offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, >
 // 0.
 // Returns a contribution in [0, 1]; 1 and 0 as gloam_contribution_sphere. Error: 5e-7, but within rounding of D = r.
@@ -54,8 +54,7 @@ float gloam_contribution_sphere_cosine(vec3 offset, vec3 normal, float radius) {
 }
 
 // whether a proxy stands above the horizon (CS-H-above): `v_z > tan(h) |v_xy|` [Song 2010 (mixture sampling)].
-// Whether a proxy is above the horizon of its direction. Only there it blocks directions that the horizon does not
-// (mixture sampling).
+// Only there it blocks directions that the horizon does not (mixture sampling).
 // offset: from the point to the centre, view space, world units. tan_horizon: tangent of the horizon's elevation over
 // the image plane, the larger where the point is nearer to the eye.
 // Returns 1 if offset.z > tan_horizon |offset.xy|, else 0; straight towards the eye is above every horizon. 0 for an

@@ -104,7 +104,6 @@ float gloam_sweep_share(float width, float rise, float thickness) {
 
 // a side of a slice whose feature ends where the surface falls (SWEEP-end): `sum + feature min(1, t w / rise) where x <
 // x_last - 0.8 rise` [gloam].
-// Ends the feature of a side where a tap shows that the surface falls.
 // at: the tap, (along view, along tangent), the latter >= 0, in radii. thickness: of features, in widths, in [0, 1e18].
 // Returns the side; unchanged where no feature ends. Error: 1e-6, but for falls within rounding of the share.
 GloamSweepSide gloam_sweep_end(GloamSweepSide side, vec2 at, float thickness) {

@@ -65,7 +65,6 @@ float gloam_slice_fraction_uniform(vec2 direction, GloamSlice slice) {
 }
 
 // bits first to last - 1 (BIT-range): `2^last - 2^first` [definition].
-// Bits first ... last - 1 of a word.
 // first, last: 0 to 32.
 // Returns the bits; none for last <= first. Error: none.
 uint gloam_bit_range(uint first, uint last) {
@@ -88,7 +87,6 @@ uint gloam_bitmask_sectors(vec2 fractions) {
 
 // sectors by the rounding of the paper (BITMASK-sectors-outward): `ceil(32 (upper - lower)) bits from floor(32 lower)
 // on` [Therrien et al. 2023].
-// The same by the rounding of the paper's listing: from sector floor(32 lower) on, ceil(32 (upper - lower)) of them.
 // Every sample that is seen covers a sector at least, so thin ones block too much.
 // fractions: (lower, upper), as above.
 // Returns bits, sector i as bit i. Error: none, but for ends within rounding of a border of sectors.

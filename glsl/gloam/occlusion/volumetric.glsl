@@ -69,9 +69,8 @@ vec2 gloam_line_pair(vec2 ratios, float lowest, float highest) {
 
 // solid part of a chord over an area of heights (CS-I-area): `(1 / (2 w)) integral of clamp((h + z) / (2 h), 0, 1) dz
 // over [m - w, m + w]` [Loos and Sloan 2010, reconstructed].
-// Solid part of a chord over an area of the image, in which the surface is not at one height but at any of an interval
-// alike (area samples, Loos and Sloan 2010, reconstructed): the mean of clamp((h + z) / (2 h), 0, 1) over z in [m - w,
-// m + w]. An interval of the distribution's variance has w = sqrt(3 variance).
+// Over the area, the surface is at any height of an interval alike. An interval of the distribution's variance has w =
+// sqrt(3 variance).
 // height: m, mean of the heights as for gloam_line_occlusion. half_width: w, world units, >= 0. half_height: h.
 // Returns occlusion in [0, 1]; that of the mean height for w = 0, negative or NaN; 1/2 for h that is not positive,
 // subnormal or above 2^126, for w above 2^126, and for a NaN height. Error: 2e-7.

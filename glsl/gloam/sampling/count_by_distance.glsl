@@ -5,7 +5,7 @@
 #include "gloam/numeric/constants.glsl"
 
 // samples by distance (CS-N): `max(int(base / (1 + base d / z_far)), N_min)` [Aalund and Baerentzen 2013].
-// Samples by distance (CS-N): max(int(base / (1 + base d / z_far)), least): fewer where less is seen of them.
+// Fewer where less is seen of them.
 // depth: d, eye-linear, world units; infinite, negative and NaN count as the far plane. z_far: world units, > 0.
 // base: samples next to the eye, up to 4096; below 0 counts as 0. least: samples at any distance, N_min.
 // Returns a count >= least; least for a base of 0. A depth of 0 gives base, and so does every one with a far plane

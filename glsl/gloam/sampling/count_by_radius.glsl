@@ -6,8 +6,7 @@
 
 // number of samples by the projected size of the kernel (ISSAO-LOD): `clamp(round(most r / r_ref), least, most)`
 // [ISSAO, in prose].
-// Number of samples by the projected size of the kernel (ISSAO-LOD, given in prose only: fewer samples far away):
-// clamp(round(most r / r_ref), least, most), a half rounded up.
+// Given in prose only: fewer samples far away. A half is rounded up.
 // radius: r, pixels. reference_radius: r_ref, pixels, > 0: from this size on every sample is taken. least, most: 0 <=
 // least <= most <= 2^20.
 // Returns a count in [least, most]; least for r = 0, negative or NaN, most for r_ref not positive, subnormal or NaN.

@@ -8,8 +8,7 @@
 
 // level of the depth chain that a tap reads (CS-Q-level): `clamp(floor(log2(h / first)) + 1, 0, last), h in pixels`
 // [McGuire, Mara and Luebke 2012 (Scalable Ambient Obscurance)].
-// Level that a tap reads (SAO): one more for every doubling of its distance from the pixel, clamp(floor(log2(h /
-// first)) + 1, 0, last).
+// One more for every doubling of its distance from the pixel.
 // pixels: h, distance of the tap from its pixel, in PIXELS of the full image (in texture coordinates it is always
 // below `first`, and every tap reads the full image). first: distance from which level 1 is read, pixels, > 0: 16.
 // last: the chain's last level, at most
@@ -46,8 +45,7 @@ ivec2 gloam_depth_mip_pixel(ivec2 tap, ivec2 size, int level) {
 
 // pixel of the level before that a pixel takes its depth from (CS-Q-grid): `(2 x + (y & 1), 2 y + (x & 1))` [McGuire,
 // Mara and Luebke 2012 (Scalable Ambient Obscurance)].
-// The pixel of the level before that a pixel of a level takes its depth from (SAO): (2 x + (y & 1), 2 y + (x & 1)), a
-// rotated grid, so that no row or column is left out.
+// A rotated grid, so that no row or column is left out.
 // pixel: of the smaller level, inside it. size: of the level before (the larger), pixels; below 1 is read as 1.
 // Returns a pixel inside the larger level: the nearest one where a level is one pixel wide or high. Error: none.
 ivec2 gloam_rotated_grid(ivec2 pixel, ivec2 size) {

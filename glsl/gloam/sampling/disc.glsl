@@ -7,7 +7,7 @@
 
 // uniform point of the disc (TSSAO-13): `a = 2 pi zeta_x, r = sqrt(zeta_y); s = (r cos a, r sin a)` [TSSAO (Mattausch
 // et al.), eq 13; Fox and Compton's kernel].
-// Uniform point of the unit disc (TSSAO-13, Fox-Compton kernel): angle 2 pi zeta_x, radius sqrt(zeta_y).
+// The Fox-Compton kernel.
 // zeta: uniform point of [0, 1)^2 (a Halton point). Outside, zeta_x counts modulo 1 and zeta_y is taken to the nearer
 // end; NaN counts as 0, an infinite zeta_x too.
 // Returns a point of the unit disc of density 1 / pi; scale it by the projected radius. zeta_y = 0 gives the centre.

@@ -7,10 +7,9 @@
 
 // point of a ray marched in eye space (CS-C2): `p + R (i + jitter) / N w` [Dimitrov, Bavoil and Sainz 2008
 // (horizon-split AO)].
-// Point of a ray that is marched in eye space, p + R (index + jitter) / count w; each is projected to find its tap.
-// How horizon-split ambient occlusion (Dimitrov, Bavoil and Sainz 2008) differs from its successor HBAO, which steps
-// in the image; what is done with the points is the same. Also the way of Poisson ray marching (Sourimant et al.
-// 2011).
+// Each point is projected to find its tap. How horizon-split ambient occlusion (Dimitrov, Bavoil and Sainz 2008)
+// differs from its successor HBAO, which steps in the image; what is done with the points is the same. Also the way of
+// Poisson ray marching (Sourimant et al. 2011).
 // position: p, view space, world units. direction: w, unit vector; (cos a, sin a, 0) for HSAO. radius: R, world
 // units, >= 0. index: of the step, 0 to count - 1; outside, the nearer end. count: steps, up to 2^24; below 1 is read
 // as 1. jitter: in [0, 1], 1 for none (the last point at the radius, the first away from p); outside, the nearer end;

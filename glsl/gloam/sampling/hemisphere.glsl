@@ -8,8 +8,7 @@
 // point of the half ball: cosine-weighted direction, uniform radius (TSSAO-14): `a = 2 pi zeta_x, r = zeta_y; s = r
 // (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), sqrt(zeta_z))` [TSSAO (Mattausch et al.), eq 14 corrected;
 // Ritschel's kernel].
-// Point of the unit half ball, cosine-weighted direction, uniform radius (TSSAO-14, Ritschel kernel, its misprint
-// mended): r (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), sqrt(zeta_z)) with a = 2 pi zeta_x and r = zeta_y.
+// The Ritschel kernel, its misprint mended.
 // zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
 // Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density cos / pi,
 // so an average over samples carries no further cosine. zeta_y = 0 gives the zero vector, which has no direction:

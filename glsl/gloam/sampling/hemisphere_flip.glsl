@@ -3,7 +3,6 @@
 #define GLOAM_SAMPLING_HEMISPHERE_FLIP_GLSL
 
 // sample brought into the hemisphere of a normal (FLIP): `s if s . n > 0, else -s` [Filion and McNaughton 2008].
-// Sample of the ball brought into the half ball around a normal (Filion and McNaughton): s if s . n > 0, else -s.
 // What is uniform on the sphere stays uniform on the hemisphere.
 // s: sample point, in the space of the normal, in units of the kernel radius (length below 1e19).
 // normal: direction, of any length below 1e19.

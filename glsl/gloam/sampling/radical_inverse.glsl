@@ -4,7 +4,7 @@
 
 // radical inverse in base 2 (HALTON-base2): `Phi_2(i) = sum of a_m 2^(-m-1), i = sum of a_m 2^m` [van der Corput 1935;
 // Halton 1960].
-// Radical inverse in base 2 (HALTON): the digits a_m of the index mirrored at the point, sum of a_m 2^(-m-1).
+// The digits a_m of the index mirrored at the point.
 // index: number of the sample; only its 24 low bits count (index modulo 2^24).
 // Returns a multiple of 2^-24 in [0, 1). Error: none.
 float gloam_radical_inverse_base2(uint index) {
@@ -22,7 +22,7 @@ float gloam_radical_inverse_base2(uint index) {
 }
 
 // radical inverse in any base (HALTON): `Phi_b(i) = sum of a_m b^(-m-1), i = sum of a_m b^m` [Halton 1960].
-// Radical inverse in any base (HALTON): the digits a_m of the index mirrored at the point, sum of a_m base^(-m-1).
+// The digits a_m of the index mirrored at the point.
 // index: number of the sample; only its 24 low bits count (index modulo 2^24).
 // base: 2 to 2^24, taken to the nearer end outside; the Halton bases are primes.
 // Returns a number in [0, 1). Error: at most 2 ulp.

@@ -5,7 +5,7 @@
 #include "gloam/geometry/safe_normalize.glsl"
 
 // sample reflected at a random plane (REFLECT): `s - 2 (s . n) n, n = normalize(2 t - 1)` [Mittring 2007].
-// Sample reflected at a random plane (Mittring's kernel rotation): s - 2 (s . n) n, n = normalize(2 encoded - 1).
+// Mittring's kernel rotation.
 // s: sample point in any space, in units of the kernel radius (length below 1e19).
 // encoded: texel of a random texture, each channel in [0, 1], that stands for the direction 2 encoded - 1 of any
 // length.

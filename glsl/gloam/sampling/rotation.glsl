@@ -9,7 +9,6 @@
 
 // disc sample turned by the cosine and sine of an angle (TSSAO-ROT-turn-disc): `(c x - s y, s x + c y)` [TSSAO
 // (Mattausch et al.), random rotation].
-// Disc sample turned about the centre (TSSAO-ROT).
 // s: point of the unit disc (any vector of length below 1e19). turn: (cos, sin) of the angle, as gloam_sincos gives it.
 // Returns s rotated counter-clockwise, of the same length; infinite or NaN for a longer, infinite or NaN s.
 // Error: 3 ulp of the largest component, while that is above 1e-30; shorter vectors may be flushed to 0.
@@ -19,7 +18,6 @@ vec2 gloam_turn_disc(vec2 s, vec2 turn) {
 
 // hemisphere sample turned by the cosine and sine of an angle (TSSAO-ROT-turn-hemisphere): `(c x - s y, s x + c y, z)`
 // [TSSAO (Mattausch et al.), random rotation].
-// Hemisphere sample turned about the normal (TSSAO-ROT).
 // s: point of the unit half ball in tangent space, z along the normal (any vector of length below 1e19). turn: as
 // above.
 // Returns s rotated counter-clockwise seen from the tip of the normal: same length, same angle to the normal; infinite

@@ -9,8 +9,7 @@ const int GLOAM_LAST_TAP_LEVEL = 5;
 
 // pixel whose depth a tap reads (TAP-pixel): `the pixel that the depth chain's texel stands for, of the level for the
 // tap's distance` [SAO (McGuire et al. 2012)].
-// Pixel whose depth a tap reads (SAO): far from the shaded point that of the depth chain's texel, which holds the
-// depth of one pixel of the full image.
+// A texel of the chain holds the depth of one pixel of the full image.
 // at, center: pixels of the tap and of the shaded point, inside the image. size: of the image. mip_distance: pixels
 // from which level 1 is read, twice as far level 2, and so on; 0, negative or NaN: none is.
 // Returns a pixel of the full image. Error: none.

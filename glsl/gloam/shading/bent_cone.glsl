@@ -10,7 +10,7 @@
 // Half angle of the cone around the bent normal that stands for the open directions.
 
 // half angle of the open cone, as published (CS-L-cone-linear): `(1 - max(0, 2 L - 1)) pi / 2` [Klehm et al. 2011].
-// Half angle from the length of the mean direction, as published (Klehm et al. 2011): (1 - max(0, 2 L - 1)) pi / 2.
+// From the length of the mean direction.
 // agreement: L of gloam_bent_length, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]. Right for an open hemisphere and for a point, 15 degrees too small for a cap of 60.
 // Error: 2e-7.
@@ -20,8 +20,7 @@ float gloam_cone_angle_linear(float agreement) {
 }
 
 // half angle of the open cone, exact for a cap (CS-L-cone): `arccos(max(0, 2 L - 1))` [derived: L = (1 + cos a) / 2].
-// Half angle from the length of the mean direction, exact for directions uniform in a cap, L = (1 + cos a) / 2:
-// arccos(2 L - 1).
+// From the length of the mean direction; exact for directions uniform in a cap, L = (1 + cos a) / 2.
 // agreement: L of gloam_bent_length, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]: an L below 1/2 is not that of a cap, and gives pi / 2. Error: 4e-7.
 float gloam_cone_angle(float agreement) {
@@ -39,8 +38,7 @@ float gloam_cone_angle_uniform(float visibility) {
 }
 
 // half angle from visibility, cosine measure (CS-L-cone-cosine): `arcsin(sqrt(v))` [derived: v = sin^2 a].
-// Half angle from visibility alone, cosine measure (that of ambient occlusion), sin^2 a = v: arcsin(sqrt(v)), for a
-// cone around the normal.
+// From visibility alone, for a cone around the normal: sin^2 a = v, the measure of ambient occlusion.
 // visibility: v in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]. Error: 4e-7.
 // No method or pass here calls it: it is there to be copied.

@@ -4,7 +4,6 @@
 
 // visibility remapped by offset, brightness and contrast (CS-REMAP): `clamp((b (v + a))^c, 0, 1)` [Aalund and
 // Baerentzen 2013].
-// Visibility remapped to taste (CS-REMAP): (b (v + a))^c, clamped.
 // ao: v, visibility in [0, 1], 1 = open. a: offset; 0.5 undoes the self-occlusion of methods that sample a whole
 // sphere, else 0.
 // b: brightness, 1. c: contrast, 1 (larger is darker).

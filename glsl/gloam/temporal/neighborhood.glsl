@@ -49,4 +49,21 @@ bool gloam_probe_useful(vec3 offset, vec3 normal) {
     return gloam_is_finite3(offset) && dot(offset, normal) > 0.0;
 }
 
+// change of the distance to a sample that may block (TSSAO-9-reach): `||a| - |b|| if min(|a|, |b|) <= r and a . n > 0,
+// else 0` [TSSAO (Mattausch et al.), eq 9].
+// gloam_neighborhood_change for the surface points under samples, without a branch. What could not block the point in
+// either frame does not count. Lengths are subtracted here; that they lose digits does not matter within the reach.
+// now: a, from the point to the sample, world units. before: b, the same in the previous frame; the camera's own motion
+// changes no distance, so b may be a and the difference of both displacements. normal: n of the point, unit vector,
+// space of a. reach: r, how far what blocks may be, world units, >= 0.
+// Returns the change in world units, >= 0; 0 for what does not count, and for NaN in a or n; the largest float where
+// the change is infinite or NaN. Lengths are below 1e18. Error: 6e-7 of the larger length.
+float gloam_probe_change(vec3 now, vec3 before, vec3 normal, float reach) {
+    float squared = dot(now, now);
+    float squared_before = dot(before, before);
+    bool counts = !(squared > reach * reach && squared_before > reach * reach) && dot(now, normal) > 0.0;
+    float change = abs(sqrt(squared) - sqrt(squared_before));
+    return counts ? (change <= GLOAM_LARGEST ? change : GLOAM_LARGEST) : 0.0;
+}
+
 #endif

@@ -11,7 +11,7 @@
 
 // smooth invalidation by clamping the weight (TSSAO-SI-a): `w := min(w, w_small)` [TSSAO (Mattausch et al.), notes on
 // smooth invalidation].
-// Form (a): min(w, w_small).
+// Form (a).
 // weight: w, accumulated samples. weight_small: w_small, 32 to 64 samples.
 // Returns the weight, >= 0; 0 for a negative or NaN argument. Error: none.
 float gloam_invalidate_clamp(float weight, float weight_small) {
@@ -21,8 +21,7 @@ float gloam_invalidate_clamp(float weight, float weight_small) {
 
 // confidence in the history after a change (TSSAO-SI-b): `conf = 1 / (1 + S d)` [TSSAO (Mattausch et al.), smooth
 // invalidation factor].
-// Form (b), confidence in the history after a change: 1 / (1 + S d). Of several neighbours the smallest confidence
-// counts.
+// Form (b). Of several neighbours the smallest confidence counts.
 // change: d >= 0 (gloam_neighborhood_change; its magnitude is taken), over the kernel radius to be independent of
 // scale.
 // factor: S >= 0, 15 to 30, in 1 / unit of the change; a negative factor is read as 0.

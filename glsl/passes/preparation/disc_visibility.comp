@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Visibility of each pixel's disc, for disc_proxy_two.glsl (Bunnell, GPU Gems 2): one invocation a pixel. Bindings and
+// Visibility of each pixel's disc, for disc_proxy_two (Bunnell, GPU Gems 2): one invocation a pixel. Bindings and
 // constants: pass.glsl. Reads intensity: factor of the sum.
 //
 // Writes 1 minus the occlusion by all discs in x; 1 at the background and where the radius is too small to see.
 
 #include "passes/preparation/pass.glsl"
 
-#include "gloam/methods/disc_proxy_two.glsl"
+#include "gloam/methods/disc_proxy.glsl"
 
 // What earlier passes have written, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {

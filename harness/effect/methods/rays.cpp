@@ -32,6 +32,7 @@ std::vector<Preset> unreal_presets(const MethodInfo& method) {
 std::vector<MethodInfo> ray_methods() {
     return {
         {.name = "hsao",
+         .family = "hbao",
          .description = "the same horizons, marched in eye space (Dimitrov, Bavoil and Sainz 2008)",
          .measure = uniform,
          .falloff = "quadratic",

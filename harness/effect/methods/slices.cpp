@@ -101,6 +101,7 @@ std::vector<MethodInfo> slice_methods() {
          .ends_marches = true,
          .adapt = adapt_hbao},
         {.name = "hbao_study",
+         .family = "hbao",
          .description = "the same as the comparative study has it (Aalund and Baerentzen 2013)",
          .measure = uniform,
          .falloff = "quadratic",

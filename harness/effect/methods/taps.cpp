@@ -35,7 +35,7 @@ void adapt_issao(Settings& s) {
 // GLOAM_LAST_TAP_LEVEL of gloam/sampling/tap_pixel.glsl.
 constexpr std::uint32_t last_tap_level = 5;
 
-// The image with the layout of gloam/methods/sao_chain.glsl.
+// The image with the layout of gloam/methods/sao.glsl.
 Preparation depth_chain(const Settings&, gpu::Extent view) {
     const auto level = [view](std::uint32_t l) {
         return gpu::Extent{std::max(view.width >> l, 1U), std::max(view.height >> l, 1U)};
@@ -154,6 +154,7 @@ std::vector<MethodInfo> tap_methods() {
          .adapt = adapt_sao,
          .presets = sao_presets},
         {.name = "sao_chain",
+         .family = "sao",
          .description = "sao with its depth chain in an image: the same result (McGuire et al. 2012)",
          .measure = cosine,
          .falloff = "cubic",
@@ -171,6 +172,7 @@ std::vector<MethodInfo> tap_methods() {
          .points = "halton",
          .adapt = adapt_issao},
         {.name = "issao_distinct",
+         .family = "issao",
          .description = "issao, in which taps that fall into the same pixel count once",
          .measure = cosine,
          .falloff = "alchemy",
@@ -182,6 +184,7 @@ std::vector<MethodInfo> tap_methods() {
          .adapt = adapt_issao,
          .presets = issao_presets},
         {.name = "issao_attenuated",
+         .family = "issao",
          .description = "the taps of issao by its eq. 4: cosines, attenuated by distance",
          .measure = cosine,
          .falloff = "alchemy",
@@ -191,6 +194,7 @@ std::vector<MethodInfo> tap_methods() {
          .adapt = adapt_issao,
          .presets = attenuated_presets},
         {.name = "issao_basic",
+         .family = "issao",
          .description = "the taps of issao by its eq. 3: cosines of all within the radius",
          .measure = cosine,
          .falloff = "none up to the radius",
@@ -203,6 +207,7 @@ std::vector<MethodInfo> tap_methods() {
          .falloff = "linear",
          .points = "disc"},
         {.name = "aksoy_phaneuf_two",
+         .family = "aksoy_phaneuf",
          .description = "aksoy_phaneuf at a fine and a broad radius",
          .measure = shape,
          .falloff = "linear",

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t lines_of(const fs::path& file, const fs::path& glsl) {
-    return shader::code_lines(shader::pack({file}, {}, {glsl}));
+std::size_t lines_of(const fs::path& file, const fs::path& glsl, const std::vector<std::string>& functions) {
+    return shader::code_lines(shader::pack({file}, {.functions = functions}, {glsl}));
 }
 
 std::string of_files(const fs::path& glsl, const std::vector<std::string>& files) {
@@ -25,7 +25,7 @@ std::string of_files(const fs::path& glsl, const std::vector<std::string>& files
         std::error_code none;
         const fs::path file =
             fs::is_regular_file(name, none) ? fs::path(name) : shader::resolve_include(name, {}, {glsl});
-        text += fmt::format("| `{}` | {} |\n", name, lines_of(file, glsl));
+        text += fmt::format("| `{}` | {} |\n", name, lines_of(file, glsl, {}));
     }
     return text;
 }
@@ -47,16 +47,15 @@ std::string line_table(const fs::path& glsl, const std::vector<std::string>& fil
         "# Lines of code\n\n"
         "Lines of each method as `gloam pack` writes it, without blank lines and comments. Function: the "
         "method alone\n"
-        "(`gloam pack gloam/methods/NAME.glsl`). Pass: the one that blends it into a history "
-        "(`ambient_occlusion.comp` of\n"
-        "`gloam pack --effect --method NAME`). This page is written by `gloam pack --lines`.\n\n"
+        "(`gloam pack gloam/methods/FILE.glsl --function gloam_NAME`). Pass: the one that blends it into a "
+        "history\n"
+        "(`ambient_occlusion.comp` of `gloam pack --effect --method NAME`). This page is written by "
+        "`gloam pack --lines`.\n\n"
         "| method | function | pass |\n| --- | --- | --- |\n";
     for (const effect::MethodInfo& method : effect::methods()) {
-        const fs::path file = glsl / "gloam" / "methods" / (method.name + ".glsl");
-        std::error_code none;
-        const std::string function =
-            fs::is_regular_file(file, none) ? std::to_string(lines_of(file, glsl)) : std::string("-");
-        text += fmt::format("| {} | {} | {} |\n", method.name, function, pass_lines(glsl, method.name));
+        text += fmt::format("| {} | {} | {} |\n", method.name,
+                            lines_of(glsl / file_of(method), glsl, {"gloam_" + method.name}),
+                            pass_lines(glsl, method.name));
     }
     return text;
 }
