@@ -83,6 +83,8 @@ class Judge {
         } catch (const interpreter::Error& error) {
             if (question_.defined || !is_of_input(error)) throw;
             answer.add_undefined(sample.input_class, error.what());
+            if (error.kind() == interpreter::Error::Kind::too_many_steps)
+                answer.endless.push_back(sample.index);
             return;
         }
         if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {

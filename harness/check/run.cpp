@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "check/run.hpp"
 
+#include <algorithm>
+
 #include "check/constant_kernel.hpp"
 #include "check/internal/story.hpp"
 #include "check/internal/trial.hpp"
@@ -29,6 +31,31 @@ std::size_t constants_of_each(std::size_t scenarios) {
     return std::max(least, ConstantKernel::most_inputs / std::max<std::size_t>(scenarios, 1));
 }
 
+// The inputs with another one in place of those at `endless`, if any other is left.
+Domain::Inputs ended(Domain::Inputs inputs, const std::vector<std::size_t>& endless) {
+    std::size_t other = 0;
+    while (std::ranges::find(endless, other) != endless.end()) ++other;
+    if (other >= inputs.count()) return inputs;
+    for (const std::size_t i : endless)
+        std::ranges::copy(inputs.row(other),
+                          inputs.words.begin() + static_cast<std::ptrdiff_t>(i * inputs.width));
+    return inputs;
+}
+
+// llvmpipe ends all loops of a group of invocations when one of them does not end (after 65,536 iterations),
+// so inputs that failed beside such a one are run again without it.
+void judge(const internal::Trial& trial, const Domain::Inputs& inputs, Answer& answer) {
+    internal::Trial::Evaluated evaluated = trial.run(inputs, answer);
+    Answer judged = empty_answer({}, answer.verdict);
+    trial.judge(evaluated, judged);
+    if (!judged.endless.empty() && judged.outside() > 0) {
+        evaluated.result = trial.run(ended(evaluated.inputs, judged.endless), answer).result;
+        judged = empty_answer({}, answer.verdict);
+        trial.judge(evaluated, judged);
+    }
+    answer.merge(judged);
+}
+
 }  // namespace
 
 Verdict verdict_of(const shader::Variant& variant, const Question& question) {
@@ -51,8 +78,7 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
                 trial.compare_constants(few_inputs(question.domain, count, trial.input_seed(), scenario.size),
                                         folded, answer);
             } else {
-                const auto drawn = question.domain.draw(share, trial.input_seed(), scenario.size);
-                trial.judge(trial.run(drawn, answer), answer);
+                judge(trial, question.domain.draw(share, trial.input_seed(), scenario.size), answer);
             }
         });
     if (options.coverage) answer.coverage = measure_coverage(lab, question, options);

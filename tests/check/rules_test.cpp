@@ -64,6 +64,20 @@ TEST_F(RulesTest, TheExponentOfAnIntervalIsKnownWhereAllOfItHasTheSame) {
     EXPECT_EQ(at_a_power.outcome(), Outcome::not_judged) << "the quotient lies on either side of 1";
 }
 
+// After 65,536 iterations of one invocation, llvmpipe ends all loops of its group.
+TEST_F(RulesTest, AnInputThatNeverEndsDoesNotFailItsNeighbours) {
+    const Answer result = run(lab,
+                              {.file = "rules.glsl",
+                               .function = "wrapped",
+                               .signature = SignatureOf<float(float, int)>::describe(),
+                               .domain = {uniform(-100.0, 100.0), integers(0, 3)},
+                               .defined = false},
+                              {.inputs = 16});
+    EXPECT_TRUE(result.passed()) << result;
+    EXPECT_GT(result.undefined, 0U);
+    EXPECT_EQ(result.undefined + result.judged(), 16U);
+}
+
 // The interpreter runs the very module that the driver was given, so a wrong result needs a driver that is
 // wrong: outputs are moved behind its back.
 class TamperedTest : public RulesTest {
