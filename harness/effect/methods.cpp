@@ -63,12 +63,17 @@ std::string file_of(const MethodInfo& method) {
     return fmt::format("gloam/methods/{}.glsl", method.family.empty() ? method.name : method.family);
 }
 
+std::string setting_of(const MethodMember& member) {
+    if (!member.constant.empty()) return {};
+    return member.setting.empty() ? member.name : member.setting;
+}
+
 std::string call_of(const MethodInfo& method) {
     const std::string call = fmt::format("gloam_{}(position, normal, camera, kernel", method.name);
     if (method.own_settings.empty()) return call + ")";
     std::vector<std::string> members;
-    for (const std::string& name : method.reads) members.push_back("values." + name);
-    members.insert(members.end(), method.fixed.begin(), method.fixed.end());
+    for (const MethodMember& member : method.members)
+        members.push_back(member.constant.empty() ? "values." + setting_of(member) : member.constant);
     return fmt::format("{}, {}({}))", call, method.own_settings, fmt::join(members, ", "));
 }
 

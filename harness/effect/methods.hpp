@@ -38,16 +38,22 @@ enum class SampleUnit {
     slice   // of MethodValues::steps taps to both sides
 };
 
+// A member of the GLSL struct of a method's settings.
+struct MethodMember {
+    std::string name;
+    std::string setting{};   // member of MethodValues that it is set to; empty: the one of the same name
+    std::string constant{};  // GLSL constant that it is set to instead
+};
+
 // A method: everything about it that the effect, the command line, the tests and the benchmark use.
 struct MethodInfo {
     std::string name;    // of the GLSL function gloam_NAME
     std::string family;  // its file is glsl/gloam/methods/FAMILY.glsl; empty: NAME.glsl
     std::string description;
     Measure measure = Measure::cosine;
-    std::string falloff;             // with the distance of the blocker: "linear", "none", ...
-    std::string own_settings;        // GLSL struct; none: the function takes no settings of its own
-    std::vector<std::string> reads;  // names of the settings that are the struct's members, in their order
-    std::vector<std::string> fixed;  // GLSL constants for the members after those
+    std::string falloff;                // with the distance of the blocker: "linear", "none", ...
+    std::string own_settings;           // GLSL struct; none: the function takes no settings of its own
+    std::vector<MethodMember> members;  // of the struct, in its order
     std::string points;  // shared samples: glsl/gloam/sampling/NAME_point.glsl; empty: nothing is shared
     SampleUnit unit = SampleUnit::one;
     double on_a_plane = 0.0;  // its result on a bare plane
@@ -78,6 +84,9 @@ struct MethodInfo {
 
 // File of the method's function, as shaders include it: "gloam/methods/hbao.glsl".
 [[nodiscard]] std::string file_of(const MethodInfo& method);
+
+// Member of MethodValues that a member of the method's struct is set to; empty: a constant.
+[[nodiscard]] std::string setting_of(const MethodMember& member);
 
 // GLSL call of the method's function, with the variables `position`, `normal`, `camera`, `kernel`, and
 // `values` of type MethodValues (passes/method_values.glsl).

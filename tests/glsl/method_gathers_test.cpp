@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <numbers>
+#include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "gathers.hpp"
 #include "support/lab.hpp"
@@ -39,6 +42,25 @@ TEST(MethodFiles, EachHasADescriptor) {
     std::set<std::string> described;
     for (const effect::MethodInfo& method : effect::methods()) described.insert(file_of(method));
     EXPECT_EQ(files, described);
+}
+
+// A call sets the members by their position: the descriptor has their names, so that no two can be exchanged.
+TEST(MethodFiles, EachStructHasTheMembersOfItsDescriptor) {
+    for (const effect::MethodInfo& method : effect::methods()) {
+        if (method.own_settings.empty()) continue;
+        std::ifstream file(std::filesystem::path(GLOAM_GLSL_DIR) / file_of(method));
+        std::vector<std::string> declared;
+        std::string line;
+        while (std::getline(file, line) && line != "struct " + method.own_settings + " {") {
+        }
+        const std::regex member(R"( +(?:float|uint|bool) (\w+);.*)");
+        for (std::smatch found; std::getline(file, line) && line != "};";)
+            if (std::regex_match(line, found, member)) declared.push_back(found[1]);
+        std::vector<std::string> described;
+        for (const effect::MethodMember& one : method.members) described.push_back(one.name);
+        EXPECT_FALSE(declared.empty()) << method.name;
+        EXPECT_EQ(declared, described) << method.name;
+    }
 }
 
 class Methods : public testing::TestWithParam<std::string> {

@@ -237,7 +237,9 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
     const test::MethodFunctions functions;
     const check::Lab lab = functions.lab();
     const check::Kernel<Gather> gather(lab, functions.file(GetParam()), effect::method_function);
-    const std::vector<std::string>& settings = effect::method_named(GetParam()).reads;
+    std::vector<std::string> settings;
+    for (const effect::MethodMember& member : effect::method_named(GetParam()).members)
+        settings.push_back(setting_of(member));
     const auto bump = [](glm::ivec2 p) { return static_cast<float>((p.x * 31 + p.y * 17) % 11) / 11.0F; };
     const auto view = test::view_of(
         size, [&](glm::ivec2 p) { return 5.0F - bump(p); },

@@ -76,7 +76,7 @@ std::vector<MethodInfo> pair_methods() {
          .measure = shape,
          .falloff = "none",
          .own_settings = "GloamAngle",
-         .reads = {"range", "angle_bias"},
+         .members = {{"range"}, {"angle_bias"}},
          .points = "disc",
          .unit = SampleUnit::pair,
          .adapt = [](Settings& s) { s.own.angle_bias = 0.08F; },
@@ -86,7 +86,7 @@ std::vector<MethodInfo> pair_methods() {
          .measure = shape,
          .falloff = "none",
          .own_settings = "GloamDepthDarkening",
-         .reads = {"range", "intensity"},
+         .members = {{"range"}, {"intensity"}},
          .points = "disc",
          .unit = SampleUnit::pair},
     };

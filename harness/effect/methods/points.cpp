@@ -29,7 +29,7 @@ std::vector<MethodInfo> point_methods() {
          .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamHemisphere",
-         .reads = {"range"},
+         .members = {{"range"}},
          .points = "hemisphere_cosine",
          .open_proof = OpenProof::points},
         {.name = "crytek",
