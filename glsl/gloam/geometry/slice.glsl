@@ -3,6 +3,7 @@
 #define GLOAM_GEOMETRY_SLICE_GLSL
 
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/numeric/unit_angle.glsl"
 
@@ -29,10 +30,11 @@ struct GloamSlice {
 GloamSlice gloam_slice(vec2 direction, vec3 view, vec3 normal) {
     vec3 along = vec3(direction, 0.0) - dot(direction, view.xy) * view;
     float across = dot(along, along);
-    vec3 tangent = across >= 1e-36 ? along * inversesqrt(across) : vec3(0.0);
+    vec3 tangent = across >= GLOAM_LEAST_SQUARE ? along * inversesqrt(across) : vec3(0.0);
     vec2 part = vec2(dot(normal, view), dot(normal, tangent));
     float weight = gloam_sqrt(dot(part, part));
-    if (!(weight > 0.0 && across >= 1e-36)) return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, vec2(1.0, 0.0), 0.0, 0.0);
+    if (!(weight > 0.0 && across >= GLOAM_LEAST_SQUARE))
+        return GloamSlice(vec3(0.0, 0.0, 1.0), tangent, vec2(1.0, 0.0), 0.0, 0.0);
     part = part.x > 0.0 ? part * inversesqrt(dot(part, part)) : vec2(0.0, part.y < 0.0 ? -1.0 : 1.0);
     float angle = gloam_unit_angle(vec2(part.x, abs(part.y)));
     return GloamSlice(view, tangent, part, part.y < 0.0 ? -angle : angle, min(weight, 1.0));

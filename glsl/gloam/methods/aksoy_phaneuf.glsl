@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/aksoy_phaneuf.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -35,7 +36,7 @@ GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera
             float depth = gloam_layer_depth(first, further, layer);
             vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
             float squared = dot(offset, offset);
-            float weight = 1.0 - squared * inversesqrt(max(squared, 1e-36)) / kernel.radius;
+            float weight = 1.0 - squared * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)) / kernel.radius;
             bool counts = gloam_tap_sees(depth) && dot(offset, n) > kernel.bias;
             most = counts ? max(most, weight) : most;
         }

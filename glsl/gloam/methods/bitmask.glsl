@@ -5,6 +5,7 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/closed_march.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -28,8 +29,8 @@ const uint GLOAM_ALL_SECTORS = 0xFFFFFFFFu;
 // where front and back are alike.
 // Error: none, but for ends within rounding of a sector's centre.
 uint gloam_bitmask_between(vec2 front, vec2 back, GloamSlice slice) {
-    float first = gloam_slice_fraction_cosine(front * inversesqrt(max(dot(front, front), 1e-36)), slice);
-    float second = gloam_slice_fraction_cosine(back * inversesqrt(max(dot(back, back), 1e-36)), slice);
+    float first = gloam_slice_fraction_cosine(front * inversesqrt(max(dot(front, front), GLOAM_LEAST_SQUARE)), slice);
+    float second = gloam_slice_fraction_cosine(back * inversesqrt(max(dot(back, back), GLOAM_LEAST_SQUARE)), slice);
     return gloam_bitmask_sectors(vec2(min(first, second), max(first, second)));
 }
 

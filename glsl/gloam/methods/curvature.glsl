@@ -5,6 +5,7 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/curvature.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/curvature.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -35,7 +36,7 @@ GloamNeighbor gloam_neighbor(GloamFootprint footprint, vec2 tap, vec3 position, 
     ivec2 at = gloam_footprint_pixel(footprint, tap);
     float depth = gloam_fetch_depth(at);
     vec3 facing = gloam_fetch_normal(at);
-    facing *= inversesqrt(max(dot(facing, facing), 1e-36));
+    facing *= inversesqrt(max(dot(facing, facing), GLOAM_LEAST_SQUARE));
     vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
     bool known = gloam_tap_sees(depth) && dot(facing, facing) > 0.5 && dot(offset, offset) <= range * range;
     if (!known) return GloamNeighbor(vec3(0.0), vec3(0.0));  // WebGL has no ?: of structures

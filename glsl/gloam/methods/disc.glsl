@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -42,7 +43,7 @@ GloamEstimate gloam_disc(vec3 position, vec3 normal, GloamCamera camera, GloamKe
             vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
             float squared = dot(offset, offset);
             float above = dot(offset, n);
-            float inverse = inversesqrt(max(squared, 1e-36));
+            float inverse = inversesqrt(max(squared, GLOAM_LEAST_SQUARE));
             bool counts = gloam_tap_sees(depth) && above > kernel.bias && squared <= kernel.radius * kernel.radius;
             float share = min(max(settings.epsilon, 0.0) * inverse, 1.0);
             most = counts ? max(most, min(above * inverse, 1.0) * share) : most;

@@ -5,6 +5,7 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/gtao.glsl"
@@ -51,7 +52,7 @@ GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
                     vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
                     float squared = dot(offset, offset);
-                    float inverse = inversesqrt(max(squared, 1e-36));
+                    float inverse = inversesqrt(max(squared, GLOAM_LEAST_SQUARE));
                     float weight = 1.0 - squared * inverse / kernel.radius;
                     float cosine = lowest + (offset.x * inverse - lowest) * weight;
                     bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&

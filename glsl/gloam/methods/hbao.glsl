@@ -6,6 +6,7 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/into_slice.glsl"
 #include "gloam/geometry/slice.glsl"
+#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/hbao.glsl"
@@ -58,7 +59,7 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                     vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
                     float squared = dot(offset, offset);
                     float weight = 1.0 - squared / (kernel.radius * kernel.radius);
-                    float sine = min(offset.x * inversesqrt(max(squared, 1e-36)), 1.0);
+                    float sine = min(offset.x * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)), 1.0);
                     bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
                                   sine > horizon && !gloam_tap_rejected(-position.z, depth, kernel.farthest);
                     found += counts ? (sine - horizon) * weight : 0.0;
@@ -115,7 +116,7 @@ GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, G
                     vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
                     float squared = dot(offset, offset);
                     float weight = 1.0 - squared / (kernel.radius * kernel.radius);
-                    float sine = min(offset.x * inversesqrt(max(squared, 1e-36)), 1.0);
+                    float sine = min(offset.x * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)), 1.0);
                     bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
                                   sine > horizon && !gloam_tap_rejected(-position.z, depth, kernel.farthest);
                     found += counts ? (sine - horizon) * weight : 0.0;
@@ -170,7 +171,7 @@ GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                 vec3 offset = gloam_into_slice(seen, axis, n);
                 float squared = dot(offset, offset);
                 float weight = 1.0 - squared / (kernel.radius * kernel.radius);
-                float sine = min(offset.z * inversesqrt(max(squared, 1e-36)), 1.0);
+                float sine = min(offset.z * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)), 1.0);
                 bool counts = gloam_tap_sees(depth) && weight > 0.0 && dot(seen, n) > kernel.bias && sine > horizon;
                 found += counts ? (sine - horizon) * weight : 0.0;
                 horizon = counts ? sine : horizon;

@@ -77,7 +77,7 @@ struct GloamMixture {
 // Tangent of the least elevation over the image plane at which something blocks, in the direction of an offset.
 // bias: (cos, sin) of the angle bias.
 float gloam_mixture_horizon(vec3 offset, vec3 normal, vec2 bias) {
-    vec2 direction = offset.xy * inversesqrt(max(dot(offset.xy, offset.xy), 1e-36));
+    vec2 direction = offset.xy * inversesqrt(max(dot(offset.xy, offset.xy), GLOAM_LEAST_SQUARE));
     vec2 elevation = gloam_hbao_horizon(normal, direction, bias);
     return elevation.y / max(elevation.x, 1e-6);
 }

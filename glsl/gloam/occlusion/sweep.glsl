@@ -83,7 +83,7 @@ GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
 GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
                                    uint falloff) {
     float squared = dot(offset, offset);
-    float inverse = inversesqrt(max(squared, 1e-36));
+    float inverse = inversesqrt(max(squared, GLOAM_LEAST_SQUARE));
     float here = squared * inverse;
     vec2 direction = offset * inverse;
     float weight = gloam_falloff_at(falloff, gloam_sweep_distance(side.before, here));
