@@ -17,6 +17,11 @@
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
+// Balls in the place of pixels. The density of taps is 1 / distance from the pixel, because a piece counts by the
+// inverse square of its distance. They are weighted so that their mean is the sum over all pixels of the disc but the
+// shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where many pieces lie
+// behind one another it is too large.
+
 // Balls in the place of pixels (Shanmugam and Arikan 2007; CS-H). Each pixel within the radius is a ball as wide as
 // itself, which blocks (r / D)^2 cos. This is exact for one ball above the horizon. Balls behind other balls count
 // again, so on a surface seen edge-on the sum grows without bound as pixels get smaller: by 1/4 ln 2 on each halving
@@ -27,11 +32,8 @@ struct GloamSphereProxy {
 
 // occlusion of a pixel by its surroundings as balls (PROXY-gather): `intensity times the sum of 2 rho_i M C(p, s_i), M
 // the pixels of the disc, rho_i uniform` [Shanmugam and Arikan 2007, CS-H].
-// All samples of one pixel in one frame (GloamEstimate). The density of taps is 1 / distance from the pixel, because a
-// piece counts by the inverse square of its distance. They are weighted so that their mean is the sum over all pixels
-// of the disc but the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where
-// many pieces lie behind one another it is too large. Error: 2e-6 of each tap's share of the sum, but for taps within
-// rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate). Error: 2e-6 of each tap's share of the sum, but for taps
+// within rounding of a pixel's border.
 GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                  GloamSphereProxy settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
@@ -82,11 +84,8 @@ float gloam_mixture_horizon(vec3 offset, vec3 normal, vec2 bias) {
     return elevation.y / max(elevation.x, 1e-6);
 }
 
-// All samples of one pixel in one frame (GloamEstimate). The density of taps is 1 / distance from the pixel, because a
-// piece counts by the inverse square of its distance. They are weighted so that their mean is the sum over all pixels
-// of the disc but the shaded one, times the intensity. Pieces behind one another all count. The sum is clamped; where
-// many pieces lie behind one another it is too large. Error: 2e-6 of each tap's share of the sum, but for taps within
-// rounding of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate). Error: 2e-6 of each tap's share of the sum, but for taps
+// within rounding of a pixel's border.
 GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamMixture settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
