@@ -162,7 +162,8 @@ void probe(ivec2 pixel, float depth) {
     vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
     vec3 before = now + (displacement_at(pixel) - neighborhood.displacement);
     float change = gloam_probe_change(now, before, neighborhood.normal, neighborhood.reach);
-    neighborhood.change = gloam_tap_sees(depth) ? max(neighborhood.change, change) : neighborhood.change;
+    float largest = max(neighborhood.change, change);  // outside of the choice, so that it is no branch
+    neighborhood.change = gloam_tap_sees(depth) ? largest : neighborhood.change;
 }
 
 // Read by the samples, which thereby are the probes.
