@@ -42,8 +42,6 @@ void append_falloffs(Entries& entries) {
                 {.ulp = 10, .backward_ulp = 4});
     add_falloff(entries, "FALLOFF-alchemy", &reference::gloam_falloff_alchemy, {.ulp = 1});
     add_falloff(entries, "FALLOFF-filion", &reference::gloam_visibility_filion, {.ulp = 2});
-    add(entries, "FALLOFF-one", &reference::gloam_falloff_one,
-        {.domain = {any_float().and_special()}, .codomain = {0, 1}});
 }
 
 Values depths() {

@@ -232,8 +232,6 @@ void append_gtao_horizons(Entries& entries) {
                     uniform(0, 1).and_near({0.0, 1.0}).and_special()},
          .budget = {.absolute = 4e-7},
          .codomain = {-1, 1}});
-    add(entries, "GTAO-lowest", &reference::gloam_gtao_lowest,
-        {.domain = {slices().only_as_drawn()}, .codomain = {-1.000001, 1.000001}});
     add(entries, "GTAO-elevation", &reference::gloam_gtao_elevation,
         {.domain = {cosines(), projected_angles()},
          .budget = {.absolute = 6e-7},

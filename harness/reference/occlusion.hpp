@@ -63,10 +63,6 @@ inline double gloam_falloff_alchemy(double hit_distance, double u) {
     return is_finite(d) && is_finite(u) && u >= float_min ? u * d / pow(max(u, d), 2) : 0.0;
 }
 
-inline double gloam_falloff_one(double hit_distance) {
-    return std::isnan(hit_distance) ? 0.0 : 1.0;
-}
-
 inline double gloam_visibility_filion(double delta, double radius) {
     return delta >= float_min && radius >= float_min ? 1.0 - falloff_ratio(radius, delta) : 1.0;
 }

@@ -77,11 +77,6 @@ inline double gloam_gtao_horizon(double horizon, double lowest, dvec3 offset, dv
     return cosine > horizon ? min(cosine, 1.0) : horizon;
 }
 
-// cos(n - pi / 2) and cos(n + pi / 2).
-inline dvec2 gloam_gtao_lowest(const GloamSlice& slice) {
-    return {slice.normal.y, -slice.normal.y};
-}
-
 // The angle of a horizon of that cosine; NaN has seen nothing.
 inline double horizon_angle(double cosine) {
     return std::isnan(cosine) ? pi : acos(gloam_clamp_cosine(cosine));

@@ -97,15 +97,6 @@ float gloam_falloff_alchemy(float hit_distance, float u) {
     return min(smaller * scale / (larger * scale), 1.0);
 }
 
-// no falloff (FALLOFF-one): `D = 1` [TSSAO (Mattausch et al.), Ritschel's kernel].
-// No falloff (D-one): 1 at every distance. For Ritschel's kernel, whose radii already imply one.
-// hit_distance: d, world units.
-// Returns 1; 0 for NaN. Error: none.
-// No method or pass here calls it: it is there to be copied.
-float gloam_falloff_one(float hit_distance) {
-    return abs(hit_distance) >= 0.0 ? 1.0 : 0.0;
-}
-
 // visibility of Filion and McNaughton (FALLOFF-filion): `clamp((D - R) / D, 0, 1), 1 for D <= 0` [Filion and McNaughton
 // 2008].
 // Visibility (not occlusion) of Filion and McNaughton: clamp((D - R) / D, 0, 1): open behind the surface, blocked

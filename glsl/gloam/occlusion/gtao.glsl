@@ -18,8 +18,8 @@
 // 2016].
 // The higher of the horizon so far and a sample's, which is first drawn towards the tangent plane as it loses weight.
 // horizon: cosine of the angle from the view vector, -1 to begin with (nothing seen). lowest: that of the tangent
-// plane on this side, of gloam_gtao_lowest. offset: s - p, view space, world units. view: to the eye, unit. weight:
-// of the sample, [0, 1]: a falloff of |s - p|.
+// plane on this side, sin n on the negative one, -sin n on the positive. offset: s - p, view space, world units. view:
+// to the eye, unit. weight: of the sample, [0, 1]: a falloff of |s - p|.
 // Returns a cosine in [-1, 1]; the horizon itself for a zero or non-finite offset, and for a weight not positive or
 // NaN. Error: 4e-7.
 // No method or pass here calls it: it is there to be copied.
@@ -28,13 +28,6 @@ float gloam_gtao_horizon(float horizon, float lowest, vec3 offset, vec3 view, fl
     if (!(weight > 0.0 && dot(direction, direction) > 0.5)) return horizon;
     float cosine = lowest + (dot(direction, view) - lowest) * min(weight, 1.0);
     return cosine > horizon ? min(cosine, 1.0) : horizon;
-}
-
-// horizons of the tangent plane (GTAO-lowest): `(cos(n - pi / 2), cos(n + pi / 2))` [Jimenez et al. 2016].
-// Returns (sin n, -sin n): negative, then positive side. Error: none.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_gtao_lowest(GloamSlice slice) {
-    return vec2(slice.normal.y, -slice.normal.y);
 }
 
 // how far a horizon rises above the tangent plane (GTAO-elevation): `max(n + pi / 2 - acos c, 0)` [Jimenez et al.

@@ -33,7 +33,7 @@ const float GLOAM_SWEEP_FALL = 0.8;
 
 // a side of a slice of which nothing has been seen (SWEEP-start): `(cos(n + pi / 2), 0, ..., 0)` [gloam; the inner
 // integral of Jimenez et al. 2016].
-// lowest: cosine of the tangent plane's angle from the view vector, of gloam_gtao_lowest.
+// lowest: cosine of the tangent plane's angle from the view vector, -sin n.
 // Returns the side. Error: none.
 GloamSweepSide gloam_sweep_side(float lowest) {
     return GloamSweepSide(lowest, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec2(0.0));
