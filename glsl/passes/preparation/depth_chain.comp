@@ -7,7 +7,7 @@
 
 #include "passes/preparation/pass.glsl"
 
-#include "gloam/methods/sao.glsl"
+#include "gloam/methods/sao_chain.glsl"
 
 // What earlier passes have written, as the method reads it.
 vec4 gloam_fetch_prepared(ivec2 pixel) {

@@ -120,7 +120,6 @@ std::vector<MethodInfo> surface_methods() {
          .points = "halton",
          .reads_normals = true},
         {.name = "disc_proxy_two",
-         .family = "disc_proxy",
          .description = "disc_proxy, each disc by its own visibility from a first pass (Bunnell 2005)",
          .measure = cosine,
          .falloff = "none up to the radius",

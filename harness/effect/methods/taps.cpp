@@ -35,7 +35,7 @@ void adapt_issao(Settings& s) {
 // GLOAM_LAST_TAP_LEVEL of gloam/sampling/tap_pixel.glsl.
 constexpr std::uint32_t last_tap_level = 5;
 
-// The image with the layout of gloam/methods/sao.glsl.
+// The image with the layout of gloam/methods/sao_chain.glsl.
 Preparation depth_chain(const Settings&, gpu::Extent view) {
     const auto level = [view](std::uint32_t l) {
         return gpu::Extent{std::max(view.width >> l, 1U), std::max(view.height >> l, 1U)};
@@ -154,7 +154,6 @@ std::vector<MethodInfo> tap_methods() {
          .adapt = adapt_sao,
          .presets = sao_presets},
         {.name = "sao_chain",
-         .family = "sao",
          .description = "sao with its depth chain in an image: the same result (McGuire et al. 2012)",
          .measure = cosine,
          .falloff = "cubic",
