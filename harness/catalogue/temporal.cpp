@@ -188,7 +188,7 @@ void append_disocclusion(Entries& entries) {
         [](glm::dvec3 offset, glm::dvec3 normal) { return moderate(1e-15, 1e15, offset, normal); });
     add(entries, "TSSAO-9-reach", &reference::gloam_probe_change,
         {.domain = {position, position, unit_vector(3), uniform(0, 16)},
-         .budget = {.absolute = 9e-6, .backward_ulp = 4},
+         .budget = {.absolute = 2e-6, .backward_ulp = 4},
          .codomain = {0, float_max}},
         [near](glm::dvec3 now, glm::dvec3 before, glm::dvec3 normal, double reach) {
             return near(now) && near(before) && moderate(1e-15, 1, normal) && moderate(1e-15, 16, reach);

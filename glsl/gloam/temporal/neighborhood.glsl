@@ -57,7 +57,7 @@ bool gloam_probe_useful(vec3 offset, vec3 normal) {
 // changes no distance, so b may be a and the difference of both displacements. normal: n of the point, unit vector,
 // space of a. reach: r, how far what blocks may be, world units, >= 0.
 // Returns the change in world units, >= 0; 0 for what does not count, and for NaN in a or n; the largest float where
-// the change is infinite or NaN. Lengths are below 1e18. Error: 6e-7 of the larger length.
+// the change is infinite or NaN. Lengths are below 1e18. Error: 1.5e-7 of the larger length.
 float gloam_probe_change(vec3 now, vec3 before, vec3 normal, float reach) {
     float squared = dot(now, now);
     float squared_before = dot(before, before);
