@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "scene/primitives.hpp"
 #include "scene/views.hpp"
@@ -60,6 +61,24 @@ scene::Scene floor_scene() {
         return camera;
     };
     return scene;
+}
+
+// The scene with `count` objects: copies of its objects, each slightly displaced.
+void take_objects(scene::Scene& scene, std::size_t count) {
+    if (scene.objects.empty())
+        throw std::invalid_argument(fmt::format("{}: expected a scene with moving objects", scene.name));
+    const std::vector<scene::MovingObject> own = std::exchange(scene.objects, {});
+    for (std::size_t i = 0; i < count; ++i) {
+        scene::MovingObject object = own[i % own.size()];
+        const double aside = 0.15 * static_cast<double>(i / own.size());
+        object.transform = [inner = object.transform, aside](int frame) {
+            glm::dmat4 transform = inner(frame);
+            transform[3][0] += aside;
+            transform[3][2] -= aside;
+            return transform;
+        };
+        scene.objects.push_back(std::move(object));
+    }
 }
 
 bool is_edited(const Case& one) {
@@ -127,6 +146,7 @@ void require_consistent(const Experiment& experiment) {
         for (const Column& column : table.columns) {
             require(column.of, "a column's \"of\"");
             require(column.over, "a column's \"over\"");
+            require(column.minus, "a column's \"minus\"");
         }
     }
 }
@@ -174,11 +194,14 @@ void choose_cases(Experiment& experiment, const std::vector<std::string>& names,
 
 scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes) {
     if (one.view) return scene::make_view(one.scene, meshes);
-    return one.scene == "floor" ? floor_scene() : scene::make_scene(one.scene);
+    scene::Scene scene = one.scene == "floor" ? floor_scene() : scene::make_scene(one.scene);
+    if (one.objects > 0) take_objects(scene, static_cast<std::size_t>(one.objects));
+    return scene;
 }
 
 effect::BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent) {
-    effect::BenchmarkFrames frames{.extent = extent,
+    const auto scale = static_cast<std::uint32_t>(one.scale);
+    effect::BenchmarkFrames frames{.extent = {extent.width * scale, extent.height * scale},
                                    .frames = experiment.frames,
                                    .scored = one.scored.value_or(experiment.scored),
                                    .rays = is_edited(one) ? 0 : experiment.rays,

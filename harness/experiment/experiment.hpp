@@ -42,7 +42,10 @@ struct Layer {
     std::string method;            // empty: the preset's
     std::optional<bool> sequence;  // with the history, in the order of the frames; otherwise each frame alone
     std::optional<bool> hoisted;   // the shader compiler hoists loop invariants
-    std::vector<std::pair<std::string, std::string>> set;  // settings, lengths for a radius of 1
+    std::optional<double> radius;  // in units of the scene's own
+    bool enough_samples = false;   // as many as lower the error by a hundredth or more
+    // Settings, lengths for a radius of 1. "x2" doubles the number that the layers before have set.
+    std::vector<std::pair<std::string, std::string>> set;
 };
 
 struct Candidate {
@@ -65,6 +68,9 @@ struct Case {
     std::optional<double> rough_from{};     // share of the width from which on the depth is roughened
     double empty_until = 0.0;               // share of the width up to which there is nothing
     bool filled_later = false;              // that share is empty in the first view alone
+    int scale = 1;                          // of the width and height of the images
+    int objects = 0;                        // of the scene: copies of its own, displaced; 0: as they are
+    double value = 0.0;                     // of what grows from case to case of a kind
     double target = 0.0;                    // of the table's column with a target; 0: none
     std::vector<std::string> candidates{};  // names of those that are measured; empty: all
     Layer layer{};
@@ -80,16 +86,20 @@ struct CaseQuery {
 
 // A column of a table.
 struct Column {
-    std::string title;  // "{}" is replaced by the name of the candidate, or of what it is repeated for
-    std::string label;  // "case", "what", "kind", "half", "candidate", "pass", or "cases", a count
-    std::string value;  // a quantity of quantities(); empty: a label
-    std::string half;   // over the views of this half alone
-    std::string of;     // the candidate, as in candidate_of(); empty: the row's
-    std::string over;   // divided by the value of this candidate; empty: not divided
+    std::string title;      // "{}" is replaced by the name of the candidate, or of what it is repeated for
+    std::string label;      // "case", "what", "kind", "half", "candidate", "pass", or "cases", a count
+    std::string value;      // a quantity of quantities(); empty: a label
+    std::string half;       // over the views of this half alone
+    std::string of;         // the candidate, as in candidate_of(); empty: the row's
+    std::string over;       // divided by the value of this candidate; empty: not divided
+    std::string over_case;  // divided by the value in this case of the table
+    std::string minus;      // less the value of this candidate
     std::vector<std::string> passes;       // times of passes whose names begin so; empty: of all
     std::vector<std::string> over_passes;  // passes of the divisor; empty: those of `passes`
     std::string repeated;                  // "candidates" or "sizes": a column for each
-    std::string statistic = "median";      // of times: also "least", or "quartiles" of the rounds' ratios
+    // Of times: "median", "least" or "quartiles" of the rounds' ratios. Of a row of rows "growth":
+    // "exponent" e of value ~ growing^e, or "list" of both for each case.
+    std::string statistic = "median";
     int digits = 2;
     bool percent = false;
     bool front = false;   // bold where no other candidate has both a smaller error and a smaller time
@@ -98,7 +108,10 @@ struct Column {
 
 // A table over the results.
 struct Table {
-    std::string rows;  // "cases", "candidates", "runs" (each candidate of each case), "passes" or "kinds"
+    std::string name;  // of the block of a page; empty: it stands in the experiment's
+    // "cases", "candidates", "runs" (each candidate of each case), "passes", "kinds" or "growth" (each
+    // candidate of each kind)
+    std::string rows;
     std::string kind;  // only the cases of this kind; empty: all
     std::vector<Column> columns;
 };
@@ -130,7 +143,7 @@ struct Experiment {
 [[nodiscard]] std::optional<std::size_t> candidate_of(const Experiment& experiment, std::string_view name);
 
 // Throws std::invalid_argument for two candidates with one name, and for a case or a column that names a
-// candidate that does not exist.
+// candidate or a case that does not exist.
 void require_consistent(const Experiment& experiment);
 
 // Replaces a query by its cases, and keeps the cases with these names; all without names. half: instead of

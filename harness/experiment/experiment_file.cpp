@@ -151,6 +151,8 @@ void read_layer(Members& members, Layer& layer) {
     members.read("method", layer.method);
     members.read("sequence", layer.sequence);
     members.read("hoisted", layer.hoisted);
+    members.read("radius", layer.radius, 1e-3, 1e3);
+    members.read("enough_samples", layer.enough_samples);
     if (const Value* plain = members.find("plain")) {
         std::string text;
         plain->read(text);
@@ -209,6 +211,9 @@ Case case_from(const Value& value) {
     members.read("rough_from", made.rough_from, 0.0, 1.0);
     members.read("empty_until", made.empty_until, 0.0, 1.0);
     members.read("filled_later", made.filled_later);
+    members.read("scale", made.scale, 1, 16);
+    members.read("objects", made.objects, 1, 1000);
+    members.read("value", made.value, 0.0, 1e18);
     members.read("target", made.target, 0.0, 1e9);
     members.read("candidates", made.candidates);
     read_layer(members, made.layer);
@@ -244,11 +249,14 @@ Column column_from(const Value& value) {
     members.read("half", column.half, std::vector<std::string>{"tuning", "unseen"});
     members.read("of", column.of);
     members.read("over", column.over);
+    members.read("over_case", column.over_case);
+    members.read("minus", column.minus);
     members.read("passes", column.passes);
     column.over_passes = column.passes;
     members.read_instead("over_passes", column.over_passes);
     members.read("repeated", column.repeated, std::vector<std::string>{"candidates", "sizes"});
-    members.read("statistic", column.statistic, std::vector<std::string>{"median", "least", "quartiles"});
+    members.read("statistic", column.statistic,
+                 std::vector<std::string>{"median", "least", "quartiles", "exponent", "list"});
     members.read("digits", column.digits, 0, 9);
     members.read("percent", column.percent);
     members.read("front", column.front);
@@ -261,7 +269,8 @@ Table table_from(const Value& value) {
     Members members(value);
     Table table;
     members.read("rows", table.rows,
-                 std::vector<std::string>{"cases", "candidates", "runs", "passes", "kinds"});
+                 std::vector<std::string>{"cases", "candidates", "runs", "passes", "kinds", "growth"});
+    members.read("name", table.name);
     members.read("kind", table.kind);
     const Value* columns = members.find("columns");
     members.require("rows", !table.rows.empty());
@@ -280,6 +289,16 @@ void read_frames(Members& members, Experiment& experiment) {
     members.read("rays", experiment.rays, 0, most_rays);
     members.read("depth_thickness", experiment.depth_thickness, 1e-6, 1e18);
     members.read("interleaved", experiment.interleaved);
+}
+
+// A query's cases are not known yet.
+void require_cases(const Experiment& experiment) {
+    for (const Table& table : experiment.tables)
+        for (const Column& column : table.columns)
+            if (!experiment.query && !column.over_case.empty() &&
+                std::ranges::find(experiment.cases, column.over_case, &Case::name) == experiment.cases.end())
+                throw std::runtime_error(
+                    fmt::format("over_case: \"{}\", expected the name of a case", column.over_case));
 }
 
 ordered_json parsed(std::string_view text) {
@@ -310,6 +329,7 @@ Experiment read_experiment(const std::string& name, std::string_view text) {
         if (experiment.sizes.empty()) throw std::runtime_error("sizes: expected one or more");
         if (experiment.cases.empty() && !experiment.query)
             throw std::runtime_error("cases: expected one or more");
+        require_cases(experiment);
         return experiment;
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(fmt::format("experiment {}: {}", name, error.what()));

@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <memory>
+#include <ranges>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
+#include <variant>
 
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
@@ -29,16 +33,29 @@ struct Subject {
     effect::Settings settings;  // for a radius of 1
     bool sequence = true;
     bool hoisted = true;
+    double radius = 1.0;  // in units of the scene's
+    bool enough_samples = false;
     PlainLoop plain;
     effect::HistoryPrecision copied = effect::HistoryPrecision::float32;
 };
+
+// The text of a value, where "x2" means twice the number that the setting has.
+std::string value_text(const effect::Settings& settings, const std::string& name, const std::string& text) {
+    if (!text.starts_with('x')) return text;
+    const auto value = effect::setting_named(name).get(settings);
+    double factor = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + 1, end, factor);
+    if (!std::holds_alternative<double>(value) || error != std::errc{} || stop != end) return text;
+    return effect::text_of(factor * std::get<double>(value));
+}
 
 void apply(effect::Settings& settings, const Layer& layer) {
     for (const auto& [name, value] : layer.set) {
         if (name == "method" || name == "radius")
             throw std::invalid_argument(
                 fmt::format("set {}: expected a setting other than method and radius", name));
-        effect::set(settings, name, value);
+        effect::set(settings, name, value_text(settings, name, value));
     }
 }
 
@@ -51,6 +68,8 @@ Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) 
         if (!layer->method.empty()) method = layer->method;
         subject.sequence = layer->sequence.value_or(subject.sequence);
         subject.hoisted = layer->hoisted.value_or(subject.hoisted);
+        subject.radius = layer->radius.value_or(subject.radius);
+        subject.enough_samples |= layer->enough_samples;
         if (!layer->kind) continue;
         subject.kind = *layer->kind;
         subject.plain = layer->plain;
@@ -77,6 +96,15 @@ Subject subject_of(const Experiment& experiment, const Case& one, const Candidat
     }
 }
 
+void require_possible(const Experiment& experiment, const Case& one, const Candidate& candidate,
+                      const Place& place) {
+    const Subject subject = subject_of(experiment, one, candidate, place);
+    const bool judged = frames_of(experiment, one, {}).rays > 0 && subject.kind == Kind::effect;
+    if (subject.enough_samples && !judged)
+        throw std::invalid_argument(
+            fmt::format("{}, {}: enough_samples: expected rays and the effect", one.name, candidate.name));
+}
+
 // The error of (D) against (G).
 ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     if (round > 0) return {};
@@ -90,11 +118,19 @@ ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     return {.quality = quality};
 }
 
-// One case with its views, and what is measured in it.
+// A candidate in a case, and the views in which it is measured: with the truth for its radius, and for the
+// scene's own.
+struct Measured {
+    std::size_t number;  // of the candidate
+    Subject subject;
+    std::shared_ptr<BenchmarkViews> views;
+    std::shared_ptr<BenchmarkViews> own;
+};
+
+// One case, and what is measured in it.
 struct Visited {
     CaseResult* result;
-    std::shared_ptr<BenchmarkViews> views;
-    std::vector<std::pair<std::size_t, Subject>> subjects;  // by number of the candidate
+    std::vector<Measured> all;
 };
 
 // All cases at one size.
@@ -123,7 +159,8 @@ class SizeRun {
 
   private:
     [[nodiscard]] std::string label_of(const Case& one) const {
-        return fmt::format("{}, {} x {}", one.name, extent_.width, extent_.height);
+        const gpu::Extent extent = frames_of(experiment_, one, extent_).extent;
+        return fmt::format("{}, {} x {}", one.name, extent.width, extent.height);
     }
 
     [[nodiscard]] Visited visited(CaseResult& result) {
@@ -133,42 +170,73 @@ class SizeRun {
         for (std::size_t i = 0; i < experiment_.candidates.size(); ++i) {
             const Candidate& candidate = experiment_.candidates[i];
             if (!takes_part(one, candidate)) continue;
-            made.subjects.emplace_back(i, subject_of(experiment_, one, candidate, place_));
-            depth_truth |= made.subjects.back().second.kind == Kind::depth_truth;
+            made.all.push_back({.number = i, .subject = subject_of(experiment_, one, candidate, place_)});
+            depth_truth |= made.all.back().subject.kind == Kind::depth_truth;
             result.cells[i].emplace();
         }
-        made.views = views_of(one, depth_truth);
+        for (Measured& measured : made.all) {
+            measured.views = views_of(one, measured.subject.radius, depth_truth);
+            measured.own = own_radius_ ? views_of(one, 1.0, depth_truth) : measured.views;
+            Subject& subject = measured.subject;
+            if (subject.enough_samples) subject.settings = enough_samples(subject, *measured.views);
+            result.cells[measured.number]->samples_asked = subject.settings.samples;
+        }
         return made;
     }
 
     // Cases that show the same share their views.
-    [[nodiscard]] std::shared_ptr<BenchmarkViews> views_of(const Case& one, bool depth_truth) {
+    [[nodiscard]] std::shared_ptr<BenchmarkViews> views_of(const Case& one, double radius, bool depth_truth) {
         effect::BenchmarkFrames frames = frames_of(experiment_, one, extent_);
         frames.depth_truth = depth_truth;
-        const std::string key = fmt::format("{} {} {} {} {} {} {} {} {}", one.scene, one.view, one.motion,
-                                            fmt::join(one.shown, "+"), frames.scored, one.still,
-                                            one.rough_from.value_or(-1.0), one.empty_until, one.filled_later);
+        frames.remap = remap_;
+        const std::string key =
+            fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", one.scene, one.view, one.motion,
+                        fmt::join(one.shown, "+"), frames.scored, one.still, one.rough_from.value_or(-1.0),
+                        one.empty_until, one.filled_later, one.scale, one.objects, radius);
         std::shared_ptr<BenchmarkViews>& views = shared_[key];
-        if (!views)
-            views =
-                std::make_shared<BenchmarkViews>(place_.device, place_.passes, scene_of(one, place_.meshes),
-                                                 frames, cache_, place_.progress(label_of(one) + ", truth"));
+        if (views) return views;
+        scene::Scene scene = scene_of(one, place_.meshes);
+        scene.ao_radius *= radius;
+        views = std::make_shared<BenchmarkViews>(place_.device, place_.passes, std::move(scene), frames,
+                                                 cache_, place_.progress(label_of(one) + ", truth"));
         return views;
+    }
+
+    // The settings with the fewest samples whose error more samples do not lower by a hundredth. The samples
+    // are doubled from one unit of the method on.
+    [[nodiscard]] effect::Settings enough_samples(const Subject& subject, BenchmarkViews& views) {
+        constexpr double least_gain = 0.01;
+        Subject tried = subject;
+        effect::Settings& settings = tried.settings;
+        std::vector<std::pair<std::uint32_t, double>> errors;
+        for (std::uint32_t samples = unit_of(effect::method_named(settings.method), settings.own.steps);
+             samples <= effect::most_samples; samples *= 2) {
+            settings.samples = settings.samples_converged = samples;
+            errors.emplace_back(samples, visit(tried, views, 0).quality.value().raw_geometry);
+        }
+        double best = errors.back().second;
+        for (const auto& [samples, error] : errors | std::views::reverse) {
+            best = std::min(best, error);
+            if (error > best / (1.0 - least_gain)) break;
+            settings.samples = settings.samples_converged = samples;
+        }
+        return settings;
     }
 
     void go_through(std::vector<Visited>& all, const std::string& what) {
         const auto progress = place_.progress(what);
         for (int round = 0; round <= experiment_.rounds; ++round) {
             for (Visited& one : all) {
-                std::vector<std::pair<std::size_t, Subject>>& subjects = one.subjects;
-                if (round > 0) std::ranges::reverse(subjects);
+                if (round > 0) std::ranges::reverse(one.all);
                 std::optional<effect::Truth> first;
-                for (const auto& [number, subject] : subjects) {
-                    const ConfigurationVisit found = visit(subject, *one.views, round);
-                    Cell& cell = *one.result->cells[number];
+                for (const Measured& measured : one.all) {
+                    const ConfigurationVisit found = visit(measured.subject, *measured.views, round);
+                    Cell& cell = *one.result->cells[measured.number];
                     take(cell, found, round);
                     if (round > 0 || found.shown.empty()) continue;
-                    const scene::GBuffer& view = one.views->view(one.views->frames().frames - 1, {});
+                    judge_at_own_radius(cell, measured);
+                    const scene::GBuffer& view =
+                        measured.views->view(measured.views->frames().frames - 1, {});
                     if (!first) first = effect::truth_from(view, found.shown);
                     cell.difference = effect::errors_of(found.shown, *first).rmse;
                 }
@@ -183,45 +251,60 @@ class SizeRun {
         if (round > 0) cell.rounds.push_back(found.readings);
     }
 
+    // The radius in the world stays that of the candidate; only the truth is another.
+    void judge_at_own_radius(Cell& cell, const Measured& measured) {
+        if (!cell.quality) return;
+        cell.own_radius_error = cell.quality->geometry;
+        if (measured.own == measured.views || measured.subject.kind != Kind::effect) return;
+        const auto radius = static_cast<float>(measured.views->scene().ao_radius);
+        cell.own_radius_error = visit(measured.subject, *measured.own, 0, radius).quality.value().geometry;
+    }
+
     [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round) {
-        const auto radius = static_cast<float>(views.scene().ao_radius);
+        return visit(subject, views, round, static_cast<float>(views.scene().ao_radius));
+    }
+
+    [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round,
+                                           float radius) {
+        const gpu::Extent extent = views.frames().extent;
         switch (subject.kind) {
             case Kind::plain:
-                return loop_of(subject.plain).visit(views, clock(gpu::Format::r32f), round);
+                return loop_of(extent, subject.plain).visit(views, clock(extent, gpu::Format::r32f), round);
             case Kind::copy: {
                 if (round == 0) return {};
-                const double copy_ms = clock(gpu::Format::r32f).measure();
-                const double ms = clock(effect::format_of(subject.copied)).measure_now();
+                const double copy_ms = clock(extent, gpu::Format::r32f).measure();
+                const double ms = clock(extent, effect::format_of(subject.copied)).measure_now();
                 return {.readings = {{{{"copy", ms}}, copy_ms}}};
             }
             case Kind::depth_truth:
                 return depth_truth_of(views, round);
             default:
-                return study_of(subject.hoisted)
+                return study_of(extent, subject.hoisted)
                     .visit(views, with_radius(subject.settings, radius), subject.sequence, round);
         }
     }
 
-    effect::ConfigurationStudy& study_of(bool hoisted) {
-        std::unique_ptr<effect::ConfigurationStudy>& study = studies_[hoisted];
+    effect::ConfigurationStudy& study_of(gpu::Extent extent, bool hoisted) {
+        std::unique_ptr<effect::ConfigurationStudy>& study = studies_[{extent.width, extent.height, hoisted}];
         if (!study)
             study = std::make_unique<effect::ConfigurationStudy>(
                 place_.device,
-                hoisted ? place_.passes : place_.passes.with(shader::Optimization::performance), extent_);
+                hoisted ? place_.passes : place_.passes.with(shader::Optimization::performance), extent);
         return *study;
     }
 
-    effect::PlainRun& loop_of(const PlainLoop& loop) {
-        std::unique_ptr<effect::PlainRun>& made = loops_[{loop.taps.slices, loop.taps.steps, loop.blurs}];
+    effect::PlainRun& loop_of(gpu::Extent extent, const PlainLoop& loop) {
+        std::unique_ptr<effect::PlainRun>& made =
+            loops_[{extent.width, extent.height, loop.taps.slices, loop.taps.steps, loop.blurs}];
         if (!made)
-            made = std::make_unique<effect::PlainRun>(place_.device, place_.passes, extent_, loop.taps,
+            made = std::make_unique<effect::PlainRun>(place_.device, place_.passes, extent, loop.taps,
                                                       loop.blurs);
         return *made;
     }
 
-    effect::CopyClock& clock(gpu::Format format) {
-        std::unique_ptr<effect::CopyClock>& made = clocks_[format];
-        if (!made) made = std::make_unique<effect::CopyClock>(place_.device, place_.passes, extent_, format);
+    effect::CopyClock& clock(gpu::Extent extent, gpu::Format format) {
+        std::unique_ptr<effect::CopyClock>& made = clocks_[{extent.width, extent.height, format}];
+        if (!made) made = std::make_unique<effect::CopyClock>(place_.device, place_.passes, extent, format);
         return *made;
     }
 
@@ -230,12 +313,23 @@ class SizeRun {
     const Place& place_;
     scene::TruthCache cache_;
     std::map<std::string, std::shared_ptr<BenchmarkViews>> shared_;
-    std::map<bool, std::unique_ptr<effect::ConfigurationStudy>> studies_;
-    std::map<std::tuple<std::uint32_t, std::uint32_t, int>, std::unique_ptr<effect::PlainRun>> loops_;
-    std::map<gpu::Format, std::unique_ptr<effect::CopyClock>> clocks_;
+    bool remap_ = shows(experiment_, "rmse_remapped");
+    bool own_radius_ = shows(experiment_, "rmse_own_radius");
+    // By width and height of the images, and by what they are made for.
+    using Side = std::uint32_t;
+    std::map<std::tuple<Side, Side, bool>, std::unique_ptr<effect::ConfigurationStudy>> studies_;
+    std::map<std::tuple<Side, Side, std::uint32_t, std::uint32_t, int>, std::unique_ptr<effect::PlainRun>>
+        loops_;
+    std::map<std::tuple<Side, Side, gpu::Format>, std::unique_ptr<effect::CopyClock>> clocks_;
 };
 
 }  // namespace
+
+bool shows(const Experiment& experiment, std::string_view quantity) {
+    return std::ranges::any_of(experiment.tables, [&](const Table& table) {
+        return std::ranges::count(table.columns, quantity, &Column::value) > 0;
+    });
+}
 
 void require_possible(const Experiment& experiment, const Place& place) {
     if (experiment.candidates.empty()) throw std::invalid_argument("nothing to measure: no candidate");
@@ -247,7 +341,7 @@ void require_possible(const Experiment& experiment, const Place& place) {
             throw std::invalid_argument(fmt::format("{}: {} scored frames, expected at most {}, the frames",
                                                     one.name, frames.scored, frames.frames));
         for (const Candidate& candidate : experiment.candidates)
-            if (takes_part(one, candidate)) (void)subject_of(experiment, one, candidate, place);
+            if (takes_part(one, candidate)) require_possible(experiment, one, candidate, place);
     }
 }
 

@@ -22,6 +22,8 @@ struct Cell {
     std::optional<double>
         difference;     // RMS of the displayed image of the last frame and the first candidate's
     effect::Work work;  // of the last frame
+    std::optional<double> own_radius_error;  // the error against the truth for the scene's own radius
+    std::uint32_t samples_asked = 0;
 };
 
 struct CaseResult {
@@ -44,6 +46,9 @@ struct Place {
     // Makes a function that is called with the part done, in [0, 1]; `what` is being done.
     std::function<std::function<void(double)>(const std::string& what)> progress;
 };
+
+// Whether a table shows the quantity.
+[[nodiscard]] bool shows(const Experiment& experiment, std::string_view quantity);
 
 // Throws std::invalid_argument, before any work, for a scene, preset, method or setting that does not exist,
 // more scored frames than there are, and an experiment without a candidate.

@@ -93,20 +93,26 @@ class Writer {
         if (table_.rows == "candidates") {
             for (std::size_t c = 0; c < experiment_.candidates.size(); ++c) rows.push_back({all, c, ""});
         } else if (table_.rows == "kinds") {
-            std::vector<std::string> kinds;
-            for (const std::size_t i : all) {
-                const auto found = std::ranges::find(kinds, cases[i].shown.kind);
-                if (found == kinds.end()) {
-                    kinds.push_back(cases[i].shown.kind);
-                    rows.push_back({{i}, 0, ""});
-                } else {
-                    rows[static_cast<std::size_t>(found - kinds.begin())].cases.push_back(i);
-                }
-            }
+            add_kinds(rows, cases, all, 0, false);
+        } else if (table_.rows == "growth") {
+            for (std::size_t c = 0; c < experiment_.candidates.size(); ++c)
+                add_kinds(rows, cases, all, c, true);
         } else {
             for (const std::size_t i : all) add_rows(rows, cases[i], i);
         }
         return rows;
+    }
+
+    // A row for each kind of the cases; measured: only cases in which the candidate was measured.
+    static void add_kinds(std::vector<Row>& rows, const std::vector<CaseResult>& cases,
+                          const std::vector<std::size_t>& all, std::size_t candidate, bool measured) {
+        std::map<std::string, std::size_t> row_of;  // by kind
+        for (const std::size_t i : all) {
+            if (measured && !cases[i].cells[candidate]) continue;
+            const auto [at, is_new] = row_of.try_emplace(cases[i].shown.kind, rows.size());
+            if (is_new) rows.push_back({{}, candidate, ""});
+            rows[at->second].cases.push_back(i);
+        }
     }
 
     // The rows of one case.
@@ -159,17 +165,49 @@ class Writer {
         const TimedPasses passes{.prefixes = column.passes, .name = row.pass};
         const TimedPasses over_passes{.prefixes = column.over_passes, .name = row.pass};
         if (column.statistic == "quartiles") return quartiles_text(cases, of, column);
-        std::optional<double> value = mean_value(cases, of, column.value, column.statistic, passes);
-        if (value && !column.over.empty()) {
-            const std::size_t over = number_of(column.over, row.candidate);
-            const auto base = mean_value(cases, over, column.value, column.statistic, over_passes);
-            value = base ? std::optional(*value / *base) : std::nullopt;
-        }
+        if (column.statistic == "list") return list_text(cases, of, column);
+        const auto value_in = [&](const std::vector<const CaseResult*>& some, std::size_t candidate,
+                                  const TimedPasses& timed) {
+            return mean_value(some, candidate, column.value, column.statistic, timed);
+        };
+        std::optional<double> value = value_in(cases, of, passes);
+        const auto combine = [&](const std::optional<double>& other, const auto& operation) {
+            value = value && other ? std::optional(operation(*value, *other)) : std::nullopt;
+        };
+        if (!column.over.empty())
+            combine(value_in(cases, number_of(column.over, of), over_passes), std::divides{});
+        if (!column.over_case.empty())
+            combine(value_in(case_named(column.over_case, shown.size), of, over_passes), std::divides{});
+        if (!column.minus.empty())
+            combine(value_in(cases, number_of(column.minus, of), passes), std::minus{});
         if (column.target) return target_text(*cases.front(), value);
         if (!value) return "-";
-        const std::string text = column.percent ? fmt::format("{:.{}f} %", 100.0 * *value, column.digits)
-                                                : fmt::format("{:.{}f}", *value, column.digits);
+        const std::string text = number_text(*value, column);
         return column.front && on_front(cases, of) ? "**" + text + "**" : text;
+    }
+
+    // None where it was not chosen.
+    [[nodiscard]] std::vector<const CaseResult*> case_named(const std::string& name, std::size_t size) const {
+        for (const CaseResult& one : results_[size].cases)
+            if (one.shown.name == name) return {&one};
+        return {};
+    }
+
+    // "4: 0.12, 8: 0.19": the value in each case, beside what grows.
+    [[nodiscard]] static std::string list_text(const std::vector<const CaseResult*>& cases, std::size_t of,
+                                               const Column& column) {
+        std::string text;
+        for (const CaseResult* one : cases) {
+            const auto value = mean_value({one}, of, column.value, "median", {.prefixes = column.passes});
+            text += fmt::format("{}{:.4g}: {}", text.empty() ? "" : ", ", one->shown.value,
+                                value ? number_text(*value, column) : "-");
+        }
+        return text;
+    }
+
+    [[nodiscard]] static std::string number_text(double value, const Column& column) {
+        return column.percent ? fmt::format("{:.{}f} %", 100.0 * value, column.digits)
+                              : fmt::format("{:.{}f}", value, column.digits);
     }
 
     [[nodiscard]] std::string quartiles_text(const std::vector<const CaseResult*>& cases, std::size_t of,
@@ -213,9 +251,14 @@ Text to_text(const Experiment& experiment, const std::vector<SizeResult>& result
     for (const Table& table : experiment.tables) {
         const bool by_size = std::ranges::count(table.columns, "sizes", &Column::repeated) > 0;
         for (std::size_t size = 0; size < (by_size ? 1 : results.size()); ++size) {
-            if (!by_size && results.size() > 1) all.text += "\n" + size_text(results[size].extent) + ":\n";
             Writer writer(experiment, results, table);
-            all.text += "\n" + writer.written(size);
+            std::string text = writer.written(size);
+            if (!by_size && results.size() > 1) text = size_text(results[size].extent) + ":\n\n" + text;
+            all.text += "\n" + text;
+            if (!table.name.empty()) {
+                std::string& block = all.named[table.name];
+                block += (block.empty() ? "" : "\n") + text;
+            }
             all.missed |= writer.missed();
         }
     }

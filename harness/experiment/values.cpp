@@ -62,7 +62,12 @@ const std::vector<Quantity>& untimed() {
         tiles("tiles_filtered", &Work::tiles_filtered),
         tiles("tiles_unfiltered", &Work::tiles_unfiltered),
         {"ended_early", ended_early},
-        {"difference", [](const Cell& cell) { return cell.difference; }}};
+        {"difference", [](const Cell& cell) { return cell.difference; }},
+        {"rmse_own_radius", [](const Cell& cell) { return cell.own_radius_error; }},
+        {"rmse_remapped",
+         [](const Cell& cell) { return cell.quality ? cell.quality->remapped : std::nullopt; }},
+        {"samples_asked",
+         [](const Cell& cell) { return std::optional(static_cast<double>(cell.samples_asked)); }}};
     return all;
 }
 
@@ -119,6 +124,7 @@ ordered_json json_of(const Cell& cell, const std::string& candidate) {
     for (const std::string& pass : passes_of(cell))
         json["passes"].push_back({{"pass", pass},
                                   {"ms", json_of(time_of(cell, false, "median", {.name = pass}))},
+                                  {"least_ms", json_of(time_of(cell, false, "least", {.name = pass}))},
                                   {"copies", json_of(time_of(cell, true, "median", {.name = pass}))}});
     ordered_json rounds = ordered_json::array();
     for (const std::vector<FrameReading>& round : cell.rounds)
@@ -132,11 +138,23 @@ ordered_json json_of(const Experiment& experiment, const CaseResult& one) {
     for (const auto& [name, text] :
          {std::pair("what", &one.shown.what), {"kind", &one.shown.kind}, {"half", &one.shown.half}})
         if (!text->empty()) json[name] = *text;
+    if (one.shown.value > 0.0) json["value"] = one.shown.value;
     if (one.shown.target > 0.0) json["target"] = one.shown.target;
     json["results"] = ordered_json::array();
     for (std::size_t i = 0; i < one.cells.size(); ++i)
         if (one.cells[i]) json["results"].push_back(json_of(*one.cells[i], experiment.candidates[i].name));
     return json;
+}
+
+// Of value ~ growing^e, by least squares on logarithmic axes. nullopt without two cases that differ.
+std::optional<double> exponent_of(const std::vector<const CaseResult*>& cases, std::size_t candidate,
+                                  std::string_view quantity, const TimedPasses& passes) {
+    std::vector<std::pair<double, double>> points;
+    for (const CaseResult* one : cases)
+        if (const auto value = mean_value({one}, candidate, quantity, "median", passes))
+            points.emplace_back(one->shown.value, *value);
+    const double exponent = numeric::exponent_of(points);
+    return std::isfinite(exponent) ? std::optional(exponent) : std::nullopt;
 }
 
 }  // namespace
@@ -166,6 +184,7 @@ std::vector<std::string> passes_of(const Cell& cell) {
 std::optional<double> mean_value(const std::vector<const CaseResult*>& cases, std::size_t candidate,
                                  std::string_view quantity, std::string_view statistic,
                                  const TimedPasses& passes) {
+    if (statistic == "exponent") return exponent_of(cases, candidate, quantity, passes);
     const bool geometric = quantity == "ms" || quantity == "copies";
     double sum = 0.0;
     for (const CaseResult* one : cases) {
@@ -188,6 +207,23 @@ numeric::Spread round_ratios(const CaseResult& one, std::size_t of, std::size_t 
     for (std::size_t i = 0; a && b && i < std::min(a->rounds.size(), b->rounds.size()); ++i)
         ratios.push_back(median_of_round(a->rounds[i], passes) / median_of_round(b->rounds[i], over_passes));
     return numeric::spread_of(ratios);
+}
+
+std::vector<Growth> growths(const Experiment& experiment, const SizeResult& result) {
+    std::vector<Growth> all;
+    for (const CaseResult& one : result.cases) {
+        for (std::size_t i = 0; one.shown.value > 0.0 && i < one.cells.size(); ++i) {
+            const auto ms = mean_value({&one}, i, "ms", "median", {});
+            if (!ms) continue;
+            const std::string& candidate = experiment.candidates[i].name;
+            auto found = std::ranges::find_if(all, [&](const Growth& growth) {
+                return growth.kind == one.shown.kind && growth.candidate == candidate;
+            });
+            if (found == all.end()) found = all.insert(found, Growth{one.shown.kind, candidate, {}});
+            found->points.emplace_back(one.shown.value, *ms);
+        }
+    }
+    return all;
 }
 
 double copy_ms(const SizeResult& result) {

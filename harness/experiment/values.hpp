@@ -25,7 +25,9 @@ struct TimedPasses {
 [[nodiscard]] std::vector<std::string> passes_of(const Cell& cell);
 
 // A quantity of quantities() over some cases: times are geometric means, all else arithmetic ones.
-// statistic: of the readings' times, "median" or "least". nullopt without cases, and where a case lacks it.
+// statistic: of the readings' times, "median" or "least"; or "exponent" e of the value as a power of what
+// grows from case to case. nullopt without cases, where a case lacks it, and for an exponent without two
+// different points.
 [[nodiscard]] std::optional<double> mean_value(const std::vector<const CaseResult*>& cases,
                                                std::size_t candidate, std::string_view quantity,
                                                std::string_view statistic, const TimedPasses& passes);

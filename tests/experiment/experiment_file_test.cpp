@@ -57,6 +57,7 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused(with("\"scene\": \"sky\"", "\"scene\": 3"), "cases[0].scene: expected a text");
     expect_refused(with("[3, 1]", "[3, 0]"), "cases[0].shown[1]");
     expect_refused(with("\"target\": 0.5", "\"target\": \"big\""), "cases[0].target: expected a number");
+    expect_refused(with("\"over\": \"loop\"", "\"over_case\": \"ski\""), "over_case: \"ski\"");
     expect_refused(with("9x3+1", "9x"), "candidates[1].plain: expected SLICESxSTEPS+BLURS");
     expect_refused(with("\"value\": \"ms\"", "\"value\": \"luck\""), "tables[0].columns[0].value");
     expect_refused(with("{\"samples\": 8", "{\"samples\": [8]"), "set.samples");

@@ -116,33 +116,12 @@ TEST(Bench, ComparesWithWhatGotWorse) {
     expect_success(run_command({"bench", "--compare", worse.string(), worse.string(), "--fail-if-worse"}));
 }
 
-// Time against something, as --json has it.
-void expect_plausible_growth(const json& growth) {
-    SCOPED_TRACE(growth.dump());
-    EXPECT_TRUE(growth.at("exponent").is_number());
-    for (const json& point : growth.at("points")) EXPECT_GT(double{point.at(1)}, 0.0);
-    const bool leaves_out = growth.at("of") == "pixels, open tiles skipped";
-    ASSERT_EQ(growth.contains("open"), leaves_out || growth.at("of") == "pixels");
-    if (!growth.contains("open")) return;
-    ASSERT_EQ(growth.at("open").size(), growth.at("points").size());
-    const auto some = [](const json& part) { return double{part} > 0.0; };
-    EXPECT_EQ(std::ranges::any_of(growth.at("open"), some), leaves_out);
-}
-
-TEST(Bench, ScalingAndFrameworkAreMeasuredApart) {
+TEST(Bench, FrameworkIsMeasuredAlone) {
     const TemporaryDirectory folder;
     const auto file = folder.path() / "a.json";
-    const CommandResult result =
-        run_command({"bench", "--scaling", "--framework", "--method", "hemisphere", "gtao", "--repeat", "1",
-                     "--scaling-sizes", "32x18", "64x36", "--json", file.string()});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("| pixels | hemisphere |"));
+    expect_success(run_command({"bench", "--framework", "--repeat", "1", "--json", file.string()}));
     const json document = json::parse(read_file(file));
     EXPECT_TRUE(document.at("results").empty());
-    EXPECT_THAT(result.out, HasSubstr("| pixels, open tiles skipped | hemisphere |"));
-    EXPECT_THAT(result.out, testing::Not(HasSubstr("left out | gtao |")));  // which knows no open tiles
-    EXPECT_EQ(document.at("scaling").size(), 6U + 5U);
-    for (const json& growth : document.at("scaling")) expect_plausible_growth(growth);
     EXPECT_GE(document.at("framework").size(), 8U);
     for (const json& figure : document.at("framework")) EXPECT_GT(double{figure.at("value")}, 0.0) << figure;
 }
@@ -160,8 +139,6 @@ TEST(Bench, BadInputIsOneClearLine) {
     expect_could_not_run(run_command({"bench", "--samples", "0"}), "--samples");
     expect_could_not_run(run_command({"bench", "--repeat", "0"}), "--repeat");
     expect_could_not_run(run_command({"bench", "--size", "8x8"}), "--size 8x8");
-    expect_could_not_run(run_command({"bench", "--scaling", "--scaling-sizes", "x"}),
-                         "expected WIDTHxHEIGHT");
     expect_could_not_run(run_command({"bench", "--temporal", "--single"}), "--single");
     expect_could_not_run(run_command({"bench", "--resume"}), "--out");
     expect_could_not_run(run_command({"bench", "--budget", "3s"}), "--budget 3s");

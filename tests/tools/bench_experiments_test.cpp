@@ -236,6 +236,86 @@ TEST_F(BenchExperiments, BarSaysWhatIsMissed) {
     EXPECT_EQ(run_command(with(with({"bench"}, nothing), {"--fail-if-missed"})).status, 1);
 }
 
+// Each experiment has all its rows, equal configurations have equal errors, and the tables have their blocks.
+TEST_F(BenchExperiments, SourcesRepeatsWhatIsPrinted) {
+    const fs::path page =
+        write("page.md",
+              "<!-- begin issao_table -->\n<!-- end issao_table -->\n<!-- begin quality -->\n"
+              "old\n<!-- end quality -->\n<!-- begin radius -->\nold\n<!-- end radius -->\n");
+    const json document = measured({"sources", "--case", "knot", "relief", "--size", "64x36", "--rounds", "1",
+                                    "--rays", "32", "--page", page.string()});
+    ASSERT_EQ(document.at("sizes").at(0).at("cases").size(), 4U + 7U + 6U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const json plain = result_of(document, i, "no filter");
+        const json filtered = result_of(document, i, "bilateral");
+        EXPECT_LT(plain.at("passes").size(), filtered.at("passes").size());
+        EXPECT_EQ(plain.at("samples"), filtered.at("samples"));
+        EXPECT_NE(plain.at("rmse"), filtered.at("rmse"));
+        EXPECT_EQ(plain.at("rmse"), plain.at("rmse_own_radius"));
+    }
+    EXPECT_LT(result_of(document, 3, "no filter").at("samples"), 12.0);  // fewer where the radius is small
+    for (std::size_t i = 4; i < 11; ++i) {
+        const json found = result_of(document, i, "enough samples");
+        EXPECT_LE(found.at("rmse_remapped"), found.at("rmse"));
+        EXPECT_GE(found.at("samples_asked"), 2);  // one sample is too few for any of them
+    }
+    for (std::size_t i = 11; i < 17; ++i) {
+        const json own = result_of(document, i, "as it is");
+        const json wide = result_of(document, i, "radius doubled");
+        const json more = result_of(document, i, "radius and samples doubled");
+        EXPECT_EQ(own.at("rmse"), own.at("rmse_own_radius"));
+        EXPECT_NE(wide.at("rmse"), wide.at("rmse_own_radius"));
+        EXPECT_EQ(wide.at("samples_asked"), own.at("samples_asked"));
+        EXPECT_EQ(double{more.at("samples_asked")}, 2.0 * double{own.at("samples_asked")});
+    }
+    EXPECT_THAT(read_file(page), HasSubstr("| relief | volumetric-performance | radius doubled | 12 |"));
+    EXPECT_THAT(read_file(page), Not(HasSubstr("old")));
+}
+
+TEST_F(BenchExperiments, ScalingTimesWhatGrows) {
+    const json document =
+        measured({"scaling", "--method", "hemisphere", "gtao", "--size", "32x18", "--rounds", "1"});
+    const json& cases = document.at("sizes").at(0).at("cases");
+    ASSERT_EQ(cases.size(), 5U + 5U + 6U + 5U + 6U + 5U);
+    bool open = false;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const json found = result_of(document, i, "hemisphere");
+        EXPECT_GT(double{found.at("ms")}, 0.0);
+        const bool skipped = cases[i].at("kind") == "pixels, open tiles skipped";
+        open |= skipped && double{found.at("tiles_open")} > 0.0;
+        if (cases[i].at("kind") == "pixels") {
+            EXPECT_EQ(double{found.at("tiles_open")}, 0.0) << "every pixel must be the same work";
+        }
+    }
+    EXPECT_TRUE(open);
+    EXPECT_THAT(out_, HasSubstr("| pixels | hemisphere | "));
+    EXPECT_THAT(out_, HasSubstr("| moving objects | gtao | "));
+    EXPECT_THAT(out_, HasSubstr(" | 1: "));
+    EXPECT_THAT(out_, HasSubstr("| pixels x 144 | hemisphere | "));
+}
+
+// An exponent and a target between two cases, and a plot whose name leads nowhere else.
+TEST_F(BenchExperiments, WhatGrowsIsPlotted) {
+    const fs::path file = write("mine.json", R"({
+      "sizes": ["32x18"], "rounds": 1, "sequence": false,
+      "cases": [{"scene": "corner", "name": "one", "kind": "../up", "value": 1},
+                {"scene": "corner", "name": "four", "kind": "../up", "value": 4, "scale": 2, "target": 1e-9}],
+      "candidates": [{"name": "gtao", "method": "gtao"}],
+      "tables": [{"rows": "runs", "columns": [{"label": "case"},
+        {"value": "ms", "over_case": "one", "target": true}]}]})");
+    const fs::path out = file.parent_path() / "out";
+    (void)measured({file.string(), "--out", out.string()});
+    EXPECT_THAT(out_, HasSubstr("| one |  |"));
+    EXPECT_THAT(out_, HasSubstr("| four | 0.00, missed |"));
+    std::size_t plots = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(out)) {
+        ++plots;
+        EXPECT_THAT(entry.path().filename().string(), testing::StartsWith("mine-"));
+    }
+    EXPECT_EQ(plots, 2U);
+    EXPECT_FALSE(fs::exists(out.parent_path() / "up.svg"));
+}
+
 TEST_F(BenchExperiments, AFileOfOnesOwn) {
     const fs::path file = write("mine.json", R"({
       "about": "two methods", "sizes": ["48x27"], "rounds": 1,
@@ -270,6 +350,10 @@ TEST_F(BenchExperiments, WrongOptionsAreNamed) {
     expect({"front", "--view", "room", "--sequence", "fast,magic=1"}, "magic");
     expect({"front", "--view", "plan"}, "no perspective view");
     expect({"passes", "--half", "unseen"}, "unseen half");
+    expect({"sources", "--scene", "releif"}, "releif");
+    expect({"sources", "--page", "/no/such.md"}, "/no/such.md");
+    expect({"sources", "--rays", "0"}, "enough_samples: expected rays");
+    expect({"scaling", "--method", "magic"}, "magic");
     expect({"plain", "--single", "paper,method=magic"}, "magic");
     expect({"plain", "--case", "magic"}, "case magic: expected 1 x 2, 3 x 3");
     expect({"bar", "--scene", "corner"}, "case corner: expected columns");

@@ -167,7 +167,6 @@ TEST_F(HostileFiles, FilesWithoutEnd) {
 TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
     report::Benchmark benchmark = report::make_benchmark(
         {report::make_row("a", "m", 4, 10, 0.05), report::make_row("b", "n", 8, 30, 0.02, true)});
-    benchmark.scaling = {{.of = "pixels", .method = "m", .points = {{1, 2}, {4, 8}}, .exponent = 1.0}};
     benchmark.framework = {{"figure", "ms", 1.25}};
     const auto good = nlohmann::ordered_json::parse(report::to_json(benchmark));
     const fs::path out = folder() / "deep" / "er" / "out";
@@ -181,9 +180,8 @@ TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
         return result;
     };
     EXPECT_EQ(run(good).status, 0);
-    for (const char* place :
-         {"/device", "/driver", "/results/0/scene", "/results/0/method", "/results/0/preset", "/scaling/0/of",
-          "/scaling/0/method", "/framework/0/name"}) {
+    for (const char* place : {"/device", "/driver", "/results/0/scene", "/results/0/method",
+                              "/results/0/preset", "/framework/0/name"}) {
         auto bad = good;
         bad[nlohmann::ordered_json::json_pointer(place)] = hostile;
         EXPECT_EQ(run(bad).status, 2) << place;

@@ -216,7 +216,6 @@ TEST(Usage, AnOptionThatNeedsAnotherSaysSo) {
                                                       {"render", "corner", "--truth-thickness", "1"},
                                                       {"render", "moving", "--truth-every"},
                                                       {"bench", "--fail-if-worse"},
-                                                      {"bench", "--scaling-sizes", "32x32"},
                                                       {"bench", "--resume"}};
     for (const auto& command : alone) {
         const CommandResult result = run_command(command);

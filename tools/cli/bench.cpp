@@ -6,7 +6,6 @@
 #include "cli/bench/benchmark_command.hpp"
 #include "cli/bench/experiments.hpp"
 #include "cli/bench/methods.hpp"
-#include "cli/bench/sources.hpp"
 #include "cli/bench/temporal.hpp"
 
 namespace gloam::cli {
@@ -19,7 +18,6 @@ void add_bench(CLI::App& app, int& status) {
     add_experiments(*group, status);
     add_bench_temporal(*group, status);
     add_bench_methods(*group, status);
-    add_bench_sources(*group, status);
 }
 
 }  // namespace gloam::cli

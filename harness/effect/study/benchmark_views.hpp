@@ -28,6 +28,7 @@ struct BenchmarkFrames {
     int repeat = 1;                               // runs of a timed frame, whose median time counts
     bool motion = true;        // views know how objects moved; otherwise only how the camera did
     bool still = false;        // every view is the first frame's
+    bool remap = false;        // the best remap of the last frame is looked for
     std::vector<int> shown{};  // for how many frames each view is shown, in all `frames`; empty: for one each
     std::function<void(scene::GBuffer& view, int number)> edit{};  // changes a view; then no truth is traced
 };

@@ -5,6 +5,7 @@
 
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
+#include "effect/remap_fit.hpp"
 #include "effect/similarity.hpp"
 
 namespace gloam::effect {
@@ -32,8 +33,11 @@ class Judge {
         sum_.samples +=
             shaded == 0 ? 0.0 : static_cast<double>(frame.work.samples) / static_cast<double>(shaded);
         sum_.memory_bytes = std::max(sum_.memory_bytes, frame.memory_bytes);
-        if (number + 1 == views_->frames().frames)
-            sum_.similarity = structural_similarity(frame.filtered, truth.geometry, frame.extent);
+        if (number + 1 < views_->frames().frames) return;
+        sum_.similarity = structural_similarity(frame.filtered, truth.geometry, frame.extent);
+        if (!views_->frames().remap) return;
+        const Remap best = best_remap(frame.occlusion, truth.geometry);
+        sum_.remapped = errors_of(remapped(frame.occlusion, best), truth.geometry).rmse;
     }
 
     // Nothing where there is no truth.

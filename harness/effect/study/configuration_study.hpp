@@ -33,7 +33,8 @@ struct FrameQuality {
     double bias = 0.0;        // mean of the displayed image - (G)
     double similarity = 0.0;  // SSIM of the displayed image and (G), in the last scored frame
     std::optional<double> flicker;
-    double samples = 0.0;  // taken for each pixel with geometry, mean
+    std::optional<double> remapped;  // of the estimate in the last scored frame after its best remap
+    double samples = 0.0;            // taken for each pixel with geometry, mean
     std::uint64_t memory_bytes = 0;
 };
 

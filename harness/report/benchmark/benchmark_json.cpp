@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,40 +17,6 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t version = 1;
 constexpr std::size_t largest_setting = 1'000'000'000;  // pixels, frames, rounds, rays
-
-ordered_json growth_json(const Growth& growth) {
-    ordered_json points = ordered_json::array();
-    for (const auto& [value, ms] : growth.points) points.push_back({number_json(value), number_json(ms)});
-    ordered_json json{{"of", growth.of},
-                      {"method", growth.method},
-                      {"exponent", number_json(growth.exponent)},
-                      {"points", points}};
-    if (!growth.open.empty()) json["open"] = internal::numbers_json(growth.open);
-    return json;
-}
-
-// A file in which no tiles were counted has no such array.
-std::vector<double> open_from(const JsonReader& json, std::size_t points) {
-    if (!json.has("open")) return {};
-    const JsonReader member = json.member("open");
-    std::vector<double> open = member.numbers();
-    const bool parts = std::ranges::all_of(open, [](double part) { return part >= 0.0 && part <= 1.0; });
-    if (open.size() != points || !parts) member.expected("a number in [0, 1] for each point");
-    return open;
-}
-
-Growth growth_from(const JsonReader& json) {
-    Growth growth{.of = json.member("of").name(),
-                  .method = json.member("method").name(),
-                  .exponent = json.member("exponent").number()};
-    for (const JsonReader& point : json.member("points").elements()) {
-        const std::vector<double> pair = point.numbers();
-        if (pair.size() != 2) point.expected("two numbers");
-        growth.points.emplace_back(pair[0], pair[1]);
-    }
-    growth.open = open_from(json, growth.points.size());
-    return growth;
-}
 
 ordered_json spread_json(const Spread& spread) {
     return {{"median", number_json(spread.median)},
@@ -104,11 +69,9 @@ std::string to_json(const Benchmark& benchmark) {
                       {"rays", benchmark.rays},
                       {"copy_ms", spread_json(benchmark.copy_ms)},
                       {"results", ordered_json::array()},
-                      {"scaling", ordered_json::array()},
                       {"framework", ordered_json::array()}};
     if (!benchmark.versions.empty()) json["versions"] = benchmark.versions;
     for (const Row& row : benchmark.rows) json["results"].push_back(row_json(row));
-    for (const Growth& growth : benchmark.scaling) json["scaling"].push_back(growth_json(growth));
     for (const Figure& figure : benchmark.framework) {
         json["framework"].push_back(
             {{"name", figure.name}, {"unit", figure.unit}, {"value", number_json(figure.value)}});
@@ -134,8 +97,6 @@ Benchmark benchmark_from_json(std::string_view text) {
                         .copy_ms = spread_from(json.member("copy_ms"))};
     if (json.has("versions")) benchmark.versions = json.member("versions").name();
     for (const JsonReader& row : json.member("results").elements()) benchmark.rows.push_back(row_from(row));
-    for (const JsonReader& growth : json.member("scaling").elements())
-        benchmark.scaling.push_back(growth_from(growth));
     for (const JsonReader& figure : json.member("framework").elements()) {
         benchmark.framework.push_back(
             {figure.member("name").name(), figure.member("unit").name(), figure.member("value").number()});

@@ -12,9 +12,7 @@ namespace gloam::report {
 // {"median", "low", "high"}, "results": [{"scene", "method", "preset", "samples", "temporal", "readings",
 // "gather_ms", "total_ms", "gather_copies", "total_copies", "passes": [{"pass", "ms"}], "quality":
 // {"rmse_geometry", "rmse_depth", "rmse_raw_geometry", "rmse_raw_depth", "ssim", "flicker", "samples_taken",
-// "memory_bytes"}}], "scaling":
-// [{"of", "method", "exponent", "points": [[value, ms]]}], "framework": [{"name", "unit", "value"}]}. Numbers
-// that are not known are "nan".
+// "memory_bytes"}}], "framework": [{"name", "unit", "value"}]}. Numbers that are not known are "nan".
 [[nodiscard]] std::string to_json(const Benchmark& benchmark);
 
 // Reads it. Throws std::runtime_error with the place in the text, what was found and what was expected.

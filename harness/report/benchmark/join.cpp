@@ -36,7 +36,6 @@ Benchmark joined(std::span<const Benchmark> parts) {
     const auto first = std::ranges::find_if(parts, [](const Benchmark& part) { return !part.rows.empty(); });
     Benchmark whole = first == parts.end() ? parts.front() : *first;
     whole.rows.clear();
-    whole.scaling.clear();
     whole.framework.clear();
     for (const Benchmark& part : parts) {
         if (part.device != whole.device || part.driver != whole.driver) {
@@ -44,7 +43,6 @@ Benchmark joined(std::span<const Benchmark> parts) {
                                                     whole.device, whole.driver, part.device, part.driver));
         }
         if (!part.rows.empty()) append_rows(whole, part);
-        whole.scaling.insert(whole.scaling.end(), part.scaling.begin(), part.scaling.end());
         whole.framework.insert(whole.framework.end(), part.framework.begin(), part.framework.end());
     }
     return whole;

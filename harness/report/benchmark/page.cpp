@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 #include "base/text.hpp"
-#include "report/benchmark/growth.hpp"
 #include "report/benchmark/pareto.hpp"
 #include "report/benchmark/tables.hpp"
 
@@ -39,18 +36,6 @@ constexpr const char* explanation = R"(
   geometric means, and errors are geometric means of the ratio to the least that any configuration has in the scene.
 )";
 
-constexpr const char* scaling_introduction = R"(
-## Scaling
-
-Time of all passes of a single frame while one thing grows: time ~ value^exponent, least squares on logarithmic axes.
-*Pixels* grow at the same radius in pixels and with every tile sampled, so that a pixel is the same work at every
-size: this is what the criterion judges. *Pixels, open tiles skipped* is the same with the settings as they are by
-default. The radius then shrinks in the world as pixels grow, so that less lies within reach, and the bias with it,
-down to what depths are rounded to. So another part of the tiles, listed with the times, can be proven open and takes
-no samples.
-
-)";
-
 constexpr const char* presets_introduction = R"(
 ## The presets
 
@@ -71,17 +56,6 @@ std::string circumstances(const Benchmark& benchmark) {
 
 std::string picture(const std::string& images, const std::string& name) {
     return fmt::format("![{}]({}/{}.svg)\n\n", name, images, name);
-}
-
-std::string scaling_section(const Benchmark& benchmark, const std::string& images) {
-    if (benchmark.scaling.empty()) return {};
-    std::string text = scaling_introduction;
-    std::set<std::string> shown;
-    for (const Growth& growth : benchmark.scaling) {
-        if (shown.insert(growth.of).second) text += picture(images, growth_plot_name(growth.of));
-    }
-    const std::string criteria = scaling_criteria_table(benchmark);
-    return text + criteria + (criteria.empty() ? "" : "\n") + scaling_table(benchmark);
 }
 
 std::string framework_section(const Benchmark& benchmark) {
@@ -108,8 +82,7 @@ std::string to_benchmark_page(const Benchmark& benchmark, const std::string& ima
                             picture(images, base::file_name_of(scene)), scene_front_table(benchmark, scene),
                             best_table(benchmark, scene));
     }
-    text += scaling_section(benchmark, images) + framework_section(benchmark);
-    return text;
+    return text + framework_section(benchmark);
 }
 
 }  // namespace gloam::report

@@ -8,7 +8,7 @@
 namespace gloam::report {
 
 // The benchmark as a Markdown page: how it was measured, the fronts over all scenes and of each, each method
-// at its most exact, and scaling and framework if they were measured. `images`: path from the page to the SVG
+// at its most exact, and the framework if it was measured. `images`: path from the page to the SVG
 // files of plots_of().
 [[nodiscard]] std::string to_benchmark_page(const Benchmark& benchmark, const std::string& images);
 

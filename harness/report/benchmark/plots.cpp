@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "base/text.hpp"
-#include "report/benchmark/growth.hpp"
 #include "report/benchmark/pareto.hpp"
 
 namespace gloam::report {
@@ -96,29 +94,11 @@ Plot error_against_time(const Benchmark& benchmark) {
         .curves = curves_of(entries)};
 }
 
-Plot growth_plot(const Benchmark& benchmark, const std::string& of) {
-    Plot plot{.title = "time against " + of + ", " + benchmark.device,
-              .x = of,
-              .y = "all passes, ms",
-              .logarithmic = true};
-    for (const Growth& growth : benchmark.scaling) {
-        if (growth.of == of)
-            plot.curves.push_back({.name = fmt::format("{}, exponent {:.2f}", growth.method, growth.exponent),
-                                   .points = growth.points});
-    }
-    return plot;
-}
-
 std::vector<std::pair<std::string, Plot>> plots_of(const Benchmark& benchmark) {
     std::vector<std::pair<std::string, Plot>> plots;
     for (const std::string& scene : scenes_of(benchmark))
         plots.emplace_back(base::file_name_of(scene), error_against_time(benchmark, scene));
     if (!overall_of(benchmark).empty()) plots.emplace_back("overall", error_against_time(benchmark));
-    std::set<std::string> drawn;
-    for (const Growth& growth : benchmark.scaling) {
-        if (!drawn.insert(growth.of).second) continue;
-        plots.emplace_back(growth_plot_name(growth.of), growth_plot(benchmark, growth.of));
-    }
     return plots;
 }
 

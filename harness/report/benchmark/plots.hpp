@@ -18,11 +18,7 @@ namespace gloam::report {
 // The same over all scenes: geometric means; the error is relative to the least of each scene.
 [[nodiscard]] Plot error_against_time(const Benchmark& benchmark);
 
-// Time against a quantity, a curve for each scaling run with this name.
-[[nodiscard]] Plot growth_plot(const Benchmark& benchmark, const std::string& of);
-
-// Every plot of a benchmark, with the name of its file without suffix: "columns", "overall",
-// "scaling-pixels".
+// Every plot of a benchmark, with the name of its file without suffix: "columns", "overall".
 [[nodiscard]] std::vector<std::pair<std::string, Plot>> plots_of(const Benchmark& benchmark);
 
 }  // namespace gloam::report

@@ -64,15 +64,6 @@ struct Row {
     std::size_t readings = 0;
 };
 
-// Growth of a time with a quantity: time ~ value^exponent.
-struct Growth {
-    std::string of;  // "pixels", "samples", ...
-    std::string method;
-    std::vector<std::pair<double, double>> points;               // value; milliseconds of all passes
-    double exponent = std::numeric_limits<double>::quiet_NaN();  // least squares on logarithmic axes
-    std::vector<double> open;  // share of tiles found open at each point, in [0, 1]; empty: not counted
-};
-
 // A figure of the framework itself.
 struct Figure {
     std::string name;
@@ -92,7 +83,6 @@ struct Benchmark {
     int rays = 0;    // of the truth, for each pixel
     Spread copy_ms;
     std::vector<Row> rows;
-    std::vector<Growth> scaling;
     std::vector<Figure> framework;
     std::string versions{};  // of gloam and of the compilers; empty: unknown
 };

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "report/benchmark/pareto.hpp"
 
@@ -70,68 +69,6 @@ std::string place_of(const Overall& choice, const std::vector<Overall>& front) {
     return ahead == nullptr ? "" : "behind " + choice_of(ahead->choice);
 }
 
-// The index of the point with this value; nullopt if it was not measured.
-std::optional<std::size_t> point_at(const Growth& growth, double value) {
-    const auto found = std::ranges::find_if(
-        growth.points, [&](const auto& point) { return std::abs(point.first - value) <= 1e-6 * value; });
-    if (found == growth.points.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - growth.points.begin());
-}
-
-// Ratio of the time for `to` to that for `from`; nullopt if one was not measured.
-std::optional<double> growth_between(const Growth& growth, double from, double to) {
-    const auto first = point_at(growth, from);
-    const auto last = point_at(growth, to);
-    if (!first || !last) return std::nullopt;
-    const double ratio = growth.points[*last].second / growth.points[*first].second;
-    return std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
-}
-
-bool any_open(const Growth& growth) {
-    return std::ranges::any_of(growth.open, [](double part) { return part > 0.0; });
-}
-
-std::string criterion(const std::string& what, double measured, double allowed) {
-    return fmt::format("| {} | {:.3f} | {:.2f} | {} |\n", what, measured, allowed,
-                       measured <= allowed ? "met" : "**not met**");
-}
-
-// Judged only if every tile is known to be sampled; otherwise pixels are not the same work at both sizes.
-std::string pixels_criterion_of(const Growth& growth) {
-    constexpr double hd = 1280.0 * 720.0;
-    constexpr double uhd = 3840.0 * 2160.0;
-    const auto ratio = growth_between(growth, hd, uhd);
-    if (!ratio) return {};
-    const double per_pixel = *ratio * hd / uhd;
-    const std::string what = growth.method + ": time per pixel, 3840 x 2160 over 1280 x 720";
-    if (!growth.open.empty() && !any_open(growth)) return criterion(what, per_pixel, 1.15);
-    const std::string open = growth.open.empty()
-                                 ? "open tiles not counted"
-                                 : fmt::format("{:.0f} % of the tiles left out as open over {:.0f} %",
-                                               100.0 * growth.open[*point_at(growth, uhd)],
-                                               100.0 * growth.open[*point_at(growth, hd)]);
-    return fmt::format("| {}, {} | {:.3f} | - | not judged |\n", what, open, per_pixel);
-}
-
-std::string criterion_of(const Growth& growth) {
-    if (growth.of.starts_with("pixels")) return pixels_criterion_of(growth);
-    if (growth.of != "radius in pixels" || growth.points.empty()) return {};
-    const double widest = growth.points.back().first;
-    if (const auto ratio = growth_between(growth, 0.1 * widest, widest))
-        return criterion(growth.method + ": time, ten times the radius", *ratio, 1.5);
-    return {};
-}
-
-std::string points_of(const Growth& growth) {
-    std::string points;
-    for (std::size_t i = 0; i < growth.points.size(); ++i) {
-        const auto& [value, ms] = growth.points[i];
-        points += fmt::format("{}{:.4g}: {}", points.empty() ? "" : ", ", value, number(ms, 3));
-        if (any_open(growth)) points += fmt::format(" ({:.0f} % open)", 100.0 * growth.open[i]);
-    }
-    return points;
-}
-
 }  // namespace
 
 std::string scene_front_table(const Benchmark& benchmark, const std::string& scene) {
@@ -168,22 +105,6 @@ std::string presets_table(const Benchmark& benchmark) {
     return "| preset | copies | ms | error over the scene's best | mean RMSE (G) | largest | |\n"
            "| --- | --- | --- | --- | --- | --- | --- |\n" +
            text;
-}
-
-std::string scaling_table(const Benchmark& benchmark) {
-    if (benchmark.scaling.empty()) return {};
-    std::string text = "| time against | method | exponent | value: ms |\n| --- | --- | --- | --- |\n";
-    for (const Growth& growth : benchmark.scaling) {
-        text += fmt::format("| {} | {} | {} | {} |\n", growth.of, growth.method, number(growth.exponent, 3),
-                            points_of(growth));
-    }
-    return text;
-}
-
-std::string scaling_criteria_table(const Benchmark& benchmark) {
-    std::string text;
-    for (const Growth& growth : benchmark.scaling) text += criterion_of(growth);
-    return text.empty() ? text : "| criterion | measured | allowed | |\n| --- | --- | --- | --- |\n" + text;
 }
 
 std::string framework_table(const Benchmark& benchmark) {

@@ -24,16 +24,6 @@ namespace gloam::report {
 // The presets over all scenes, and for each the point of the front that dominates it. Empty without presets.
 [[nodiscard]] std::string presets_table(const Benchmark& benchmark);
 
-// Exponents and times of the scaling runs, with the share of tiles found open if there are any; empty without
-// runs.
-[[nodiscard]] std::string scaling_table(const Benchmark& benchmark);
-
-// The criteria of the scaling runs: for each pixel, 3840 x 2160 takes at most 1.15 times as long as 1280 x
-// 720; and ten times the radius takes at most 1.5 times as long. The first is judged only if every tile is
-// known to have been sampled; otherwise it is reported without a verdict, with the shares found open. Empty
-// if no run has both values.
-[[nodiscard]] std::string scaling_criteria_table(const Benchmark& benchmark);
-
 // Figures of the framework; empty without figures.
 [[nodiscard]] std::string framework_table(const Benchmark& benchmark);
 

@@ -80,14 +80,10 @@ TEST(BenchmarkCompare, WarnsOfOtherCircumstancesAndStillCompares) {
 TEST(BenchmarkJoin, PutsPartsTogether) {
     Benchmark rows = make_benchmark({make_row("a", "m", 4, 10, 0.05)});
     const Benchmark more = make_benchmark({make_row("b", "m", 4, 10, 0.05)});
-    const Benchmark extra{.device = rows.device,
-                          .driver = rows.driver,
-                          .scaling = {{.of = "pixels", .method = "m"}},
-                          .framework = {{"figure", "ms", 1.0}}};
+    const Benchmark extra{.device = rows.device, .driver = rows.driver, .framework = {{"figure", "ms", 1.0}}};
     const Benchmark whole = joined(std::vector{extra, rows, more});
     EXPECT_EQ(whole.rows.size(), 2U);
     EXPECT_EQ(whole.width, 320U);
-    EXPECT_EQ(whole.scaling.size(), 1U);
     EXPECT_EQ(whole.framework.size(), 1U);
 }
 

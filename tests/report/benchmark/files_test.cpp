@@ -29,8 +29,6 @@ Benchmark everything() {
         make_benchmark({make_row("a", "m", 4, 10, 0.05), make_row("a", "n", 8, 30, 0.02, true),
                         make_row("a", "n", 4, 40, 0.03, true)});
     benchmark.rows[1].configuration.preset = "p";
-    benchmark.scaling = {
-        {.of = "moving objects", .method = "m", .points = {{1, 2}, {4, 8}}, .exponent = 1.0}};
     benchmark.framework = {{"figure", "ms", 1.25}};
     return benchmark;
 }
@@ -44,25 +42,7 @@ TEST(BenchmarkJson, ReadsWhatItWrote) {
     EXPECT_EQ(back.rows[1].quality.memory_bytes, 3'145'728U);
     EXPECT_TRUE(std::isnan(back.rows[0].quality.flicker));
     EXPECT_EQ(back.rows[0].passes, benchmark.rows[0].passes);
-    EXPECT_EQ(back.scaling[0].points, benchmark.scaling[0].points);
     EXPECT_EQ(back.framework[0].value, 1.25);
-}
-
-TEST(BenchmarkJson, HoldsThePartOfOpenTilesWhereItWasCounted) {
-    Benchmark benchmark = everything();
-    EXPECT_THAT(to_json(benchmark), testing::Not(HasSubstr("\"open\"")));
-    EXPECT_TRUE(benchmark_from_json(to_json(benchmark)).scaling[0].open.empty());
-    benchmark.scaling[0].open = {0.5, 0.25};
-    const std::string text = to_json(benchmark);
-    const Benchmark back = benchmark_from_json(text);
-    EXPECT_THAT(back.scaling[0].open, testing::ElementsAre(0.5, 0.25));
-    EXPECT_EQ(to_json(back), text);
-    for (const std::vector<double>& bad : {std::vector{0.5}, std::vector{0.5, 1.5}, std::vector{-0.1, 0.5}}) {
-        benchmark.scaling[0].open = bad;
-        EXPECT_THAT([&] { (void)benchmark_from_json(to_json(benchmark)); },
-                    testing::ThrowsMessage<std::runtime_error>(
-                        HasSubstr("scaling[0].open: expected a number in [0, 1] for each point")));
-    }
 }
 
 // A results file is untrusted: each name in it becomes one line, and no name becomes a path.
@@ -80,14 +60,11 @@ TEST(BenchmarkJson, NamesAreOneLine) {
     refusal([&](Benchmark& b) { b.rows[0].configuration.scene = bad; }, "results[0].scene");
     refusal([&](Benchmark& b) { b.rows[0].configuration.method = bad; }, "results[0].method");
     refusal([&](Benchmark& b) { b.rows[1].configuration.preset = bad; }, "results[1].preset");
-    refusal([&](Benchmark& b) { b.scaling[0].of = bad; }, "scaling[0].of");
-    refusal([&](Benchmark& b) { b.scaling[0].method = bad; }, "scaling[0].method");
 }
 
 TEST(BenchmarkJson, PlotsAreNamedSoThatNoneLeadsAway) {
     Benchmark benchmark = everything();
     benchmark.rows[0].configuration.scene = "../../evil";
-    benchmark.scaling[0].of = "../x";
     for (const auto& [name, plot] : plots_of(benchmark)) EXPECT_EQ(name.find('/'), std::string::npos) << name;
     EXPECT_THAT(to_benchmark_page(benchmark, "images"), testing::Not(HasSubstr("images/../")));
 }
@@ -135,12 +112,11 @@ TEST(BenchmarkJson, CsvHasALineForEachConfiguration) {
     EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
-TEST(BenchmarkPlots, OneForEachSceneAndGrowth) {
+TEST(BenchmarkPlots, OneForEachScene) {
     const auto plots = plots_of(everything());
-    ASSERT_EQ(plots.size(), 3U);
+    ASSERT_EQ(plots.size(), 2U);
     EXPECT_EQ(plots[0].first, "a");
     EXPECT_EQ(plots[1].first, "overall");
-    EXPECT_EQ(plots[2].first, "scaling-moving-objects");
     const Plot& scene = plots[0].second;
     ASSERT_EQ(scene.curves.size(), 4U);
     EXPECT_EQ(scene.curves[0].name, "others");
@@ -150,12 +126,11 @@ TEST(BenchmarkPlots, OneForEachSceneAndGrowth) {
     EXPECT_THAT(to_svg(scene), HasSubstr("p/8/temporal"));
 }
 
-TEST(BenchmarkPage, HoldsFrontsScalingAndFramework) {
+TEST(BenchmarkPage, HoldsFrontsAndFramework) {
     const std::string page = to_benchmark_page(everything(), "images/x");
     for (const char* text :
          {"## `a`", "images/x/a.svg", "images/x/overall.svg", "320 x 180", "| m/4/single |",
-          "**p/8/temporal**", "| n/4/temporal |", "## Scaling", "images/x/scaling-moving-objects.svg",
-          "1: 2.000, 4: 8.000", "## The framework", "1.25 ms"})
+          "**p/8/temporal**", "| n/4/temporal |", "## The framework", "1.25 ms"})
         EXPECT_THAT(page, HasSubstr(text));
 }
 
@@ -177,42 +152,6 @@ TEST(BenchmarkPage, SaysOfEachPresetWhetherItLiesOnTheFront) {
     const std::string without =
         to_benchmark_page(make_benchmark({make_row("a", "m", 4, 10, 0.05)}), "images");
     EXPECT_THAT(without, testing::Not(HasSubstr("## The presets")));
-}
-
-TEST(BenchmarkPage, SaysWhetherTimeGrowsAsItShould) {
-    Benchmark benchmark = everything();
-    benchmark.scaling = {
-        {.of = "pixels",
-         .method = "m",
-         .points = {{57'600, 1}, {921'600, 10}, {8'294'400, 108}},
-         .open = {0, 0, 0}},
-        {.of = "pixels", .method = "n", .points = {{57'600, 1}, {8'294'400, 108}}, .open = {0, 0}},
-        {.of = "radius in pixels", .method = "m", .points = {{5, 9}, {10.4, 10}, {52, 12}, {104, 16}}}};
-    const std::string page = to_benchmark_page(benchmark, "images");
-    EXPECT_THAT(page,
-                HasSubstr("| m: time per pixel, 3840 x 2160 over 1280 x 720 | 1.200 | 1.15 | **not met** |"));
-    EXPECT_THAT(page, HasSubstr("| m: time, ten times the radius | 1.600 | 1.50 | **not met** |"));
-    EXPECT_THAT(page, testing::Not(HasSubstr("| n: time")));
-    benchmark.scaling[2].points.back().second = 15;
-    EXPECT_THAT(to_benchmark_page(benchmark, "images"), HasSubstr("radius | 1.500 | 1.50 | met |"));
-}
-
-TEST(BenchmarkPage, JudgesNoTimeOfPixelsThatAreOtherWork) {
-    Benchmark benchmark = everything();
-    benchmark.scaling = {{.of = "pixels, open tiles skipped",
-                          .method = "m",
-                          .points = {{57'600, 1}, {921'600, 10}, {8'294'400, 117}},
-                          .open = {0, 0.544, 0.365}},
-                         {.of = "pixels", .method = "old", .points = {{921'600, 10}, {8'294'400, 99}}}};
-    const std::string page = to_benchmark_page(benchmark, "images");
-    const std::string criterion = ": time per pixel, 3840 x 2160 over 1280 x 720, ";
-    EXPECT_THAT(page, HasSubstr("| m" + criterion +
-                                "36 % of the tiles left out as open over 54 % | 1.300 | - | not judged |"));
-    EXPECT_THAT(page, HasSubstr("| old" + criterion + "open tiles not counted | 1.100 | - | not judged |"));
-    EXPECT_THAT(page, HasSubstr("5.76e+04: 1.000 (0 % open), 9.216e+05: 10.000 (54 % open)"));
-    EXPECT_THAT(page, HasSubstr("9.216e+05: 10.000, 8.294e+06: 99.000 |"));
-    EXPECT_THAT(page, HasSubstr("images/scaling-pixels-open-tiles-skipped.svg"));
-    EXPECT_EQ(plots_of(benchmark)[2].first, "scaling-pixels-open-tiles-skipped");
 }
 
 TEST(BenchmarkPlots, NamePresetsThatLieBehindTheFront) {

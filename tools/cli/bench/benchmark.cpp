@@ -11,7 +11,6 @@
 #include "cli/bench/framework.hpp"
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/measure.hpp"
-#include "cli/bench/scaling.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
@@ -26,11 +25,6 @@
 namespace gloam::cli {
 namespace {
 
-// With --scaling or --framework only these are measured.
-bool asks_for_time_against_error(const BenchmarkOptions& options) {
-    return !options.scaling && !options.framework;
-}
-
 void check(const BenchmarkOptions& options) {
     if (options.temporal_only && options.single_only)
         throw std::invalid_argument("--temporal and --single: expected one of them, or none for both");
@@ -40,7 +34,6 @@ void check(const BenchmarkOptions& options) {
     if (!options.compare.empty() || !options.from.empty()) return;
     (void)configurations_of(options);
     (void)image_size(options.size);
-    check_scaling(options);
 }
 
 int compare_files(const BenchmarkOptions& options) {
@@ -59,9 +52,6 @@ void print_tables(const report::Benchmark& benchmark) {
             fmt::print("\n{}\n\n{}", scene, report::scene_front_table(benchmark, scene));
         fmt::print("\nall scenes\n\n{}", report::overall_table(benchmark));
     }
-    if (!benchmark.scaling.empty())
-        fmt::print("\nscaling\n\n{}{}", report::scaling_table(benchmark),
-                   report::scaling_criteria_table(benchmark));
     if (!benchmark.framework.empty()) fmt::print("\nframework\n\n{}", report::framework_table(benchmark));
 }
 
@@ -73,12 +63,10 @@ int report_on(const report::Benchmark& benchmark, const BenchmarkOptions& option
 
 report::Benchmark measured(const BenchmarkOptions& options, const gpu::Device& device) {
     const scene::PassLibrary passes(glsl_directory(), cache_directory());
-    if (asks_for_time_against_error(options)) return measured_benchmark(options, device, passes);
-    report::Benchmark benchmark{.device = device.info().name, .driver = device.info().driver};
-    if (options.scaling) benchmark.scaling = measured_scaling(options, device, passes);
-    if (options.framework)
-        benchmark.framework = framework_figures(options.device, options.repeat, progress_bar("framework"));
-    return benchmark;
+    if (!options.framework) return measured_benchmark(options, device, passes);
+    return {.device = device.info().name,
+            .driver = device.info().driver,
+            .framework = framework_figures(options.device, options.repeat, progress_bar("framework"))};
 }
 
 }  // namespace

@@ -36,12 +36,6 @@ void add_what(CLI::App& bench, BenchmarkOptions& options) {
 }
 
 void add_costs(CLI::App& bench, BenchmarkOptions& options) {
-    CLI::Option* scaling =
-        bench.add_flag("--scaling", options.scaling,
-                       "instead: time against pixels, samples, radius, filter and objects, with exponents");
-    bench.add_option("--scaling-sizes", options.scaling_sizes, "WIDTHxHEIGHT of --scaling, smallest first")
-        ->needs(scaling)
-        ->capture_default_str();
     bench.add_flag("--framework", options.framework, "instead: what the shader-test framework itself costs");
 }
 
@@ -61,7 +55,7 @@ void add_answers(CLI::App& bench, BenchmarkOptions& options) {
     compare->excludes(from);
     // Options of a measurement; they cannot be combined with result files.
     for (const char* measured : {"--scene", "--method", "--preset", "--samples", "--size", "--temporal",
-                                 "--single", "--frames", "--repeat", "--rays", "--scaling", "--framework"}) {
+                                 "--single", "--frames", "--repeat", "--rays", "--framework"}) {
         from->excludes(bench.get_option(measured));
         compare->excludes(bench.get_option(measured));
     }

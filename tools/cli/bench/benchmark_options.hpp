@@ -21,8 +21,6 @@ struct BenchmarkOptions {
     bool temporal_only = false;
     bool single_only = false;
     bool resume = false;
-    bool scaling = false;
-    std::vector<std::string> scaling_sizes{"320x180", "640x360", "1280x720", "1920x1080", "3840x2160"};
     bool framework = false;
     std::string budget;  // "1ms", "40copies"; empty: not asked
     double error = 0.0;  // 0: not given

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/page_blocks.hpp"
 #include "cli/drivers.hpp"
@@ -24,7 +26,11 @@
 #include "experiment/experiment.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/table.hpp"
+#include "experiment/values.hpp"
+#include "numeric/spread.hpp"
 #include "report/output_file.hpp"
+#include "report/output_folder.hpp"
+#include "report/plot.hpp"
 #include "scene/views.hpp"
 
 namespace gloam::cli {
@@ -46,6 +52,7 @@ struct ExperimentOptions {
     std::optional<double> depth_thickness;
     std::vector<std::string> cases;
     std::string half;
+    std::vector<std::string> methods;
     std::vector<std::string> plain;     // SLICESxSTEPS+BLURS
     std::vector<std::string> single;    // PRESET[,NAME=VALUE...]
     std::vector<std::string> sequence;  // the same
@@ -58,6 +65,7 @@ struct ExperimentOptions {
     bool validation = false;
     fs::path json;
     fs::path page;
+    fs::path out;
 };
 
 scene::Inputs inputs_named(const std::string& name) {
@@ -90,6 +98,13 @@ Candidate preset_candidate(const std::string& text, bool sequence) {
     return made;
 }
 
+Candidate method_candidate(const std::string& method) {
+    Candidate made{.name = method};
+    made.layer.kind = experiment::Kind::effect;
+    made.layer.method = method;
+    return made;
+}
+
 // SLICESxSTEPS+BLURS.
 Candidate plain_candidate(const std::string& text) {
     const experiment::PlainLoop loop = experiment::plain_loop(text);
@@ -111,8 +126,10 @@ experiment::Kind kind_of(const Candidate& candidate) {
 
 // Candidates of an option replace those of its sort in the description.
 std::vector<Candidate> replaced(const std::vector<Candidate>& candidates, const ExperimentOptions& options) {
-    if (options.plain.empty() && options.single.empty() && options.sequence.empty()) return candidates;
     std::vector<Candidate> chosen;
+    std::ranges::transform(options.methods, std::back_inserter(chosen), method_candidate);
+    if (!chosen.empty()) return chosen;
+    if (options.plain.empty() && options.single.empty() && options.sequence.empty()) return candidates;
     const auto add = [&](const std::vector<std::string>& texts, const auto& made, const auto& of_its_sort) {
         for (const std::string& text : texts) chosen.push_back(made(text));
         if (texts.empty()) std::ranges::copy_if(candidates, std::back_inserter(chosen), of_its_sort);
@@ -176,14 +193,55 @@ std::string heading(const Experiment& what, const std::vector<experiment::SizeRe
     return text + ".\n";
 }
 
+// Blocks of a page: of the tables that have names, or one of all.
+std::vector<PageBlock> blocks_of(const Experiment& what, const experiment::Text& tables) {
+    std::vector<PageBlock> blocks;
+    for (const experiment::Table& table : what.tables)
+        if (!table.name.empty())
+            blocks.push_back(
+                {table.name, tables.named.contains(table.name) ? tables.named.at(table.name) : ""});
+    if (blocks.empty()) blocks.push_back({what.name, tables.text});
+    return blocks;
+}
+
+// A plot of time for each kind of case in which something grows.
+void write_plots(report::OutputFolder& folder, const Experiment& what,
+                 const std::vector<experiment::SizeResult>& results, const gpu::DeviceInfo& device) {
+    for (const experiment::SizeResult& result : results) {
+        std::map<std::string, report::Plot> plots;  // by kind
+        for (experiment::Growth& growth : growths(what, result)) {
+            report::Plot& plot = plots[growth.kind];
+            plot.title = fmt::format("time against {}, {}", growth.kind, device.name);
+            plot.x = growth.kind;
+            plot.y = "all passes, ms";
+            plot.logarithmic = true;
+            plot.curves.push_back({.name = fmt::format("{}, exponent {:.2f}", growth.candidate,
+                                                       numeric::exponent_of(growth.points)),
+                                   .points = std::move(growth.points)});
+        }
+        for (const auto& [kind, plot] : plots) {
+            const std::string size = results.size() == 1 ? "" : "-" + experiment::size_text(result.extent);
+            std::string name = fmt::format("{}-{}{}", what.name, kind, size);
+            std::erase(name, ',');
+            std::ranges::replace(name, ' ', '-');
+            name = base::file_name_of(name);
+            folder.write(name + ".svg", report::to_svg(plot));
+            folder.write(name + ".png", report::to_png(plot));
+        }
+    }
+    folder.keep();
+}
+
 int run_experiment(const ExperimentOptions& options) {
     const fs::path meshes = options.meshes.empty() ? scene::installed_meshes() : options.meshes;
     const Experiment what = chosen_from(options, meshes);
     std::vector<gpu::Extent> sizes;
     for (const std::string& size : what.sizes) sizes.push_back(image_size(size));
     const std::string old_page = options.page.empty() ? "" : read_page(options.page);
-    if (!options.page.empty()) (void)with_blocks(old_page, {{what.name, ""}});
+    if (!options.page.empty()) (void)with_blocks(old_page, blocks_of(what, {}));
     const report::OutputFile page(options.page);
+    std::optional<report::OutputFolder> out;
+    if (!options.out.empty()) out.emplace(options.out);
     const report::OutputFile json(options.json);
     gpu::Device device = open_device(options.device, options.validation);
     const scene::PassLibrary passes =
@@ -195,11 +253,12 @@ int run_experiment(const ExperimentOptions& options) {
                                   .preset_of = preset_settings,
                                   .progress = progress_bar};
     const std::vector<experiment::SizeResult> results = run(what, sizes, place);
-    const experiment::Text tables = to_text(what, results);
-    const std::string text = heading(what, results, device.info()) + tables.text;
-    fmt::print("{}", text);
+    experiment::Text tables = to_text(what, results);
+    tables.text = heading(what, results, device.info()) + tables.text;
+    fmt::print("{}", tables.text);
     json.write(to_json(what, results, device.info(), versions()));
-    if (!options.page.empty()) page.write(with_blocks(old_page, {{what.name, text}}));
+    if (!options.page.empty()) page.write(with_blocks(old_page, blocks_of(what, tables)));
+    if (out) write_plots(*out, what, results, device.info());
     const int messages = validation_status(device);
     return tables.missed && options.fail_if_missed ? 1 : messages;
 }
@@ -220,6 +279,8 @@ void add_what(CLI::App& command, ExperimentOptions& options) {
 }
 
 void add_candidates(CLI::App& command, ExperimentOptions& options) {
+    command.add_option("--method", options.methods,
+                       "methods with the settings of the cases, instead of the candidates");
     command.add_option("--plain", options.plain,
                        "SLICESxSTEPS+BLURS of single frames of the plain loop, instead of the candidates");
     command.add_option("--single", options.single, "PRESET or PRESET,NAME=VALUE,..., each frame alone");
@@ -246,7 +307,9 @@ CLI::App& add_command(CLI::App& bench, const std::string& name, const std::strin
     add_candidates(*command, *options);
     add_device_options(*command, options->device, options->validation);
     command->add_option("--json", options->json, "write every number to this file");
-    command->add_option("--page", options->page, "page whose block of the experiment's name is written anew");
+    command->add_option("--page", options->page,
+                        "page whose blocks of the tables' names, or the experiment's, are written anew");
+    command->add_option("--out", options->out, "folder for plots of what grows");
     command->add_flag("--fail-if-missed", options->fail_if_missed, "status 1 where a target is missed");
     command->callback([options, &status] { status = run_experiment(*options); });
     return *command;
