@@ -199,18 +199,18 @@ scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes) {
     return scene;
 }
 
-effect::BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent) {
+BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent) {
     const auto scale = static_cast<std::uint32_t>(one.scale);
-    effect::BenchmarkFrames frames{.extent = {extent.width * scale, extent.height * scale},
-                                   .frames = experiment.frames,
-                                   .scored = one.scored.value_or(experiment.scored),
-                                   .rays = is_edited(one) ? 0 : experiment.rays,
-                                   .depth_truth = false,
-                                   .depth_thickness = experiment.depth_thickness,
-                                   .repeat = experiment.repeat,
-                                   .motion = one.motion,
-                                   .still = one.still,
-                                   .shown = one.shown};
+    BenchmarkFrames frames{.extent = {extent.width * scale, extent.height * scale},
+                           .frames = experiment.frames,
+                           .scored = one.scored.value_or(experiment.scored),
+                           .rays = is_edited(one) ? 0 : experiment.rays,
+                           .depth_truth = false,
+                           .depth_thickness = experiment.depth_thickness,
+                           .repeat = experiment.repeat,
+                           .motion = one.motion,
+                           .still = one.still,
+                           .shown = one.shown};
     if (!one.shown.empty()) frames.frames = std::accumulate(one.shown.begin(), one.shown.end(), 0);
     if (is_edited(one)) frames.edit = [one](scene::GBuffer& view, int number) { edit(one, view, number); };
     return frames;

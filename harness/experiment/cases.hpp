@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "effect/study/benchmark_views.hpp"
+#include "experiment/benchmark_views.hpp"
 #include "experiment/experiment.hpp"
 
 namespace gloam::experiment {
@@ -14,7 +14,6 @@ namespace gloam::experiment {
 
 // The frames of a case at a size of the experiment, without the truth of the depth buffer. Changed views have
 // no truth.
-[[nodiscard]] effect::BenchmarkFrames frames_of(const Experiment& experiment, const Case& one,
-                                                gpu::Extent extent);
+[[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent);
 
 }  // namespace gloam::experiment

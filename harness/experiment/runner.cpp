@@ -18,14 +18,10 @@
 #include "effect/plan.hpp"
 #include "effect/setting_table.hpp"
 #include "effect/study/copy_clock.hpp"
-#include "effect/study/plain_run.hpp"
 #include "experiment/cases.hpp"
 
 namespace gloam::experiment {
 namespace {
-
-using effect::BenchmarkViews;
-using effect::ConfigurationVisit;
 
 // All that the layers say of one candidate in one case.
 struct Subject {
@@ -108,7 +104,7 @@ void require_possible(const Experiment& experiment, const Case& one, const Candi
 // The error of (D) against (G).
 ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     if (round > 0) return {};
-    effect::FrameQuality quality;
+    FrameQuality quality;
     for (int i = views.first_scored(); i < views.frames().frames; ++i) {
         const effect::Errors errors = effect::errors_of(views.scored(i).depth, views.scored(i).geometry);
         quality.geometry += errors.rmse / views.frames().scored;
@@ -186,7 +182,7 @@ class SizeRun {
 
     // Cases that show the same share their views.
     [[nodiscard]] std::shared_ptr<BenchmarkViews> views_of(const Case& one, double radius, bool depth_truth) {
-        effect::BenchmarkFrames frames = frames_of(experiment_, one, extent_);
+        BenchmarkFrames frames = frames_of(experiment_, one, extent_);
         frames.depth_truth = depth_truth;
         frames.remap = remap_;
         const std::string key =
@@ -284,21 +280,20 @@ class SizeRun {
         }
     }
 
-    effect::ConfigurationStudy& study_of(gpu::Extent extent, bool hoisted) {
-        std::unique_ptr<effect::ConfigurationStudy>& study = studies_[{extent.width, extent.height, hoisted}];
+    ConfigurationStudy& study_of(gpu::Extent extent, bool hoisted) {
+        std::unique_ptr<ConfigurationStudy>& study = studies_[{extent.width, extent.height, hoisted}];
         if (!study)
-            study = std::make_unique<effect::ConfigurationStudy>(
+            study = std::make_unique<ConfigurationStudy>(
                 place_.device,
                 hoisted ? place_.passes : place_.passes.with(shader::Optimization::performance), extent);
         return *study;
     }
 
-    effect::PlainRun& loop_of(gpu::Extent extent, const PlainLoop& loop) {
-        std::unique_ptr<effect::PlainRun>& made =
+    PlainRun& loop_of(gpu::Extent extent, const PlainLoop& loop) {
+        std::unique_ptr<PlainRun>& made =
             loops_[{extent.width, extent.height, loop.taps.slices, loop.taps.steps, loop.blurs}];
         if (!made)
-            made = std::make_unique<effect::PlainRun>(place_.device, place_.passes, extent, loop.taps,
-                                                      loop.blurs);
+            made = std::make_unique<PlainRun>(place_.device, place_.passes, extent, loop.taps, loop.blurs);
         return *made;
     }
 
@@ -317,9 +312,8 @@ class SizeRun {
     bool own_radius_ = shows(experiment_, "rmse_own_radius");
     // By width and height of the images, and by what they are made for.
     using Side = std::uint32_t;
-    std::map<std::tuple<Side, Side, bool>, std::unique_ptr<effect::ConfigurationStudy>> studies_;
-    std::map<std::tuple<Side, Side, std::uint32_t, std::uint32_t, int>, std::unique_ptr<effect::PlainRun>>
-        loops_;
+    std::map<std::tuple<Side, Side, bool>, std::unique_ptr<ConfigurationStudy>> studies_;
+    std::map<std::tuple<Side, Side, std::uint32_t, std::uint32_t, int>, std::unique_ptr<PlainRun>> loops_;
     std::map<std::tuple<Side, Side, gpu::Format>, std::unique_ptr<effect::CopyClock>> clocks_;
 };
 
@@ -336,7 +330,7 @@ void require_possible(const Experiment& experiment, const Place& place) {
     require_consistent(experiment);
     for (const Case& one : experiment.cases) {
         if (!one.view) (void)scene_of(one, place.meshes);  // a view's meshes are read when it is measured
-        const effect::BenchmarkFrames frames = frames_of(experiment, one, {});
+        const BenchmarkFrames frames = frames_of(experiment, one, {});
         if (frames.scored > frames.frames)
             throw std::invalid_argument(fmt::format("{}: {} scored frames, expected at most {}, the frames",
                                                     one.name, frames.scored, frames.frames));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "effect/study/configuration_study.hpp"
+#include "experiment/configuration_study.hpp"
 #include "experiment/experiment.hpp"
 #include "gpu/device.hpp"
 #include "scene/pass_library.hpp"
@@ -17,8 +17,8 @@ namespace gloam::experiment {
 
 // What a candidate reached in a case.
 struct Cell {
-    std::optional<effect::FrameQuality> quality;            // nullopt: without a truth
-    std::vector<std::vector<effect::FrameReading>> rounds;  // the readings of each timed round
+    std::optional<FrameQuality> quality;            // nullopt: without a truth
+    std::vector<std::vector<FrameReading>> rounds;  // the readings of each timed round
     std::optional<double>
         difference;     // RMS of the displayed image of the last frame and the first candidate's
     effect::Work work;  // of the last frame
@@ -56,7 +56,7 @@ void require_possible(const Experiment& experiment, const Place& place);
 
 // Measures every candidate of every case at every size, in rounds: round 0 gives the errors and compiles, the
 // others give times. Every other round visits the candidates in reverse, so that the machine's drift affects
-// all alike. Throws like require_possible(), effect::BenchmarkViews and effect::AmbientOcclusion, and
+// all alike. Throws like require_possible(), BenchmarkViews and effect::AmbientOcclusion, and
 // std::runtime_error for a device without timestamps if there are rounds.
 [[nodiscard]] std::vector<SizeResult> run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes,
                                           const Place& place);

@@ -13,8 +13,6 @@
 namespace gloam::experiment {
 namespace {
 
-using effect::FrameQuality;
-using effect::FrameReading;
 using effect::Work;
 using nlohmann::ordered_json;
 

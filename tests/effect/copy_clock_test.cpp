@@ -6,8 +6,6 @@
 
 #include <stdexcept>
 
-#include "effect/study/configuration_study.hpp"
-
 namespace gloam::effect {
 namespace copy_clock_test {
 
@@ -27,24 +25,6 @@ TEST(CopyClock, WithoutTimestampsIsAnErrorThatNamesTheDevice) {
                 testing::ThrowsMessage<std::runtime_error>(
                     testing::AllOf(testing::HasSubstr("sundial"), testing::HasSubstr("no timestamps"))));
     EXPECT_NO_THROW(require_timestamps({.timestamp_period_ns = 1.0}));
-}
-
-TEST(ConfigurationStudy, TemporalRunsAreVisitedAsOftenAsFramesAreScored) {
-    for (int round = 0; round < 20; ++round) {
-        EXPECT_TRUE(ConfigurationStudy::due(false, round, 8));
-        EXPECT_EQ(ConfigurationStudy::due(true, round, 8), round == 0 || round == 8 || round == 16);
-    }
-}
-
-TEST(ConfigurationStudy, SettingsHoldTheSamplesAskedFor) {
-    const Settings single = measured_settings("gtao", 16, false);
-    EXPECT_EQ(single.method, "gtao");
-    EXPECT_EQ(single.samples, 16U);
-    EXPECT_EQ(single.samples_converged, 16U);
-    const Settings temporal = measured_settings("hemisphere", 512, true);
-    EXPECT_EQ(temporal.samples, 512U);
-    EXPECT_GE(temporal.weight_max, 1024.0F);
-    EXPECT_THROW((void)measured_settings("magic", 16, false), std::invalid_argument);
 }
 
 }  // namespace copy_clock_test

@@ -34,7 +34,7 @@ class OnDevice : public Base {
 
     // The same for all tests of a suite, so that pipelines are compiled once; for images of that size until
     // the next call with another. begin() leaves no trace of what it held before
-    // (configuration_study_test.cpp).
+    // (tests/experiment/configuration_study_test.cpp).
     [[nodiscard]] AmbientOcclusion& effect_for(gpu::Extent extent) const {
         if (!shared_->effect) shared_->effect.emplace(device_, passes_, extent);
         AmbientOcclusion& effect = *shared_->effect;

@@ -18,7 +18,7 @@
 #include "cli/progress.hpp"
 #include "cli/render_settings.hpp"
 #include "cli/tune_report.hpp"
-#include "effect/study/configuration_study.hpp"
+#include "experiment/configuration_study.hpp"
 #include "report/benchmark/summary.hpp"
 #include "report/output_file.hpp"
 
@@ -46,7 +46,7 @@ effect::TuneTask task_of(const TuneOptions& options) {
 class MeasuredViews {
   public:
     MeasuredViews(const gpu::Device& device, const TuneOptions& options,
-                  const effect::BenchmarkFrames& frames)
+                  const experiment::BenchmarkFrames& frames)
         : device_(&device),
           options_(&options),
           frames_(frames),
@@ -55,18 +55,18 @@ class MeasuredViews {
 
     // settings: lengths for a radius of 1.
     [[nodiscard]] effect::ViewMeasure measure(const scene::ViewInfo& view, const effect::Settings& settings) {
-        effect::BenchmarkViews& views = views_of(view.name);
+        experiment::BenchmarkViews& views = views_of(view.name);
         const effect::Settings scaled = with_radius(settings, static_cast<float>(views.scene().ao_radius));
-        const effect::ConfigurationVisit judged = study_.visit(views, scaled, options_->sequence, 0);
+        const experiment::ConfigurationVisit judged = study_.visit(views, scaled, options_->sequence, 0);
         effect::ViewMeasure measured{.rmse = judged.quality.value().geometry};
         if (!options_->copies) return measured;
-        std::vector<effect::FrameReading> readings = judged.readings;
+        std::vector<experiment::FrameReading> readings = judged.readings;
         for (int round = 1; readings.empty() || (!options_->sequence && round <= timed_rounds); ++round)
-            for (effect::FrameReading& reading :
+            for (experiment::FrameReading& reading :
                  study_.visit(views, scaled, options_->sequence, round).readings)
                 readings.push_back(std::move(reading));
         std::vector<double> copies;
-        for (const effect::FrameReading& reading : readings) {
+        for (const experiment::FrameReading& reading : readings) {
             double ms = 0.0;
             for (const effect::PassTime& pass : reading.passes) ms += pass.ms;
             copies.push_back(ms / reading.copy_ms);
@@ -76,23 +76,23 @@ class MeasuredViews {
     }
 
   private:
-    effect::BenchmarkViews& views_of(const std::string& name) {
-        std::unique_ptr<effect::BenchmarkViews>& views = views_[name];
+    experiment::BenchmarkViews& views_of(const std::string& name) {
+        std::unique_ptr<experiment::BenchmarkViews>& views = views_[name];
         if (views) return *views;
         const std::filesystem::path meshes =
             options_->meshes.empty() ? scene::installed_meshes() : options_->meshes;
-        views = std::make_unique<effect::BenchmarkViews>(*device_, passes_, scene::make_view(name, meshes),
-                                                         frames_, scene::TruthCache(truth_cache_directory()),
-                                                         progress_bar(name + ", truth"));
+        views = std::make_unique<experiment::BenchmarkViews>(
+            *device_, passes_, scene::make_view(name, meshes), frames_,
+            scene::TruthCache(truth_cache_directory()), progress_bar(name + ", truth"));
         return *views;
     }
 
     const gpu::Device* device_;
     const TuneOptions* options_;
-    effect::BenchmarkFrames frames_;
+    experiment::BenchmarkFrames frames_;
     scene::PassLibrary passes_;
-    effect::ConfigurationStudy study_;
-    std::map<std::string, std::unique_ptr<effect::BenchmarkViews>> views_;
+    experiment::ConfigurationStudy study_;
+    std::map<std::string, std::unique_ptr<experiment::BenchmarkViews>> views_;
 };
 
 std::string description_of(const effect::TuneOutcome& outcome, const TuneOptions& options) {
@@ -130,11 +130,11 @@ int run_tune(const TuneOptions& options) {
     const effect::TuneTask task = task_of(options);
     const report::OutputFile out(options.out);
     const report::OutputFile report(options.report);
-    const effect::BenchmarkFrames frames{.extent = image_size(options.size),
-                                         .frames = options.frames,
-                                         .scored = options.scored,
-                                         .rays = options.rays,
-                                         .depth_truth = false};
+    const experiment::BenchmarkFrames frames{.extent = image_size(options.size),
+                                             .frames = options.frames,
+                                             .scored = options.scored,
+                                             .rays = options.rays,
+                                             .depth_truth = false};
     gpu::Device device = open_device(options.device, options.validation);
     if (options.copies) effect::require_timestamps(device.info());
     MeasuredViews measured(device, options, frames);

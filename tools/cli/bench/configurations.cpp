@@ -6,7 +6,7 @@
 
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
-#include "effect/study/configuration_study.hpp"
+#include "experiment/configuration_study.hpp"
 #include "scene/scene.hpp"
 
 namespace gloam::cli {
@@ -38,7 +38,7 @@ void append_scene(std::vector<MeasuredConfiguration>& all, const std::string& sc
         for (const std::string& method : methods_asked(options)) {
             for (const std::uint32_t samples : options.samples) {
                 all.push_back({{.scene = scene, .method = method, .samples = samples, .temporal = temporal},
-                               effect::measured_settings(method, samples, temporal)});
+                               experiment::measured_settings(method, samples, temporal)});
             }
         }
     }

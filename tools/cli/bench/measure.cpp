@@ -9,7 +9,7 @@
 #include "cli/bench/image_size.hpp"
 #include "cli/environment.hpp"
 #include "cli/progress.hpp"
-#include "effect/study/configuration_study.hpp"
+#include "experiment/configuration_study.hpp"
 #include "report/benchmark/journal.hpp"
 
 namespace gloam::cli {
@@ -17,14 +17,14 @@ namespace {
 
 constexpr int most_scored = 8;
 
-effect::BenchmarkFrames frames_of(const BenchmarkOptions& options) {
+experiment::BenchmarkFrames frames_of(const BenchmarkOptions& options) {
     return {.extent = image_size(options.size),
             .frames = options.frames,
             .scored = std::min(most_scored, std::max(1, options.frames / 2)),
             .rays = options.rays};
 }
 
-report::JournalSetup setup_of(const effect::BenchmarkFrames& frames, const gpu::DeviceInfo& device) {
+report::JournalSetup setup_of(const experiment::BenchmarkFrames& frames, const gpu::DeviceInfo& device) {
     return {.device = device.name,
             .driver = device.driver,
             .width = frames.extent.width,
@@ -34,7 +34,7 @@ report::JournalSetup setup_of(const effect::BenchmarkFrames& frames, const gpu::
             .rays = frames.rays};
 }
 
-report::Quality quality_of(const effect::FrameQuality& found) {
+report::Quality quality_of(const experiment::FrameQuality& found) {
     return {.raw_geometry = found.raw_geometry,
             .raw_depth = found.raw_depth,
             .geometry = found.geometry,
@@ -46,10 +46,10 @@ report::Quality quality_of(const effect::FrameQuality& found) {
 }
 
 report::Visit visit_of(const report::Configuration& configuration, int round,
-                       const effect::ConfigurationVisit& found) {
+                       const experiment::ConfigurationVisit& found) {
     report::Visit visit{.configuration = configuration, .round = round};
     if (found.quality) visit.quality = quality_of(*found.quality);
-    for (const effect::FrameReading& reading : found.readings) {
+    for (const experiment::FrameReading& reading : found.readings) {
         report::Reading kept{.copy_ms = reading.copy_ms};
         for (const effect::PassTime& time : reading.passes) kept.passes.emplace_back(time.pass, time.ms);
         visit.readings.push_back(std::move(kept));
@@ -57,12 +57,12 @@ report::Visit visit_of(const report::Configuration& configuration, int round,
     return visit;
 }
 
-std::map<std::string, effect::BenchmarkViews> views_of(const BenchmarkOptions& options,
-                                                       const effect::BenchmarkFrames& frames,
-                                                       const gpu::Device& device,
-                                                       const scene::PassLibrary& passes) {
+std::map<std::string, experiment::BenchmarkViews> views_of(const BenchmarkOptions& options,
+                                                           const experiment::BenchmarkFrames& frames,
+                                                           const gpu::Device& device,
+                                                           const scene::PassLibrary& passes) {
     const scene::TruthCache cache(truth_cache_directory());
-    std::map<std::string, effect::BenchmarkViews> views;
+    std::map<std::string, experiment::BenchmarkViews> views;
     for (const std::string& name : options.scenes) {
         views.try_emplace(name, device, passes, scene::make_scene(name), frames, cache,
                           progress_bar(name + ", truth"));
@@ -81,7 +81,7 @@ std::vector<Due> due_visits(const std::vector<MeasuredConfiguration>& all, int r
     std::vector<Due> due;
     for (int round = 0; round <= rounds; ++round) {
         for (const MeasuredConfiguration& one : all) {
-            if (effect::ConfigurationStudy::due(one.configuration.temporal, round, scored) &&
+            if (experiment::ConfigurationStudy::due(one.configuration.temporal, round, scored) &&
                 !journal.has(one.configuration, round))
                 due.push_back({&one, round});
         }
@@ -94,8 +94,8 @@ std::vector<Due> due_visits(const std::vector<MeasuredConfiguration>& all, int r
 report::Benchmark measured_benchmark(const BenchmarkOptions& options, const gpu::Device& device,
                                      const scene::PassLibrary& passes) {
     const std::vector<MeasuredConfiguration> all = configurations_of(options);
-    const effect::BenchmarkFrames frames = frames_of(options);
-    effect::ConfigurationStudy study(device, passes, frames.extent);
+    const experiment::BenchmarkFrames frames = frames_of(options);
+    experiment::ConfigurationStudy study(device, passes, frames.extent);
     report::Journal journal(options.out.empty() ? options.out : options.out / "journal.jsonl",
                             setup_of(frames, device.info()), options.resume);
     const std::vector<Due> due = due_visits(all, options.repeat, frames.scored, journal);
@@ -104,7 +104,7 @@ report::Benchmark measured_benchmark(const BenchmarkOptions& options, const gpu:
         const auto progress = progress_bar("benchmark");
         for (std::size_t i = 0; i < due.size(); ++i) {
             const auto& [one, round] = due[i];
-            effect::BenchmarkViews& scene = views.at(one->configuration.scene);
+            experiment::BenchmarkViews& scene = views.at(one->configuration.scene);
             const effect::Settings settings =
                 with_radius(one->settings, static_cast<float>(scene.scene().ao_radius));
             journal.add(visit_of(one->configuration, round,

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "effect/study/configuration_study.hpp"
+#include "experiment/configuration_study.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "effect/remap_fit.hpp"
 #include "effect/similarity.hpp"
 
-namespace gloam::effect {
+namespace gloam::experiment {
 namespace {
 
 // Adds up the errors and counts of scored frames.
@@ -16,28 +17,29 @@ class Judge {
   public:
     explicit Judge(const BenchmarkViews& views) : views_(&views) {}
 
-    void add(int number, const Frame& frame, const std::vector<float>& before) {
+    void add(int number, const effect::Frame& frame, const std::vector<float>& before) {
         if (views_->frames().rays == 0) return;
         const ScoredFrame& truth = views_->scored(number);
-        sum_.raw_geometry += errors_of(frame.occlusion, truth.geometry).rmse;
-        const Errors shown = errors_of(frame.filtered, truth.geometry);
+        sum_.raw_geometry += effect::errors_of(frame.occlusion, truth.geometry).rmse;
+        const effect::Errors shown = effect::errors_of(frame.filtered, truth.geometry);
         sum_.geometry += shown.rmse;
         sum_.bias += shown.bias;
         if (!truth.depth.empty()) {
-            sum_.raw_depth += errors_of(frame.occlusion, truth.depth).rmse;
-            sum_.depth += errors_of(frame.filtered, truth.depth).rmse;
+            sum_.raw_depth += effect::errors_of(frame.occlusion, truth.depth).rmse;
+            sum_.depth += effect::errors_of(frame.filtered, truth.depth).rmse;
         }
         if (!before.empty() && truth.history)
-            sum_.flicker = sum_.flicker.value_or(0.0) + mean_change(*truth.history, frame.filtered, before);
+            sum_.flicker =
+                sum_.flicker.value_or(0.0) + effect::mean_change(*truth.history, frame.filtered, before);
         const std::uint64_t shaded = frame.work.pixels - frame.work.background;
         sum_.samples +=
             shaded == 0 ? 0.0 : static_cast<double>(frame.work.samples) / static_cast<double>(shaded);
         sum_.memory_bytes = std::max(sum_.memory_bytes, frame.memory_bytes);
         if (number + 1 < views_->frames().frames) return;
-        sum_.similarity = structural_similarity(frame.filtered, truth.geometry, frame.extent);
+        sum_.similarity = effect::structural_similarity(frame.filtered, truth.geometry, frame.extent);
         if (!views_->frames().remap) return;
-        const Remap best = best_remap(frame.occlusion, truth.geometry);
-        sum_.remapped = errors_of(remapped(frame.occlusion, best), truth.geometry).rmse;
+        const effect::Remap best = effect::best_remap(frame.occlusion, truth.geometry);
+        sum_.remapped = effect::errors_of(effect::remapped(frame.occlusion, best), truth.geometry).rmse;
     }
 
     // Nothing where there is no truth.
@@ -57,10 +59,19 @@ class Judge {
     FrameQuality sum_;
 };
 
+// The part of one of the scored frames in the means.
+void add(FrameQuality& mean, const effect::PlainFrame& frame, const effect::Truth& truth, int scored) {
+    mean.raw_geometry += effect::errors_of(frame.occlusion, truth).rmse / scored;
+    const effect::Errors shown = effect::errors_of(frame.blurred, truth);
+    mean.geometry += shown.rmse / scored;
+    mean.bias += shown.bias / scored;
+}
+
 }  // namespace
 
-Settings measured_settings(const std::string& method, std::uint32_t samples, bool temporal) {
-    Settings settings = with_method(preset_named(temporal ? "moving" : "paper").settings, method);
+effect::Settings measured_settings(const std::string& method, std::uint32_t samples, bool temporal) {
+    effect::Settings settings =
+        effect::with_method(effect::preset_named(temporal ? "moving" : "paper").settings, method);
     settings.samples = samples;
     settings.samples_converged = samples;
     if (temporal) settings.weight_max = std::max(settings.weight_max, 2.0F * static_cast<float>(samples));
@@ -76,32 +87,33 @@ bool ConfigurationStudy::due(bool temporal, int round, int scored) {
     return !temporal || round % scored == 0;
 }
 
-AmbientOcclusion& ConfigurationStudy::effect_for(gpu::Extent extent) {
+effect::AmbientOcclusion& ConfigurationStudy::effect_for(gpu::Extent extent) {
     const auto key = std::pair(extent.width, extent.height);
     const auto found = effects_.find(key);
     if (found != effects_.end()) return found->second;
-    return effects_.emplace(key, AmbientOcclusion(*device_, passes_, extent)).first->second;
+    return effects_.emplace(key, effect::AmbientOcclusion(*device_, passes_, extent)).first->second;
 }
 
-ConfigurationVisit ConfigurationStudy::visit(BenchmarkViews& views, const Settings& settings, bool temporal,
-                                             int round) {
+ConfigurationVisit ConfigurationStudy::visit(BenchmarkViews& views, const effect::Settings& settings,
+                                             bool temporal, int round) {
     return temporal ? this->temporal(views, settings, round) : single(views, settings, round);
 }
 
-ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const Settings& settings, int round) {
+ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const effect::Settings& settings,
+                                              int round) {
     const BenchmarkFrames& frames = views.frames();
-    AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
+    effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
     if (round > 0) {
         effect.begin(views.view(views.first_scored() + round % frames.scored, settings), settings);
         const double copy = clock_.measure();
-        const Frame frame = effect.next(frames.repeat);
+        const effect::Frame frame = effect.next(frames.repeat);
         return {.readings = {{frame.times, copy}}, .work = frame.work};
     }
     Judge judge(views);
     ConfigurationVisit visit;
     for (int i = views.first_scored(); i < frames.frames; ++i) {
         effect.begin(views.view(i, settings), settings);
-        Frame frame = effect.next();
+        effect::Frame frame = effect.next();
         judge.add(i, frame, {});
         visit.work = frame.work;
         visit.shown = std::move(frame.filtered);
@@ -110,8 +122,9 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const Setti
     return visit;
 }
 
-ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const Settings& settings, int round) {
-    AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
+ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const effect::Settings& settings,
+                                                int round) {
+    effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
     Judge judge(views);
     ConfigurationVisit visit;
     std::vector<float> before;
@@ -124,7 +137,7 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const Set
         }
         const bool scored = i >= views.first_scored();
         const double copy = scored ? clock_.measure() : 0.0;
-        Frame frame = effect.next(scored ? views.frames().repeat : 1);
+        effect::Frame frame = effect.next(scored ? views.frames().repeat : 1);
         visit.work = frame.work;
         if (scored) visit.readings.push_back({frame.times, copy});
         if (scored && round == 0) judge.add(i, frame, before);
@@ -136,4 +149,29 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const Set
     return visit;
 }
 
-}  // namespace gloam::effect
+PlainRun::PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
+                   effect::SliceTaps taps, int blurs)
+    : slices_(device, passes, extent, taps, blurs) {}
+
+ConfigurationVisit PlainRun::visit(BenchmarkViews& views, effect::CopyClock& clock, int round) {
+    const BenchmarkFrames& frames = views.frames();
+    const auto radius = static_cast<float>(views.scene().ao_radius);
+    ConfigurationVisit visit;
+    FrameQuality sum;
+    for (int i = views.first_scored(); i < frames.frames; ++i) {
+        slices_.take(views.view(i, {}), radius);
+        const double copy = round > 0 ? clock.measure() : 0.0;
+        effect::PlainFrame frame = slices_.next(round > 0 ? frames.repeat : 1);
+        if (round > 0) {
+            visit.readings.push_back(
+                {{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}, copy});
+            continue;
+        }
+        if (frames.rays > 0) add(sum, frame, views.scored(i).geometry, frames.scored);
+        visit.shown = std::move(frame.blurred);
+    }
+    if (round == 0 && frames.rays > 0) visit.quality = sum;
+    return visit;
+}
+
+}  // namespace gloam::experiment

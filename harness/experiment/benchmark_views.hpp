@@ -14,7 +14,7 @@
 #include "scene/rasterize.hpp"
 #include "scene/truth_cache.hpp"
 
-namespace gloam::effect {
+namespace gloam::experiment {
 
 // The frames of a scene that the benchmark uses, and the number of rays of their truth.
 struct BenchmarkFrames {
@@ -35,9 +35,9 @@ struct BenchmarkFrames {
 
 // The truth of a scored frame, and what else its score needs.
 struct ScoredFrame {
-    Truth geometry;  // (G)
-    Truth depth;     // (D); empty where it is not traced
-    std::optional<HistoryMap> history;
+    effect::Truth geometry;  // (G)
+    effect::Truth depth;     // (D); empty where it is not traced
+    std::optional<effect::HistoryMap> history;
 };
 
 // The first frames of a scene with the truth of the scored ones. They are rendered and traced once for all
@@ -58,7 +58,7 @@ class BenchmarkViews {
     [[nodiscard]] bool is_new(int frame) const;
 
     // A frame with the guard band and the depth layers that the settings ask for.
-    [[nodiscard]] const scene::GBuffer& view(int frame, const Settings& settings);
+    [[nodiscard]] const scene::GBuffer& view(int frame, const effect::Settings& settings);
     [[nodiscard]] const ScoredFrame& scored(int frame) const;
 
   private:
@@ -73,4 +73,4 @@ class BenchmarkViews {
     std::vector<scene::GBuffer>& views_with(double guard, int layers);
 };
 
-}  // namespace gloam::effect
+}  // namespace gloam::experiment

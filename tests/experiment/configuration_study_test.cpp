@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "effect/study/configuration_study.hpp"
+#include "experiment/configuration_study.hpp"
 
 #include <gtest/gtest.h>
 
+#include "effect/on_device.hpp"
 #include "effect/presets.hpp"
-#include "effect/study/plain_run.hpp"
-#include "on_device.hpp"
 
-namespace gloam::effect {
+namespace gloam::experiment {
 namespace configuration_study_test {
+
+using effect::Settings;
 
 const BenchmarkFrames frames{.extent = {64, 36}, .frames = 4, .scored = 2, .rays = 32};
 
@@ -23,7 +24,7 @@ void expect_same(const FrameQuality& one, const FrameQuality& other) {
     EXPECT_EQ(one.memory_bytes, other.memory_bytes);
 }
 
-class ConfigurationStudyTest : public OnDevice<testing::Test> {
+class ConfigurationStudyTest : public effect::OnDevice<testing::Test> {
   protected:
     [[nodiscard]] BenchmarkViews views_of(const char* scene) const {
         return {device_, passes_, scene::make_scene(scene), frames, scene::TruthCache("")};
@@ -42,11 +43,11 @@ TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
     const auto radius = static_cast<float>(views.scene().ao_radius);
     const Settings plain = with_radius(measured_settings("hemisphere", 4, true), radius);
     Settings half = all_skips(plain);
-    half.precision = HistoryPrecision::float16;
+    half.precision = effect::HistoryPrecision::float16;
     half.table_size = 2'048;
     half.remap_c = 2.0F;
     const Settings others[] = {all_skips(plain), half,
-                               with_radius(preset_named("volumetric-performance").settings, radius)};
+                               with_radius(effect::preset_named("volumetric-performance").settings, radius)};
     ConfigurationStudy fresh(device_, passes_, frames.extent);
     const FrameQuality expected = *fresh.visit(views, plain, true, 0).quality;
     ConfigurationStudy shared(device_, passes_, frames.extent);
@@ -80,10 +81,10 @@ TEST_F(ConfigurationStudyTest, FastErrsLessThanASingleFrameOfNineSlices) {
         const BenchmarkFrames shown{.extent = {64, 36}, .frames = 16, .scored = 8, .rays = 64};
         BenchmarkViews views(device_, passes_, scene::make_scene(name), shown, scene::TruthCache(""));
         const Settings fast =
-            with_radius(preset_named("fast").settings, static_cast<float>(views.scene().ao_radius));
+            with_radius(effect::preset_named("fast").settings, static_cast<float>(views.scene().ao_radius));
         ConfigurationStudy study(device_, passes_, shown.extent);
         PlainRun loop(device_, passes_, shown.extent, {.slices = 9, .steps = 3}, 1);
-        CopyClock clock(device_, passes_, shown.extent);
+        effect::CopyClock clock(device_, passes_, shown.extent);
         const FrameQuality run = *study.visit(views, fast, true, 0).quality;
         EXPECT_LT(run.geometry, loop.visit(views, clock, 0).quality->geometry) << name;
         EXPECT_EQ(run.raw_geometry, run.geometry) << name << ": its filter has ended";
@@ -102,7 +103,7 @@ TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
     EXPECT_EQ(&views.view(1, {}), &views.view(3, {}));
     const Settings settings =
         with_radius(measured_settings("hemisphere", 4, true), static_cast<float>(views.scene().ao_radius));
-    AmbientOcclusion effect(device_, passes_, shown.extent);
+    effect::AmbientOcclusion effect(device_, passes_, shown.extent);
     effect.begin(views.view(0, settings), settings);
     (void)effect.next();
     effect.advance(views.view(1, settings));
@@ -113,5 +114,23 @@ TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
     EXPECT_EQ(visit.shown, effect.next().filtered);
 }
 
+TEST(ConfigurationStudy, TemporalRunsAreVisitedAsOftenAsFramesAreScored) {
+    for (int round = 0; round < 20; ++round) {
+        EXPECT_TRUE(ConfigurationStudy::due(false, round, 8));
+        EXPECT_EQ(ConfigurationStudy::due(true, round, 8), round == 0 || round == 8 || round == 16);
+    }
+}
+
+TEST(ConfigurationStudy, SettingsHoldTheSamplesAskedFor) {
+    const Settings single = measured_settings("gtao", 16, false);
+    EXPECT_EQ(single.method, "gtao");
+    EXPECT_EQ(single.samples, 16U);
+    EXPECT_EQ(single.samples_converged, 16U);
+    const Settings temporal = measured_settings("hemisphere", 512, true);
+    EXPECT_EQ(temporal.samples, 512U);
+    EXPECT_GE(temporal.weight_max, 1024.0F);
+    EXPECT_THROW((void)measured_settings("magic", 16, false), std::invalid_argument);
+}
+
 }  // namespace configuration_study_test
-}  // namespace gloam::effect
+}  // namespace gloam::experiment

@@ -8,19 +8,21 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/study/benchmark_views.hpp"
 #include "effect/study/copy_clock.hpp"
+#include "effect/study/plain_slices.hpp"
+#include "experiment/benchmark_views.hpp"
 
-namespace gloam::effect {
+namespace gloam::experiment {
 
 // The settings with which a method is measured; lengths are for a radius of 1. Single frames use the preset
 // `paper`, temporal runs use `moving`, with a mean over at least two frames. Every pixel takes `samples`
 // samples in every frame. Throws like with_method() and validate().
-[[nodiscard]] Settings measured_settings(const std::string& method, std::uint32_t samples, bool temporal);
+[[nodiscard]] effect::Settings measured_settings(const std::string& method, std::uint32_t samples,
+                                                 bool temporal);
 
 // Times on the device at the same moment, in milliseconds: of a frame, and of a copy.
 struct FrameReading {
-    std::vector<PassTime> passes;
+    std::vector<effect::PassTime> passes;
     double copy_ms = 0.0;
 };
 
@@ -41,7 +43,7 @@ struct FrameQuality {
 struct ConfigurationVisit {
     std::optional<FrameQuality> quality;  // in round 0, of views with a truth
     std::vector<FrameReading> readings;
-    Work work;                 // of the last frame
+    effect::Work work;         // of the last frame
     std::vector<float> shown;  // the displayed image of the last frame, in round 0
 };
 
@@ -59,18 +61,36 @@ class ConfigurationStudy {
     // Round 0 judges all scored frames and warms up; it does not time single frames. Each later round times a
     // single frame at one of the scored frames, in turn. A temporal run goes through all frames each time and
     // is timed in the scored ones. Settings are for the scene's radius. Throws like AmbientOcclusion.
-    [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, const Settings& settings, bool temporal,
-                                           int round);
+    [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, const effect::Settings& settings,
+                                           bool temporal, int round);
 
   private:
-    AmbientOcclusion& effect_for(gpu::Extent extent);
-    [[nodiscard]] ConfigurationVisit single(BenchmarkViews& views, const Settings& settings, int round);
-    [[nodiscard]] ConfigurationVisit temporal(BenchmarkViews& views, const Settings& settings, int round);
+    effect::AmbientOcclusion& effect_for(gpu::Extent extent);
+    [[nodiscard]] ConfigurationVisit single(BenchmarkViews& views, const effect::Settings& settings,
+                                            int round);
+    [[nodiscard]] ConfigurationVisit temporal(BenchmarkViews& views, const effect::Settings& settings,
+                                              int round);
 
     const gpu::Device* device_;
     scene::PassLibrary passes_;
-    CopyClock clock_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, AmbientOcclusion> effects_;  // by size of the view
+    effect::CopyClock clock_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, effect::AmbientOcclusion>
+        effects_;  // by size of the view
 };
 
-}  // namespace gloam::effect
+// Single frames of the plain loop, measured like the configurations of a ConfigurationStudy.
+class PlainRun {
+  public:
+    // `blurs`: times that the plain blur is applied, >= 0. Throws like PlainSlices.
+    PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
+             effect::SliceTaps taps, int blurs);
+
+    // Round 0 judges all scored frames. Each later round times them, each beside a copy. Throws like
+    // PlainSlices::take(), which refuses orthographic cameras.
+    [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, effect::CopyClock& clock, int round);
+
+  private:
+    effect::PlainSlices slices_;
+};
+
+}  // namespace gloam::experiment

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "effect/study/benchmark_views.hpp"
+#include "experiment/benchmark_views.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <utility>
 
-namespace gloam::effect {
+namespace gloam::experiment {
 
 BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes,
                                scene::Scene scene, const BenchmarkFrames& frames,
@@ -24,15 +24,16 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
                                       .thickness = frames.depth_thickness * scene_.ao_radius};
     for (int i = first_scored(); i < frames.frames; ++i) {
         const scene::GBuffer& view = this->view(i, {});
-        ScoredFrame truth{.geometry = truth_from(view, cache.geometry(scene_, i, view, traced).occlusion)};
-        if (frames.depth_truth) truth.depth = truth_from(view, cache.depth(view, traced).occlusion);
+        ScoredFrame truth{.geometry =
+                              effect::truth_from(view, cache.geometry(scene_, i, view, traced).occlusion)};
+        if (frames.depth_truth) truth.depth = effect::truth_from(view, cache.depth(view, traced).occlusion);
         if (i > 0 && is_new(i)) truth.history.emplace(view, this->view(i - 1, {}));
         scored_.push_back(std::move(truth));
         if (progress) progress(static_cast<double>(scored_.size()) / static_cast<double>(frames.scored));
     }
 }
 
-const scene::GBuffer& BenchmarkViews::view(int frame, const Settings& settings) {
+const scene::GBuffer& BenchmarkViews::view(int frame, const effect::Settings& settings) {
     return views_with(double{settings.guard}, static_cast<int>(settings.layers))
         .at(static_cast<std::size_t>(numbers_.at(static_cast<std::size_t>(frame))));
 }
@@ -59,4 +60,4 @@ std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers
     return views;
 }
 
-}  // namespace gloam::effect
+}  // namespace gloam::experiment
