@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "support/run_command.hpp"
+#include "support/files.hpp"
 
 namespace gloam::base {
 namespace read_file_test {

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "support/files.hpp"
 #include "support/full_disk.hpp"
 #include "support/run_command.hpp"
 
@@ -21,11 +22,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-std::string content_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::size_t count_files(const fs::path& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
 }
@@ -34,9 +30,9 @@ TEST(WriteFile, MakesAndReplaces) {
     const test::TemporaryDirectory scratch;
     const fs::path path = scratch.path() / "a";
     write_file(path, "something long");
-    EXPECT_EQ(content_of(path), "something long");
+    EXPECT_EQ(test::read_file(path), "something long");
     write_file(path, "new");
-    EXPECT_EQ(content_of(path), "new");
+    EXPECT_EQ(test::read_file(path), "new");
     EXPECT_EQ(count_files(scratch.path()), 1U);
 }
 
@@ -46,10 +42,10 @@ TEST(WriteFile, TheFileIsAsItWasUntilPut) {
     write_file(path, "old");
     {
         const WrittenAside aside(path, "new");
-        EXPECT_EQ(content_of(path), "old");
+        EXPECT_EQ(test::read_file(path), "old");
         EXPECT_EQ(count_files(scratch.path()), 2U);
     }
-    EXPECT_EQ(content_of(path), "old");
+    EXPECT_EQ(test::read_file(path), "old");
     EXPECT_EQ(count_files(scratch.path()), 1U);
 }
 
@@ -61,9 +57,9 @@ TEST(WriteFile, ALinkIsReplacedAndNotFollowed) {
     fs::create_symlink(victim, path);
     fs::create_symlink(victim, scratch.path() / "a.part");  // a name that once was used
     write_file(path, "new");
-    EXPECT_EQ(content_of(victim), "precious");
+    EXPECT_EQ(test::read_file(victim), "precious");
     EXPECT_FALSE(fs::is_symlink(path));
-    EXPECT_EQ(content_of(path), "new");
+    EXPECT_EQ(test::read_file(path), "new");
 }
 
 TEST(WriteFile, AFullDiskIsNamedAndLeavesNothing) {
@@ -87,7 +83,7 @@ TEST(WriteFile, NamesAsLongAsNamesCanBe) {
     const test::TemporaryDirectory scratch;
     const fs::path path = scratch.path() / std::string(255, 'n');
     write_file(path, "x");
-    EXPECT_EQ(content_of(path), "x");
+    EXPECT_EQ(test::read_file(path), "x");
 }
 
 // Each write is whole, whoever comes last.
@@ -102,7 +98,7 @@ TEST(WriteFile, ManyAtOnceNeverMixAndNeverFail) {
         });
     }
     for (std::thread& writer : writers) writer.join();
-    const std::string text = content_of(path);
+    const std::string text = test::read_file(path);
     ASSERT_EQ(text.size(), bytes);
     EXPECT_EQ(text, std::string(bytes, text.front()));
     EXPECT_EQ(count_files(scratch.path()), 1U);

@@ -12,32 +12,10 @@
 #include "gpu/internal/cache_header.hpp"
 #include "shaders/fill_comp.h"
 
-namespace gloam::gpu::test {
-namespace cache_test {
+namespace gloam::gpu::test::cache_test {
 
 namespace fs = std::filesystem;
-
-// An empty folder, gone with the test.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        auto pattern = (fs::temp_directory_path() / "gloam-gpu-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder " + pattern);
-        path_ = pattern;
-    }
-    ~TemporaryFolder() { fs::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
-
-std::string read_all(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+using gloam::test::read_file;
 
 void write_all(const fs::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
@@ -54,7 +32,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 }
 
 TEST(CacheFile, ComesBackAsItWas) {
-    const TemporaryFolder folder;
+    const TemporaryDirectory folder;
     const auto file = folder.path() / "made" / "on the way" / "cache";
     for (const std::size_t size : {0u, 1u, 1000u}) {
         ASSERT_TRUE(write_cache_file(file, some_bytes(size)));
@@ -68,10 +46,10 @@ TEST(CacheFile, MissingIsEmpty) {
 }
 
 TEST(CacheFile, AnyFlippedBitShows) {
-    const TemporaryFolder folder;
+    const TemporaryDirectory folder;
     const auto file = folder.path() / "cache";
     ASSERT_TRUE(write_cache_file(file, some_bytes(40)));
-    const auto good = read_all(file);
+    const auto good = read_file(file);
     for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
         auto bad = good;
         bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << bit % 8));
@@ -81,10 +59,10 @@ TEST(CacheFile, AnyFlippedBitShows) {
 }
 
 TEST(CacheFile, AnyOtherLengthShows) {
-    const TemporaryFolder folder;
+    const TemporaryDirectory folder;
     const auto file = folder.path() / "cache";
     ASSERT_TRUE(write_cache_file(file, some_bytes(40)));
-    const auto good = read_all(file);
+    const auto good = read_file(file);
     for (std::size_t length = 0; length < good.size(); ++length) {
         write_all(file, good.substr(0, length));
         ASSERT_TRUE(read_cache_file(file).empty()) << length << " bytes";
@@ -94,11 +72,11 @@ TEST(CacheFile, AnyOtherLengthShows) {
 }
 
 TEST(CacheFile, AFolderThatCannotBeWrittenIsNoError) {
-    const TemporaryFolder folder;
-    write_all(folder.path() / "file", "");
+    const TemporaryDirectory folder;
+    folder.write("file", "");
     EXPECT_FALSE(write_cache_file(folder.path() / "file" / "cache", some_bytes(4)));
     fs::create_directory(folder.path() / "taken");
-    write_all(folder.path() / "taken" / "x", "");
+    folder.write("taken/x", "");
     EXPECT_FALSE(write_cache_file(folder.path() / "taken", some_bytes(4)));
     EXPECT_EQ(files_in(folder.path()).size(), 2u) << "a temporary file was left behind";
 }
@@ -160,7 +138,7 @@ class PipelineCacheTest : public GpuTest {
 
     // Spoils a good file, and expects the next use to put it right.
     void expect_repaired(const std::function<void(const fs::path&)>& spoil) {
-        const TemporaryFolder folder;
+        const TemporaryDirectory folder;
         use(folder.path());
         const auto good = read_cache_file(file(folder.path()));
         ASSERT_FALSE(good.empty());
@@ -176,13 +154,13 @@ class PipelineCacheTest : public GpuTest {
 };
 
 TEST_F(PipelineCacheTest, IsOneFileNamedAfterTheDevice) {
-    const TemporaryFolder folder;
+    const TemporaryDirectory folder;
     use(folder.path() / "new");
     EXPECT_EQ(files_in(folder.path() / "new"), std::vector{file(folder.path() / "new")});
 }
 
 TEST_F(PipelineCacheTest, IsNotWrittenAgainWithoutNeed) {
-    const TemporaryFolder folder;
+    const TemporaryDirectory folder;
     use(folder.path());
     const auto written = fs::last_write_time(file(folder.path()));
     const auto long_ago = written - std::chrono::hours(1);
@@ -198,7 +176,7 @@ TEST_F(PipelineCacheTest, IsRebuiltWhenCutShort) {
 
 TEST_F(PipelineCacheTest, IsRebuiltWhenABitFlips) {
     expect_repaired([](const fs::path& cache) {
-        auto content = read_all(cache);
+        auto content = read_file(cache);
         content.back() = static_cast<char>(content.back() ^ 1);
         write_all(cache, content);
     });
@@ -215,11 +193,10 @@ TEST_F(PipelineCacheTest, IsRebuiltWhenItIsOfAnotherDriver) {
 }
 
 TEST_F(PipelineCacheTest, CannotBeWrittenIsNoError) {
-    const TemporaryFolder folder;
-    write_all(folder.path() / "file", "");
+    const TemporaryDirectory folder;
+    folder.write("file", "");
     use(folder.path() / "file" / "below");
     EXPECT_EQ(files_in(folder.path()).size(), 1u);
 }
 
-}  // namespace cache_test
-}  // namespace gloam::gpu::test
+}  // namespace gloam::gpu::test::cache_test

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/compute.hpp"
-
 #include <algorithm>
 #include <bit>
+#include <chrono>
+#include <cmath>
 #include <numeric>
 
+#include "gpu/compute.hpp"
 #include "gpu/gpu_test.hpp"
 #include "shaders/chain_comp.h"
+#include "shaders/count_comp.h"
 #include "shaders/fill_comp.h"
 #include "shaders/outside_comp.h"
+#include "shaders/slow_comp.h"
 #include "shaders/specialize_comp.h"
 
-namespace gloam::gpu::test {
-namespace compute_test {
+namespace gloam::gpu::test::compute_test {
 
 using ComputeTest = GpuTest;
 
@@ -136,5 +138,121 @@ TEST_F(ComputeTest, CommandsMayBeDroppedUnsubmitted) {
     commands.submit();
 }
 
-}  // namespace compute_test
-}  // namespace gloam::gpu::test
+// Dispatches whose size a shader decides.
+
+class IndirectTest : public GpuTest {
+  protected:
+    ComputePipeline fill() {
+        return {device(),
+                {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8}};
+    }
+    static constexpr std::array constants{1.0F, 0.0F};
+};
+
+// The counts are written in the same submission: fill.comp writes 64 values a group.
+TEST_F(IndirectTest, RunsAsManyGroupsAsTheShaderBeforeAsked) {
+    const auto pipeline = fill();
+    const ComputePipeline count(device(),
+                                {.spirv = count_comp,
+                                 .bindings = {BindingKind::storage_buffer, BindingKind::storage_buffer},
+                                 .push_constant_bytes = 4});
+    Buffer values(device(), 5 * sizeof(float));
+    std::iota(values.as<float>().begin(), values.as<float>().end(), 0.0F);
+    for (const std::ptrdiff_t wanted : {0, 1, 3, 5}) {
+        Buffer groups(device(), 16);
+        Buffer filled(device(), 320 * sizeof(float));
+        std::ranges::fill(filled.as<float>(), 0.0F);
+        Commands commands(device());
+        commands.dispatch(count, std::vector<Resource>{values, groups}, {1, 1, 1},
+                          bytes_of(4.5F - static_cast<float>(wanted)));
+        commands.dispatch_indirect(pipeline, std::vector<Resource>{filled}, groups, 4, bytes_of(constants));
+        commands.submit();
+        EXPECT_EQ(std::ranges::count(filled.as<float>(), 1.0F), 64 * wanted);
+    }
+}
+
+TEST_F(IndirectTest, RefusesWhatDoesNotFit) {
+    const auto pipeline = fill();
+    Buffer groups(device(), 16);
+    Buffer filled(device(), 64);
+    const std::vector<Resource> resources{filled};
+    Commands commands(device());
+    for (const std::size_t offset : {2U, 8U, 16U, 1000U}) {
+        expect_error<std::invalid_argument>(
+            [&] { commands.dispatch_indirect(pipeline, resources, groups, offset, bytes_of(constants)); },
+            {"group counts", "buffer of 16", "12 bytes"});
+    }
+    expect_error<std::invalid_argument>(
+        [&] { commands.dispatch_indirect(pipeline, {}, groups, 0, bytes_of(constants)); }, {"0 resources"});
+    expect_error<std::invalid_argument>([&] { commands.dispatch_indirect(pipeline, resources, groups, 0); },
+                                        {"push constants"});
+    commands.submit();  // the refused commands have left no trace
+    expect_error<std::runtime_error>(
+        [&] { commands.dispatch_indirect(pipeline, resources, groups, 0, bytes_of(constants)); },
+        {"submitted"});
+}
+
+TEST_F(IndirectTest, RefusesTheBufferOfAnotherDevice) {
+    const auto pipeline = fill();
+    Buffer filled(device(), 64);
+    const Device other({.device = variable("GLOAM_TEST_DEVICE")});
+    Buffer groups(other, 16);
+    Commands commands(device());
+    expect_error<std::invalid_argument>(
+        [&] {
+            commands.dispatch_indirect(pipeline, std::vector<Resource>{filled}, groups, 0,
+                                       bytes_of(constants));
+        },
+        {"group counts", "another device"});
+}
+
+class TimestampTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        if (device().info().timestamp_period_ns == 0.0) GTEST_SKIP() << "no timestamps on this device";
+    }
+};
+
+TEST_F(TimestampTest, ReadTheWorkBetweenThem) {
+    const ComputePipeline slow(
+        device(), {.spirv = slow_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4});
+    Buffer buffer(device(), 4);
+    constexpr std::uint32_t steps = 60'000;
+    Commands commands(device());
+    const std::vector<Resource> resources{buffer};
+    EXPECT_EQ(commands.timestamp(), 0u);
+    commands.dispatch(slow, resources, {10, 1, 1}, bytes_of(steps));
+    EXPECT_EQ(commands.timestamp(), 1u);
+    commands.dispatch(slow, resources, {10, 20, 1}, bytes_of(steps));
+    EXPECT_EQ(commands.timestamp(), 2u);
+
+    const auto start = std::chrono::steady_clock::now();
+    commands.submit();
+    const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+    const auto times = commands.times_ms();
+    ASSERT_EQ(times.size(), 3u);
+    EXPECT_EQ(times[0], 0.0);
+    EXPECT_GT(times[1], 0.0);
+    EXPECT_GT(times[2], times[1]);
+    // In milliseconds: a part of the wait.
+    EXPECT_LT(times[2], 1.05 * wall.count() + 1.0);
+}
+
+// More readings than one query pool holds, and they never run backwards.
+TEST_F(TimestampTest, AreMonotone) {
+    Commands commands(device());
+    for (std::size_t i = 0; i < 200; ++i) ASSERT_EQ(commands.timestamp(), i);
+    commands.submit();
+    const auto times = commands.times_ms();
+    ASSERT_EQ(times.size(), 200u);
+    EXPECT_EQ(times.front(), 0.0);
+    EXPECT_TRUE(std::ranges::is_sorted(times));
+}
+
+TEST_F(TimestampTest, AreThereOnlyAfterSubmit) {
+    Commands commands(device());
+    commands.timestamp();
+    expect_error<std::runtime_error>([&] { static_cast<void>(commands.times_ms()); }, {"not been submitted"});
+}
+
+}  // namespace gloam::gpu::test::compute_test

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/device.hpp"
+#include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
 #include <set>
 
-#include "gpu/environment.hpp"
+#include "gpu/device.hpp"
 #include "gpu/gpu_test.hpp"
 #include "gpu/internal/features.hpp"
+#include "gpu/internal/select.hpp"
+#include "shaders/fill_comp.h"
 
-namespace gloam::gpu::test {
-namespace device_test {
+namespace gloam::gpu::test::device_test {
 
 using DeviceTest = GpuTest;
+using ValidationTest = GpuTest;
 
 TEST(Devices, DescribeThemselves) {
     const std::set<std::string> types{"cpu", "integrated", "discrete", "virtual", "other"};
@@ -64,7 +69,7 @@ TEST_F(DeviceTest, OpensAndClosesWithoutAMessage) {
 
 TEST_F(DeviceTest, TwoAtOnce) {
     open();
-    const Device other({.device = device_name()});
+    const Device other({.device = variable("GLOAM_TEST_DEVICE")});
     EXPECT_EQ(other.info().name, device().info().name);
 }
 
@@ -95,8 +100,106 @@ TEST(Devices, AMissingValidationLayerNamesItsPackage) {
     const ScopedVariable path("VK_LAYER_PATH", "/nonexistent");
     expect_error<std::runtime_error>([] { Device({.validation = Validation::on}); },
                                      {"VK_LAYER_KHRONOS_validation", "vulkan-validationlayers"});
-    EXPECT_NO_THROW(Device({.device = device_name()}));
+    EXPECT_NO_THROW(Device({.device = variable("GLOAM_TEST_DEVICE")}));
 }
 
-}  // namespace device_test
-}  // namespace gloam::gpu::test
+std::vector<DeviceInfo> machine(std::initializer_list<std::pair<const char*, const char*>> devices) {
+    std::vector<DeviceInfo> infos;
+    for (const auto& [name, type] : devices)
+        infos.push_back({.index = infos.size(), .name = name, .type = type});
+    return infos;
+}
+
+TEST(Select, DefaultIsTheFirstGpu) {
+    EXPECT_EQ(select_device(machine({{"soft", "cpu"}, {"small", "integrated"}, {"big", "discrete"}}), ""),
+              1u);
+    EXPECT_EQ(select_device(machine({{"big", "discrete"}, {"small", "integrated"}}), ""), 0u);
+    EXPECT_EQ(select_device(machine({{"soft", "cpu"}, {"guest", "virtual"}}), ""), 1u);
+}
+
+TEST(Select, DefaultIsTheFirstCpuDeviceWithoutGpu) {
+    EXPECT_EQ(select_device(machine({{"odd", "other"}, {"soft", "cpu"}, {"softer", "cpu"}}), ""), 1u);
+    EXPECT_EQ(select_device(machine({{"odd", "other"}}), ""), 0u);
+}
+
+TEST(Select, DigitsAreAnIndex) {
+    const auto devices = machine({{"card 1", "discrete"}, {"card 2", "discrete"}});
+    EXPECT_EQ(select_device(devices, "0"), 0u);
+    EXPECT_EQ(select_device(devices, "1"), 1u);
+    EXPECT_EQ(select_device(devices, "0001"), 1u);
+}
+
+TEST(Select, OtherTextIsPartOfTheNameInAnyCase) {
+    const auto devices =
+        machine({{"Radeon", "discrete"}, {"llvmpipe (LLVM 15)", "cpu"}, {"LLVM too", "cpu"}});
+    EXPECT_EQ(select_device(devices, "LLVM"), 1u);
+    EXPECT_EQ(select_device(devices, "too"), 2u);
+    EXPECT_EQ(select_device(devices, "rADEON"), 0u);
+    EXPECT_EQ(select_device(devices, "(llvm 15)"), 1u);
+}
+
+TEST(Select, AnUnknownDeviceListsThoseThereAre) {
+    const auto devices = machine({{"Radeon", "discrete"}, {"llvmpipe", "cpu"}});
+    for (const char* selector : {"2", "99999999999999999999999", "geforce", " 1"}) {
+        expect_error<std::runtime_error>([&] { static_cast<void>(select_device(devices, selector)); },
+                                         {selector, "0 \"Radeon\" (discrete)", "1 \"llvmpipe\" (cpu)"});
+    }
+}
+
+TEST(Select, NoDeviceSaysWhatToInstall) {
+    for (const char* selector : {"", "0", "llvmpipe"}) {
+        expect_error<std::runtime_error>([&] { static_cast<void>(select_device({}, selector)); },
+                                         {"no Vulkan device found", "mesa-vulkan-drivers"});
+    }
+}
+
+// That messages arrive at all: without this, no other test's silence would mean anything.
+
+bool any_mentions(const std::vector<std::string>& messages, const std::string& text) {
+    return std::ranges::any_of(messages, [&](const auto& m) { return m.find(text) != std::string::npos; });
+}
+
+TEST_F(ValidationTest, SeesAShaderThatDisagreesWithItsBindings) {
+    const ComputePipeline wrong(
+        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_image}, .push_constant_bytes = 8});
+    const auto messages = device().take_validation_messages();
+    ASSERT_FALSE(messages.empty());
+    EXPECT_TRUE(any_mentions(messages, "VUID-VkComputePipelineCreateInfo-layout")) << messages.front();
+    for (const auto& message : messages) EXPECT_EQ(message.find('\n'), std::string::npos);
+    EXPECT_TRUE(device().take_validation_messages().empty()) << "taken twice";
+    EXPECT_EQ(take_messages(), messages) << "the listener hears the same";
+}
+
+TEST_F(ValidationTest, SeesMissingPushConstants) {
+    const ComputePipeline wrong(device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}});
+    EXPECT_TRUE(any_mentions(take_messages(), "VUID-VkComputePipelineCreateInfo-layout"));
+}
+
+// A pipeline that outlives its device is an error of the caller, which only a listener can receive. It runs
+// in a separate process, because the pipeline can never be destroyed.
+[[noreturn]] void leave_a_pipeline_behind() {
+    std::optional<Device> device(std::in_place,
+                                 DeviceOptions{.device = variable("GLOAM_TEST_DEVICE"),
+                                               .validation = Validation::on,
+                                               .on_validation_message = [](const std::string& message) {
+                                                   std::cerr << message << std::endl;
+                                               }});
+    const ComputePipeline pipeline(
+        *device, {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+    device.reset();
+    std::_Exit(0);
+}
+
+TEST(ValidationDeathTest, HearsTheDeviceClose) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(leave_a_pipeline_behind(), ::testing::ExitedWithCode(0), "VUID-vkDestroyDevice-device");
+}
+
+TEST(ValidationOff, HasNoMessages) {
+    Device device({.device = variable("GLOAM_TEST_DEVICE")});
+    Commands commands(device);
+    commands.submit();
+    EXPECT_TRUE(device.take_validation_messages().empty());
+}
+
+}  // namespace gloam::gpu::test::device_test

@@ -6,12 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "gpu/environment.hpp"
 #include "gpu/gpu_test.hpp"
 #include "support/devices.hpp"
 
-namespace gloam::gpu::test {
-namespace drivers_test {
+namespace gloam::gpu::test::drivers_test {
 
 namespace fs = std::filesystem;
 
@@ -21,44 +19,35 @@ constexpr const char* good_manifest =
 // A folder for driver files, and an environment that names none.
 class DriversTest : public testing::Test {
   protected:
-    DriversTest() : folder(fs::temp_directory_path() / ("gloam-drivers-" + std::to_string(::getpid()))) {
-        fs::create_directories(folder);
-    }
-    ~DriversTest() override { fs::remove_all(folder); }
-
-    fs::path write(const fs::path& name, const std::string& text) const {
-        fs::create_directories((folder / name).parent_path());
-        std::ofstream(folder / name) << text;
-        return folder / name;
-    }
-
     void expect_refused(const fs::path& manifest, std::initializer_list<const char*> parts) const {
         expect_error<std::runtime_error>([&] { add_drivers(std::array{manifest}); }, parts);
         EXPECT_FALSE(drivers_are_chosen()) << "changed all the same";
     }
 
-    fs::path folder;
+    const TemporaryDirectory folder;
     ScopedVariable no_instead{"VK_DRIVER_FILES", nullptr};
     ScopedVariable no_old_instead{"VK_ICD_FILENAMES", nullptr};
     ScopedVariable no_besides{"VK_ADD_DRIVER_FILES", nullptr};
 };
 
 TEST_F(DriversTest, SwiftShaderIsFoundInTheFirstFolderThatHasAllOfIt) {
-    const std::array folders{folder / "none", folder / "manifest only", folder / "browser", folder / "other"};
-    write("manifest only/vk_swiftshader_icd.json", good_manifest);
+    const std::array folders{folder.path() / "none", folder.path() / "manifest only",
+                             folder.path() / "browser", folder.path() / "other"};
+    folder.write("manifest only/vk_swiftshader_icd.json", good_manifest);
     EXPECT_EQ(find_swiftshader(folders), std::nullopt);
     for (const char* name : {"browser", "other"}) {
-        write(fs::path(name) / "vk_swiftshader_icd.json", good_manifest);
-        write(fs::path(name) / "libvk_swiftshader.so", "");
+        folder.write(fs::path(name) / "vk_swiftshader_icd.json", good_manifest);
+        folder.write(fs::path(name) / "libvk_swiftshader.so", "");
     }
-    EXPECT_EQ(find_swiftshader(folders), folder / "browser" / "vk_swiftshader_icd.json");
+    EXPECT_EQ(find_swiftshader(folders), folder.path() / "browser" / "vk_swiftshader_icd.json");
     EXPECT_EQ(find_swiftshader(std::span<const fs::path>()), std::nullopt);
 }
 
 TEST_F(DriversTest, DriversComeBesidesThoseOfTheSystem) {
-    const fs::path first = write("first.json", good_manifest);
-    const fs::path second = write("second.json", R"({"ICD": {"library_path": "libsystem_finds_it.so"}})");
-    write("driver.so", "");
+    const fs::path first = folder.write("first.json", good_manifest);
+    const fs::path second =
+        folder.write("second.json", R"({"ICD": {"library_path": "libsystem_finds_it.so"}})");
+    folder.write("driver.so", "");
     EXPECT_FALSE(drivers_are_chosen());
     add_drivers(std::array{first, second});
     EXPECT_TRUE(drivers_are_chosen());
@@ -70,8 +59,8 @@ TEST_F(DriversTest, DriversComeBesidesThoseOfTheSystem) {
 }
 
 TEST_F(DriversTest, DriversComeBesidesThoseThatTheEnvironmentNames) {
-    const fs::path manifest = write("manifest.json", good_manifest);
-    write("driver.so", "");
+    const fs::path manifest = folder.write("manifest.json", good_manifest);
+    folder.write("driver.so", "");
     for (const char* variable : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) {
         const ScopedVariable chosen(variable, "/the/only.json");
         EXPECT_TRUE(drivers_are_chosen());
@@ -82,8 +71,8 @@ TEST_F(DriversTest, DriversComeBesidesThoseThatTheEnvironmentNames) {
 }
 
 TEST_F(DriversTest, AVariableThatIsSetToNothingIsAChoiceToo) {
-    const fs::path manifest = write("manifest.json", good_manifest);
-    write("driver.so", "");
+    const fs::path manifest = folder.write("manifest.json", good_manifest);
+    folder.write("driver.so", "");
     const ScopedVariable chosen("VK_DRIVER_FILES", "");
     EXPECT_TRUE(drivers_are_chosen());
     add_drivers(std::array{manifest});
@@ -91,8 +80,8 @@ TEST_F(DriversTest, AVariableThatIsSetToNothingIsAChoiceToo) {
 }
 
 TEST_F(DriversTest, ARelativePathIsMadeAbsolute) {
-    const fs::path manifest = write("manifest.json", good_manifest);
-    write("driver.so", "");
+    const fs::path manifest = folder.write("manifest.json", good_manifest);
+    folder.write("driver.so", "");
     add_drivers(std::array{fs::relative(manifest)});
     EXPECT_TRUE(fs::path(std::getenv("VK_ADD_DRIVER_FILES")).is_absolute());
     EXPECT_TRUE(fs::equivalent(std::getenv("VK_ADD_DRIVER_FILES"), manifest));
@@ -104,12 +93,12 @@ TEST_F(DriversTest, NoneChangesNothing) {
 }
 
 TEST_F(DriversTest, WhatIsNoDriverIsNamed) {
-    expect_refused(folder / "nowhere.json", {"nowhere.json", "no such file"});
-    expect_refused(folder, {folder.c_str(), "no such file"});
+    expect_refused(folder.path() / "nowhere.json", {"nowhere.json", "no such file"});
+    expect_refused(folder.path(), {folder.path().c_str(), "no such file"});
     for (const char* text : {"", "no JSON", "[]", "{}", R"({"ICD": 3})", R"({"ICD": {"library_path": 7}})"})
-        expect_refused(write("bad.json", text), {"bad.json", "not a driver manifest", "library_path"});
-    expect_refused(write("lonely.json", good_manifest), {"lonely.json", "driver.so", "missing"});
-    expect_refused(write("a:b.json", good_manifest), {"a:b.json", "colon"});
+        expect_refused(folder.write("bad.json", text), {"bad.json", "not a driver manifest", "library_path"});
+    expect_refused(folder.write("lonely.json", good_manifest), {"lonely.json", "driver.so", "missing"});
+    expect_refused(folder.write("a:b.json", good_manifest), {"a:b.json", "colon"});
 }
 
 TEST(Devices, SoftwareComesLastAndTheDefaultStays) {
@@ -127,5 +116,4 @@ TEST(Devices, SoftwareComesLastAndTheDefaultStays) {
     EXPECT_EQ(Device({.device = "swiftshader"}).info().identity, found->identity);
 }
 
-}  // namespace drivers_test
-}  // namespace gloam::gpu::test
+}  // namespace gloam::gpu::test::drivers_test

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -11,14 +10,14 @@
 #include <vector>
 
 #include "gpu/commands.hpp"
+#include "support/environment.hpp"
+#include "support/files.hpp"
 
 namespace gloam::gpu::test {
 
-// The device that tests run on: $GLOAM_TEST_DEVICE, else the default one.
-inline std::string device_name() {
-    const char* name = std::getenv("GLOAM_TEST_DEVICE");
-    return name == nullptr ? "" : name;
-}
+using gloam::test::ScopedVariable;
+using gloam::test::TemporaryDirectory;
+using gloam::test::variable;
 
 // Opens devices with validation, and fails on any message, those of closing the device included.
 class GpuTest : public ::testing::Test {
@@ -26,7 +25,7 @@ class GpuTest : public ::testing::Test {
     // Opens (or opens again) the device of the test.
     Device& open(DeviceOptions options = {}) {
         device_.reset();
-        options.device = device_name();
+        options.device = variable("GLOAM_TEST_DEVICE");
         options.validation = Validation::on;
         options.on_validation_message = [this](const std::string& message) { messages_.push_back(message); };
         return device_.emplace(options);

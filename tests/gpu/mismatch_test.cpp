@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: MIT
 // What does not fit a pipeline or a device is refused before Vulkan hears of it.
-#include <numeric>
+#include <unistd.h>
 
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <numeric>
+#include <thread>
+
+#include "base/patience.hpp"
 #include "gpu/gpu_test.hpp"
 #include "shaders/fill_comp.h"
 #include "shaders/image_comp.h"
+#include "shaders/slow_comp.h"
 
-namespace gloam::gpu::test {
-namespace mismatch_test {
+namespace gloam::gpu::test::mismatch_test {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
 
 class MismatchTest : public GpuTest {
   protected:
@@ -85,7 +96,7 @@ TEST_F(MismatchTest, GroupCounts) {
 }
 
 TEST_F(MismatchTest, ObjectsOfAnotherDevice) {
-    const Device other({.device = device_name()});
+    const Device other({.device = variable("GLOAM_TEST_DEVICE")});
     const auto pipeline = fill();
     Buffer buffer(device(), 64);
     Buffer foreign(other, 64);
@@ -112,5 +123,109 @@ TEST_F(MismatchTest, PipelinesThatCannotBe) {
                                         {"2000000 storage buffer bindings"});
 }
 
-}  // namespace mismatch_test
-}  // namespace gloam::gpu::test
+constexpr auto timeout = 200ms;
+constexpr std::uint32_t steps = 60'000;
+using Groups = std::array<std::uint32_t, 3>;
+
+ComputePipeline slow_pipeline(const Device& device) {
+    return {device,
+            {.spirv = slow_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4}};
+}
+
+// Number of work groups that keep this device busy for a few seconds, at any speed. If the driver computes on
+// the processor, processor time is measured, because on a busy machine elapsed time does not measure the
+// work.
+Groups long_work() {
+    const Device device({.device = variable("GLOAM_TEST_DEVICE")});
+    const bool on_processor = device.info().type == "cpu";
+    const auto now = [&] {
+        return on_processor ? base::processor_time_of(getpid())
+                            : std::chrono::nanoseconds(Clock::now().time_since_epoch());
+    };
+    const auto pipeline = slow_pipeline(device);
+    const Buffer buffer(device, 4);
+    run(device, pipeline, {buffer}, {1, 1, 1}, bytes_of(steps));  // a driver may compile only now
+    for (Groups groups{64, 1, 1};; groups[1] *= 2) {
+        const auto start = now();
+        run(device, pipeline, {buffer}, groups, bytes_of(steps));
+        if (now() - start > 50ms) return {groups[0], groups[1] * 40, 1};
+    }
+}
+
+// Starts the work, and returns the message of the failure.
+std::string message_of_hang(const Device& device, const ComputePipeline& pipeline, const Buffer& buffer,
+                            const Groups& groups) {
+    try {
+        run(device, pipeline, {buffer}, groups, bytes_of(steps));
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "nothing thrown";
+}
+
+class TimeoutTest : public GpuTest {
+  protected:
+    // Submits nothing until the device takes it again.
+    bool wait_until_idle() {
+        for (const auto start = Clock::now(); Clock::now() - start < 120s;
+             std::this_thread::sleep_for(20ms)) {
+            try {
+                Commands commands(device());
+                commands.submit();
+                return true;
+            } catch (const std::runtime_error&) {
+            }
+        }
+        return false;
+    }
+};
+
+TEST_F(TimeoutTest, ThrowsAndRecoversWhenTheWorkIsDone) {
+    const auto groups = long_work();
+    open({.timeout = timeout});
+    const auto pipeline = slow_pipeline(device());
+    Buffer buffer(device(), 4);
+    const auto start = Clock::now();
+    const auto message = message_of_hang(device(), pipeline, buffer, groups);
+    EXPECT_NE(message.find("within 0.2 s"), std::string::npos) << message;
+    EXPECT_GE(Clock::now() - start, timeout);
+
+    // It did not wait for the work, which still runs.
+    expect_error<std::runtime_error>([&] { Commands(device()).submit(); }, {"still runs", "timed out"});
+    Image* refused = nullptr;
+    EXPECT_THROW(refused = new Image(device(), {1, 1}, Format::r32f), std::runtime_error);
+    EXPECT_EQ(refused, nullptr);
+
+    ASSERT_TRUE(wait_until_idle());
+    buffer.as<std::uint32_t>()[0] = 0;
+    run(device(), pipeline, {buffer}, {1, 1, 1}, bytes_of(std::uint32_t{1}));
+    EXPECT_EQ(buffer.as<std::uint32_t>()[0], 1664525u + 1013904223u);
+}
+
+// Runs in a separate process and reports on stderr: all objects of a device that still works are destroyed.
+[[noreturn]] void destroy_while_running() {
+    const auto groups = long_work();
+    std::string report;
+    auto start = Clock::now();
+    {
+        Device device({.device = variable("GLOAM_TEST_DEVICE"),
+                       .validation = Validation::on,
+                       .timeout = timeout,
+                       .on_validation_message = [&](const std::string& message) { report += message; }});
+        const auto pipeline = slow_pipeline(device);
+        const Buffer buffer(device, 4);
+        report += message_of_hang(device, pipeline, buffer, groups);
+        start = Clock::now();
+    }
+    const bool prompt = Clock::now() - start < 100ms;
+    std::cerr << "saw: " << report << (prompt ? " (prompt)" : " (blocked)") << std::endl;
+    std::_Exit(0);
+}
+
+TEST(TimeoutDeathTest, DestructionNeitherWaitsNorBreaksTheRules) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(destroy_while_running(), ::testing::ExitedWithCode(0),
+                "saw: device .* within 0.2 s .prompt.");
+}
+
+}  // namespace gloam::gpu::test::mismatch_test

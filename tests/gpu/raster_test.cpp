@@ -11,8 +11,7 @@
 #include "shaders/triangle_frag.h"
 #include "shaders/triangle_vert.h"
 
-namespace gloam::gpu::test {
-namespace raster_test {
+namespace gloam::gpu::test::raster_test {
 
 constexpr Extent extent{8, 6};
 constexpr std::size_t pixels = extent.width * extent.height;
@@ -315,5 +314,4 @@ TEST_F(RasterMismatchTest, Programs) {
     expect_error<std::invalid_argument>([&] { make([](auto& p) { p.vertex_spirv = {}; }); }, {"SPIR-V"});
 }
 
-}  // namespace raster_test
-}  // namespace gloam::gpu::test
+}  // namespace gloam::gpu::test::raster_test

@@ -9,18 +9,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "support/files.hpp"
 #include "support/full_disk.hpp"
-#include "support/run_command.hpp"
 
 namespace gloam::report {
 namespace output_file_test {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 auto names(const fs::path& path) {
     return testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(path.string()));
@@ -31,9 +26,10 @@ TEST(OutputFile, ReplacesAFileAsAWhole) {
     const fs::path path = scratch.path() / "a.json";
     std::ofstream(path) << "something longer than what comes";
     const OutputFile file(path);
-    EXPECT_EQ(read(path), "something longer than what comes");  // untouched until there is something to write
+    EXPECT_EQ(test::read_file(path),
+              "something longer than what comes");  // untouched until there is something to write
     file.write("new");
-    EXPECT_EQ(read(path), "new");
+    EXPECT_EQ(test::read_file(path), "new");
     EXPECT_FALSE(fs::exists(path.string() + ".part"));
 }
 
@@ -57,7 +53,7 @@ TEST(OutputFile, ALinkStaysOne) {
     fs::create_symlink(target, link);
     OutputFile(link).write("new");
     EXPECT_TRUE(fs::is_symlink(link));
-    EXPECT_EQ(read(target), "new");
+    EXPECT_EQ(test::read_file(target), "new");
 }
 
 // What a link leads to is replaced as a whole, too.
@@ -72,7 +68,7 @@ TEST(OutputFile, WhatALinkLeadsToIsNeverHalfWritten) {
         const test::FullDisk disk(1000);
         EXPECT_THAT([&] { file.write(std::string(5000, 'x')); }, names(target));
     }
-    EXPECT_EQ(read(target), "precious");
+    EXPECT_EQ(test::read_file(target), "precious");
 }
 
 TEST(OutputFile, OpenFilesAreWrittenTo) {
@@ -81,7 +77,7 @@ TEST(OutputFile, OpenFilesAreWrittenTo) {
     std::FILE* open = std::fopen(path.c_str(), "w");
     OutputFile("/proc/self/fd/" + std::to_string(fileno(open))).write("text");
     std::fclose(open);
-    EXPECT_EQ(read(path), "text");
+    EXPECT_EQ(test::read_file(path), "text");
     EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1);
 }
 

@@ -11,18 +11,13 @@
 #include <thread>
 #include <vector>
 
+#include "support/files.hpp"
 #include "support/full_disk.hpp"
-#include "support/run_command.hpp"
 
 namespace gloam::report {
 namespace output_folder_test {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string message_of(const std::function<void()>& action) {
     try {
@@ -41,8 +36,8 @@ TEST(OutputFolder, FilesAppearWhenKept) {
     EXPECT_FALSE(fs::exists(out / "x"));
     folder.write("y", "two");
     folder.keep();
-    EXPECT_EQ(read(out / "x"), "one");
-    EXPECT_EQ(read(out / "y"), "two");
+    EXPECT_EQ(test::read_file(out / "x"), "one");
+    EXPECT_EQ(test::read_file(out / "y"), "two");
     EXPECT_FALSE(fs::exists(out / "x.part"));
 }
 
@@ -60,7 +55,7 @@ TEST(OutputFolder, WhatWasThereStaysUntilKept) {
     {
         OutputFolder(scratch.path()).write("x", "new");
     }
-    EXPECT_EQ(read(scratch.path() / "x"), "old");
+    EXPECT_EQ(test::read_file(scratch.path() / "x"), "old");
 }
 
 TEST(OutputFolder, AFullDiskIsNamedAndLeavesNothing) {
@@ -84,8 +79,8 @@ TEST(OutputFolder, NoLinkIsFollowed) {
     OutputFolder folder(out);
     folder.write("x", "one");
     folder.keep();
-    EXPECT_EQ(read(victim), "precious");
-    EXPECT_EQ(read(out / "x"), "one");
+    EXPECT_EQ(test::read_file(victim), "precious");
+    EXPECT_EQ(test::read_file(out / "x"), "one");
 }
 
 TEST(OutputFolder, NoNameLeadsOutOfIt) {
@@ -112,7 +107,8 @@ TEST(OutputFolder, RunsWithOneFolderNeverMix) {
             });
         }
         for (std::thread& run : runs) run.join();
-        for (const char* name : {"y", "z", "w"}) ASSERT_EQ(read(out / name), read(out / "x"));
+        for (const char* name : {"y", "z", "w"})
+            ASSERT_EQ(test::read_file(out / name), test::read_file(out / "x"));
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 4);
 }

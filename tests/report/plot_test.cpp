@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "support/run_command.hpp"
+#include "support/files.hpp"
 
 namespace gloam::report {
 namespace plot_test {

@@ -6,8 +6,7 @@
 
 #include "scene/support.hpp"
 
-namespace gloam::scene::test {
-namespace camera_test {
+namespace gloam::scene::test::camera_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double aspect = 1.5;
@@ -147,5 +146,4 @@ TEST(Camera, Impossible) {
         expect_error<std::invalid_argument>([&] { (void)make_frame({}, bad); }, {"camera", "aspect"});
 }
 
-}  // namespace camera_test
-}  // namespace gloam::scene::test
+}  // namespace gloam::scene::test::camera_test

@@ -8,8 +8,7 @@
 
 #include "scene/primitives.hpp"
 
-namespace gloam::scene {
-namespace closed_parts_test {
+namespace gloam::scene::closed_parts_test {
 
 std::size_t hidden(const Mesh& mesh, bool orthographic = false) {
     const std::vector<bool> triangles = hidden_far_sides(mesh, orthographic);
@@ -53,5 +52,4 @@ TEST(ClosedParts, EachPartIsJudgedAlone) {
     EXPECT_EQ(hidden(mesh), 10U + 8U);
 }
 
-}  // namespace closed_parts_test
-}  // namespace gloam::scene
+}  // namespace gloam::scene::closed_parts_test

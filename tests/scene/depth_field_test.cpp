@@ -13,8 +13,7 @@
 #include "scene/support.hpp"
 #include "scene/truth.hpp"
 
-namespace gloam::scene::test {
-namespace depth_field_test {
+namespace gloam::scene::test::depth_field_test {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
@@ -163,5 +162,4 @@ TEST(DepthField, OfOnePixelIsOpen) {
     }
 }
 
-}  // namespace depth_field_test
-}  // namespace gloam::scene::test
+}  // namespace gloam::scene::test::depth_field_test

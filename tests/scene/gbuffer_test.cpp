@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "scene/read_gbuffer.hpp"
-
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "scene/frame_files.hpp"
+#include "scene/read_gbuffer.hpp"
+#include "scene/support.hpp"
 
-namespace gloam::scene::test {
-namespace gbuffer_test {
+namespace gloam::scene::test::gbuffer_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -40,7 +38,7 @@ void expect_same(const GBuffer& got, const GBuffer& want) {
 }
 
 TEST(GBuffer, WhatIsWrittenIsRead) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     int frame = 0;
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         for (const bool reversed : {false, true}) {
@@ -56,7 +54,7 @@ TEST(GBuffer, WhatIsWrittenIsRead) {
 }
 
 TEST(GBuffer, InfiniteFarPlane) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     for (const bool reversed : {false, true}) {
         const GBuffer gbuffer =
             example({.far = std::numeric_limits<double>::infinity(), .reversed_z = reversed});
@@ -66,7 +64,7 @@ TEST(GBuffer, InfiniteFarPlane) {
 }
 
 TEST(GBuffer, WithoutNormalsMotionAndRadius) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     GBuffer gbuffer = example();
     gbuffer.normal.clear();
     gbuffer.motion.clear();
@@ -78,11 +76,11 @@ TEST(GBuffer, WithoutNormalsMotionAndRadius) {
 // A frame of one pixel, written by hand, with what `change` does to its description.
 template <class Change>
 GBuffer one_pixel(Change change) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     json description = json::parse(frame_json({.extent = {1, 1}, .camera = make_frame({}, 1.0)}, 0));
     change(description);
-    (void)folder.write("f0000.json", description.dump());
-    (void)folder.write("f0000_depth.pfm", "Pf\n1 1\n-1\n" + bytes({2.5F}, true));
+    folder.write("f0000.json", description.dump());
+    folder.write("f0000_depth.pfm", "Pf\n1 1\n-1\n" + bytes({2.5F}, true));
     return read_gbuffer(folder.path(), 0);
 }
 
@@ -129,19 +127,19 @@ TEST(GBuffer, OptionalKeys) {
 }
 
 TEST(GBuffer, DepthThatIsNoneIsBackground) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     GBuffer gbuffer = example();
     write_frame(folder, 0, gbuffer);
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    (void)folder.write("f0000_depth.pfm",
-                       "Pf\n3 2\n-1\n" + bytes({0.0F, -0.0F, -1.0F, nan, 3.0F, -infinity}, true));
+    folder.write("f0000_depth.pfm",
+                 "Pf\n3 2\n-1\n" + bytes({0.0F, -0.0F, -1.0F, nan, 3.0F, -infinity}, true));
     const GBuffer read = read_gbuffer(folder.path(), 0);
     EXPECT_EQ(read.depth, (std::vector{infinity, 3.0F, infinity, infinity, infinity, infinity}));
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(read.normal[i] == glm::vec3(0), i != 1) << i;
 }
 
 TEST(GBuffer, NormalsAreUnitOrZeroAndMotionFinite) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     GBuffer gbuffer = example();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     gbuffer.depth.assign(6, 1.0F);
@@ -157,12 +155,130 @@ TEST(GBuffer, NormalsAreUnitOrZeroAndMotionFinite) {
 }
 
 TEST(GBuffer, FramesAreFoundByName) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     for (const char* name : {"f0010.json", "f0002.json", "f0003_depth.pfm", "f12.json", "f00001.json",
                              "xf0001.json", "f0004.json.part"})
-        (void)folder.write(name, "{}");
+        folder.write(name, "{}");
     EXPECT_EQ(frames_of(folder.path()), (std::vector{2, 10}));
 }
 
-}  // namespace gbuffer_test
-}  // namespace gloam::scene::test
+const std::string depth_2x1 = "Pf\n2 1\n-1\n" + bytes({1.0F, 2.0F}, true);
+
+// A folder with a frame 0 of 2 x 1 pixels that can be read.
+class GBufferError : public ::testing::Test {
+  protected:
+    GBufferError() {
+        folder.write("f0000.json", description().dump());
+        folder.write("f0000_depth.pfm", depth_2x1);
+        (void)read_gbuffer(folder.path(), 0);
+    }
+
+    static json description() {
+        return json::parse(frame_json({.extent = {2, 1}, .camera = make_frame({}, 2.0)}, 0));
+    }
+
+    void expect(std::initializer_list<const char*> parts) const {
+        expect_error<std::runtime_error>([&] { (void)read_gbuffer(folder.path(), 0); }, parts);
+    }
+
+    // The error of a description that was changed at a place.
+    void expect_json(const char* pointer, const json& value, std::initializer_list<const char*> parts) const {
+        SCOPED_TRACE(std::string(pointer) + " = " + value.dump());
+        json changed = description();
+        changed[json::json_pointer(pointer)] = value;
+        folder.write("f0000.json", changed.dump());
+        expect(parts);
+    }
+
+    TemporaryDirectory folder;
+};
+
+TEST_F(GBufferError, MissingFiles) {
+    expect_error<std::runtime_error>([&] { (void)read_gbuffer(folder.path(), 1); }, {"f0001.json"});
+    fs::remove(folder.path() / "f0000_depth.pfm");
+    expect({"f0000_depth.pfm", "missing"});
+    expect_error<std::runtime_error>([&] { (void)frames_of(folder.path() / "none"); }, {"none"});
+    const TemporaryDirectory empty;
+    expect_error<std::runtime_error>([&] { (void)frames_of(empty.path()); },
+                                     {empty.path().c_str(), "f0000.json"});
+}
+
+TEST_F(GBufferError, FrameNumbers) {
+    for (const int frame : {-1, 10000})
+        expect_error<std::invalid_argument>([&] { (void)read_gbuffer(folder.path(), frame); },
+                                            {"frame", "9999"});
+}
+
+TEST_F(GBufferError, SizesThatDisagree) {
+    folder.write("f0000_depth.pfm", "Pf\n1 2\n-1\n" + bytes({1.0F, 2.0F}, true));
+    expect({"f0000_depth.pfm", "1x2", "expected 2x1"});
+    folder.write("f0000_depth.pfm", depth_2x1);
+    folder.write("f0000_normal.pfm", "PF\n1 1\n-1\n" + bytes({0, 0, 1}, true));
+    expect({"f0000_normal.pfm", "1x1", "expected 2x1"});
+    folder.write("f0000_normal.pfm", depth_2x1);
+    expect({"f0000_normal.pfm", "1 channel", "3 channels"});
+}
+
+TEST_F(GBufferError, CutShort) {
+    folder.write("f0000_depth.pfm", depth_2x1.substr(0, depth_2x1.size() - 1));
+    expect({"f0000_depth.pfm", "cut short"});
+}
+
+TEST_F(GBufferError, BothKindsOffered) {
+    folder.write("f0000_depth.exr", "anything");
+    expect({"f0000_depth.pfm", "f0000_depth.exr"});
+}
+
+TEST_F(GBufferError, MalformedJson) {
+    for (const char* text :
+         {"", "{", "[1, 2]", "null", "{\"width\": 2, \"height\": 1}", "{\"width\": }", "\x01\xff"}) {
+        SCOPED_TRACE(text);
+        folder.write("f0000.json", text);
+        expect({"f0000.json"});
+    }
+}
+
+TEST_F(GBufferError, WrongValues) {
+    for (const json& bad :
+         {json(0), json(-3), json(2.5), json("2"), json(nullptr), json(1e300), json(4294967298.0)})
+        expect_json("/width", bad, {"f0000.json", "width"});
+    for (const json& bad : {json(0), json(-0.5), json("wide")})
+        expect_json("/ao_radius", bad, {"f0000.json", "ao_radius"});
+    for (const json& bad : {json(1), json({1, 0}), json({0, -1}), json({0.5, 0}), json({0, 0, 0})})
+        expect_json("/border", bad, {"f0000.json", "border"});
+    expect_json("/camera", 5, {"f0000.json", "camera"});
+    expect_json("/camera/view", nullptr, {"f0000.json", "view"});
+    expect_json("/camera/view", json::array({1, 2, 3}), {"f0000.json", "view", "16"});
+    expect_json("/camera/view/5", "one", {"f0000.json", "view", "one"});
+    expect_json("/camera/prev_view", 3, {"f0000.json", "prev_view"});
+}
+
+TEST_F(GBufferError, MatricesThatCannotBeInverted) {
+    const json zero = std::vector<double>(16, 0.0);
+    // Columns in one plane up to rounding: the determinant is not exactly 0.
+    const json flat{0.1, 0.2, 0.3, 0, 0.7, 0.8, 0.9, 0, 0.1 + 0.7, 0.2 + 0.8, 0.3 + 0.9, 0, 0, 0, 0, 1};
+    const json huge{1e200, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    for (const char* key : {"view", "prev_view", "proj_vk"}) {
+        for (const json& bad : {zero, flat, huge})
+            expect_json(("/camera/" + std::string(key)).c_str(), bad, {"f0000.json", key, "inverted"});
+    }
+}
+
+// The library knows symmetric perspective and orthographic projections only.
+TEST_F(GBufferError, ProjectionsOfAnotherKind) {
+    expect_json("/camera/proj_vk/8", 1.5, {"f0000.json", "off centre"});
+    expect_json("/camera/proj_vk/4", 0.5, {"f0000.json", "skew"});
+    expect_json("/camera/proj_vk/11", 1.0, {"f0000.json", "perspective or orthographic"});
+}
+
+TEST_F(GBufferError, NeitherProjectionNorPlanes) {
+    json changed = description();
+    changed["camera"] = {{"view", changed["camera"]["view"]}, {"near", 0.1}, {"far", 10}, {"aspect", 2}};
+    folder.write("f0000.json", changed.dump());
+    expect({"f0000.json", "fovy_rad"});
+    changed["camera"]["fovy_rad"] = 4.0;
+    folder.write("f0000.json", changed.dump());
+    expect({"f0000.json", "field of view"});
+}
+
+}  // namespace gloam::scene::test::gbuffer_test

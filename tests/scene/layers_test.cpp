@@ -3,31 +3,22 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
-#include "scene/frame_files.hpp"
 #include "scene/guard_band.hpp"
 #include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
+#include "scene/support.hpp"
 
-namespace gloam::scene::test {
-namespace layers_test {
+namespace gloam::scene::test::layers_test {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-class LayersTest : public gpu::test::GpuTest {
+class LayersTest : public SceneTest {
   protected:
     [[nodiscard]] GBuffer shot(const Scene& scene, const RasterizeOptions& options) {
         return rasterize(device(), passes_, scene, {48, 32}, options);
     }
-
-  private:
-    static std::filesystem::path cache() {
-        const char* directory = std::getenv("GLOAM_CACHE_DIR");
-        return directory == nullptr ? "" : directory;
-    }
-    PassLibrary passes_{GLOAM_GLSL_DIR, cache()};
 };
 
 // A box from depth 2 to 3 before a wall at 5.
@@ -100,28 +91,27 @@ TEST_F(LayersTest, NumbersThatAreNotPossible) {
 }
 
 TEST(LayerFiles, AreReadInTheirOrder) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     const GBuffer view{.extent = {2, 2}, .depth = {1, 2, 3, 4}, .camera = make_frame({}, 1.0)};
     write_frame(folder, 0, view);
     EXPECT_THAT(read_gbuffer(folder.path(), 0).layers, testing::IsEmpty());
-    (void)folder.write("f0000_layer1.pfm", pfm_text(view.extent, {-2, 0, std::nanf(""), -infinity}));
-    (void)folder.write("f0000_layer2.pfm", pfm_text(view.extent, {5, 6, 7, 8}));
+    folder.write("f0000_layer1.pfm", pfm_text(view.extent, {-2, 0, std::nanf(""), -infinity}));
+    folder.write("f0000_layer2.pfm", pfm_text(view.extent, {5, 6, 7, 8}));
     const GBuffer read = read_gbuffer(folder.path(), 0);
     EXPECT_THAT(read.layers, testing::ElementsAre(testing::ElementsAre(-2, infinity, infinity, infinity),
                                                   testing::ElementsAre(5, 6, 7, 8)));
 }
 
 TEST(LayerFiles, ALayerNeedsTheOneBefore) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     const GBuffer view{.extent = {2, 2}, .depth = {1, 2, 3, 4}, .camera = make_frame({}, 1.0)};
     write_frame(folder, 0, view);
-    (void)folder.write("f0000_layer2.pfm", pfm_text(view.extent, {5, 6, 7, 8}));
+    folder.write("f0000_layer2.pfm", pfm_text(view.extent, {5, 6, 7, 8}));
     expect_error<std::runtime_error>([&] { (void)read_gbuffer(folder.path(), 0); },
                                      {"f0000_layer2.pfm", "the layer before it"});
-    (void)folder.write("f0000_layer1.pfm", pfm_text({1, 2}, {5, 6}));
+    folder.write("f0000_layer1.pfm", pfm_text({1, 2}, {5, 6}));
     expect_error<std::runtime_error>([&] { (void)read_gbuffer(folder.path(), 0); },
                                      {"f0000_layer1.pfm", "1x2", "expected 2x2"});
 }
 
-}  // namespace layers_test
-}  // namespace gloam::scene::test
+}  // namespace gloam::scene::test::layers_test

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "scene/rasterize.hpp"
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <filesystem>
 #include <limits>
 
+#include "scene/internal/raster_layouts.hpp"
+#include "scene/pass_library.hpp"
 #include "scene/primitives.hpp"
+#include "scene/rasterize.hpp"
 #include "scene/support.hpp"
+#include "support/laid_out.hpp"
 
-namespace gloam::scene::test {
-namespace rasterize_test {
+namespace gloam::scene::test::rasterize_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -49,18 +52,11 @@ glm::dvec3 position_of(const GBuffer& g, std::size_t pixel) {
     return {scale * x / projection[0][0], scale * y / projection[1][1], -d};
 }
 
-class RasterizeTest : public gpu::test::GpuTest {
+class RasterizeTest : public SceneTest {
   protected:
     GBuffer shot(const Scene& scene, gpu::Extent extent) {
         return rasterize(device(), passes_, scene, extent);
     }
-
-  private:
-    static std::filesystem::path cache() {
-        const char* directory = std::getenv("GLOAM_CACHE_DIR");
-        return directory == nullptr ? "" : directory;
-    }
-    PassLibrary passes_{GLOAM_GLSL_DIR, cache()};
 };
 
 // Relative error of the depth d for standard z, the others do better: a depth-buffer value near 1 is rounded
@@ -260,5 +256,21 @@ TEST_F(RasterizeTest, MeshesThatDoNotFit) {
     expect(mesh, {"odd", "2 normals", "3 positions"});
 }
 
-}  // namespace rasterize_test
-}  // namespace gloam::scene::test
+// The push constants of the raster passes have the layout that C++ gives them.
+
+void expect_pushed(const char* file, std::size_t bytes, const std::vector<std::string>& members) {
+    const PassLibrary passes(GLOAM_GLSL_DIR);
+    const shader::ModuleInterface found = shader::reflect(passes.compile(file));
+    ASSERT_TRUE(found.push_constants.has_value()) << file;
+    EXPECT_EQ(gloam::test::lines_of(found.push_constants->members), members) << file;
+    EXPECT_EQ(found.push_constants->size, bytes) << file;
+}
+
+TEST(RasterLayouts, PushConstants) {
+    using R = RasterConstants;
+    expect_pushed("gbuffer.vert", sizeof(R), {MEMBER(R, projection)});
+    using P = PeelConstants;
+    expect_pushed("peel.frag", sizeof(P), {MEMBER(P, projection), MEMBER(P, reversed_z)});
+}
+
+}  // namespace gloam::scene::test::rasterize_test

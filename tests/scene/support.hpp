@@ -1,59 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <unistd.h>
-
 #include <bit>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "gpu/gpu_test.hpp"
+#include "scene/pass_library.hpp"
+#include "scene/read_gbuffer.hpp"
 
 namespace gloam::scene::test {
 
+using gloam::test::read_file;
+using gloam::test::TemporaryDirectory;
 using gpu::test::expect_error;
 
-// A folder of its own for a test, removed with it.
-class Folder {
-  public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "gloam_scene_XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path_ = name;
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-    // Writes a file and returns where it is.
-    [[nodiscard]] std::filesystem::path write(const std::string& name, std::string_view content) const {
-        std::ofstream stream(path_ / name, std::ios::binary);
-        stream << content;
-        stream.close();
-        if (!stream) throw std::runtime_error("cannot write " + name);
-        return path_ / name;
-    }
-
-  private:
-    std::filesystem::path path_;
+// A test that draws.
+class SceneTest : public gpu::test::GpuTest {
+  protected:
+    const PassLibrary passes_{GLOAM_GLSL_DIR, gloam::test::cache_directory()};
 };
-
-inline std::string read_all(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 // The bytes of a float, most significant first or last.
 inline std::string bytes(const std::vector<float>& values, bool little_endian) {
@@ -70,6 +37,37 @@ inline std::vector<std::uint32_t> bits(const std::vector<float>& values) {
     std::vector<std::uint32_t> result;
     for (const float value : values) result.push_back(std::bit_cast<std::uint32_t>(value));
     return result;
+}
+
+inline std::vector<float> components(const std::vector<glm::vec3>& vectors) {
+    std::vector<float> values;
+    for (const glm::vec3& v : vectors) values.insert(values.end(), {v.x, v.y, v.z});
+    return values;
+}
+
+// A portable float map of texels that come with their rows from the top.
+inline std::string pfm_text(gpu::Extent extent, const std::vector<float>& texels) {
+    const std::size_t row = texels.size() / extent.height;
+    std::string text = (row == extent.width ? "Pf\n" : "PF\n") + std::to_string(extent.width) + " " +
+                       std::to_string(extent.height) + "\n-1.0\n";
+    for (std::size_t y = extent.height; y-- > 0;) {
+        const auto begin = texels.begin() + static_cast<std::ptrdiff_t>(y * row);
+        text += bytes({begin, begin + static_cast<std::ptrdiff_t>(row)}, true);
+    }
+    return text;
+}
+
+// Writes a frame as an engine would.
+inline void write_frame(const TemporaryDirectory& folder, int frame, const GBuffer& gbuffer) {
+    const std::string prefix = frame_prefix(frame);
+    folder.write(prefix + ".json", frame_json(gbuffer, frame));
+    folder.write(prefix + "_depth.pfm", pfm_text(gbuffer.extent, gbuffer.depth));
+    if (!gbuffer.normal.empty())
+        folder.write(prefix + "_normal.pfm", pfm_text(gbuffer.extent, components(gbuffer.normal)));
+    if (!gbuffer.motion.empty())
+        folder.write(prefix + "_motion.pfm", pfm_text(gbuffer.extent, components(gbuffer.motion)));
+    if (!gbuffer.previous_depth.empty())
+        folder.write(prefix + "_previous_depth.pfm", pfm_text(gbuffer.extent, gbuffer.previous_depth));
 }
 
 }  // namespace gloam::scene::test

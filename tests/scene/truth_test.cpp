@@ -14,8 +14,7 @@
 #include "scene/support.hpp"
 #include "scene/truth_cache.hpp"
 
-namespace gloam::scene::test {
-namespace truth_test {
+namespace gloam::scene::test::truth_test {
 
 class TruthTest : public gpu::test::GpuTest {
   protected:
@@ -152,7 +151,7 @@ TEST_F(TruthTest, OfWhatCannotBeTraced) {
 }
 
 TEST_F(TruthTest, IsKept) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     const TruthCache cache(folder.path() / "truth");
     const Scene scene = make_scene("moving");
     const GBuffer view = shot(scene, {16, 9});
@@ -182,19 +181,19 @@ TEST_F(TruthTest, IsKept) {
 }
 
 TEST_F(TruthTest, ThatIsDamagedIsTracedAgain) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     const TruthCache cache(folder.path());
     const Scene scene = make_scene("moving");
     const GBuffer view = shot(scene, {16, 9});
     const TracedTruth first = cache.depth(view, settings(0.4, 64));
     const auto file = *std::filesystem::directory_iterator(folder.path());
-    const std::string whole = read_all(file.path());
+    const std::string whole = read_file(file.path());
     for (const std::size_t place : {std::size_t{0}, whole.size() / 2, whole.size() - 1}) {
         std::string damaged = whole;
         damaged[place] ^= 1;
         std::ofstream(file.path(), std::ios::binary) << damaged;
         EXPECT_EQ(bits(cache.depth(view, settings(0.4, 64)).occlusion), bits(first.occlusion));
-        EXPECT_EQ(read_all(file.path()), whole);
+        EXPECT_EQ(read_file(file.path()), whole);
     }
     std::filesystem::resize_file(file.path(), whole.size() / 2);
     EXPECT_EQ(bits(cache.depth(view, settings(0.4, 64)).occlusion), bits(first.occlusion));
@@ -202,13 +201,13 @@ TEST_F(TruthTest, ThatIsDamagedIsTracedAgain) {
 
 // A whole file of the same size is the truth of something else, under another's name.
 TEST_F(TruthTest, ThatWasExchangedIsTracedAgain) {
-    const Folder folder;
+    const TemporaryDirectory folder;
     const TruthCache cache(folder.path());
     const Scene scene = make_scene("moving");
     const GBuffer view = shot(scene, {16, 9});
     const TracedTruth one = cache.depth(view, settings(0.4, 64));
     const auto file = std::filesystem::directory_iterator(folder.path())->path();
-    const std::string whole = read_all(file);
+    const std::string whole = read_file(file);
     std::filesystem::remove(file);
     const TracedTruth other = cache.depth(view, settings(0.2, 64));
     ASSERT_NE(bits(other.occlusion), bits(one.occlusion));
@@ -217,5 +216,4 @@ TEST_F(TruthTest, ThatWasExchangedIsTracedAgain) {
     EXPECT_EQ(bits(cache.depth(view, settings(0.2, 64)).occlusion), bits(other.occlusion));
 }
 
-}  // namespace truth_test
-}  // namespace gloam::scene::test
+}  // namespace gloam::scene::test::truth_test

@@ -8,11 +8,6 @@
 
 namespace gloam::test {
 
-// Where compiled shaders are kept between tests; empty when the environment does not say.
-inline std::filesystem::path cache_directory() {
-    return variable("GLOAM_CACHE_DIR");
-}
-
 // A lab on the shared device with the shader library, and the fixtures of the test's own folder, when it has
 // some; its shaders compiled in that variant.
 inline check::Lab make_lab(const std::filesystem::path& fixtures = {}, const shader::Variant& variant = {}) {

@@ -131,18 +131,6 @@ CommandResult run_command(const std::vector<std::string>& arguments, const Comma
     return run_program(chosen != nullptr ? chosen : GLOAM_BUILT_BINARY, arguments, options);
 }
 
-TemporaryDirectory::TemporaryDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "gloam-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-        throw std::system_error(errno, std::generic_category(), "cannot make " + name);
-    path_ = name;
-}
-
-TemporaryDirectory::~TemporaryDirectory() {
-    std::error_code ignored;  // a destructor cannot report it
-    std::filesystem::remove_all(path_, ignored);
-}
-
 int line_count(const std::string& text) {
     const auto newlines = std::count(text.begin(), text.end(), '\n');
     return static_cast<int>(newlines) + (!text.empty() && text.back() != '\n' ? 1 : 0);

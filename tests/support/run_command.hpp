@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "support/files.hpp"
+
 namespace gloam::test {
 
 // What a finished program left behind.
@@ -34,20 +36,6 @@ struct CommandOptions {
 // run_program() of the gloam binary: $GLOAM_BINARY, else the one this build makes.
 [[nodiscard]] CommandResult run_command(const std::vector<std::string>& arguments,
                                         const CommandOptions& options = {});
-
-// A fresh directory, removed with all it holds at the end of the scope.
-class TemporaryDirectory {
-  public:
-    TemporaryDirectory();
-    ~TemporaryDirectory();
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 // How many lines a message has; a last line without its newline counts.
 [[nodiscard]] int line_count(const std::string& text);

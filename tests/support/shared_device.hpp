@@ -3,20 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
-#include <string>
 
 #include "gpu/device.hpp"
+#include "support/environment.hpp"
 
 namespace gloam::test {
-
-// A variable of the environment; "" where it is not set.
-inline std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
 
 // The device of all tests of a process: the default one or $GLOAM_TEST_DEVICE, with the validation layers on.
 // Opened when it is first asked for, closed after the last test.

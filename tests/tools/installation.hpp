@@ -5,17 +5,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 #include "support/run_command.hpp"
 
 namespace gloam::test {
-
-inline std::string read_file(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 // An installation of its own, whose shaders a test may break: the program beside share/gloam/glsl.
 class Installation {
