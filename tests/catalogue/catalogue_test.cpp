@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "catalogue/catalogue.hpp"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 
+#include "catalogue/catalogue.hpp"
+#include "catalogue/description.hpp"
 #include "shader/compile.hpp"
 #include "shader/include.hpp"
+#include "support/entries.hpp"
+#include "support/files.hpp"
+#include "support/lab.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::catalogue {
-namespace catalogue_test {
+namespace gloam::catalogue::catalogue_test {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 std::vector<fs::path> library_files() {
     std::vector<fs::path> files;
@@ -113,5 +114,100 @@ TEST(Catalogue, Globs) {
     EXPECT_FALSE(matches_glob("HALTON", "halto"));
 }
 
-}  // namespace catalogue_test
-}  // namespace gloam::catalogue
+// A shader library of one file, in a folder of its own.
+class Library {
+  public:
+    explicit Library(const std::string& text) {
+        std::filesystem::create_directories(folder_.path() / "builtin");
+        folder_.write("gloam/numeric/a.glsl", text);
+    }
+    [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
+
+  private:
+    test::TemporaryDirectory folder_;
+};
+
+auto throws(const std::string& a, const std::string& b) {
+    return ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(a), HasSubstr(b)));
+}
+
+TEST(Descriptions, AreTheFirstSentenceOfTheCommentAboveAFunction) {
+    const Library library(
+        "// SPDX\n\n// Of the file, not of a function: `x` [y].\n\n"
+        "// title of x (recorded), in [0, 1]: part (A-1): `min(x, 1): 0;  1` [someone et\n// al., eq 1]. "
+        "More [of] it.\n"
+        "// x: any float.\nprecise float gloam_a(float x) {\n}\n"
+        "// Nothing, or a sentence: `x` [y].\nfloat gloam_b() {\n}\n");
+    const auto all = descriptions(library.path());
+    ASSERT_EQ(all.size(), 1U);
+    const Description& a = all.at("A-1");
+    EXPECT_EQ(a.title, "title of x (recorded), in [0, 1]: part");
+    EXPECT_EQ(a.formula, "min(x, 1): 0;  1");
+    EXPECT_EQ(a.source, "someone et al., eq 1");
+    EXPECT_EQ(a.function, "gloam_a");
+    EXPECT_EQ(a.file, "gloam/numeric/a.glsl");
+}
+
+TEST(Descriptions, OfNoFunctionAndOfTwoAreErrors) {
+    const Library no_function("// title (A): `x` [y].\n\nfloat gloam_a() {\n}\n");
+    EXPECT_THAT([&] { (void)descriptions(no_function.path()); },
+                throws("gloam/numeric/a.glsl", "no function below the comment of A"));
+    const Library two("// b (A): `x` [y].\nfloat f() {\n}\n// c (A): `x` [y].\nfloat g() {\n}\n");
+    EXPECT_THAT([&] { (void)descriptions(two.path()); }, throws("A already describes f", "a.glsl"));
+    EXPECT_THAT([&] { (void)descriptions(two.path() / "gloam"); },
+                throws("expected the folder", "gloam/gloam"));
+}
+
+TEST(Descriptions, TheCatalogueNamesAnEquationThatTheyLack) {
+    const Library library("// title (A): `x` [y].\nfloat gloam_a() {\n}\n");
+    EXPECT_THAT([&] { (void)all_entries(library.path()); },
+                throws(library.path().string() + " describes SINCOS-octant",
+                       "begins with \"TITLE (SINCOS-octant): `FORMULA` [SOURCE].\""));
+}
+
+// A documented accuracy is what the function really achieves: no driver at hand may leave more than three
+// quarters of a budget unused.
+
+constexpr std::size_t inputs_per_equation = 65'536;
+constexpr double most_slack = 4.0;
+
+// A result is never nearer to the exact one than its rounding, so half an ULP is no slack.
+bool is_tightest(const check::Budget& budget) {
+    return budget.ulp <= 0.5 && budget.absolute == 0.0;
+}
+
+std::vector<std::unique_ptr<check::Lab>> labs_of_all_devices() {
+    std::vector<std::unique_ptr<check::Lab>> labs;
+    for (const gpu::DeviceInfo& info : gpu::list_devices()) {
+        labs.push_back(
+            std::make_unique<check::Lab>(check::LabOptions{.device = std::to_string(info.index),
+                                                           .validation = true,
+                                                           .include_roots = {GLOAM_GLSL_DIR},
+                                                           .cache_directory = test::cache_directory()}));
+    }
+    return labs;
+}
+
+class Budgets : public testing::TestWithParam<std::size_t> {
+  protected:
+    static void SetUpTestSuite() { labs_ = labs_of_all_devices(); }
+    static void TearDownTestSuite() { labs_.clear(); }
+
+    inline static std::vector<std::unique_ptr<check::Lab>> labs_;
+};
+
+TEST_P(Budgets, AreAtMostFourTimesWhatIsMeasured) {
+    ASSERT_FALSE(labs_.empty());
+    const check::Question& question = test::entries()[GetParam()].question;
+    if (question.only_rules || is_tightest(question.budget)) return;
+    if (question.budget.ulp == 0.0 && question.budget.absolute == 0.0) return;
+    double worst = 0.0;
+    for (const auto& lab : labs_)
+        worst = std::max(worst, check::run(*lab, question, {.inputs = inputs_per_equation}).fraction);
+    EXPECT_GE(worst * most_slack, 1.0)
+        << "documents " << check::to_text(question.budget) << ", of which " << worst << " is used at most";
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Budgets, test::entry_numbers(), test::entry_name);
+
+}  // namespace gloam::catalogue::catalogue_test

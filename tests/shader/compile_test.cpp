@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "shader/compile.hpp"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <array>
+#include <cstdlib>
+#include <optional>
 #include <thread>
 
+#include "shader/compile.hpp"
+#include "shader/include.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/spirv.hpp"
 #include "support.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::shader {
-namespace compile_test {
+namespace gloam::shader::compile_test {
 
 using test::fixture;
 using test::kernel;
+using test::message_of;
+using test::TemporaryDirectory;
 using test::with_fixtures;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 TEST(Compile, MakesAModuleForVulkan12) {
     const Spirv module = compile(kernel("", "1.0"), {});
@@ -120,5 +119,228 @@ TEST(Compile, NamesItsTools) {
                 AllOf(HasSubstr("glslang "), HasSubstr("SPIRV-Tools "), HasSubstr("SPIRV-Cross ")));
 }
 
-}  // namespace compile_test
-}  // namespace gloam::shader
+std::string error_of(const Source& source) {
+    return message_of<CompileError>([&] { static_cast<void>(compile(source, with_fixtures())); });
+}
+
+TEST(CompileErrorMessage, NamesFileAndLineOfTheText) {
+    EXPECT_EQ(error_of({"bad.comp", "#version 450\nvoid main() {\n    foo();\n}\n"}),
+              "bad.comp:3: 'foo' : no matching overloaded function found");
+}
+
+TEST(CompileErrorMessage, NamesFileAndLineOfTheInclude) {
+    EXPECT_EQ(error_of(kernel("#include \"broken/inner.glsl\"", "1.0")),
+              fixture("broken/inner.glsl").string() + ":9: 'not_declared' : undeclared identifier");
+}
+
+TEST(CompileErrorMessage, NamesFileAndLineOfANestedInclude) {
+    EXPECT_EQ(error_of(kernel("\n\n#include \"broken/outer.glsl\"", "1.0")),
+              fixture("broken/inner.glsl").string() + ":9: 'not_declared' : undeclared identifier");
+}
+
+TEST(CompileErrorMessage, LinesAfterAnIncludeAreCountedRight) {
+    EXPECT_THAT(
+        error_of({"after.comp", "#version 450\n#include \"math/hypot.glsl\"\nvoid main() { oops = 1; }\n"}),
+        StartsWith("after.comp:3: 'oops'"));
+}
+
+TEST(CompileErrorMessage, ExtensionLineDoesNotShiftLines) {
+    EXPECT_THAT(error_of({"ext.comp",
+                          "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
+                          "#include \"math/hypot.glsl\"\nvoid main() { oops = 1; }\n"}),
+                StartsWith("ext.comp:4: 'oops'"));
+}
+
+TEST(CompileErrorMessage, HasOneLinePerMessage) {
+    const std::string message =
+        error_of({"two.comp", "#version 450\nfloat f() { return a; }\nfloat g() { return b; }\n"});
+    EXPECT_THAT(message, StartsWith("two.comp:2: 'a'"));
+    EXPECT_THAT(message, HasSubstr("\ntwo.comp:3: 'b'"));
+    EXPECT_THAT(message, AllOf(Not(HasSubstr("ERROR")), Not(HasSubstr("No code generated")),
+                               Not(testing::EndsWith("\n"))));
+}
+
+TEST(CompileErrorMessage, LeavesWarningsOut) {
+    const std::string message =
+        error_of({"warn.comp", "#version 450\n#extension GL_NO_such : enable\nvoid main() { oops = 1; }\n"});
+    EXPECT_THAT(message, StartsWith("warn.comp:3: 'oops'"));
+    EXPECT_THAT(message, Not(HasSubstr("GL_NO_such")));
+}
+
+TEST(CompileErrorMessage, MissingIncludeNamesItsPlaceAndWhereItLooked) {
+    const std::string message =
+        error_of({"top.comp", "#version 450\n\n#include \"no/such.glsl\"\nvoid main() {}\n"});
+    EXPECT_EQ(message, "top.comp:3: cannot find include \"no/such.glsl\"; looked for " +
+                           fixture("no/such.glsl").string());
+}
+
+TEST(CompileErrorMessage, MissingIncludeOfAnIncludeNamesThatFile) {
+    EXPECT_THAT(error_of(kernel("#include \"broken/missing.glsl\"", "1.0")),
+                AllOf(StartsWith(fixture("broken/missing.glsl").string() + ":4: "),
+                      HasSubstr("\"broken/nowhere.glsl\"")));
+}
+
+TEST(CompileErrorMessage, IncludeCycleIsSpeltOut) {
+    const std::string a = fixture("cycle/a.glsl").string();
+    const std::string b = fixture("cycle/b.glsl").string();
+    EXPECT_EQ(error_of(kernel("#include \"cycle/a.glsl\"", "1.0")),
+              b + ":5: include cycle: " + a + " -> " + b + " -> " + a);
+}
+
+TEST(CompileErrorMessage, FileThatIncludesItselfIsACycle) {
+    const std::string self = fixture("cycle/self.glsl").string();
+    EXPECT_EQ(error_of(kernel("#include \"cycle/self.glsl\"", "1.0")),
+              self + ":2: include cycle: " + self + " -> " + self);
+}
+
+TEST(CompileErrorMessage, MissingBodyNamesTheFunction) {
+    EXPECT_THAT(error_of(kernel("#include \"fetch.glsl\"", "fx_twice(ivec2(0))")),
+                AllOf(StartsWith("kernel: "), HasSubstr(" fx_fetch_depth()"), Not(HasSubstr("\n"))));
+    EXPECT_THAT(error_of(kernel("float nothing();", "nothing()")), testing::EndsWith(" nothing()"));
+}
+
+TEST(CompileErrorMessage, RecursionNamesTheFunction) {
+    EXPECT_THAT(
+        error_of(kernel("float f(float x) { return f(x - 1.0); }", "f(3.0)")),
+        AllOf(StartsWith("kernel: "), HasSubstr("Recursion"), HasSubstr(" f()"), Not(HasSubstr("f1;"))));
+}
+
+TEST(CompileErrorMessage, MissingMainIsAnError) {
+    EXPECT_THAT(error_of({"lib.comp", "#version 450\nfloat f() { return 1.0; }\n"}),
+                StartsWith("lib.comp: "));
+}
+
+TEST(CompileErrorMessage, VersionLineMustComeFirstAndSuitVulkan) {
+    EXPECT_THAT(error_of({"a.comp", ""}),
+                AllOf(StartsWith("a.comp:1: "), HasSubstr("#version"), HasSubstr("found none")));
+    EXPECT_THAT(error_of({"a.comp", "// licence\n\nvoid main() {}\n#version 450\n"}),
+                StartsWith("a.comp:3: "));
+    for (const char* version : {"110", "330", "999", "310", "300 es", "450 es", "450 compatibility", "x"}) {
+        const std::string message =
+            error_of({"a.comp", "// c\n#version " + std::string(version) + "\nvoid main() {}\n"});
+        EXPECT_THAT(message, AllOf(StartsWith("a.comp:2: "), HasSubstr("found " + std::string(version))));
+    }
+    for (const char* version : {"430", "450", " 460   core // c"})
+        EXPECT_EQ(error_of({"a.comp", "/* c */ # version " + std::string(version) + "\nvoid main() {}\n"}),
+                  "")
+            << version;
+    for (const char* version : {"310 es", "320  es // c"})  // ES wants it before comments, too
+        EXPECT_EQ(error_of({"a.comp", "#version " + std::string(version) + "\nvoid main() {}\n"}), "")
+            << version;
+}
+
+// The compiler never prints, tested in this process; glslang would, for a version that its tables do not
+// know.
+TEST(CompileErrorMessage, NothingIsPrinted) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    for (const Source& source :
+         {Source{"a.comp", "#version 110\nvoid main() {}\n"}, Source{"a.comp", "void main() {}\n"},
+          kernel("#include \"broken/outer.glsl\"", "1.0")})
+        EXPECT_THROW((void)internal::compile_here(source, with_fixtures()), CompileError);
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+std::vector<std::filesystem::path> paths(const std::vector<IncludedFile>& files) {
+    std::vector<std::filesystem::path> result;
+    for (const IncludedFile& file : files) result.push_back(file.path);
+    return result;
+}
+
+TEST(Include, ReadsATextWhole) {
+    const TemporaryDirectory dir;
+    EXPECT_EQ(read_text(dir.write("a.glsl", "one\r\ntwo")), "one\r\ntwo");
+    EXPECT_EQ(read_text(dir.write("empty.glsl", "")), "");
+    EXPECT_EQ(read_text(dir.write("marked.glsl", "\xef\xbb\xbfone")), "one");
+}
+
+TEST(Include, UnreadableTextIsNamed) {
+    const TemporaryDirectory dir;
+    const auto read = [](const std::filesystem::path& file) {
+        return message_of<std::runtime_error>([&] { static_cast<void>(read_text(file)); });
+    };
+    EXPECT_THAT(read(dir.path() / "none.glsl"), HasSubstr((dir.path() / "none.glsl").string()));
+    EXPECT_THAT(read(dir.path()), AllOf(HasSubstr(dir.path().string()), HasSubstr("folder")));
+}
+
+TEST(Include, FilesThatWereReadAreListedOnceEach) {
+    const TemporaryDirectory dir;
+    const auto file = dir.write("a.glsl", "");
+    const char* before = std::getenv("GLOAM_DEPENDENCIES_OUTPUT");
+    const std::optional<std::string> kept = before ? std::optional<std::string>(before) : std::nullopt;
+    const auto list = dir.path() / "list";
+    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", list.c_str(), 1);
+    static_cast<void>(read_text(file));
+    static_cast<void>(read_text(dir.path() / "." / "a.glsl"));
+    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", (dir.path() / "none" / "list").c_str(), 1);
+    EXPECT_EQ(read_text(file), "") << "a list that cannot be written stops nothing";
+    if (kept) ::setenv("GLOAM_DEPENDENCIES_OUTPUT", kept->c_str(), 1);
+    if (!kept) ::unsetenv("GLOAM_DEPENDENCIES_OUTPUT");
+    EXPECT_EQ(read_text(list), std::filesystem::canonical(file).string() + "\n");
+}
+
+TEST(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {
+    const TemporaryDirectory dir;
+    const auto own = dir.write("own/a.glsl", "");
+    const auto first = dir.write("first/a.glsl", "");
+    const auto second = dir.write("second/a.glsl", "");
+    const auto last = dir.write("second/b.glsl", "");
+    const std::vector roots{first.parent_path(), second.parent_path(), dir.path()};
+    EXPECT_EQ(resolve_include("a.glsl", own.parent_path(), roots), own);
+    EXPECT_EQ(resolve_include("a.glsl", {}, roots), first);
+    EXPECT_EQ(resolve_include("b.glsl", own.parent_path(), roots), last);
+    EXPECT_EQ(resolve_include("../own/a.glsl", {}, roots), own);
+    EXPECT_THAT(
+        message_of<std::runtime_error>(
+            [&] { (void)resolve_include("../own/a.glsl", {}, {first.parent_path()}); }),
+        HasSubstr("outside the include roots, expected a file below " + first.parent_path().string()));
+}
+
+TEST(Include, MissingIncludeListsWhereItLooked) {
+    const auto message = message_of<std::runtime_error>(
+        [] { static_cast<void>(resolve_include("x/y.glsl", "/from", {"/one", "/two"})); });
+    EXPECT_THAT(message, AllOf(HasSubstr("\"x/y.glsl\""), HasSubstr("/from/x/y.glsl"),
+                               HasSubstr("/one/x/y.glsl"), HasSubstr("/two/x/y.glsl")));
+    EXPECT_THROW(static_cast<void>(resolve_include("x", {}, {})), std::runtime_error);
+}
+
+TEST(Include, AFolderIsNoInclude) {
+    EXPECT_THROW(static_cast<void>(resolve_include("math", {}, {FIXTURES})), std::runtime_error);
+}
+
+TEST(IncludeClosure, HoldsEachFileOnceInOrderOfMention) {
+    const auto files = include_closure(
+        "#include \"broken/outer.glsl\"\n#include \"math/square.glsl\"\n#include \"math/hypot.glsl\"\n",
+        {FIXTURES});
+    EXPECT_THAT(paths(files), ElementsAre(fixture("broken/outer.glsl"), fixture("math/square.glsl"),
+                                          fixture("broken/inner.glsl"), fixture("math/hypot.glsl")));
+    for (const IncludedFile& file : files) EXPECT_EQ(file.text, read_text(file.path));
+}
+
+TEST(IncludeClosure, LooksInTheFolderOfTheIncluder) {
+    EXPECT_THAT(paths(include_closure("#include \"neighbour.glsl\"\n", {}, fixture("math"))),
+                ElementsAre(fixture("math/neighbour.glsl"), fixture("math/square.glsl")));
+    EXPECT_TRUE(include_closure("#include \"neighbour.glsl\"\n", {FIXTURES}).empty());
+    EXPECT_TRUE(include_closure("#include <neighbour.glsl>\n", {}, fixture("math")).empty());
+}
+
+TEST(IncludeClosure, EndsOnCycles) {
+    EXPECT_THAT(
+        paths(include_closure("#include \"cycle/a.glsl\"\n#include \"cycle/self.glsl\"\n", {FIXTURES})),
+        ElementsAre(fixture("cycle/a.glsl"), fixture("cycle/b.glsl"), fixture("cycle/self.glsl")));
+}
+
+TEST(IncludeClosure, SeesPastConditionsButNotIntoComments) {
+    EXPECT_THAT(paths(include_closure("#if 0\n#include \"math/square.glsl\"\n#endif\n"
+                                      "// #include \"math/hypot.glsl\"\n/*\n#include \"fetch.glsl\"\n*/\n",
+                                      {FIXTURES})),
+                ElementsAre(fixture("math/square.glsl")));
+}
+
+TEST(IncludeClosure, LeavesMissingFilesOut) {
+    EXPECT_THAT(paths(include_closure("#include \"broken/missing.glsl\"\n", {FIXTURES})),
+                ElementsAre(fixture("broken/missing.glsl"), fixture("math/square.glsl")));
+}
+
+}  // namespace gloam::shader::compile_test

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Texts that exhaust or mislead the compiler: each is a CompileError that names the text, and the next text
 // compiles.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "shader/include.hpp"
 #include "shader/pack.hpp"
 #include "support.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::shader {
-namespace hostile_test {
+namespace gloam::shader::hostile_test {
 
 using test::kernel;
 using test::message_of;
-using test::TempDir;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
+using test::TemporaryDirectory;
 
 std::string repeated(const std::string& text, std::size_t count) {
     std::string all;
@@ -47,7 +42,7 @@ TEST(Hostile, MacrosThatDouble) {
 }
 
 TEST(Hostile, IncludesFromOutsideTheRoots) {
-    const TempDir dir;
+    const TemporaryDirectory dir;
     const auto secret = dir.write("secret.glsl", "float secret;\n");
     const std::filesystem::path home = dir.write("home/deep/top.comp", "").parent_path();
     std::filesystem::create_symlink(secret, home / "link.glsl");
@@ -74,7 +69,7 @@ TEST(Hostile, IncludesFromOutsideTheRoots) {
 
 // #line can name any file; an include is not searched beside it.
 TEST(Hostile, ALineDirectiveOpensNoFolder) {
-    const TempDir dir;
+    const TemporaryDirectory dir;
     (void)dir.write("secret.glsl", "float secret;\n");
     const Source source{(dir.path() / "home" / "top.comp").string(),
                         "#version 450\n#line 2 \"" + (dir.path() / "x.glsl").string() +
@@ -84,7 +79,7 @@ TEST(Hostile, ALineDirectiveOpensNoFolder) {
 }
 
 TEST(Hostile, IncludesThatAreNestedWithoutEnd) {
-    const TempDir dir;
+    const TemporaryDirectory dir;
     constexpr int length = 3000;
     for (int i = 0; i < length; ++i)
         dir.write("i" + std::to_string(i), "#include \"i" + std::to_string(i + 1) + "\"\n");
@@ -96,7 +91,7 @@ TEST(Hostile, IncludesThatAreNestedWithoutEnd) {
 }
 
 TEST(Hostile, IncludesThatAreLongTogether) {
-    const TempDir dir;
+    const TemporaryDirectory dir;
     std::string all;
     for (int i = 0; i < 5; ++i) {
         dir.write("i" + std::to_string(i), std::string(15U << 20U, ' '));
@@ -107,7 +102,7 @@ TEST(Hostile, IncludesThatAreLongTogether) {
 }
 
 TEST(Hostile, FilesThatAreNoText) {
-    const TempDir dir;
+    const TemporaryDirectory dir;
     const auto why = [](const std::filesystem::path& file) {
         const std::string message = message_of<std::runtime_error>([&] { (void)read_text(file); });
         EXPECT_THAT(message, HasSubstr(file.string()));
@@ -124,5 +119,4 @@ TEST(Hostile, FilesThatAreNoText) {
     EXPECT_THAT(why("/dev/zero"), HasSubstr("no regular file"));
 }
 
-}  // namespace hostile_test
-}  // namespace gloam::shader
+}  // namespace gloam::shader::hostile_test

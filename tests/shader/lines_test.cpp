@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gloam::shader::internal {
-namespace lines_test {
+namespace gloam::shader::internal::lines_test {
 
 std::vector<std::string> includes(std::string_view text) {
     std::vector<std::string> names;
@@ -63,5 +62,4 @@ TEST(Lines, SeparatesCodeFromComments) {
     EXPECT_TRUE(split_lines("").empty());
 }
 
-}  // namespace lines_test
-}  // namespace gloam::shader::internal
+}  // namespace gloam::shader::internal::lines_test

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "shader/pack.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "support.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::shader {
-namespace pack_test {
+namespace gloam::shader::pack_test {
 
 using test::fixture;
 using test::message_of;
-using test::TempDir;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-
+using test::TemporaryDirectory;
 using Files = std::vector<std::filesystem::path>;
 
 std::string packed(const std::string& text, const PackRequest& request = {}) {
@@ -295,7 +287,7 @@ TEST(Pack, ADirectiveWithinAFunctionStaysInIt) {
 }
 
 TEST(Pack, ExtensionsAndLicencesComeFirstAndOnce) {
-    const TempDir dir;
+    const TemporaryDirectory dir;
     const auto first = dir.write("a.glsl", "// SPDX-License-Identifier: MIT\nfloat a() { return 1.0; }\n");
     const auto second = dir.write(
         "b.glsl",
@@ -309,7 +301,7 @@ TEST(Pack, ExtensionsAndLicencesComeFirstAndOnce) {
 }
 
 TEST(Pack, WhatHasNoFunctionIsKeptWhole) {
-    const TempDir dir;
+    const TemporaryDirectory dir;
     const auto text = "const float A = 1.0;\n#define B 2.0\nstruct C { float x; };\n";
     EXPECT_EQ(pack(Files{dir.write("c.glsl", text)}, {}, {}), std::string("#version 450\n\n") + text);
 }
@@ -341,5 +333,4 @@ TEST(Pack, CountsLinesOfCode) {
     EXPECT_EQ(code_lines("// one\n\nfloat f() {  // two\n    /* three */\n}\n"), 2U);
 }
 
-}  // namespace pack_test
-}  // namespace gloam::shader
+}  // namespace gloam::shader::pack_test

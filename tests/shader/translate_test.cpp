@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "shader/translate.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "shader/pack.hpp"
 #include "support.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::shader {
-namespace translate_test {
+namespace gloam::shader::translate_test {
 
 using test::message_of;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 constexpr const char* functions = R"(// SPDX-License-Identifier: MIT
 // What the file is about.
@@ -212,5 +206,4 @@ TEST(Translate, TargetsHaveNames) {
     EXPECT_EQ(suffix(Target::msl), ".metal");
 }
 
-}  // namespace translate_test
-}  // namespace gloam::shader
+}  // namespace gloam::shader::translate_test

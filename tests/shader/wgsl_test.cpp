@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "shader/wgsl.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "shader/pack.hpp"
 #include "shader/translate.hpp"
 #include "support.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::shader {
-namespace wgsl_test {
+namespace gloam::shader::wgsl_test {
 
 using test::message_of;
-using testing::AllOf;
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::Not;
 
 // The functions of a text.
 std::string functions_of(const std::string& glsl) {
@@ -345,5 +338,4 @@ TEST(Wgsl, OptimizedModulesAreWrittenToo) {
     EXPECT_THAT(text, AllOf(HasSubstr("fn main("), HasSubstr("textureStore(")));
 }
 
-}  // namespace wgsl_test
-}  // namespace gloam::shader
+}  // namespace gloam::shader::wgsl_test
