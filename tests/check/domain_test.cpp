@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "check/domain.hpp"
-
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <stdexcept>
 
+#include "check/domain.hpp"
+#include "check/run.hpp"
+#include "check/search.hpp"
+#include "check/shrink.hpp"
 #include "numeric/special_values.hpp"
+#include "support/lab.hpp"
 
-namespace gloam::check {
-namespace domain_test {
+namespace gloam::check::domain_test {
 
 std::vector<float> floats_of(const Domain::Inputs& inputs) {
     std::vector<float> values;
@@ -105,5 +110,270 @@ TEST(Domain, NonsenseIsRefused) {
     EXPECT_THROW((void)Domain{uniform(0, 1)}.tied(0, 1), std::invalid_argument);
 }
 
-}  // namespace domain_test
-}  // namespace gloam::check
+// The guided search against plain random sampling.
+
+Question planted(const std::string& function, Domain domain) {
+    return {.file = "peaks.glsl",
+            .function = function,
+            .signature = SignatureOf<float(float, float)>::describe(),
+            .domain = std::move(domain),
+            .reference = make_reference<float(float, float)>([](double, double) { return 1.0; }),
+            .budget = {.absolute = 1.0}};
+}
+
+class SearchTest : public testing::Test {
+  protected:
+    Lab lab = test::make_lab(FIXTURES);
+};
+
+TEST_F(SearchTest, ClimbsANarrowPeakThatSamplingMisses) {
+    const Question narrow = planted("narrow_peak", {uniform(0, 1), uniform(0, 1)});
+    const SearchResult found = search(lab, narrow, {.inputs = 32'768});
+    const Answer sampled = run(lab, narrow, {.inputs = 32'768});
+    EXPECT_GT(found.answer.fraction, 0.99) << "the peak is 1 high";
+    EXPECT_LT(sampled.fraction, 0.6) << "else the peak is no test";
+    EXPECT_EQ(found.answer.inputs(), 32'768U);
+    EXPECT_GT(found.answer.fraction, found.drawn_fraction);
+}
+
+TEST_F(SearchTest, FindsThePeakAtASingleExponent) {
+    const Question small = planted("peak_at_small_numbers", {log_uniform(1e-30, 1), uniform(0, 1)});
+    EXPECT_GT(search(lab, small, {.inputs = 32'768}).answer.fraction, 0.99);
+}
+
+TEST_F(SearchTest, StaysInsideTheDomain) {
+    // The error grows without end beyond the domain.
+    const Question tempting = planted("grows", {uniform(0, 1), uniform(-2, 3)});
+    const SearchResult found = search(lab, tempting, {.inputs = 16'384});
+    ASSERT_TRUE(found.answer.worst);
+    EXPECT_EQ(from_word<float>(found.answer.worst->inputs[0]), 1.0F);
+    EXPECT_EQ(from_word<float>(found.answer.worst->inputs[1]), 3.0F);
+}
+
+TEST_F(SearchTest, FindsTheSameAgain) {
+    const Question narrow = planted("narrow_peak", {uniform(0, 1), uniform(0, 1)});
+    const SearchResult first = search(lab, narrow, {.inputs = 8192, .seed = 3});
+    const SearchResult second = search(lab, narrow, {.inputs = 8192, .seed = 3});
+    ASSERT_TRUE(first.answer.worst && second.answer.worst);
+    EXPECT_EQ(first.answer.worst->inputs, second.answer.worst->inputs);
+}
+
+TEST_F(SearchTest, AFoundInputIsPartOfEveryRunAfterwards) {
+    const Question narrow =
+        planted("narrow_peak", Domain{uniform(0, 1), uniform(0, 1)}.and_input(0.7123F, 0.3004F));
+    EXPECT_GT(run(lab, narrow, {.inputs = 16}).fraction, 0.99);
+}
+
+TEST(Domain, AnAdjustedDomainKeepsAGivenInputAsItIs) {
+    const Domain domain =
+        Domain{uniform(0, 1)}.adjusted([](std::span<Word> row) { row[0] = 0U; }).and_input(0.5F);
+    const Domain::Inputs inputs = domain.draw(3, 1);
+    EXPECT_EQ(from_word<float>(inputs.row(0)[0]), 0.5F);
+    EXPECT_EQ(inputs.row(1)[0], 0U);
+    EXPECT_EQ(domain.draw(1, 1).count(), 1U);
+}
+
+TEST(Values, AdmitWhatTheyDraw) {
+    numeric::Random random(1);
+    DrawContext context{.random = random};
+    const std::vector<Values> all{uniform(-1, 2),
+                                  log_uniform(1e-5, 1e5).and_special(),
+                                  signed_log_uniform(1e-3, 1),
+                                  any_float(),
+                                  integers(-3, 70),
+                                  log_integers(1000),
+                                  unit_vector(2),
+                                  unit_vector(3),
+                                  vector(3, uniform(0, 1)),
+                                  either(uniform(0, 1), uniform(4, 5)),
+                                  vector_of_length(3, log_uniform(0.1, 10))};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (int repeat = 0; repeat < 1000; ++repeat) {
+            std::vector<Word> words;
+            all[i].draw(context, words);
+            // The length of a rounded vector may leave its range by a rounding.
+            ASSERT_TRUE(i + 1 == all.size() || all[i].admits(words)) << "values " << i;
+        }
+        for (const Values::Fixed& fixed : all[i].fixed)
+            ASSERT_TRUE(all[i].admits(fixed.words)) << "values " << i;
+    }
+}
+
+TEST(Values, AdmitNothingElse) {
+    const auto admits = [](const Values& values, auto... scalars) {
+        const std::vector<Word> words{to_word(scalars)...};
+        return values.admits(words);
+    };
+    EXPECT_FALSE(admits(uniform(0, 1), 1.0000001F));
+    EXPECT_FALSE(admits(uniform(0, 1), std::nanf("")));
+    EXPECT_FALSE(admits(integers(-3, 70), 71));
+    EXPECT_FALSE(admits(integers(-3, 70), -4));
+    EXPECT_FALSE(admits(unit_vector(2), 0.8F, 0.61F));
+    EXPECT_FALSE(admits(vector(2, uniform(0, 1)), 0.5F, -0.5F));
+    EXPECT_FALSE(admits(either(uniform(0, 1), uniform(4, 5)), 3.0F));
+    EXPECT_TRUE(admits(uniform(0, 1).and_near({2.0}), 2.0F));
+    EXPECT_FALSE(admits(made_by<float>([](numeric::Random&) { return 1.0F; }), 1.0F)) << "nobody can tell";
+}
+
+constexpr std::size_t enough = 2000;
+
+Word bits(float value) {
+    return std::bit_cast<Word>(value);
+}
+
+float as_float(Word word) {
+    return std::bit_cast<float>(word);
+}
+
+// A function that should return its first word; where `fails` is true it returns another one.
+template <class Function>
+struct Planted {
+    Domain domain;
+    std::function<bool(std::span<const Word>)> fails;
+    Question question = {
+        .signature = SignatureOf<Function>::describe(),
+        .domain = domain,
+        .reference = [](const ImageSet&, std::span<const Word> inputs, std::vector<double>& outputs) {
+            outputs = {static_cast<double>(inputs[0])};
+        }};
+    JudgeOptions options = {};
+    ImageSet images = {};
+    mutable std::size_t evaluations = 0;
+
+    [[nodiscard]] std::vector<Word> evaluate(std::span<const Word> inputs, std::size_t count) const {
+        ++evaluations;
+        const std::size_t width = inputs.size() / count;
+        std::vector<Word> outputs;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto row = inputs.subspan(i * width, width);
+            outputs.push_back(fails(row) ? ~row[0] : row[0]);
+        }
+        return outputs;
+    }
+
+    [[nodiscard]] ShrinkScope scope() const {
+        return {.question = question,
+                .options = options,
+                .images = images,
+                .evaluate = [this](auto inputs, auto count) {
+                    return KernelCore::Result{.outputs = evaluate(inputs, count)};
+                }};
+    }
+
+    // Shrinks every failing input of a draw; each must still fail, and lie in the domain.
+    void expect_shrinks_to(const std::vector<Word>& smallest) const {
+        const Domain::Inputs inputs = domain.draw(enough, 1);
+        std::size_t shrunk = 0;
+        for (std::size_t i = 0; i < inputs.count() && shrunk < 20; ++i) {
+            const auto row = inputs.row(i);
+            if (!fails(row)) continue;
+            const Sample found = shrink(scope(), {.index = i, .inputs = {row.begin(), row.end()}});
+            EXPECT_EQ(found.inputs, smallest) << "from input " << i;
+            EXPECT_EQ(found.index, i);
+            EXPECT_TRUE(fails(found.inputs));
+            EXPECT_TRUE(domain.holds(found.inputs, row));
+            EXPECT_EQ(found.got, std::vector<Word>{~found.inputs[0]});
+            EXPECT_GT(found.fraction, 1.0);
+            ++shrunk;
+        }
+        EXPECT_EQ(shrunk, 20U);
+    }
+};
+
+TEST(Shrink, AlwaysFailingGoesToZero) {
+    Planted<unsigned(float)>{.domain = {any_float()}, .fails = [](auto) { return true; }}.expect_shrinks_to(
+        {0U});
+}
+
+TEST(Shrink, AFloatGoesToTheRoundestNumberBeyondTheThreshold) {
+    Planted<unsigned(float)>{.domain = {uniform(-1000, 1000)},
+                             .fails = [](auto in) { return as_float(in[0]) > 3.25F; }}
+        .expect_shrinks_to({bits(4.0F)});
+    Planted<unsigned(float)>{.domain = {uniform(-1000, 1000)},
+                             .fails = [](auto in) { return as_float(in[0]) < -0.1F; }}
+        .expect_shrinks_to({bits(-1.0F)});
+}
+
+TEST(Shrink, AnIntegerGoesToTheThreshold) {
+    Planted<unsigned(unsigned)>{.domain = {integers(0, 1'000'000)},
+                                .fails = [](auto in) { return in[0] >= 1000U; }}
+        .expect_shrinks_to({1024U});
+    Planted<unsigned(int)>{.domain = {integers(-500, 500)},
+                           .fails = [](auto in) { return static_cast<int>(in[0]) <= -3; }}
+        .expect_shrinks_to({static_cast<Word>(-3)});
+}
+
+TEST(Shrink, WhatDoesNotMatterGoesToZero) {
+    Planted<unsigned(glm::vec3, bool, int)>{
+        .domain = {vector(3, uniform(-8, 8)), booleans(), integers(-9, 9)},
+        .fails = [](auto in) { return as_float(in[1]) >= 1.0F; }}
+        .expect_shrinks_to({0U, bits(1.0F), 0U, 0U, 0U});
+}
+
+TEST(Shrink, ValuesThatMustBeEqualShrinkTogether) {
+    const Domain equal = Domain({uniform(0, 100), uniform(0, 100)}).adjusted([](std::span<Word> words) {
+        words[1] = words[0];
+    });
+    Planted<unsigned(float, float)>{.domain = equal,
+                                    .fails = [](auto in) { return in[0] == in[1] && as_float(in[0]) > 1.5F; }}
+        .expect_shrinks_to({bits(2.0F), bits(2.0F)});
+}
+
+TEST(Shrink, StaysInTheDomain) {
+    Planted<unsigned(float)>{.domain = {log_uniform(5, 100)}, .fails = [](auto) { return true; }}
+        .expect_shrinks_to({bits(8.0F)});
+    Planted<unsigned(float)>{.domain = {constant(2.75F)}, .fails = [](auto) { return true; }}
+        .expect_shrinks_to({bits(2.75F)});
+}
+
+TEST(Shrink, AnUnknownDistributionStaysAsItWasDrawn) {
+    const Planted<unsigned(float)> planted{.domain = {made_by<float>([](numeric::Random& random) {
+                                               return static_cast<float>(random.uniform(0, 1));
+                                           })},
+                                           .fails = [](auto) { return true; }};
+    EXPECT_EQ(shrink(planted.scope(), {.inputs = {bits(0.3F)}}).inputs, std::vector<Word>{bits(0.3F)});
+}
+
+TEST(Shrink, UnitVectorsStayUnitVectors) {
+    const Planted<unsigned(glm::vec3)> planted{.domain = {unit_vector(3)},
+                                               .fails = [](auto in) { return as_float(in[2]) > 0.1F; }};
+    const Domain::Inputs inputs = planted.domain.draw(100, 1);
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        const auto row = inputs.row(i);
+        if (!planted.fails(row)) continue;
+        const Sample found = shrink(planted.scope(), {.inputs = {row.begin(), row.end()}});
+        EXPECT_NEAR(
+            std::hypot(as_float(found.inputs[0]), as_float(found.inputs[1]), as_float(found.inputs[2])), 1.0,
+            1e-6);
+    }
+}
+
+TEST(Shrink, ManyCandidatesCostOneEvaluation) {
+    const Planted<unsigned(glm::vec4)> planted{
+        .domain = {vector(4, uniform(-1e6, 1e6))},
+        .fails = [](auto in) { return as_float(in[0]) > 100.0F && as_float(in[3]) < -5.0F; }};
+    const Sample found =
+        shrink(planted.scope(), {.inputs = {bits(123456.7F), bits(-3.3F), bits(1e-9F), bits(-98765.4F)}});
+    EXPECT_EQ(found.inputs, (std::vector<Word>{bits(128.0F), 0U, 0U, bits(-8.0F)}));
+    EXPECT_LT(planted.evaluations, 40U);
+}
+
+TEST(Shrink, AnInputThatDoesNotFailIsRefused) {
+    const Planted<unsigned(float)> planted{.domain = {uniform(0, 1)}, .fails = [](auto) { return false; }};
+    EXPECT_THAT([&] { (void)shrink(planted.scope(), {.inputs = {bits(0.5F)}}); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("does not fail")));
+}
+
+TEST(Complexity, OrdersFromSimpleToStrange) {
+    const std::vector<float> ascending{0.0F,  1.0F, -1.0F,  1.5F,
+                                       1.25F, 0.1F, 1e-30F, std::numeric_limits<float>::quiet_NaN()};
+    for (std::size_t i = 1; i < ascending.size(); ++i) {
+        const std::vector<Word> simpler{bits(ascending[i - 1])};
+        const std::vector<Word> stranger{bits(ascending[i])};
+        EXPECT_LT(complexity(simpler, {shader::Scalar::float_}),
+                  complexity(stranger, {shader::Scalar::float_}))
+            << ascending[i - 1] << " and " << ascending[i];
+    }
+}
+
+}  // namespace gloam::check::domain_test

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // One input, operation by operation.
-#include "check/explain.hpp"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <cmath>
 
-namespace gloam::check {
-namespace explain_test {
+#include "check/explain.hpp"
+#include "check/measure_coverage.hpp"
+#include "check/scalars.hpp"
+#include "support/lab.hpp"
+#include "support/matchers.hpp"
 
-using testing::HasSubstr;
+namespace gloam::check::explain_test {
 
 const shader::CompileOptions options{.include_roots = {FIXTURES}, .variant = shader::variant("strict")};
 
@@ -48,5 +48,102 @@ TEST(Explain, SaysWhatItExpected) {
                 testing::ThrowsMessage<std::invalid_argument>(HasSubstr("no function none")));
 }
 
-}  // namespace explain_test
-}  // namespace gloam::check
+// Which lines and branches inputs reach.
+
+class CoverageTest : public testing::Test {
+  protected:
+    Coverage of(const Domain& domain, const shader::Variant& variant = {}) {
+        const Lab lab = test::make_lab(FIXTURES, variant);
+        const Question question{.file = "branches.glsl",
+                                .function = "branches",
+                                .signature = SignatureOf<float(float, int)>::describe(),
+                                .domain = domain};
+        return measure_coverage(lab, question, {.inputs = 4096});
+    }
+
+    // "line", or "line way".
+    static std::vector<std::string> missed(const Coverage& coverage) {
+        std::vector<std::string> all;
+        for (const Coverage::Point& point : coverage.points)
+            if (!point.reached)
+                all.push_back(std::to_string(point.line) + (point.way.empty() ? "" : " ") + point.way);
+        return all;
+    }
+};
+
+TEST_F(CoverageTest, EveryWayThatInputsGoIsReached) {
+    const Coverage all = of({uniform(-300, 300), integers(0, 40)});
+    EXPECT_THAT(missed(all), IsEmpty());
+    EXPECT_TRUE(all.is_complete());
+    EXPECT_LT(all.inputs, 4096U) << "nothing is left to be reached";
+}
+
+TEST_F(CoverageTest, WhatNoInputReachesIsToldWithItsLine) {
+    const Coverage some = of({uniform(0.5, 90), integers(1, 2)});
+    // glslang 15 gives a switch its own line; earlier versions give it that of the branch before it.
+    EXPECT_THAT(missed(some), AnyOf(ElementsAre("14", "20", "6 true", "11 true", "13 true", "18 case 40"),
+                                    ElementsAre("14", "20", "6 true", "11 true", "13 true",
+                                                "12 case 40, branch 2 of the line")));
+    EXPECT_EQ(some.inputs, 4096U);
+    EXPECT_THAT(to_text(some), HasSubstr("never true: float sum = x < 0.0 ? 1.0 : 0.0;"));
+    EXPECT_THAT(to_text(some), HasSubstr("not reached: sum += 10.0;"));
+}
+
+// An optimizer removes some branches and copies others; the report must be about the source.
+TEST_F(CoverageTest, IsTheSameInEveryVariant) {
+    const Domain domain{uniform(0.5, 90), integers(1, 2)};
+    EXPECT_EQ(missed(of(domain, shader::variant("optimized"))), missed(of(domain)));
+}
+
+TEST_F(CoverageTest, IsPartOfAnAnswerWhereItIsAskedFor) {
+    const Lab lab = test::make_lab(FIXTURES);
+    const Question question{.file = "branches.glsl",
+                            .function = "branches",
+                            .signature = SignatureOf<float(float, int)>::describe(),
+                            .domain = {uniform(0.5, 90), integers(1, 2)}};
+    EXPECT_FALSE(run(lab, question, {.inputs = 64}).coverage);
+    ASSERT_TRUE(run(lab, question, {.inputs = 64, .coverage = true}).coverage);
+}
+
+struct Mixed {
+    bool flag;
+    glm::vec3 position;
+    int count;
+    glm::mat2 matrix;
+    unsigned bits;
+};
+
+template <class T>
+T round_trip(const T& value) {
+    std::vector<Word> words;
+    append_words(value, words);
+    std::span<const Word> rest = words;
+    T back = take_words<T>(rest);
+    RC_ASSERT(rest.empty());
+    return back;
+}
+
+TEST(Scalars, ValuesSurviveAsWords) {
+    EXPECT_TRUE(rc::check("any bit pattern of a float", [](unsigned bits) {
+        RC_ASSERT(std::bit_cast<unsigned>(round_trip(std::bit_cast<float>(bits))) == bits);
+    }));
+    EXPECT_TRUE(
+        rc::check("a structure, member by member", [](bool flag, int count, unsigned bits, short x, short y) {
+            const Mixed mixed{flag, glm::vec3(x, y, 1), count, glm::mat2(x, y, y, x), bits};
+            const Mixed back = round_trip(mixed);
+            RC_ASSERT(back.flag == flag && back.count == count && back.bits == bits);
+            RC_ASSERT(back.position == mixed.position && back.matrix == mixed.matrix);
+        }));
+}
+
+TEST(Scalars, TypesAreThoseOfGlsl) {
+    EXPECT_EQ(shader::to_glsl(type_of<glm::mat4x3>()), "mat4x3");
+    EXPECT_EQ(shader::to_glsl(type_of<glm::uvec2>()), "uvec2");
+    EXPECT_EQ(type_of<double>(), type_of<float>())
+        << "references calculate in double what the shader has in float";
+    EXPECT_EQ(scalar_count<Mixed>(), 10U);
+    EXPECT_EQ(scalars_of(type_of<Mixed>()).size(), 10U);
+    EXPECT_EQ(scalars_of(type_of<Mixed>()).front(), shader::Scalar::bool_);
+}
+
+}  // namespace gloam::check::explain_test

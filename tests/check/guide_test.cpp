@@ -9,8 +9,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam::check {
-namespace guide_test {
+namespace gloam::check::guide_test {
 
 Lab guide_lab() {
     return test::make_lab(std::string(FIXTURES) + "/guide");
@@ -106,5 +105,4 @@ TEST(Guide, ANarrowBudgetFailsAndSaysWhere) {
     EXPECT_THAT(text.str(), testing::HasSubstr("tone_reinhard"));
 }
 
-}  // namespace guide_test
-}  // namespace gloam::check
+}  // namespace gloam::check::guide_test

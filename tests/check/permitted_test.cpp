@@ -13,8 +13,7 @@
 #include "numeric/ulp.hpp"
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace permitted_test {
+namespace gloam::permitted_test {
 
 using numeric::Bounds;
 
@@ -163,5 +162,4 @@ TEST(ErrorBound, SquareRoot) {
     expect_close_below(largest_error(relative, exact, 1.0, 3.999), 7.0);
 }
 
-}  // namespace permitted_test
-}  // namespace gloam
+}  // namespace gloam::permitted_test

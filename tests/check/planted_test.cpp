@@ -17,8 +17,7 @@
 #include "support/lab.hpp"
 #include "support/test_name.hpp"
 
-namespace gloam::check {
-namespace planted_test {
+namespace gloam::check::planted_test {
 
 using catalogue::Entry;
 
@@ -200,5 +199,4 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, PlantedInBrowser,
                          testing::Combine(testing::Values("browser"), testing::Range(std::size_t{0}, shards)),
                          name_of_shard);
 
-}  // namespace planted_test
-}  // namespace gloam::check
+}  // namespace gloam::check::planted_test
