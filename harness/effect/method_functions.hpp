@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <limits>
 #include <string>
 
 #include "effect/methods.hpp"
+#include "effect/settings.hpp"
 
 namespace gloam::effect {
 
@@ -35,5 +37,20 @@ class MethodFunctions {
 
 // The function's name.
 inline constexpr const char* method_function = "method_gather";
+
+// Its parameters, as gloam/geometry/camera.glsl and the files have them, and its signature for check::Kernel.
+struct GatherCamera {
+    glm::vec2 p00_p11;
+    glm::ivec2 size;
+    bool orthographic;
+};
+struct GatherKernel {
+    float radius;
+    float bias;
+    float angle;
+    unsigned first;
+    unsigned count;
+};
+using MethodGather = glm::vec2(glm::vec3, glm::vec3, GatherCamera, GatherKernel, MethodValues);
 
 }  // namespace gloam::effect

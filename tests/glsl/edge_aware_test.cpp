@@ -8,8 +8,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace edge_aware_test {
+namespace gloam::edge_aware_test {
 
 using check::Kernel;
 using glm::ivec2;
@@ -139,5 +138,4 @@ TEST_F(EdgeAware, GeometryBlur) {
     EXPECT_EQ(blur(s, ivec2(3, 2)), 0.25F);
 }
 
-}  // namespace edge_aware_test
-}  // namespace gloam
+}  // namespace gloam::edge_aware_test

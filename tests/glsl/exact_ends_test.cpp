@@ -11,8 +11,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace {
+namespace gloam::exact_ends_test {
 
 using glm::ivec2;
 using glm::vec2;
@@ -250,5 +249,4 @@ TEST_F(ExactEnds, NeighboursOnAndBesideThePlane) {
     EXPECT_EQ(weight(vec3(0), up, 1.0F, NAN), 0.0F);
 }
 
-}  // namespace
-}  // namespace gloam
+}  // namespace gloam::exact_ends_test

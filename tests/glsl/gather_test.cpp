@@ -8,8 +8,7 @@
 #include "gathers.hpp"
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace gather_test {
+namespace gloam::gather_test {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -189,5 +188,4 @@ TEST_F(Gathering, LargeKernelsStayInTheImage) {
     }
 }
 
-}  // namespace gather_test
-}  // namespace gloam
+}  // namespace gloam::gather_test

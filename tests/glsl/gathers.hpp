@@ -12,19 +12,10 @@
 // The methods as functions of one signature, and images for them.
 namespace gloam::test {
 
-// As in gloam/geometry/camera.glsl, effect::write_method_functions() and passes/method_values.glsl.
-struct Camera {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    bool orthographic;
-};
-struct Samples {
-    float radius;
-    float bias;
-    float angle;
-    unsigned first;
-    unsigned count;
-};
+using Camera = effect::GatherCamera;
+using Samples = effect::GatherKernel;
+
+// effect::MethodValues with the values that the views of the tests are made for.
 struct Method {
     float range = 2.0F;
     float epsilon = 0.05F;

@@ -9,8 +9,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace horizons_test {
+namespace gloam::horizons_test {
 
 using check::Kernel;
 using glm::vec2;
@@ -367,5 +366,4 @@ TEST_F(Horizons, BackOfASample) {
     EXPECT_EQ(back(vec3(0), slice, 1.0F), vec2(0));
 }
 
-}  // namespace horizons_test
-}  // namespace gloam
+}  // namespace gloam::horizons_test

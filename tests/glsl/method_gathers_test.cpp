@@ -17,8 +17,7 @@
 #include "gathers.hpp"
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace method_gathers_test {
+namespace gloam::method_gathers_test {
 
 using test::Camera;
 using test::Gather;
@@ -322,5 +321,4 @@ TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
 INSTANTIATE_TEST_SUITE_P(All, Methods, testing::ValuesIn(method_names()),
                          [](const auto& info) { return info.param; });
 
-}  // namespace method_gathers_test
-}  // namespace gloam
+}  // namespace gloam::method_gathers_test

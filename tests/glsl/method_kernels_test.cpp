@@ -11,8 +11,7 @@
 #include "on_rough.hpp"
 #include "support/method_names.hpp"
 
-namespace gloam {
-namespace method_kernels_test {
+namespace gloam::method_kernels_test {
 
 namespace rough = test::rough_view;
 using test::Camera;
@@ -154,5 +153,4 @@ INSTANTIATE_TEST_SUITE_P(All, OwnPixels,
                                          "mixture", "poisson", "sphere_proxy", "ssdo", "sweep", "unreal"),
                          test::parameter_name);
 
-}  // namespace method_kernels_test
-}  // namespace gloam
+}  // namespace gloam::method_kernels_test

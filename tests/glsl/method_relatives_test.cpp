@@ -12,8 +12,7 @@
 #include "gathers.hpp"
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace method_relatives_test {
+namespace gloam::method_relatives_test {
 
 using glm::dvec3;
 using test::Camera;
@@ -310,5 +309,4 @@ TEST_F(Relatives, WhatStandsInFrontOfTheBallHasNoHalo) {
     EXPECT_NEAR(mean("volumetric", around, 1.0F, Method{}, 4), 0.5, 1e-6);
 }
 
-}  // namespace method_relatives_test
-}  // namespace gloam
+}  // namespace gloam::method_relatives_test

@@ -9,8 +9,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace numeric_test {
+namespace gloam::numeric_test {
 
 using check::Kernel;
 
@@ -121,5 +120,4 @@ TEST_F(Numeric, WhateverOrderADriverTakesTheErrorIsBounded) {
               2e-4);
 }
 
-}  // namespace numeric_test
-}  // namespace gloam
+}  // namespace gloam::numeric_test

@@ -8,8 +8,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace occlusion_test {
+namespace gloam::occlusion_test {
 
 using check::Kernel;
 
@@ -260,5 +259,4 @@ TEST_F(Occlusion, MeanOfContributions) {
     EXPECT_EQ(mean_of(glm::vec2(1, NAN)), 0.0F);
 }
 
-}  // namespace occlusion_test
-}  // namespace gloam
+}  // namespace gloam::occlusion_test

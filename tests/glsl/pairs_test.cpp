@@ -8,8 +8,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace pairs_test {
+namespace gloam::pairs_test {
 
 using check::Kernel;
 using glm::vec2;
@@ -253,5 +252,4 @@ TEST_F(Pairs, LaterShaderOfTheEngine) {
     EXPECT_EQ(visibility(0.5F, 2.0F, NAN), 1.0F);
 }
 
-}  // namespace pairs_test
-}  // namespace gloam
+}  // namespace gloam::pairs_test

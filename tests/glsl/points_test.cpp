@@ -8,8 +8,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace points_test {
+namespace gloam::points_test {
 
 using check::Kernel;
 using glm::vec2;
@@ -322,5 +321,4 @@ TEST_F(Points, FilionOfOnePoint) {
     EXPECT_EQ(c(5.0F, 4.0F, 0.0F), 0.0F);
 }
 
-}  // namespace points_test
-}  // namespace gloam
+}  // namespace gloam::points_test

@@ -10,8 +10,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace proxies_test {
+namespace gloam::proxies_test {
 
 using check::Kernel;
 
@@ -240,5 +239,4 @@ TEST_F(Proxies, UpsamplingWeights) {
     EXPECT_EQ(w(1.0F, infinity, 1.0F, 0.5F, 10.0F), 0.0F);
 }
 
-}  // namespace proxies_test
-}  // namespace gloam
+}  // namespace gloam::proxies_test

@@ -10,8 +10,7 @@
 #include "numeric/ulp.hpp"
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace sampling_test {
+namespace gloam::sampling_test {
 
 using check::Kernel;
 
@@ -317,5 +316,4 @@ TEST_F(Sampling, PairsAreOpposite) {
     EXPECT_EQ(paired(s, 7), -s);
 }
 
-}  // namespace sampling_test
-}  // namespace gloam
+}  // namespace gloam::sampling_test

@@ -9,8 +9,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace scalable_test {
+namespace gloam::scalable_test {
 
 using check::Kernel;
 
@@ -329,5 +328,4 @@ TEST_F(Scalable, BlurWeights) {
     EXPECT_GT(w(1, 0.0F, infinity), 0.4F);
 }
 
-}  // namespace scalable_test
-}  // namespace gloam
+}  // namespace gloam::scalable_test

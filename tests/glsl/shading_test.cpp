@@ -6,8 +6,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace shading_test {
+namespace gloam::shading_test {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -54,5 +53,4 @@ TEST_F(Remap, Edges) {
     EXPECT_EQ(remap(0.5F, 0.0F, 1.0F, NAN), 1.0F);
 }
 
-}  // namespace shading_test
-}  // namespace gloam
+}  // namespace gloam::shading_test

@@ -9,8 +9,7 @@
 #include "gathers.hpp"
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace sweep_test {
+namespace gloam::sweep_test {
 
 using test::Camera;
 
@@ -129,5 +128,4 @@ TEST_F(SweepOfAWall, OrdersTheFalloffs) {
     EXPECT_GT(measured(0.5, quadratic, 6), measured(0.5, linear, 6) + 0.01);
 }
 
-}  // namespace sweep_test
-}  // namespace gloam
+}  // namespace gloam::sweep_test

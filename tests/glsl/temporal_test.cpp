@@ -7,8 +7,7 @@
 
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace temporal_test {
+namespace gloam::temporal_test {
 
 using check::Kernel;
 
@@ -215,5 +214,4 @@ TEST_F(Temporal, BilinearWeightsOfTheValidTexels) {
     EXPECT_EQ(validated(glm::vec4(NAN, 0.5F, -1, 0.5F), glm::bvec4(true)), glm::vec4(0, 0.5F, 0, 0.5F));
 }
 
-}  // namespace temporal_test
-}  // namespace gloam
+}  // namespace gloam::temporal_test

@@ -9,8 +9,7 @@
 #include "numeric/random.hpp"
 #include "support/lab.hpp"
 
-namespace gloam {
-namespace validity_test {
+namespace gloam::validity_test {
 
 using check::Kernel;
 
@@ -209,5 +208,4 @@ TEST_F(Validity, SmoothInvalidation) {
     EXPECT_EQ(scaled(500.0F, 2.0F), 500.0F);
 }
 
-}  // namespace validity_test
-}  // namespace gloam
+}  // namespace gloam::validity_test

@@ -15,7 +15,6 @@
 #include "cli/versions.hpp"
 #include "effect/method_functions.hpp"
 #include "report/output_file.hpp"
-#include "stress/report.hpp"
 #include "stress/run.hpp"
 
 namespace gloam::cli {

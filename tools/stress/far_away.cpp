@@ -11,8 +11,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/presets.hpp"
 #include "scene/rasterize.hpp"
-#include "stress/centered_form.hpp"
-#include "stress/world_form.hpp"
+#include "stress/reprojected.hpp"
 
 namespace gloam::stress {
 namespace {

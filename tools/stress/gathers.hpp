@@ -12,37 +12,14 @@
 
 namespace gloam::stress {
 
-// GloamCamera of the shader library and GatherKernel of effect::write_method_functions(), member by member.
-struct Camera {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    bool orthographic;
-};
-struct GatherKernel {
-    float radius;
-    float bias;
-    float angle;
-    unsigned first;
-    unsigned count;
-};
+using effect::GatherCamera;
+using effect::GatherKernel;
 
-struct GatherMethod {
-    float range;
-    float epsilon;
-    float intensity = 1.0F;
-    float thickness = 1.0F;
-    float angle_bias = 0.0F;
-    float mip_distance = 0.0F;
-    unsigned steps = 1;
-    float disagreement = 0.05F;
-    float feature_thickness = 1.0F;
-};
+// Of a method: (sum, count); reads depths by gloam_fetch_depth.
+using Gather = check::Kernel<effect::MethodGather>;
 
-// (position, normal, camera, kernel, method) to (sum, count); reads depths by gloam_fetch_depth.
-using Gather = check::Kernel<glm::vec2(glm::vec3, glm::vec3, Camera, GatherKernel, GatherMethod)>;
-
-[[nodiscard]] constexpr GatherMethod method_of_length(float length) {
-    return {.range = length, .epsilon = length};
+[[nodiscard]] constexpr effect::MethodValues method_of_length(float length) {
+    return {.range = length, .epsilon = length, .thickness = 1.0F, .steps = 1, .disagreement = 0.05F};
 }
 
 // Of the lab's folder of effect::write_method_functions().

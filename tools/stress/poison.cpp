@@ -1,9 +1,318 @@
 // SPDX-License-Identifier: MIT
 #include "stress/poison.hpp"
 
-#include "stress/poison_parts.hpp"
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "check/kernel.hpp"
+#include "stress/gathers.hpp"
+#include "stress/long_run.hpp"
+#include "stress/views.hpp"
 
 namespace gloam::stress {
+namespace {
+
+constexpr Sequence sequence_of(unsigned k, float weight_max) {
+    return {.pattern = third,
+            .seed = 0,
+            .first = 0,
+            .frames = 1,
+            .k = k,
+            .table_size = 2048,
+            .weight_max = weight_max,
+            .stored_half = false};
+}
+
+constexpr Sequence sequence = sequence_of(32, 500.0F);
+constexpr glm::vec4 good{0.5F, 500.0F, 64.0F, 3.0F};
+constexpr glm::vec4 empty{0.0F, 0.0F, 0.0F, 3.0F};
+
+// Whether a texel remembers anything, as gloam_history_unpack states it.
+bool usable(const glm::vec4& texel) {
+    const auto positive = [](float x) { return std::isfinite(x) && x > 0.0F; };
+    return texel.x >= 0.0F && texel.x <= 1.0F && positive(texel.y) && positive(texel.w);
+}
+
+// Subnormals may be flushed, so what is made of them is not judged here beyond its range.
+bool subnormal(float x) {
+    return std::fpclassify(x) == FP_SUBNORMAL;
+}
+
+// A texel that the next frame can go on with.
+bool safe(const glm::vec4& texel) {
+    const bool depth = texel.w > 0.0F;  // +infinity for background
+    return texel.x >= 0.0F && texel.x <= 1.0F && texel.y >= 0.0F && texel.y <= sequence.weight_max &&
+           texel.z >= 0.0F && texel.z < static_cast<float>(sequence.table_size) && depth;
+}
+
+using Frame = check::Kernel<glm::vec4(glm::vec4, float, Sequence)>;
+
+// Each channel of a good history made bad; one frame.
+Rows texels(const Frame& frame) {
+    const glm::vec4 fresh = frame(empty, 0.25F, sequence);
+    std::size_t unsafe = 0;
+    std::size_t not_fresh = 0;
+    for (const BadValue& bad : bad_values()) {
+        for (int channel = 0; channel < 4; ++channel) {
+            glm::vec4 texel = good;
+            texel[channel] = bad.value;
+            const glm::vec4 after = frame(texel, 0.25F, sequence);
+            unsafe += safe(after) ? 0 : 1;
+            if (usable(texel) || subnormal(bad.value)) continue;
+            not_fresh += after == fresh ? 0 : 1;
+        }
+    }
+    const std::string varied = "history texel, one channel";
+    return {{poison_name, varied, "unsafe after one frame", static_cast<double>(unsafe), 0.0},
+            {poison_name, varied, "not healed (a fresh start) after one frame",
+             static_cast<double>(not_fresh), 0.0}};
+}
+
+// Bad contributions: NaN and infinities leave the history as it is, others count as the nearer end of [0, 1].
+Rows contributions(const Frame& frame) {
+    std::size_t unsafe = 0;
+    std::size_t wrong = 0;
+    for (const BadValue& bad : bad_values()) {
+        const glm::vec4 after = frame(good, bad.value, sequence);
+        unsafe += safe(after) ? 0 : 1;
+        const float read = std::isfinite(bad.value) ? glm::clamp(bad.value, 0.0F, 1.0F) : 0.0F;
+        const float expected = std::isfinite(bad.value) ? frame(good, read, sequence).x : good.x;
+        wrong += subnormal(bad.value) || after.x == expected ? 0 : 1;
+    }
+    const std::string varied = "contribution of one frame";
+    return {{poison_name, varied, "unsafe after one frame", static_cast<double>(unsafe), 0.0},
+            {poison_name, varied, "damage other than stated", static_cast<double>(wrong), 0.0}};
+}
+
+// Frames until a history that is plausible but wrong (occlusion 1, full weight) is right within 1/255.
+Row healing(const Accumulate& accumulate, unsigned k, float weight_max) {
+    const double alpha = k / (double{weight_max} + k);
+    const double stated = std::ceil(std::log(255.0) / -std::log1p(-alpha));
+    Sequence all = sequence_of(k, weight_max);
+    const double right = contribution(all, 0);
+    const auto healed = [&](unsigned frames) {
+        all.frames = frames;
+        const auto [texel, range] =
+            accumulate(glm::vec4(1.0F, weight_max, 0.0F, 3.0F), all, glm::vec2(1.0F, 0.0F));
+        return std::abs(double{texel.x} - right) < 1.0 / 255.0;
+    };
+    unsigned low = 0;
+    unsigned high = 60'000;
+    if (!healed(high)) return {poison_name, "wrong history", "frames to heal", INFINITY, stated};
+    while (high - low > 1) {
+        const unsigned middle = (low + high) / 2;
+        (healed(middle) ? high : low) = middle;
+    }
+    return {poison_name, fmt::format("wrong but plausible history, k {}, w_max {}", k, weight_max),
+            "frames until right within 1/255", static_cast<double>(high), stated};
+}
+
+}  // namespace
+
+Rows poisoned_history(const Context& context) {
+    context.progress(fmt::format("{}: history", poison_name));
+    const Frame frame(context.lab, accumulate_file, "stress_frame");
+    const Accumulate accumulate(context.lab, accumulate_file, "stress_accumulate");
+    Rows rows = texels(frame);
+    for (const Row& row : contributions(frame)) rows.push_back(row);
+    rows.push_back(healing(accumulate, 32, 500.0F));
+    rows.push_back(healing(accumulate, 8, 1500.0F));
+    return rows;
+}
+
+namespace {
+
+constexpr glm::ivec2 size{9, 7};
+
+// Samples of a gather.
+constexpr unsigned asked = 33;
+
+constexpr GatherCamera camera{{1.2F, -1.5F}, size, false};
+
+// Fetches outside an image, and results that are outside their range, over all calls.
+struct Count {
+    std::size_t fetches_outside = 0;
+    std::size_t results_outside = 0;
+};
+
+// The function on all inputs; `good` judges one result.
+template <class Kernel, class Good>
+void call(const Kernel& kernel, const std::vector<typename Kernel::Inputs>& inputs,
+          const check::ImageSet& images, Good&& good, Count& count) {
+    std::vector<check::Word> words;
+    for (const auto& input : inputs)
+        std::apply([&words](const auto&... value) { (check::append_words(value, words), ...); }, input);
+    const check::KernelCore::Result result = kernel.core().run(words, inputs.size(), images);
+    if (result.fault) count.fetches_outside += result.fault->count;
+    std::span<const check::Word> rest = result.outputs;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto output = check::take_words<typename Kernel::Output>(rest);
+        count.results_outside += good(output) ? 0 : 1;
+    }
+}
+
+// Depth 3 with a bad value at one pixel, or everywhere.
+check::Image depths(float bad, glm::ivec2 at, bool everywhere) {
+    return check::make_image<float>(size,
+                                    [=](glm::ivec2 pixel) { return everywhere || pixel == at ? bad : 3.0F; });
+}
+
+glm::vec3 position_at(glm::ivec2 pixel, float depth) {
+    const glm::vec2 ndc = 2.0F * (glm::vec2(pixel) + 0.5F) / glm::vec2(size) - 1.0F;
+    return {ndc / camera.p00_p11 * depth, -depth};
+}
+
+template <class Visit>
+void for_each_pixel(Visit&& visit) {
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) visit(glm::ivec2(x, y));
+}
+
+// Images of bad depths: at the middle, at a corner, everywhere.
+template <class Visit>
+void for_each_image(Visit&& visit) {
+    for (const BadValue& bad : bad_values()) {
+        visit(bad.value, depths(bad.value, size / 2, false));
+        visit(bad.value, depths(bad.value, glm::ivec2(0), false));
+        visit(bad.value, depths(bad.value, glm::ivec2(0), true));
+    }
+}
+
+// Every pixel of the image, and bad positions, normals, radii and angles.
+std::vector<Gather::Inputs> gather_inputs(float bad, unsigned steps) {
+    const auto method_of_length = [steps](float length) {
+        effect::MethodValues method = stress::method_of_length(length);
+        method.steps = steps;
+        return method;
+    };
+    const GatherKernel kernel{0.5F, 0.001F, 0.0F, 4'294'967'280U, asked};  // its index passes 2^32
+    const glm::vec3 position = position_at(size / 2, 3.0F);
+    const glm::vec3 normal(0, 0, 1);
+    std::vector<Gather::Inputs> inputs;
+    for_each_pixel([&](glm::ivec2 at) {
+        inputs.emplace_back(position_at(at, 3.0F), normal, camera, kernel, method_of_length(1.0F));
+    });
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 moved = position;
+        glm::vec3 turned = normal;
+        moved[axis] = bad;
+        turned[axis] = bad;
+        inputs.emplace_back(moved, normal, camera, kernel, method_of_length(1.0F));
+        inputs.emplace_back(position, turned, camera, kernel, method_of_length(1.0F));
+    }
+    inputs.emplace_back(position, normal, camera, GatherKernel{bad, 0.001F, 0.0F, 0, asked},
+                        method_of_length(1.0F));
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, bad, 0.0F, 0, asked},
+                        method_of_length(1.0F));
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, bad, 0, asked},
+                        method_of_length(1.0F));
+    inputs.emplace_back(position, normal, camera, GatherKernel{0.5F, 0.001F, 0.0F, 0, 0},
+                        method_of_length(1.0F));
+    inputs.emplace_back(position, normal, camera, kernel, method_of_length(bad));
+    return inputs;
+}
+
+// (samples times occlusion, samples) of a gather of so many at most.
+bool good_sum(glm::vec2 sum, std::uint32_t most) {
+    return sum.x >= 0.0F && sum.x <= sum.y && sum.y <= static_cast<float>(most);
+}
+
+Count gathers(const check::Lab& lab, const effect::MethodInfo& method) {
+    const Gather gather(lab, gather_file(method), effect::method_function);
+    const unsigned steps = 3;
+    const std::uint32_t most = effect::samples_taken(method, asked, steps);
+    const auto preparation = gather_preparation(method, size, steps);
+    Count count;
+    for_each_image([&](float bad, const check::Image& image) {
+        for (const float prepared : {bad, 0.5F}) {
+            call(
+                gather, gather_inputs(bad, steps), gather_images(image, preparation, prepared),
+                [most](glm::vec2 sum) { return good_sum(sum, most); }, count);
+            if (!preparation) break;
+        }
+    });
+    return count;
+}
+
+Count normals(const check::Lab& lab) {
+    const check::Kernel<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)> normal(
+        lab, "gloam/geometry/normal_from_depth.glsl", "gloam_normal_from_depth");
+    std::vector<decltype(normal)::Inputs> inputs;
+    for_each_pixel([&](glm::ivec2 at) { inputs.emplace_back(at, size, camera.p00_p11); });
+    for (const int far : {-1, 1000, -2'147'483'647 - 1, 2'147'483'647})
+        inputs.emplace_back(glm::ivec2(far, far), size, camera.p00_p11);
+    const auto unit_or_zero = [](glm::vec3 n) {
+        return n == glm::vec3(0) || std::abs(glm::length(n) - 1.0F) < 1e-6F;
+    };
+    Count count;
+    for_each_image([&](float, const check::Image& image) {
+        call(normal, inputs, {{"gloam_fetch_depth", image}}, unit_or_zero, count);
+    });
+    return count;
+}
+
+// Bad values among occlusion, convergence and positions, and as settings.
+Count filters(const check::Lab& lab) {
+    const check::Kernel<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)> filter(
+        lab, "gloam/filter/convergence_filter.glsl", "gloam_convergence_filter");
+    const auto in_unit = [](float occlusion) { return occlusion >= 0.0F && occlusion <= 1.0F; };
+    Count count;
+    for_each_image([&](float bad, const check::Image& image) {
+        std::vector<decltype(filter)::Inputs> inputs;
+        for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+            for_each_pixel([&](glm::ivec2 at) {
+                for (const int half_width : {2, 0, -5, 2'000'000'000})
+                    inputs.emplace_back(at, axis, size, half_width, 0.2F, 0.5F);
+                inputs.emplace_back(at, axis, size, 2, bad, 0.5F);
+                inputs.emplace_back(at, axis, size, 2, 0.2F, bad);
+            });
+        }
+        const check::Image position = check::make_image<glm::vec3>(
+            size, [&](glm::ivec2 at) { return position_at(at, image.at<float>(at)); });
+        for (const glm::vec2 mask : {glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(0)}) {
+            const check::Image value = check::make_image<glm::vec2>(size, [&](glm::ivec2 at) {
+                const float here = image.at<float>(at);
+                return glm::vec2(mask.x == 1.0F ? here : 0.5F, mask.y == 1.0F ? here : 0.05F);
+            });
+            call(filter, inputs,
+                 {{"gloam_fetch_occlusion_convergence", value}, {"gloam_fetch_position", position}}, in_unit,
+                 count);
+        }
+    });
+    return count;
+}
+
+void append_rows(const std::string& function, const Count& count, Rows& rows) {
+    const std::string varied = fmt::format("{}, every argument", function);
+    rows.push_back(
+        {poison_name, varied, "fetches outside the image", static_cast<double>(count.fetches_outside), 0.0});
+    rows.push_back({poison_name, varied, "results outside their range",
+                    static_cast<double>(count.results_outside), 0.0});
+}
+
+}  // namespace
+
+Rows poisoned_gathers(const Context& context) {
+    context.progress(fmt::format("{}: fetches of methods", poison_name));
+    Rows rows;
+    for (const effect::MethodInfo& method : methods_of(context))
+        append_rows("method " + method.name, gathers(context.lab, method), rows);
+    context.lab.require_silent_validation();
+    return rows;
+}
+
+Rows poisoned_filters(const Context& context) {
+    const check::Lab& lab = context.lab;
+    context.progress(fmt::format("{}: fetches of filters", poison_name));
+    Rows rows;
+    append_rows("gloam_normal_from_depth", normals(lab), rows);
+    append_rows("gloam_convergence_filter", filters(lab), rows);
+    lab.require_silent_validation();
+    return rows;
+}
 
 Rows poison(const Context& context) {
     Rows rows = poisoned_passes(context);

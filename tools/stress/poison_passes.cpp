@@ -9,8 +9,7 @@
 #include "effect/methods.hpp"
 #include "effect/preparation.hpp"
 #include "effect/presets.hpp"
-#include "stress/footprint.hpp"
-#include "stress/poison_parts.hpp"
+#include "stress/poison.hpp"
 #include "stress/views.hpp"
 
 namespace gloam::stress {

@@ -3,15 +3,34 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "check/lab.hpp"
 #include "effect/methods.hpp"
+#include "gpu/device.hpp"
 #include "scene/pass_library.hpp"
-#include "stress/row.hpp"
 
 namespace gloam::stress {
+
+// One measured number of a stress run, and the largest value that the documentation allows it.
+struct Row {
+    std::string run;                // the run that measured it, "long-run"
+    std::string varied;             // what was varied: "k 32, w_max 500, float16"
+    std::string quantity;           // what was measured, with its unit: "farthest from the exact mean"
+    double measured = 0.0;          // NaN only where the quantity does not exist
+    std::optional<double> bound{};  // nothing: measured for the documentation only, promised nowhere
+
+    // Written so that NaN breaks a bound.
+    [[nodiscard]] bool passed() const { return !bound || measured <= *bound; }
+};
+
+using Rows = std::vector<Row>;
+
+inline void append(Rows& rows, const Rows& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+}
 
 // How much a run does: brief is for tests (seconds), full takes minutes.
 enum class Extent { brief, full };
@@ -45,5 +64,15 @@ struct Run {
 
 // The run of that name, or all of them for an empty one. Throws std::invalid_argument that lists the names.
 [[nodiscard]] std::vector<Run> select_runs(const std::string& name);
+
+// Column titles, and one line for each row: run, what was varied, what was measured, the number, its bound
+// and the verdict. Rows without a bound have no verdict.
+[[nodiscard]] std::string table_header();
+[[nodiscard]] std::string table_line(const Row& row);
+
+// {"device": {"name", "driver"}, "rows": [{"run", "varied", "quantity", "measured", "bound", "passed"}]}.
+// bound is null where nothing is promised. Infinite numbers are the strings "inf" and "-inf", NaN is "nan".
+[[nodiscard]] std::string to_json(const gpu::DeviceInfo& device, const Rows& rows,
+                                  const std::string& versions = {});
 
 }  // namespace gloam::stress

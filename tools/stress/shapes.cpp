@@ -161,7 +161,7 @@ void append_counts(const Context& context, effect::AmbientOcclusion& effect, Row
 Row highest_points(const Gather& gather, const effect::MethodInfo& method) {
     constexpr glm::ivec2 size{3, 1};
     const auto preparation = gather_preparation(method, size, 1);
-    const Camera camera{{1.0F, -1.0F}, size, false};
+    const GatherCamera camera{{1.0F, -1.0F}, size, false};
     const GatherKernel kernel{0.4F, 0.001F, 0.0F, (1U << 24U) - effect::most_samples - 1,
                               effect::most_samples};
     const check::Image wall = check::make_image<float>(size, [](glm::ivec2) { return 3.0F; });

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "stress/far_away.hpp"
 
-#include "stress/centered_form.hpp"
-#include "stress/world_form.hpp"
+#include "stress/reprojected.hpp"
 #include "tools/stress/support.hpp"
 
-namespace gloam::stress::test {
-namespace far_away_test {
+namespace gloam::stress::test::far_away_test {
 
 TEST(FarAway, NothingCentredOnTheCameraChanges) {
     const Bench bench;
@@ -50,5 +48,4 @@ TEST(FarAway, PixelsBetweenClipPoints) {
     EXPECT_TRUE(std::isinf(pixels_between({0, 0, 0, -1}, {0, 0, 0, 1})));
 }
 
-}  // namespace far_away_test
-}  // namespace gloam::stress::test
+}  // namespace gloam::stress::test::far_away_test

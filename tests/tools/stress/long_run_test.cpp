@@ -3,12 +3,10 @@
 
 #include <fstream>
 
-#include "stress/history_lane.hpp"
 #include "tools/installation.hpp"
 #include "tools/stress/support.hpp"
 
-namespace gloam::stress::test {
-namespace long_run_test {
+namespace gloam::stress::test::long_run_test {
 
 TEST(LongRun, StaysWithinItsBounds) {
     const Bench bench;
@@ -88,5 +86,4 @@ TEST(LongRun, NoticesWhatIsBroken) {
     }
 }
 
-}  // namespace long_run_test
-}  // namespace gloam::stress::test
+}  // namespace gloam::stress::test::long_run_test

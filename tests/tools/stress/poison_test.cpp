@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "stress/poison.hpp"
 
-#include "stress/footprint.hpp"
-#include "stress/poison_parts.hpp"
 #include "stress/views.hpp"
 #include "support/method_names.hpp"
 #include "tools/installation.hpp"
 #include "tools/stress/support.hpp"
 
-namespace gloam::stress::test {
-namespace poison_test {
+namespace gloam::stress::test::poison_test {
 
 using gloam::test::Installation;
 
@@ -113,5 +110,4 @@ TEST(Footprint, WidensAndMeasures) {
     EXPECT_EQ(reach_of(Mask(35), extent, {0, 2}), 0);
 }
 
-}  // namespace poison_test
-}  // namespace gloam::stress::test
+}  // namespace gloam::stress::test::poison_test

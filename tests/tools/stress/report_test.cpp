@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stress/report.hpp"
+#include "stress/run.hpp"
 
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -7,8 +7,7 @@
 
 #include "tools/stress/support.hpp"
 
-namespace gloam::stress::test {
-namespace report_test {
+namespace gloam::stress::test::report_test {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -57,5 +56,4 @@ TEST(Runs, ByNameOrAll) {
     EXPECT_THROW((void)select_runs("no-such-run"), std::invalid_argument);
 }
 
-}  // namespace report_test
-}  // namespace gloam::stress::test
+}  // namespace gloam::stress::test::report_test

@@ -5,8 +5,7 @@
 #include "tools/installation.hpp"
 #include "tools/stress/support.hpp"
 
-namespace gloam::stress::test {
-namespace shapes_test {
+namespace gloam::stress::test::shapes_test {
 
 class ShapesOf : public EachMethod {
   protected:
@@ -42,5 +41,4 @@ TEST(Shapes, NoticesWhatIsBroken) {
     }
 }
 
-}  // namespace shapes_test
-}  // namespace gloam::stress::test
+}  // namespace gloam::stress::test::shapes_test

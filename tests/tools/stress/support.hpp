@@ -9,7 +9,6 @@
 #include <string>
 
 #include "effect/method_functions.hpp"
-#include "stress/report.hpp"
 #include "stress/run.hpp"
 #include "support/lab.hpp"
 

@@ -8,8 +8,7 @@
 #include "support.hpp"
 #include "support/entries.hpp"
 
-namespace gloam::stress {
-namespace worst_inputs_test {
+namespace gloam::stress::worst_inputs_test {
 
 // Of one equation; a suite shares a run.
 class WorstInputs : public testing::TestWithParam<std::size_t> {
@@ -39,5 +38,4 @@ TEST(Climb, FindsWorseInputsThanDrawingForManyEquations) {
     EXPECT_GT(worse, rows.size() / 8);
 }
 
-}  // namespace worst_inputs_test
-}  // namespace gloam::stress
+}  // namespace gloam::stress::worst_inputs_test

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every method as HLSL, as an engine gets it: compiled by glslang's HLSL front end, it gives the results of
-// the GLSL.
+// Every method as a fragment shader of OpenGL ES 3.0: the results are those of Vulkan.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -12,11 +12,38 @@
 #include "support/method_names.hpp"
 #include "wavy_view.hpp"
 
-namespace gloam {
-namespace hlsl_methods_test {
+namespace gloam::languages_test {
 
-using test::Gather;
 namespace view = test::wavy_view;
+using test::Gather;
+
+class OpenGlMethods : public testing::TestWithParam<std::string> {
+  protected:
+    test::MethodFunctions functions;
+};
+
+TEST_P(OpenGlMethods, GiveTheResultsOfVulkan) {
+    const std::string& method = GetParam();
+    std::optional<check::Lab> opengl;
+    try {
+        opengl.emplace(check::LabOptions{.device = "es:llvmpipe-3.0",
+                                         .include_roots = {functions.folder(), GLOAM_GLSL_DIR},
+                                         .cache_directory = test::cache_directory()});
+    } catch (const gl::Unavailable& error) {
+        GTEST_SKIP() << error.what();
+    }
+    const check::Lab vulkan = functions.lab();
+    const std::string file = test::MethodFunctions::file(method);
+    const view::Inputs points = view::points();
+    const check::ImageSet images = view::images(test::packed_method(functions, file));
+    view::expect_alike(check::Kernel<Gather>(*opengl, file, effect::method_function)(points, images),
+                       check::Kernel<Gather>(vulkan, file, effect::method_function)(points, images));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OpenGlMethods, testing::ValuesIn(test::method_names()), test::parameter_name);
+
+// Every method as HLSL, as an engine gets it: compiled by glslang's HLSL front end, it gives the results of
+// the GLSL.
 
 struct Point {
     glm::vec4 position;  // and the number of its first sample
@@ -86,5 +113,4 @@ TEST_P(HlslMethods, GiveTheResultsOfGlsl) {
 
 INSTANTIATE_TEST_SUITE_P(All, HlslMethods, testing::ValuesIn(test::method_names()), test::parameter_name);
 
-}  // namespace hlsl_methods_test
-}  // namespace gloam
+}  // namespace gloam::languages_test
