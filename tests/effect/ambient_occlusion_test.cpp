@@ -20,22 +20,13 @@
 #include "scene/rasterize.hpp"
 #include "support/method_names.hpp"
 
-namespace gloam::effect {
-namespace ambient_occlusion_test {
+namespace gloam::effect::ambient_occlusion_test {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
 // Opens the device with validation, and fails on any message.
 class Effect : public OnDevice<testing::Test> {
   protected:
-    [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1) const {
-        AmbientOcclusion& effect = effect_for(view.extent);
-        effect.begin(view, settings);
-        Frame frame = effect.next();
-        for (int i = 1; i < frames; ++i) frame = effect.next();
-        return frame;
-    }
-
     [[nodiscard]] scene::GBuffer corner(gpu::Extent extent) const {
         return scene::rasterize(device_, passes_, scene::make_scene("corner"), extent);
     }
@@ -196,5 +187,4 @@ TEST_P(EffectOf, TakesTheMostSamples) {
 
 INSTANTIATE_TEST_SUITE_P(All, EffectOf, testing::ValuesIn(test::method_names()), test::parameter_name);
 
-}  // namespace ambient_occlusion_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::ambient_occlusion_test

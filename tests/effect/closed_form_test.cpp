@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
 // What every method makes of views in closed form, by the passes: it converges to the method's own value.
-#include "effect/study/closed_form_study.hpp"
-#include "on_device.hpp"
-
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
 #include <string>
 
-#include <fmt/format.h>
-
+#include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
 #include "effect/methods.hpp"
+#include "effect/study/closed_form_study.hpp"
 #include "effect/study/own_value.hpp"
+#include "on_device.hpp"
+#include "scene/analytic_scene.hpp"
+#include "scene/rasterize.hpp"
 #include "support/method_names.hpp"
 
-namespace gloam::effect {
-namespace closed_form_test {
+namespace gloam::effect::closed_form_test {
 
 class ClosedForm : public OnDevice<testing::TestWithParam<std::string>> {};
 
@@ -62,5 +67,122 @@ TEST_P(ClosedForm, NormalsFromTheDepthMakeNoDifference) {
 
 INSTANTIATE_TEST_SUITE_P(All, ClosedForm, testing::ValuesIn(test::method_names()), test::parameter_name);
 
-}  // namespace closed_form_test
-}  // namespace gloam::effect
+// What holds of every method, by the passes themselves.
+
+// The estimate itself.
+Settings plain(const std::string& method, float radius) {
+    Settings settings = with_radius(with_method(Settings{}, method), radius);
+    settings.filter = Filter::none;
+    settings.remap_a = 0.0F;
+    return settings;
+}
+
+class Invariants : public OnDevice<testing::TestWithParam<std::string>> {};
+
+// The planes and the direction of depth are the depth buffer's business, not the estimator's.
+TEST_P(Invariants, HowDepthIsStoredMakesNoDifference) {
+    scene::Scene corner = scene::make_scene("corner");
+    const gpu::Extent extent{48, 27};
+    const scene::GBuffer reversed = scene::rasterize(device_, passes_, corner, extent);
+    const Settings settings = plain(GetParam(), static_cast<float>(corner.ao_radius));
+    const std::vector<float> known = run(reversed, settings).occlusion;
+    ASSERT_TRUE(corner.camera.reversed_z);
+    for (const bool reversed_z : {true, false}) {
+        for (const double far : {30.0, std::numeric_limits<double>::infinity()}) {
+            corner.camera.reversed_z = reversed_z;
+            corner.camera.far = far;
+            scene::GBuffer view = reversed;
+            view.camera = scene::make_frame(corner.camera, 48.0 / 27.0);
+            EXPECT_EQ(run(view, settings).occlusion, known) << reversed_z << ' ' << far;
+            // Drawn through that depth buffer, depths differ by its rounding, and samples at a border of a
+            // pixel or of a surface fall to the other side.
+            const auto drawn = run(scene::rasterize(device_, passes_, corner, extent), settings).occlusion;
+            EXPECT_LT(errors_of(drawn, known).rmse, 0.01) << reversed_z << ' ' << far;
+        }
+    }
+}
+
+// A plane through a point, before the background.
+scene::GBuffer plane(gpu::Extent extent, const scene::Camera& camera, const scene::HalfSpace& plane) {
+    scene::AnalyticScene scene;
+    scene.add_plane(plane);
+    scene::GBuffer view{.extent = extent};
+    view.camera =
+        scene::make_frame(camera, static_cast<double>(extent.width) / static_cast<double>(extent.height));
+    const glm::dvec2 scale(view.camera.p00_p11());
+    const glm::dvec2 size(extent.width, extent.height);
+    for (std::uint32_t y = 0; y < extent.height; ++y) {
+        for (std::uint32_t x = 0; x < extent.width; ++x) {
+            const glm::dvec2 place = ((2.0 * glm::dvec2(x, y) + 1.0) / size - 1.0) / scale;
+            const auto hit = camera.projection == scene::Projection::orthographic
+                                 ? scene.first_hit({place, 0.0}, {0, 0, -1})
+                                 : scene.first_hit({0, 0, 0}, {place, -1.0});
+            view.depth.push_back(hit ? static_cast<float>(hit->distance)
+                                     : std::numeric_limits<float>::infinity());
+            view.normal.emplace_back(hit ? glm::vec3(plane.normal) : glm::vec3(0.0F));
+        }
+    }
+    return view;
+}
+
+// A method's result on a bare plane, before the remap.
+double on_a_plane(const std::string& method) {
+    return with_method(Settings{}, method).remap_a > 0.0F ? 0.5 : 0.0;
+}
+
+TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
+    Settings settings = plain(GetParam(), 1.0F);
+    settings.least_radius = 0.0F;  // in the smallest a pixel is wider than the radius
+    const scene::HalfSpace tilted{{0, 0, -5}, glm::normalize(glm::dvec3(0.4, -0.3, 1.0))};
+    for (const Resolution resolution : {Resolution::full, Resolution::half}) {
+        settings.resolution = resolution;
+        for (const gpu::Extent extent :
+             {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}, gpu::Extent{18, 10}}) {
+            for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
+                const scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
+                const std::vector<float> shown = run(view, settings).occlusion;
+                for (const float occlusion : shown)
+                    EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), 1e-5)
+                        << extent.width << 'x' << extent.height
+                        << (resolution == Resolution::half ? " at half the resolution" : "");
+            }
+        }
+    }
+}
+
+// Its normal has a negative z where the camera looks up, and still it faces the eye.
+TEST_P(Invariants, AFloorToTheHorizonIsOpen) {
+    const gpu::Extent extent{63, 49};
+    for (const double pitch : {-0.2, 0.0, 0.2}) {
+        const glm::dvec3 up{0.0, std::cos(pitch), -std::sin(pitch)};
+        const scene::GBuffer view = plane(extent, {}, {-up, up});
+        const std::vector<float> occlusion = run(view, plain(GetParam(), 0.2F)).occlusion;
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < occlusion.size(); ++i) {
+            if (!(view.depth[i] < 10.0F)) continue;  // beyond, the radius is less than a pixel
+            ++seen;
+            EXPECT_NEAR(double{occlusion[i]}, on_a_plane(GetParam()), 1e-4)
+                << "pixel " << i << ", pitch " << pitch << ", depth " << view.depth[i];
+        }
+        EXPECT_GT(seen, 63U * 5U);
+    }
+}
+
+// No invocation asks another of its subgroup for anything: results cannot depend on the subgroup's
+// size.
+TEST(Shaders, NothingDependsOnSubgroups) {
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(GLOAM_GLSL_DIR)) {
+        if (!entry.is_regular_file()) continue;
+        std::ostringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        for (const char* word : {"subgroup", "gl_Subgroup"})
+            EXPECT_THAT(text.str(), testing::Not(testing::HasSubstr(word))) << entry.path();
+        ++files;
+    }
+    EXPECT_GT(files, 50U);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Invariants, testing::ValuesIn(test::method_names()), test::parameter_name);
+
+}  // namespace gloam::effect::closed_form_test

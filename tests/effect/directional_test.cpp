@@ -22,8 +22,7 @@
 #include "scene/rasterize.hpp"
 #include "scene/stored_inputs.hpp"
 
-namespace gloam::effect {
-namespace directional_test {
+namespace gloam::effect::directional_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -393,5 +392,4 @@ TEST_F(Directions, WithoutNormalsAndWithLayersAndABand) {
     EXPECT_THROW((void)directional_.light(view, settings, scene::sky_environment()), std::invalid_argument);
 }
 
-}  // namespace directional_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::directional_test

@@ -5,21 +5,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "bits.hpp"
+#include "effect/errors.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/texels.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
+#include "gpu/program_of.hpp"
 #include "on_device.hpp"
 #include "scene/encoding.hpp"
 #include "scene/rasterize.hpp"
+#include "shader/reflection.hpp"
 #include "surface_views.hpp"
 
-namespace gloam::effect {
-namespace engine_inputs_test {
+namespace gloam::effect::engine_inputs_test {
 
 constexpr gpu::Extent extent{83, 47};
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -206,10 +211,7 @@ TEST_F(OutputFormats, AddNoMoreThanTheirRounding) {
     const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("room"), extent, {});
     const auto frame_in = [&](OutputFormat output, Settings settings) {
         settings.output = output;
-        AmbientOcclusion& effect = effect_for(extent);
-        effect.begin(view, settings);
-        (void)effect.next();
-        return effect.next();
+        return run(view, settings, 2);
     };
     Settings unfiltered = with_radius(preset_named("balanced").settings, 0.3F);
     unfiltered.samples = unfiltered.samples_converged = 7;  // no share of them is exact in binary
@@ -236,5 +238,132 @@ TEST_F(OutputFormats, AddNoMoreThanTheirRounding) {
     }
 }
 
-}  // namespace engine_inputs_test
-}  // namespace gloam::effect
+// Images that passes only read, as sampled images and as storage images: the same results, and pipelines
+// whose bindings are those of their modules.
+
+gpu::BindingKind kind_of(const shader::Binding& binding) {
+    switch (binding.type) {
+        case shader::BindingType::storage_buffer:
+            return gpu::BindingKind::storage_buffer;
+        case shader::BindingType::sampled_image:
+            return gpu::BindingKind::sampled_image;
+        default:
+            return gpu::BindingKind::storage_image;
+    }
+}
+
+struct Variant {
+    const char* method;
+    HistoryPrecision precision;
+    Filter filter;
+};
+
+class InputImages : public OnDevice<testing::TestWithParam<Variant>> {
+  protected:
+    static constexpr int frames = 3;
+    static constexpr gpu::Extent extent{75, 43};
+
+    [[nodiscard]] static Settings settings() {
+        Settings settings = with_radius(with_method({}, GetParam().method), 0.5F);
+        settings.precision = GetParam().precision;
+        settings.filter = GetParam().filter;
+        settings.table_size = 2048;
+        settings.remap_c = 1.5F;
+        settings.layers = 2;
+        return settings;
+    }
+
+    [[nodiscard]] std::vector<scene::GBuffer> views() const {
+        std::vector<scene::GBuffer> all;
+        for (int frame = 0; frame < frames; ++frame) {
+            all.push_back(scene::rasterize(device_, passes_, scene::make_scene("moving"), extent,
+                                           {.frame = frame, .motion = true, .layers = 2}));
+            if (frame > 0) all.back().normal.clear();
+        }
+        return all;
+    }
+
+    // Of each frame, what is shown, and the samples in the mean.
+    [[nodiscard]] std::vector<std::vector<float>> results(scene::Inputs inputs) const {
+        AmbientOcclusion effect(device_, passes_.reading(inputs), extent);
+        std::vector<std::vector<float>> all;
+        effect.watch([&](const Step& pass, bool after) {
+            if (!after) expect_bindings_of_module(pass, inputs);
+        });
+        for (const scene::GBuffer& view : views()) {
+            all.empty() ? effect.begin(view, settings()) : effect.advance(view);
+            Frame frame = effect.next();
+            for (auto* values : {&frame.occlusion, &frame.filtered, &frame.convergence})
+                all.push_back(std::move(*values));
+        }
+        return all;
+    }
+
+  private:
+    static void expect_bindings_of_module(const Step& pass, scene::Inputs inputs) {
+        const gpu::PipelineProgram& program = gpu::program_of(*pass.pipeline);
+        for (const shader::Binding& binding : shader::reflect(program.spirv).bindings) {
+            EXPECT_EQ(program.bindings.at(binding.number), kind_of(binding))
+                << pass.name << " " << binding.name;
+            const bool read_only = kind_of(binding) != gpu::BindingKind::storage_buffer && !binding.writes;
+            const bool sampled = kind_of(binding) == gpu::BindingKind::sampled_image;
+            EXPECT_EQ(sampled, read_only && inputs == scene::Inputs::sampled)
+                << pass.name << " " << binding.name;
+        }
+    }
+};
+
+TEST_P(InputImages, SampledAndStorageImagesGiveTheSameBits) {
+    const auto sampled = results(scene::Inputs::sampled);
+    const auto stored = results(scene::Inputs::storage);
+    ASSERT_EQ(sampled.size(), std::size_t{3 * frames});
+    for (std::size_t i = 0; i < sampled.size(); ++i) EXPECT_EQ(bits_of(sampled[i]), bits_of(stored[i])) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, InputImages,
+                         testing::Values(Variant{"alchemy", HistoryPrecision::float16, Filter::convergence},
+                                         Variant{"gtao", HistoryPrecision::packed, Filter::geometry},
+                                         Variant{"mssao", HistoryPrecision::float32, Filter::bilateral}),
+                         [](const auto& info) { return std::string(info.param.method); });
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+TEST(Errors, OfKnownNumbers) {
+    const Errors errors =
+        errors_of(std::vector<float>{0.5F, 0.25F, 1.0F, 0.9F}, std::vector<float>{0.25F, 0.75F, nan, 0.9F});
+    EXPECT_EQ(errors.compared, 3U);
+    EXPECT_DOUBLE_EQ(errors.rmse, std::sqrt((0.0625 + 0.25) / 3.0));
+    EXPECT_DOUBLE_EQ(errors.mean, 0.25);
+    EXPECT_DOUBLE_EQ(errors.bias, -0.25 / 3.0);
+    EXPECT_DOUBLE_EQ(errors.max, 0.5);
+}
+
+TEST(Errors, NinetyNineOfAHundred) {
+    std::vector<float> image(100);
+    std::iota(image.begin(), image.end(), 1.0F);
+    EXPECT_EQ(errors_of(image, std::vector<float>(100, 0.0F)).percentile_99, 99.0);
+}
+
+TEST(Errors, NothingToCompareOrSizesThatDisagree) {
+    EXPECT_EQ(errors_of(std::vector<float>{1.0F}, std::vector<float>{nan}).compared, 0U);
+    EXPECT_THROW((void)errors_of(std::vector<float>(2), std::vector<float>(3)), std::invalid_argument);
+}
+
+// A ball of radius 1 at depth 4, under a right angle of view: its silhouette reaches atan(1 / sqrt(15)) from
+// its centre.
+TEST(Truth, IsNotKnownNearTheBorder) {
+    scene::GBuffer view{.extent = {400, 400}};
+    view.depth.assign(160'000, 4.0F);
+    view.camera = scene::make_frame({.fovy_rad = std::acos(-1.0) / 2}, 1.0);
+    const Truth truth = truth_of(view, 1.0, [](const glm::dvec3&, double) { return 0.5; });
+    const double pixel = 4.0 * 2.0 / 400.0;
+    int first = 0;
+    while (!std::isfinite(truth[static_cast<std::size_t>(200 * 400 + first)])) ++first;
+    const double x = -4.0 + (first + 0.5) * pixel;  // world units from the axis
+    const double edge = std::tan(std::atan(-x / 4.0) + std::asin(1.0 / std::hypot(x, 4.0)));
+    EXPECT_NEAR(edge, 1.0 - 2.0 / 400.0, 0.02);
+    EXPECT_LT(edge, 1.0);
+    EXPECT_EQ(truth[200 * 400 + 200], 0.5F);
+}
+
+}  // namespace gloam::effect::engine_inputs_test

@@ -26,8 +26,7 @@
 #include "scene/corner.hpp"
 #include "scene/rasterize.hpp"
 
-namespace gloam::effect {
-namespace filters_test {
+namespace gloam::effect::filters_test {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr int default_half_width = 3;
@@ -280,5 +279,4 @@ TEST_P(FiltersInTheEffect, AreForDisplayOnly) {
 INSTANTIATE_TEST_SUITE_P(Every, FiltersInTheEffect, testing::ValuesIn(names()),
                          [](const auto& name) { return name.param; });
 
-}  // namespace filters_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::filters_test

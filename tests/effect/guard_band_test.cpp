@@ -20,8 +20,7 @@
 #include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
 
-namespace gloam::effect {
-namespace guard_band_test {
+namespace gloam::effect::guard_band_test {
 
 constexpr gpu::Extent extent{96, 54};
 
@@ -57,15 +56,6 @@ class Guard : public OnDevice<testing::Test> {
                                 {.frame = frame, .motion = true, .guard = double{guard}});
     }
 
-    // The last of `frames` frames of a still view.
-    [[nodiscard]] Frame still(const scene::GBuffer& view, const Settings& settings, int frames) const {
-        AmbientOcclusion& effect = effect_for(view.extent);
-        effect.begin(view, settings);
-        Frame frame;
-        for (int i = 0; i < frames; ++i) frame = effect.next();
-        return frame;
-    }
-
     // The last of `frames` frames of a moving one.
     [[nodiscard]] Frame moving(const scene::Scene& scene, const Settings& settings, int frames) const {
         const scene::GBuffer first = view(scene, settings.guard);
@@ -83,9 +73,9 @@ class Guard : public OnDevice<testing::Test> {
 TEST_F(Guard, WithoutABandNothingIsCroppedOrLeftOut) {
     const scene::Scene scene = scene::make_scene("corner");
     Settings settings = settings_for(scene, 0.0F);
-    const Frame with = still(view(scene, 0.0F), settings, 2);
+    const Frame with = run(view(scene, 0.0F), settings, 2);
     settings.guard_history = false;
-    const Frame without = still(view(scene, 0.0F), settings, 2);
+    const Frame without = run(view(scene, 0.0F), settings, 2);
     EXPECT_EQ(with.extent, extent);
     EXPECT_EQ(with.occlusion, without.occlusion);
     EXPECT_EQ(with.filtered, without.filtered);
@@ -101,8 +91,8 @@ TEST_F(Guard, PixelsFurtherThanTheRadiusFromTheEdgeStayAsTheyAre) {
     const scene::GBuffer plain = scene::cropped(wide);
     constexpr float radius = 0.25F;
     const Settings settings = with_radius(settings_for(scene, 0.0F), radius);
-    const Frame with = still(wide, settings, 4);
-    const Frame without = still(plain, settings, 4);
+    const Frame with = run(wide, settings, 4);
+    const Frame without = run(plain, settings, 4);
     const scene::PixelPositions positions(plain);
     std::size_t inner = 0;
     std::size_t changed = 0;
@@ -126,7 +116,7 @@ TEST_F(Guard, TheEdgeComesCloserToTheTruth) {
         const scene::GBuffer wide = view(scene, guard);
         const scene::TracedTruth truth = trace_geometry(scene, 0, scene::cropped(wide),
                                                         {.rays = {.radius = scene.ao_radius, .rays = 128}});
-        const Frame frame = still(wide, settings_for(scene, guard), 8);
+        const Frame frame = run(wide, settings_for(scene, guard), 8);
         return rmse_over(frame.occlusion, truth.occlusion, [](std::size_t i) { return from_edge(i) < 4; });
     };
     const double without = error(0.0F);
@@ -169,9 +159,9 @@ TEST_F(Guard, ABandThatIsNotSampledCostsNoSamplesAndServesStillViewsAsWell) {
     const scene::GBuffer wide = view(scene, 0.1F);
     Settings settings = settings_for(scene, 0.1F);
     settings.filter = Filter::none;
-    const Frame all = still(wide, settings, 3);
+    const Frame all = run(wide, settings, 3);
     settings.guard_history = false;
-    const Frame frame_only = still(wide, settings, 3);
+    const Frame frame_only = run(wide, settings, 3);
     EXPECT_EQ(frame_only.occlusion, all.occlusion);
     EXPECT_EQ(frame_only.work.pixels, std::uint64_t{extent.width} * extent.height);
     EXPECT_EQ(all.work.pixels, std::uint64_t{wide.extent.width} * wide.extent.height);
@@ -193,5 +183,4 @@ TEST_F(Guard, WhatCannotBeIsRefused) {
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("no frame")));
 }
 
-}  // namespace guard_band_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::guard_band_test

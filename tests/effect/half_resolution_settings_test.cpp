@@ -7,14 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "bits.hpp"
 #include "effect/errors.hpp"
 #include "effect/setting_table.hpp"
 #include "half_size.hpp"
 #include "scene/encoding.hpp"
 
-namespace gloam::effect {
-namespace half_resolution_settings_test {
+namespace gloam::effect::half_resolution_settings_test {
 
 // Whatever settings there are beside it. The difference to the full size is that of single samples a block.
 struct Beside {
@@ -104,5 +102,4 @@ INSTANTIATE_TEST_SUITE_P(
         Beside{"sao_chain", {{"method", "sao_chain"}}, 0.1}, Beside{"sweep", {{"method", "sweep"}}, 0.1}),
     [](const auto& info) { return std::string(info.param.name); });
 
-}  // namespace half_resolution_settings_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::half_resolution_settings_test

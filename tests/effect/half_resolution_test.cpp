@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "bits.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
@@ -20,8 +19,7 @@
 #include "scene/rasterize.hpp"
 #include "surface_views.hpp"
 
-namespace gloam::effect {
-namespace half_resolution_test {
+namespace gloam::effect::half_resolution_test {
 
 const gpu::Image& image_of(const Step& pass, std::size_t binding) {
     return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(binding)).get();
@@ -313,5 +311,4 @@ TEST_F(HalfSize, ImagesOfAnySize) {
     }
 }
 
-}  // namespace half_resolution_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::half_resolution_test

@@ -29,18 +29,6 @@ class HalfSize : public OnDevice<testing::Test> {
         return scene::rasterize(device_, passes_, scene::make_scene(scene), size, of_frame);
     }
 
-    // Frames of views, one of each.
-    [[nodiscard]] std::vector<Frame> run(const std::vector<scene::GBuffer>& views,
-                                         const Settings& settings) const {
-        AmbientOcclusion& effect = effect_for(views.front().extent);
-        std::vector<Frame> frames;
-        for (const scene::GBuffer& each : views) {
-            frames.empty() ? effect.begin(each, settings) : effect.advance(each);
-            frames.push_back(effect.next());
-        }
-        return frames;
-    }
-
     [[nodiscard]] std::vector<scene::GBuffer> views(const std::string& scene, int count,
                                                     int first = 0) const {
         std::vector<scene::GBuffer> all;

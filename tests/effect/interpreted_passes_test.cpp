@@ -23,8 +23,7 @@
 #include "shader/instructions.hpp"
 #include "support/method_names.hpp"
 
-namespace gloam::effect {
-namespace interpreted_passes_test {
+namespace gloam::effect::interpreted_passes_test {
 
 using interpreter::Word;
 
@@ -360,5 +359,4 @@ TEST_F(InterpretedPasses, OfOpenTilesAreTheDevicesPixelByPixel) {
     EXPECT_GT(seen_["ambient_occlusion_open"].words, 0U);
 }
 
-}  // namespace interpreted_passes_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::interpreted_passes_test

@@ -16,8 +16,7 @@
 #include "on_device.hpp"
 #include "shader/compile.hpp"
 
-namespace gloam::effect {
-namespace listed_pixels_test {
+namespace gloam::effect::listed_pixels_test {
 
 constexpr std::uint32_t side = 8;
 constexpr std::uint32_t width = 37;  // pixels: the last tiles are not whole
@@ -113,5 +112,4 @@ TEST_P(ListedPixels, EachOfAFilteredTileOnce) {
 INSTANTIATE_TEST_SUITE_P(Tiles, ListedPixels, testing::Values(1U, 2U, 4U, 8U),
                          [](const auto& asked) { return std::to_string(asked.param) + "_a_group"; });
 
-}  // namespace listed_pixels_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::listed_pixels_test

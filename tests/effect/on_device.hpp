@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "effect/ambient_occlusion.hpp"
 #include "gpu/device.hpp"
@@ -16,6 +19,23 @@
 namespace gloam::effect {
 
 using test::variable;
+
+// For comparisons in which NaN is itself and -0 is not 0.
+inline std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
+    std::vector<std::uint32_t> bits;
+    for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
+    return bits;
+}
+
+// The settings with every skip off.
+inline Settings without_skips(Settings settings) {
+    settings.skip_background = false;
+    settings.skip_open = false;
+    settings.skip_closed = false;
+    settings.skip_settled = false;
+    settings.skip_filtered = false;
+    return settings;
+}
 
 // A test of passes on the device that tests run on, under validation: any message fails it.
 // Base: testing::Test, or testing::TestWithParam of something.
@@ -44,6 +64,27 @@ class OnDevice : public Base {
         }
         shared_->extent = extent;
         return effect;
+    }
+
+    // The last of so many frames of one view, each of its passes run `repeat` times.
+    [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1,
+                            int repeat = 1) const {
+        AmbientOcclusion& effect = effect_for(view.extent);
+        effect.begin(view, settings);
+        for (int i = 1; i < frames; ++i) (void)effect.next(repeat);
+        return effect.next(repeat);
+    }
+
+    // A sequence: a frame of each view.
+    [[nodiscard]] std::vector<Frame> run(const std::vector<scene::GBuffer>& views,
+                                         const Settings& settings) const {
+        AmbientOcclusion& effect = effect_for(views.front().extent);
+        std::vector<Frame> frames;
+        for (const scene::GBuffer& view : views) {
+            frames.empty() ? effect.begin(view, settings) : effect.advance(view);
+            frames.push_back(effect.next());
+        }
+        return frames;
     }
 
   private:

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The passes of a frame as compute shaders of OpenGL 4.5 and OpenGL ES 3.1: the picture is that of Vulkan.
-#include "effect/plan.hpp"
-
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -12,20 +11,26 @@
 #include <map>
 #include <optional>
 #include <regex>
+#include <set>
+#include <string>
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
+#include "effect/plan.hpp"
 #include "effect/presets.hpp"
 #include "gl/dispatch.hpp"
+#include "gl/opened.hpp"
+#include "gl/program.hpp"
 #include "numeric/text.hpp"
 #include "on_device.hpp"
+#include "scene/pass_library.hpp"
 #include "scene/rasterize.hpp"
 #include "shader/compile.hpp"
+#include "shader/language.hpp"
 #include "shader/reflection.hpp"
 #include "support/method_names.hpp"
 
-namespace gloam::effect {
-namespace opengl_passes_test {
+namespace gloam::effect::opengl_passes_test {
 
 constexpr std::uint32_t push_constants = 15;  // a binding that no pass has
 
@@ -146,7 +151,7 @@ class OnOpenGl {
     std::map<std::string, gl::Buffer> buffers_;
 };
 
-// Those that prepare images, and some that do not: tests/glsl/opengl_methods_test.cpp has each as a function.
+// Those that prepare images, and some that do not: tests/glsl/languages_test.cpp has each as a function.
 std::vector<std::string> passes_of_methods() {
     std::vector<std::string> names{"hemisphere", "gtao", "bitmask"};
     const auto prepared =
@@ -166,9 +171,7 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     Settings settings = with_method(preset_named("paper").settings, GetParam());
     settings.skip_open = settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
     const Plan plan = plan_of(settings, {.view = extent});
-    AmbientOcclusion& effect = effect_for(extent);
-    effect.begin(view, settings);
-    const std::vector<float> want = effect.next(1).filtered;
+    const std::vector<float> want = run(view, settings).filtered;
     const auto [least, most] = std::ranges::minmax(want);
     EXPECT_GT(most - least, 0.01F);
     for (const char* name : device_names) {
@@ -189,5 +192,48 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
 
 INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(passes_of_methods()), test::parameter_name);
 
-}  // namespace opengl_passes_test
-}  // namespace gloam::effect
+// The passes of the effect as one text each in GLSL ES 3.10: Mesa's compiler takes them.
+
+class EsPasses : public gl::Opened {
+  protected:
+    void expect_linked(const Settings& settings, const PlanOptions& options) {
+        for (const PlannedPass& pass : plan_of(settings, options).passes) {
+            std::map<std::uint32_t, std::uint32_t> constants;
+            for (const gpu::SpecializationConstant& constant : pass.source.constants)
+                constants[constant.id] = constant.bits;
+            const std::string text = passes_.text(pass.source.file, pass.source.defines, pass.source.replaced,
+                                                  constants, shader::Language::es310);
+            if (!seen_.insert(text).second) continue;
+            EXPECT_NO_THROW(gl::Program(device(), gl::Program::Stage::compute, {pass.name, text}))
+                << settings.method << " " << pass.name;
+            files_.insert(pass.source.file);
+        }
+    }
+
+    scene::PassLibrary passes_{GLOAM_GLSL_DIR};
+    std::set<std::string> seen_;
+    std::set<std::string> files_;
+};
+
+TEST_F(EsPasses, AreTakenByADriver) {
+    GLOAM_OPEN_OR_SKIP("es:llvmpipe-3.1");
+    for (const char* method : {"hemisphere", "gtao", "mssao", "sao_chain", "separable"}) {
+        Settings settings = with_method({}, method);
+        settings.remap_b = 2.0F;
+        expect_linked(settings, {.moving_objects = true, .tiles = true, .normals = false});
+    }
+    expect_linked(preset_named("balanced").settings, {});
+    Settings halves = with_method({}, "alchemy");
+    halves.precision = HistoryPrecision::float16;
+    halves.table_size = 2048;
+    halves.filter = Filter::geometry;
+    expect_linked(halves, {});
+    Settings half = halves;
+    half.resolution = Resolution::half;
+    half.filter = Filter::none;
+    half.layers = 2;
+    expect_linked(half, {.moving_objects = true});
+    EXPECT_EQ(files_.size(), 14U);
+}
+
+}  // namespace gloam::effect::opengl_passes_test

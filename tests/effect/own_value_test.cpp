@@ -14,8 +14,7 @@
 #include "effect/methods.hpp"
 #include "scene/pixel_positions.hpp"
 
-namespace gloam::effect {
-namespace own_value_test {
+namespace gloam::effect::own_value_test {
 
 using scene::ClosedFormView;
 using scene::Projection;
@@ -282,5 +281,4 @@ TEST(OwnValues, RefuseAnotherRadius) {
     EXPECT_THROW((void)own_value_of("nonesuch"), std::invalid_argument);
 }
 
-}  // namespace own_value_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::own_value_test

@@ -21,8 +21,7 @@
 #include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
 
-namespace gloam::effect {
-namespace pictures_test {
+namespace gloam::effect::pictures_test {
 
 constexpr gpu::Extent extent{192, 108};
 
@@ -54,14 +53,7 @@ class Pictures : public OnDevice<testing::Test> {
     // What is displayed of the last frame of a sequence.
     [[nodiscard]] std::vector<float> last(const std::vector<scene::GBuffer>& sequence,
                                           const Settings& settings) const {
-        AmbientOcclusion& effect = effect_for(extent);
-        effect.begin(sequence.front(), settings);
-        Frame frame = effect.next();
-        for (std::size_t i = 1; i < sequence.size(); ++i) {
-            effect.advance(sequence[i]);
-            frame = effect.next();
-        }
-        return frame.filtered;
+        return run(sequence, settings).back().filtered;
     }
 
     // Frames of the scene with the moving box, and the truth of the last one.
@@ -236,5 +228,4 @@ TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
                       size);
 }
 
-}  // namespace pictures_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::pictures_test

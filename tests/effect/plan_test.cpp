@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: MIT
 // The plan is what the effect does: the same passes in the same order, over images of the same size.
-#include "effect/plan.hpp"
-
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
+#include "effect/plan.hpp"
 #include "effect/preparation.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
+#include "shader/reflection.hpp"
+#include "support/laid_out.hpp"
 
-namespace gloam::effect {
-namespace plan_test {
+namespace gloam::effect::plan_test {
+
+using shader::LaidOut;
+using test::lines_of;
 
 class PlanTest : public OnDevice<testing::Test> {};
 
@@ -155,5 +163,225 @@ TEST_F(PlanTest, RefusesWhatSettingsRefuse) {
     EXPECT_THROW((void)plan_of(settings, {}), std::invalid_argument);
 }
 
-}  // namespace plan_test
-}  // namespace gloam::effect
+// What C++ and shaders share has one layout: names, types and offsets of push constants and buffers, and
+// numbers of specialization constants, as the compiled passes have them.
+
+class Layouts : public OnDevice<testing::Test> {
+  protected:
+    [[nodiscard]] shader::ModuleInterface interface_of(const PassSource& source) const {
+        return shader::reflect(passes_.compile(source.file, source.defines, source.replaced));
+    }
+
+    void expect_pushed(const PassSource& source, std::size_t bytes,
+                       const std::vector<std::string>& members) const {
+        const shader::ModuleInterface found = interface_of(source);
+        ASSERT_TRUE(found.push_constants.has_value()) << source.file;
+        EXPECT_EQ(lines_of(found.push_constants->members), members) << source.file;
+        EXPECT_EQ(found.push_constants->size, bytes) << source.file;
+    }
+
+    [[nodiscard]] std::vector<LaidOut> buffer_of(const PassSource& source, const std::string& block) const {
+        for (const shader::Binding& binding : interface_of(source).bindings)
+            if (binding.block && binding.block->name == block) return binding.block->members;
+        ADD_FAILURE() << source.file << " has no buffer " << block;
+        return {};
+    }
+};
+
+PassSource occlusion() {
+    return occlusion_source({.counting = Counting::each_group});
+}
+
+TEST_F(Layouts, OcclusionPass) {
+    using T = OcclusionParameters;
+    expect_pushed(occlusion(), sizeof(T),
+                  {MEMBER(T, p00_p11),
+                   MEMBER(T, size),
+                   MEMBER(T, border),
+                   MEMBER(T, radius),
+                   MEMBER(T, bias),
+                   MEMBER(T, c_spatial),
+                   MEMBER(T, weight_max),
+                   MEMBER(T, c_rot),
+                   MEMBER(T, least_radius),
+                   MEMBER(T, shade_border),
+                   MEMBER(T, skip_background),
+                   MEMBER(T, invalidation),
+                   MEMBER(T, change_tolerance),
+                   MEMBER(T, weight_small),
+                   MEMBER(T, confidence_factor),
+                   MEMBER(T, still),
+                   MEMBER(T, freeze),
+                   MEMBER(T, samples_distance),
+                   MEMBER(T, samples_radius),
+                   MEMBER(T, samples_least),
+                   MEMBER(T, radius_cap),
+                   MEMBER(T, smoothing),
+                   MEMBER(T, c_filter),
+                   MEMBER(T, bias_depth),
+                   MEMBER(T, displacement_unit)});
+}
+
+TEST_F(Layouts, PreparationPasses) {
+    using T = PreparationParameters;
+    const PassSource source = preparation_source({}, "half_resolution.comp");
+    expect_pushed(source, sizeof(T),
+                  {MEMBER(T, p00_p11), MEMBER(T, size), MEMBER(T, border), MEMBER(T, radius), MEMBER(T, bias),
+                   MEMBER(T, c_spatial), MEMBER(T, weight_max), MEMBER(T, c_rot), MEMBER(T, least_radius),
+                   MEMBER(T, orthographic), MEMBER(T, shade_border), MEMBER(T, samples_distance),
+                   MEMBER(T, samples_radius), MEMBER(T, samples_least), MEMBER(T, radius_cap),
+                   MEMBER(T, bias_depth), MEMBER(T, level)});
+}
+
+TEST_F(Layouts, ReprojectionFilterAndMap) {
+    using R = ReprojectionParameters;
+    expect_pushed(reprojection_source({}), sizeof(R),
+                  {MEMBER(R, previous_from_current), MEMBER(R, p00_p11), MEMBER(R, previous_p00_p11),
+                   MEMBER(R, size), MEMBER(R, tolerance), MEMBER(R, displacement_unit)});
+    using F = FilterParameters;
+    for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao}) {
+        Moment moment;
+        moment.settings.filter = filter;
+        expect_pushed(filter_source(moment, false), sizeof(F),
+                      {MEMBER(F, p00_p11), MEMBER(F, size), MEMBER(F, sigma_pixels), MEMBER(F, depth_scale),
+                       MEMBER(F, c_adaptive), MEMBER(F, weight_max), MEMBER(F, cap)});
+    }
+    using M = RemapParameters;
+    expect_pushed(remap_source({}, false), sizeof(M),
+                  {MEMBER(M, size), MEMBER(M, a), MEMBER(M, b), MEMBER(M, c)});
+    using H = HalveParameters;
+    expect_pushed(halve_source({}), sizeof(H),
+                  {MEMBER(H, p00_p11), MEMBER(H, previous_p00_p11), MEMBER(H, size)});
+    using U = UpsampleParameters;
+    expect_pushed(upsample_source({}, true), sizeof(U),
+                  {MEMBER(U, size), MEMBER(U, a), MEMBER(U, b), MEMBER(U, c)});
+    using N = NormalParameters;
+    expect_pushed({.file = "normals_from_depth.comp"}, sizeof(N),
+                  {MEMBER(N, p00_p11), MEMBER(N, size), MEMBER(N, orthographic)});
+    using S = SampleTableParameters;
+    const std::string points = method_named("hemisphere").points;
+    expect_pushed(sample_table_source(points), sizeof(S), {MEMBER(S, first), MEMBER(S, last)});
+}
+
+TEST_F(Layouts, PassesOverTiles) {
+    using S = SelectParameters;
+    expect_pushed(selection_source(1), sizeof(S),
+                  {MEMBER(S, size), MEMBER(S, band), MEMBER(S, written), MEMBER(S, background),
+                   MEMBER(S, settled), MEMBER(S, open_tiles)});
+    using B = BoundParameters;
+    expect_pushed({.file = "tiles/bound.comp"}, sizeof(B), {MEMBER(B, size)});
+    using M = MergeParameters;
+    expect_pushed({.file = "tiles/merge_bounds.comp"}, sizeof(M), {MEMBER(M, size), MEMBER(M, level)});
+    using O = OpenParameters;
+    expect_pushed(
+        {.file = "tiles/open.comp"}, sizeof(O),
+        {MEMBER(O, p00_p11), MEMBER(O, size), MEMBER(O, radius), MEMBER(O, bias), MEMBER(O, points)});
+    using F = SelectFilteredParameters;
+    expect_pushed({.file = "tiles/select_filtered.comp"}, sizeof(F), {MEMBER(F, size), MEMBER(F, reach)});
+}
+
+TEST_F(Layouts, FurtherViewsAndDirections) {
+    using V = FurtherViewParameters;
+    expect_pushed(further_view_source({}, false, false), sizeof(V),
+                  {MEMBER(V, other_from_this), MEMBER(V, p00_p11), MEMBER(V, other_p00_p11), MEMBER(V, size),
+                   MEMBER(V, other_size), MEMBER(V, radius), MEMBER(V, bias), MEMBER(V, bias_depth),
+                   MEMBER(V, remap_a), MEMBER(V, remap_b), MEMBER(V, remap_c)});
+    using D = DirectionalParameters;
+    for (const char* file :
+         {"bent_normals.comp", "bent_gather.comp", "direct_light.comp", "bounced_light.comp"})
+        expect_pushed({.file = file}, sizeof(D),
+                      {MEMBER(D, p00_p11), MEMBER(D, size), MEMBER(D, radius), MEMBER(D, bias),
+                       MEMBER(D, samples), MEMBER(D, orthographic), MEMBER(D, world_from_view)});
+    using F = FilterParameters;
+    expect_pushed({.file = "light_filter.comp"}, sizeof(F),
+                  {MEMBER(F, p00_p11), MEMBER(F, size), MEMBER(F, sigma_pixels), MEMBER(F, depth_scale),
+                   MEMBER(F, c_adaptive), MEMBER(F, weight_max), MEMBER(F, cap)});
+}
+
+TEST_F(Layouts, HistoryOfLight) {
+    using H = LightHistory;
+    for (const char* file : {"direct_light.comp", "bounced_light.comp"}) {
+        const std::vector<LaidOut> found = buffer_of({.file = file}, "HistorySettings");
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(lines_of(found[0].members),
+                  (std::vector{MEMBER(H, previous_from_current), MEMBER(H, previous_p00_p11), MEMBER(H, kept),
+                               MEMBER(H, objects_move), MEMBER(H, previous_orthographic),
+                               MEMBER(H, first_sample), MEMBER(H, weight_max), MEMBER(H, depth_tolerance),
+                               MEMBER(H, invalidation), MEMBER(H, change_tolerance), MEMBER(H, weight_small),
+                               MEMBER(H, confidence_factor)}));
+    }
+}
+
+TEST_F(Layouts, Buffers) {
+    using M = MethodValues;
+    const std::vector<LaidOut> method = buffer_of(occlusion(), "MethodSettings");
+    ASSERT_EQ(method.size(), 1U);
+    EXPECT_EQ(method[0].size, sizeof(M));
+    EXPECT_EQ(lines_of(method[0].members),
+              (std::vector{MEMBER(M, range), MEMBER(M, epsilon), MEMBER(M, intensity), MEMBER(M, thickness),
+                           MEMBER(M, angle_bias), MEMBER(M, mip_distance), MEMBER(M, steps),
+                           MEMBER(M, disagreement), MEMBER(M, feature_thickness)}));
+    using S = TileState;
+    const std::vector<LaidOut> states = buffer_of(selection_source(1), "StatesAfter");
+    ASSERT_EQ(states.size(), 1U);
+    EXPECT_EQ(states[0].stride, sizeof(S));
+    EXPECT_EQ(lines_of(states[0].members),
+              (std::vector{MEMBER(S, flags), MEMBER(S, missed), MEMBER(S, pixels)}));
+    using L = TileList;
+    const std::vector<LaidOut> lists = buffer_of(selection_source(1), "TileLists");
+    ASSERT_EQ(lists.size(), 2U);
+    EXPECT_EQ(lists[0].sizes, std::vector<unsigned>{header_lists});
+    EXPECT_EQ(lists[0].stride, sizeof(L));
+    EXPECT_EQ(lists[1].offset, header_lists * sizeof(L));
+    EXPECT_EQ(lines_of(lists[0].members),
+              (std::vector{MEMBER(L, columns), MEMBER(L, rows), MEMBER(L, layers), MEMBER(L, tiles)}));
+}
+
+// Engines have sampled images, and OpenGL ES 3.1 lets no pass read an image of four channels that it writes.
+TEST_F(Layouts, NoImageIsReadAndWritten) {
+    std::set<std::string> seen;
+    for (const char* method :
+         {"dual_resolution", "sao_chain", "separable", "mssao", "volumetric_area", "disc_proxy_two"}) {
+        Settings settings = with_method({}, method);
+        settings.remap_b = 2.0F;
+        settings.layers = 2;
+        settings.resolution = method == std::string("mssao") ? Resolution::half : Resolution::full;
+        const PlanOptions options{.moving_objects = true, .tiles = true, .normals = false};
+        for (const PlannedPass& pass : plan_of(settings, options).passes) {
+            for (const shader::Binding& binding : interface_of(pass.source).bindings) {
+                const bool stored = binding.type == shader::BindingType::storage_image;
+                EXPECT_TRUE(!stored || (binding.writes && !binding.reads))
+                    << pass.source.file << " " << binding.name;
+            }
+            seen.insert(pass.source.file);
+        }
+    }
+    EXPECT_EQ(seen.size(), 17U);
+}
+
+// A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
+// those of several methods count; the preparation passes share theirs.
+TEST_F(Layouts, SpecializationConstants) {
+    std::map<std::string, std::set<std::uint32_t>> given;
+    std::map<std::string, std::set<std::uint32_t>> known;
+    for (const char* method :
+         {"hemisphere", "gtao", "hbao_study", "sao", "separable", "mssao", "dual_resolution"}) {
+        Settings settings = with_method({}, method);
+        settings.remap_b = 2.0F;
+        settings.resolution = method == std::string("sao") ? Resolution::half : Resolution::full;
+        for (const PlannedPass& pass : plan_of(settings, {.tiles = true}).passes) {
+            const std::string& file = pass.source.file;
+            const std::string key = file.starts_with("preparation/") ? "preparation" : file;
+            const shader::ModuleInterface found = interface_of(pass.source);
+            for (const auto& constant : found.constants) known[key].insert(constant.id);
+            for (const auto& constant : pass.source.constants) given[key].insert(constant.id);
+            EXPECT_EQ(found.push_constants->size, pass.parameters.size()) << method << " " << pass.name;
+        }
+    }
+    EXPECT_EQ(given.size(), 8U);
+    for (const auto& [file, constants] : given)
+        for (const std::uint32_t constant : constants)
+            EXPECT_THAT(known[file], testing::Contains(constant)) << file;
+}
+
+}  // namespace gloam::effect::plan_test

@@ -17,8 +17,7 @@
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
 
-namespace gloam::effect {
-namespace poison_test {
+namespace gloam::effect::poison_test {
 
 constexpr gpu::Extent extent{64, 36};
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
@@ -45,15 +44,9 @@ class Poison : public OnDevice<testing::Test> {
     // All frames, one of them changed.
     [[nodiscard]] std::vector<Frame> run(const Change& change) const {
         const Settings settings = with_radius(Settings{}, static_cast<float>(scene_.ao_radius));
-        AmbientOcclusion& effect = effect_for(extent);
-        std::vector<Frame> frames;
-        for (std::size_t i = 0; i < views_.size(); ++i) {
-            scene::GBuffer view = views_[i];
-            if (i == poisoned_frame) change(view);
-            i == 0 ? effect.begin(view, settings) : effect.advance(view);
-            frames.push_back(effect.next());
-        }
-        return frames;
+        std::vector<scene::GBuffer> views = views_;
+        change(views[poisoned_frame]);
+        return OnDevice::run(views, settings);
     }
 
     void expect_sane(const std::vector<Frame>& frames, const std::vector<Frame>& clean,
@@ -157,5 +150,4 @@ TEST_F(Poison, AnotherKindOfProjectionIsNone) {
     }
 }
 
-}  // namespace poison_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::poison_test

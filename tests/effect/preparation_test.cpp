@@ -21,8 +21,7 @@
 #include "scene/rasterize.hpp"
 #include "surface_views.hpp"
 
-namespace gloam::effect {
-namespace preparation_test {
+namespace gloam::effect::preparation_test {
 
 std::vector<std::string> prepared_methods() {
     std::vector<std::string> names;
@@ -38,15 +37,6 @@ Settings settings_for(const std::string& method, float radius) {
 
 class Prepared : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
-    [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1,
-                            int repeat = 1) const {
-        AmbientOcclusion& effect = effect_for(view.extent);
-        effect.begin(view, settings);
-        Frame frame = effect.next(repeat);
-        for (int i = 1; i < frames; ++i) frame = effect.next(repeat);
-        return frame;
-    }
-
     [[nodiscard]] scene::GBuffer rasterized(const char* name, gpu::Extent extent, double guard = 0.0) const {
         return scene::rasterize(device_, passes_, scene::make_scene(name), extent, {.guard = guard});
     }
@@ -306,5 +296,4 @@ TEST_F(DualResolution, ADuplicateChangesNothing) {
     }
 }
 
-}  // namespace preparation_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::preparation_test

@@ -2,9 +2,6 @@
 // The table of settings: complete, in range, and every line of it changes what is shown.
 #include "effect/setting_table.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,12 +14,9 @@
 #include "on_device.hpp"
 #include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::effect {
-namespace setting_table_test {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+namespace gloam::effect::setting_table_test {
 
 // Stands for a member of any type.
 struct Any {
@@ -266,5 +260,4 @@ TEST_F(EverySetting, SkipsChangeNothing) {
     }
 }
 
-}  // namespace setting_table_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::setting_table_test

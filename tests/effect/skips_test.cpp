@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "bits.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
@@ -18,8 +17,7 @@
 #include "scene/rasterize.hpp"
 #include "support/method_names.hpp"
 
-namespace gloam::effect {
-namespace skips_test {
+namespace gloam::effect::skips_test {
 
 constexpr gpu::Extent odd{83, 45};
 
@@ -395,5 +393,4 @@ TEST_F(Skips, GeometryAppearsWhereAllWasBackground) {
     EXPECT_EQ(frames[7].work.tiles_shaded, frames[7].work.tiles);
 }
 
-}  // namespace skips_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::skips_test

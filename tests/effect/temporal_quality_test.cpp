@@ -15,8 +15,7 @@
 #include "scene/truth.hpp"
 #include "support/devices.hpp"
 
-namespace gloam::effect {
-namespace temporal_quality_test {
+namespace gloam::effect::temporal_quality_test {
 
 Settings settings_for(const char* preset, const scene::Scene& scene) {
     return with_radius(preset_named(preset).settings, static_cast<float>(scene.ao_radius));
@@ -148,5 +147,4 @@ TEST_F(TemporalQuality, EveryDriverGivesTheSameOcclusion) {
     if (others == 0) GTEST_SKIP() << "no second driver here (Debian's package chromium has SwiftShader)";
 }
 
-}  // namespace temporal_quality_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::temporal_quality_test

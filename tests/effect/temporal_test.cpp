@@ -19,8 +19,7 @@
 #include "scene/rasterize.hpp"
 #include "surface_views.hpp"
 
-namespace gloam::effect {
-namespace temporal_test {
+namespace gloam::effect::temporal_test {
 
 constexpr gpu::Extent extent{96, 64};
 
@@ -376,5 +375,4 @@ TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
                                                     testing::HasSubstr("previous positions: 7 pixels")));
 }
 
-}  // namespace temporal_test
-}  // namespace gloam::effect
+}  // namespace gloam::effect::temporal_test

@@ -169,7 +169,7 @@ TEST_F(PackEffect, PreparationComesWithTheMethod) {
     EXPECT_FALSE(named(json()["images"], "prepared").is_null());
 }
 
-// tests/effect/es_passes_test.cpp compiles them with a driver.
+// tests/effect/opengl_passes_test.cpp compiles them with a driver.
 TEST_F(PackEffect, PassesInES) {
     pack({"--version", "310es", "--tiles", "--preset", "moving"});
     const std::string shader = read(out() / "reproject.comp");
